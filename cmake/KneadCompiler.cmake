@@ -1,0 +1,37 @@
+# Compiler settings shared by every target of the project.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set_property(GLOBAL PROPERTY USE_FOLDERS ON)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+find_program(KNEAD_CCACHE ccache)
+if(KNEAD_CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${KNEAD_CCACHE})
+endif()
+
+add_library(knead_settings INTERFACE)
+target_compile_options(knead_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+    -Wno-missing-field-initializers -Werror)   # options are structs with defaults, given by name
+if(KNEAD_SANITIZE)
+    target_compile_options(knead_settings INTERFACE -fsanitize=${KNEAD_SANITIZE} -fno-omit-frame-pointer -g)
+    target_link_options(knead_settings INTERFACE -fsanitize=${KNEAD_SANITIZE})
+endif()
+
+# A layer is one static library whose headers are included from the project root: "core/geometry/vec3.h".
+# The dependencies of a layer are the only include folders it sees, so a wrong arrow does not compile:
+# each layer's own folder is published through a link in the build tree that only its users get.
+function(knead_add_layer name)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+    add_library(knead_${name} STATIC ${sources})
+    set_target_properties(knead_${name} PROPERTIES LINKER_LANGUAGE CXX)
+    set(published ${PROJECT_BINARY_DIR}/include/${name})
+    file(MAKE_DIRECTORY ${published})
+    file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${published}/${name} SYMBOLIC)
+    target_include_directories(knead_${name} PUBLIC ${published})
+    target_link_libraries(knead_${name} PRIVATE knead_settings)
+endfunction()

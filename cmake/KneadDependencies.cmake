@@ -1,0 +1,34 @@
+# Third-party packages. All of them come from Debian 12; packages.txt holds the list.
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(TBB REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
+find_package(assimp REQUIRED)
+find_package(PNG REQUIRED)
+find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg Test)
+find_package(VTK 9.1 REQUIRED COMPONENTS
+    CommonCore CommonDataModel CommonExecutionModel CommonTransforms FiltersCore FiltersGeneral FiltersSources
+    InteractionStyle InteractionWidgets RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
+    IOImage)
+if(VTK_VERSION VERSION_GREATER_EQUAL 9.4)
+    message(WARNING "Knead is tried with VTK 9.1 to 9.3; this is ${VTK_VERSION}")
+endif()
+
+# OpenCASCADE: its version file refuses 7.6.3 when 7.6 is asked for, and its COMPONENTS fail, so both are checked here.
+find_package(OpenCASCADE REQUIRED NO_MODULE)
+set(KNEAD_OCCT_VERSION ${OpenCASCADE_MAJOR_VERSION}.${OpenCASCADE_MINOR_VERSION})
+if(KNEAD_OCCT_VERSION VERSION_LESS 7.6 OR KNEAD_OCCT_VERSION VERSION_GREATER 7.9)
+    message(FATAL_ERROR "Knead needs OpenCASCADE 7.6 to 7.9; found ${KNEAD_OCCT_VERSION}")
+endif()
+set(knead_occt_toolkits TKernel TKMath TKG2d TKG3d TKGeomBase TKBRep TKGeomAlgo TKTopAlgo TKShHealing TKMesh TKPrim
+    TKBO TKBool TKFillet TKOffset TKCDF TKLCAF TKCAF TKXCAF TKXSBase)
+if(KNEAD_OCCT_VERSION VERSION_LESS 7.8)
+    list(APPEND knead_occt_toolkits TKSTEP TKSTEPBase TKSTEPAttr TKSTEP209 TKXDESTEP TKIGES TKXDEIGES)
+else()
+    list(APPEND knead_occt_toolkits TKDESTEP TKDEIGES)
+endif()
+add_library(knead_occt INTERFACE)
+target_include_directories(knead_occt SYSTEM INTERFACE ${OpenCASCADE_INCLUDE_DIR})
+target_link_libraries(knead_occt INTERFACE ${knead_occt_toolkits})
