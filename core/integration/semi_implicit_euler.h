@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/mechanics/object_state.h"
+
+namespace knead {
+
+/// What an integration step found on its way.
+struct StepReport {
+    double largestSpeed = 0;   ///< [m/s]; not finite when any velocity is not
+    double dampingWork = 0;    ///< of state.damping on the objects, with the mean of old and new velocity [J]
+};
+
+/// One step of semi-implicit (symplectic) Euler: v += dt ((F + D) / m + g), then x += dt v with the new v.
+/// Objects with inverse mass 0 stay where they are. Several threads; same bits for any number.
+StepReport semiImplicitEuler(ObjectState& state, const Vec3& gravity, double dt);
+
+/// Relaxes velocities towards the body's best-fit rigid motion (towards rest when `anchored`) by the factor 1 - exp(-rate dt).
+/// Keeps linear and angular momentum of a free body. @return energy taken out [J]
+double dampShape(ObjectState& state, double rate, double dt, bool anchored);
+
+} // namespace knead

@@ -1,0 +1,15 @@
+#pragma once
+
+namespace knead {
+
+/// Largest stable time step of the semi-implicit Euler scheme with damping at the old velocity, for one mode [s]:
+/// dt < 2 (sqrt(1 + zeta^2) - zeta) / omega with zeta = dampingTime omega / 2.
+/// @param frequency omega [rad/s], > 0
+/// @param dampingTime b / k [s], >= 0
+double stableTimeStep(double frequency, double dampingTime);
+
+/// Share of the stable step that is used. The rest is for what the linear analysis leaves out: stiffening under large
+/// compression or stretch, and more than one contact on an object.
+inline constexpr double timeStepShare = 0.8;
+
+} // namespace knead

@@ -1,0 +1,45 @@
+#include "core/mechanics/contact_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+double harmonicMean(double a, double b) { return a + b > 0 ? 2 * a * b / (a + b) : 0; }
+
+} // namespace
+
+ContactResult contactForce(const ContactState& state, const ContactParameters& parameters, double dt)
+{
+    ContactResult result;
+    if (state.overlap <= 0)
+        return result;
+    const double overlap = std::min(state.overlap, parameters.largestOverlap);
+    const double spring = parameters.stiffness * overlap;
+    const double normalSpeed = state.relativeVelocity.dot(state.normal);
+    const double normalForce = std::max(0.0, spring - parameters.damping * normalSpeed);
+    result.spring = spring * state.normal;
+    result.damping = (normalForce - spring) * state.normal;
+    result.energy = 0.5 * spring * overlap + spring * (state.overlap - overlap);
+
+    const Vec3 slide = state.relativeVelocity - normalSpeed * state.normal;
+    if (const double speed = slide.norm(); speed > 0) {
+        constexpr double share = 0.5;
+        const double stopping = share * parameters.reducedMass * speed / dt;
+        result.damping -= std::min(parameters.friction * normalForce, stopping) / speed * slide;
+    }
+    return result;
+}
+
+ContactParameters combine(const ContactParameters& a, const ContactParameters& b)
+{
+    return {.stiffness = harmonicMean(a.stiffness, b.stiffness),
+            .damping = harmonicMean(a.damping, b.damping),
+            .friction = std::sqrt(a.friction * b.friction),
+            .reducedMass = harmonicMean(a.reducedMass, b.reducedMass) / 2,
+            .largestOverlap = std::min(a.largestOverlap, b.largestOverlap)};
+}
+
+} // namespace knead

@@ -1,0 +1,125 @@
+#include "core/mechanics/manipulator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+Pose goTowards(const Manipulator& manipulator, const Pose& target, double dt)
+{
+    Pose pose = manipulator.pose;
+    const double reach = manipulator.speedLimit * dt;
+    const Vec3 way = target.position - pose.position;
+    const double distance = way.norm();
+    pose.position = distance <= reach ? target.position : Vec3(pose.position + way * (reach / distance));
+    // The speed limit holds for the corners too, the points that move fastest when the box turns.
+    const double angle = pose.rotation.angularDistance(target.rotation);
+    const double turn = reach / (0.5 * manipulator.size.norm());
+    pose.rotation = angle <= turn ? target.rotation : pose.rotation.slerp(turn / angle, target.rotation);
+    return pose;
+}
+
+Pose poseAt(const std::vector<KeyFrame>& frames, double time)
+{
+    const auto next = std::upper_bound(frames.begin(), frames.end(), time,
+                                       [](double t, const KeyFrame& frame) { return t < frame.time; });
+    if (next == frames.begin())
+        return frames.front().pose;
+    if (next == frames.end())
+        return frames.back().pose;
+    const KeyFrame& before = *(next - 1);
+    const double part = (time - before.time) / (next->time - before.time);
+    return {before.pose.position + part * (next->pose.position - before.pose.position),
+            before.pose.rotation.slerp(part, next->pose.rotation)};
+}
+
+struct Advance {
+    const Manipulator& manipulator;
+    double time;
+    double dt;
+
+    Pose operator()(const HoldStill&) const { return manipulator.pose; }
+    Pose operator()(const DriveAt& drive) const
+    {
+        Pose pose = manipulator.pose;
+        const double speed = drive.velocity.norm();
+        const double allowed = speed > manipulator.speedLimit ? manipulator.speedLimit / speed : 1;
+        pose.position += allowed * dt * drive.velocity;
+        if (const double angle = drive.angularVelocity.norm() * dt; angle > 0)
+            pose.rotation = (Quaternion(Eigen::AngleAxisd(angle, drive.angularVelocity.normalized())) * pose.rotation)
+                                .normalized();
+        return pose;
+    }
+    Pose operator()(const GoTo& goTo) const { return goTowards(manipulator, goTo.target, dt); }
+    Pose operator()(const FollowKeyFrames& follow) const
+    {
+        return follow.frames.empty() ? manipulator.pose : poseAt(follow.frames, time + dt);
+    }
+};
+
+} // namespace
+
+Pose advance(const Manipulator& manipulator, double time, double dt)
+{
+    return std::visit(Advance{manipulator, time, dt}, manipulator.motion);
+}
+
+SurfacePoint boxSurface(const Vec3& size, const Vec3& point)
+{
+    const Vec3 beyond = point.cwiseAbs() - 0.5 * size;
+    const auto side = [&](Eigen::Index axis) { return point[axis] < 0 ? -1.0 : 1.0; };
+    Eigen::Index axis = 0;
+    const double largest = beyond.maxCoeff(&axis);
+    if (largest <= 0) {
+        Vec3 normal = Vec3::Zero();
+        normal[axis] = side(axis);
+        return {largest, normal};
+    }
+    const Vec3 outside = beyond.cwiseMax(0.0);
+    const double distance = outside.norm();
+    Vec3 normal = outside / distance;
+    for (Eigen::Index i = 0; i < 3; ++i)
+        normal[i] *= side(i);
+    return {distance, normal};
+}
+
+std::vector<std::string> manipulatorProblems(const Manipulator& manipulator)
+{
+    std::vector<std::string> problems;
+    const auto require = [&](bool holds, const std::string& sentence) {
+        if (!holds)
+            problems.push_back("Tool \"" + manipulator.name + "\": " + sentence);
+    };
+    const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
+    require(manipulator.size.allFinite() && within(manipulator.size.minCoeff(), 1e-6, 1e3) &&
+                within(manipulator.size.maxCoeff(), 1e-6, 1e3),
+            "each edge must be between 0.001 mm and 1000 m long.");
+    require(manipulator.pose.position.allFinite() && manipulator.pose.rotation.coeffs().allFinite() &&
+                std::abs(manipulator.pose.rotation.norm() - 1) < 1e-6,
+            "its place must be finite numbers.");
+    require(within(manipulator.friction, 0, 2), "friction must lie between 0 and 2.");
+    require(within(manipulator.speedLimit, 1e-6, 100), "the speed limit must lie between 0.001 mm/s and 100 m/s.");
+    if (const auto* follow = std::get_if<FollowKeyFrames>(&manipulator.motion)) {
+        require(!follow->frames.empty(), "a key-framed motion needs at least one frame.");
+        require(std::adjacent_find(follow->frames.begin(), follow->frames.end(),
+                                   [](const KeyFrame& a, const KeyFrame& b) { return !(a.time < b.time); }) ==
+                    follow->frames.end(),
+                "the times of key frames must ascend.");
+        require(std::all_of(follow->frames.begin(), follow->frames.end(),
+                            [](const KeyFrame& f) {
+                                return std::isfinite(f.time) && f.pose.position.allFinite() &&
+                                       f.pose.rotation.coeffs().allFinite();
+                            }),
+                "key frames must be finite numbers.");
+    }
+    if (const auto* drive = std::get_if<DriveAt>(&manipulator.motion))
+        require(drive->velocity.allFinite() && drive->angularVelocity.allFinite(), "its speed must be a finite number.");
+    if (const auto* goTo = std::get_if<GoTo>(&manipulator.motion))
+        require(goTo->target.position.allFinite() && goTo->target.rotation.coeffs().allFinite(),
+                "its target must be finite numbers.");
+    return problems;
+}
+
+} // namespace knead

@@ -1,0 +1,99 @@
+#include "core/mechanics/contact_law.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace knead;
+
+namespace {
+
+constexpr double dt = 1e-5;
+
+ContactParameters stiff(double friction = 0)
+{
+    return {.stiffness = 1e4, .damping = 0, .friction = friction, .reducedMass = 5e-3, .largestOverlap = 1};
+}
+
+/// Speed after over speed before of a head-on collision with relative mass m.
+double restitution(double zeta)
+{
+    ContactParameters parameters = stiff();
+    parameters.damping = 2 * zeta * std::sqrt(parameters.stiffness * parameters.reducedMass);
+    double overlap = 0;
+    double velocity = -1;   // of o against p along the normal; negative closes
+    const double step = 1e-3 * std::sqrt(parameters.reducedMass / parameters.stiffness);
+    do {
+        const ContactResult result = contactForce({.overlap = overlap, .relativeVelocity = {0, 0, velocity}}, parameters, step);
+        velocity += step * result.force().z() / parameters.reducedMass;
+        overlap -= step * velocity;
+    } while (overlap > 0);
+    return velocity;
+}
+
+} // namespace
+
+class ContactLawTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void nothingHappensWithoutTouch()
+    {
+        const ContactResult result = contactForce({.overlap = 0, .relativeVelocity = {1, 2, -3}}, stiff(0.5), dt);
+        QCOMPARE(result.force().norm(), 0.0);
+        QCOMPARE(result.energy, 0.0);
+    }
+
+    void pushesButNeverPulls()
+    {
+        ContactParameters parameters = stiff();
+        parameters.damping = 100;
+        QVERIFY(contactForce({.overlap = 1e-4, .relativeVelocity = {0, 0, -1}}, parameters, dt).force().z() > 1);
+        QCOMPARE(contactForce({.overlap = 1e-4, .relativeVelocity = {0, 0, 1}}, parameters, dt).force().norm(), 0.0);
+    }
+
+    void restitutionFollowsSchwagerAndPoeschel()
+    {
+        // e = exp(-zeta phi / sqrt(1 - zeta^2)), phi = atan2(2 zeta sqrt(1 - zeta^2), 2 zeta^2 - 1), for a clamped spring-damper.
+        for (const double zeta : {0.05, 0.1, 0.3}) {
+            const double root = std::sqrt(1 - zeta * zeta);
+            const double expected = std::exp(-zeta / root * std::atan2(2 * zeta * root, 2 * zeta * zeta - 1));
+            QVERIFY2(std::abs(restitution(zeta) / expected - 1) < 5e-3, qPrintable(QString::number(restitution(zeta))));
+        }
+    }
+
+    void frictionOpposesTheSlideWithCoulombsForce()
+    {
+        const ContactResult result = contactForce({.overlap = 1e-4, .relativeVelocity = {3, 4, 0}}, stiff(0.5), dt);
+        QVERIFY((result.force() - Vec3(-0.3, -0.4, 1)).norm() < 1e-12);
+        QVERIFY(std::abs(result.damping.dot(Vec3(3, 4, 0)) + 0.5 * 5) < 1e-12);
+    }
+
+    void frictionNeverReversesTheSlide()
+    {
+        const double speed = 1e-6;
+        const ContactResult result = contactForce({.overlap = 1e-3, .relativeVelocity = {speed, 0, 0}}, stiff(2), dt);
+        QVERIFY(-result.force().x() * dt / stiff().reducedMass <= 0.5 * speed * (1 + 1e-12));
+    }
+
+    void forceStaysFiniteDeepInside()
+    {
+        ContactParameters parameters = stiff();
+        parameters.largestOverlap = 2e-3;
+        QCOMPARE(contactForce({.overlap = 1}, parameters, dt).force().z(), 20.0);
+    }
+
+    void pairsActLikeSpringsInSeries()
+    {
+        const ContactParameters a{.stiffness = 100, .damping = 1, .friction = 0.4, .reducedMass = 1, .largestOverlap = 1};
+        const ContactParameters b{.stiffness = 300, .damping = 1, .friction = 0.9, .reducedMass = 3, .largestOverlap = 2};
+        const ContactParameters both = combine(a, b);
+        QCOMPARE(both.stiffness, 150.0);
+        QVERIFY(std::abs(both.friction - 0.6) < 1e-12);
+        QCOMPARE(both.reducedMass, 0.75);
+        QCOMPARE(combine(a, a).stiffness, 100.0);
+    }
+};
+
+QTEST_GUILESS_MAIN(ContactLawTest)
+#include "contact_law_test.moc"
