@@ -1,0 +1,138 @@
+#include "core/simulation/simulation_state.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace knead {
+
+namespace {
+
+/// Carries out one command on the state; a command that makes no sense throws with a sentence and changes nothing.
+class Executor {
+public:
+    explicit Executor(Simulation::State& state) : m_state(state) {}
+
+    void operator()(const SetMaterial& command) const
+    {
+        if (command.body >= m_state.bodies.size())
+            throw std::runtime_error("There is no body number " + std::to_string(command.body) + ".");
+        if (const auto problems = materialProblems(command.material); !problems.empty())
+            throw std::runtime_error(problems.front());
+        m_state.bodies[command.body].material = command.material;
+        m_state.setMasses();
+        m_state.runs[command.body]->connections.setMaterial(command.material);
+        m_state.contacts->updateParameters();
+        m_state.updateTimeStep();
+    }
+    void operator()(const SetGravity& command) const
+    {
+        if (!command.gravity.allFinite())
+            throw std::runtime_error("Gravity must be finite numbers.");
+        m_state.gravity = command.gravity;
+    }
+    void operator()(const SetFloor& command) const
+    {
+        if (command.height && !std::isfinite(*command.height))
+            throw std::runtime_error("The height of the floor must be a finite number.");
+        m_state.floorHeight = command.height;
+        m_state.floorFriction = command.friction;
+        m_state.contacts->invalidate();
+    }
+    void operator()(const AddManipulator& command) const
+    {
+        check(command.manipulator);
+        m_state.tools.emplace_back(command.manipulator);
+        m_state.contacts->invalidate();
+    }
+    void operator()(const RemoveManipulator& command) const
+    {
+        tool(command.tool);
+        m_state.tools[command.tool].reset();
+        m_state.contacts->invalidate();
+    }
+    void operator()(const SetManipulatorMotion& command) const
+    {
+        change(command.tool, [&](Manipulator& manipulator) { manipulator.motion = command.motion; });
+    }
+    void operator()(const ReshapeManipulator& command) const
+    {
+        const auto reshape = [&](Manipulator& manipulator) {
+            manipulator.size = command.size;
+            manipulator.friction = command.friction;
+            manipulator.speedLimit = command.speedLimit;
+        };
+        change(command.tool, reshape);
+        reshape(tool(command.tool).start);
+    }
+    void operator()(const PlaceManipulator& command) const
+    {
+        change(command.tool, [&](Manipulator& manipulator) {
+            manipulator.pose = command.pose;
+            manipulator.motion = HoldStill{};
+        });
+        if (m_state.step == 0)
+            tool(command.tool).start = tool(command.tool).manipulator;
+    }
+    void operator()(const AddFixture& command) const
+    {
+        if (command.fixture.body >= m_state.bodies.size())
+            throw std::runtime_error("Fixture \"" + command.fixture.name + "\" names a body that does not exist.");
+        m_state.fixtures.emplace_back(command.fixture);
+        m_state.holdFixtures();
+    }
+    void operator()(const RemoveFixture& command) const
+    {
+        if (command.fixture >= m_state.fixtures.size() || !m_state.fixtures[command.fixture])
+            throw std::runtime_error("There is no fixture number " + std::to_string(command.fixture) + ".");
+        m_state.fixtures[command.fixture].reset();
+        m_state.holdFixtures();
+    }
+
+private:
+    static void check(const Manipulator& manipulator)
+    {
+        if (const auto problems = manipulatorProblems(manipulator); !problems.empty())
+            throw std::runtime_error(problems.front());
+    }
+    ToolRun& tool(ToolId id) const
+    {
+        if (id >= m_state.tools.size() || !m_state.tools[id])
+            throw std::runtime_error("There is no tool number " + std::to_string(id) + ".");
+        return *m_state.tools[id];
+    }
+    template <typename Change>
+    void change(ToolId id, Change apply) const
+    {
+        Manipulator changed = tool(id).manipulator;
+        apply(changed);
+        check(changed);
+        tool(id).manipulator = changed;
+        m_state.contacts->invalidate();
+    }
+
+    Simulation::State& m_state;
+};
+
+} // namespace
+
+void Simulation::State::carryOut(const Command& command)
+{
+    std::visit(Executor(*this), command);
+    recording.push_back({step, command});
+}
+
+void Simulation::State::applyCommands()
+{
+    while (!pending.empty()) {
+        const Command command = std::move(pending.front());
+        pending.pop_front();
+        try {
+            carryOut(command);
+            notice.clear();
+        } catch (const std::runtime_error& error) {
+            notice = error.what();
+        }
+    }
+}
+
+} // namespace knead

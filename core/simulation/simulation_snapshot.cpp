@@ -1,0 +1,128 @@
+#include "core/simulation/simulation_state.h"
+#include "core/task/parallel.h"
+
+#include <bit>
+
+namespace knead {
+
+namespace {
+
+constexpr std::size_t blockSize = 8192;
+
+Snapshot::BodyState copyOf(const BodyRun& run, const Lattice& lattice)
+{
+    Snapshot::BodyState copy;
+    copy.positions.resize(run.state.size());
+    copy.displacements.resize(run.state.size());
+    forEachBlock(run.state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            copy.positions[i] = run.state.position.at(i);
+            copy.displacements[i] = copy.positions[i] - lattice.position(static_cast<ObjectIndex>(i));
+        }
+    });
+    return copy;
+}
+
+ToolState stateOf(ToolId id, ToolRun& tool)
+{
+    if (tool.stepsInSum > 0) {
+        tool.meanForce = tool.forceSum / tool.stepsInSum;
+        tool.meanTorque = tool.torqueSum / tool.stepsInSum;
+        tool.forceSum.setZero();
+        tool.torqueSum.setZero();
+        tool.stepsInSum = 0;
+    }
+    return {.id = id,
+            .name = tool.manipulator.name,
+            .size = tool.manipulator.size,
+            .pose = tool.manipulator.pose,
+            .friction = tool.manipulator.friction,
+            .speedLimit = tool.manipulator.speedLimit,
+            .force = tool.meanForce,
+            .torque = tool.meanTorque,
+            .peakForce = tool.peakForce};
+}
+
+} // namespace
+
+EnergyLedger Simulation::State::storedEnergy()
+{
+    // The scheme keeps velocities half a step ahead of positions. Taken at the start of the last step, where forces and
+    // contact energy are known, with 1/2 m v- . v+ of the velocities half a step before and after, the sum is what the
+    // scheme conserves exactly for linear springs; any other choice shows the offset as an error.
+    EnergyLedger stored = energy;
+    stored.contact = contactReport.energy;
+    const double back = step > 0 ? timeStep : 0;
+    for (auto& run : runs) {
+        ObjectState earlier = run->state;
+        for (std::size_t i = 0; i < earlier.size(); ++i) {
+            const double mass = earlier.mass[i];
+            const Vec3 acceleration = earlier.inverseMass[i] * (earlier.force.at(i) + earlier.damping.at(i) + mass * gravity);
+            earlier.position.add(i, -back * earlier.velocity.at(i));
+            const Vec3 after = earlier.velocity.at(i);
+            const Vec3 before = after - back * acceleration;
+            stored.kinetic += 0.5 * mass * before.dot(after);
+            stored.gravity -= mass * gravity.dot(earlier.position.at(i));
+        }
+        stored.elastic += run->connections.energy(earlier);
+    }
+    stored.imbalance = stored.kinetic + stored.elastic + stored.gravity + stored.contact + stored.dissipated -
+                       stored.toolWork - startEnergy;
+    return stored;
+}
+
+std::shared_ptr<Snapshot> Simulation::snapshot()
+{
+    State& state = *m_state;
+    auto shot = std::make_shared<Snapshot>();
+    shot->step = state.step;
+    shot->time = state.time;
+    shot->timeStep = state.timeStep;
+    shot->gravity = state.gravity;
+    shot->floorHeight = state.floorHeight;
+    shot->health = state.health;
+    shot->notice = state.notice;
+    shot->contacts = state.contactReport.count;
+    shot->energy = state.storedEnergy();
+    for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+        const Aggregate& aggregate = *state.bodies[b].aggregate;
+        const BodyRun& run = *state.runs[b];
+        shot->bodies.push_back(copyOf(run, aggregate.lattice));
+        shot->materials.push_back(state.bodies[b].material);
+        shot->objects += aggregate.size();
+        shot->connections += run.connections.count();
+        for (std::size_t i = 0; i < aggregate.size(); ++i) {
+            const Vec3 momentum = run.state.mass[i] * run.state.velocity.at(i);
+            shot->momentum += momentum;
+            shot->angularMomentum += run.state.position.at(i).cross(momentum);
+        }
+    }
+    for (ToolId id = 0; id < state.tools.size(); ++id)
+        if (state.tools[id])
+            shot->tools.push_back(stateOf(id, *state.tools[id]));
+    for (FixtureId id = 0; id < state.fixtures.size(); ++id)
+        if (state.fixtures[id]) {
+            shot->fixtures.push_back(*state.fixtures[id]);
+            shot->fixtureIds.push_back(id);
+        }
+    return shot;
+}
+
+std::uint64_t Simulation::stateHash() const
+{
+    // FNV-1a over 64-bit words.
+    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    const auto add = [&](const std::vector<double>& values) {
+        for (const double value : values)
+            hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3ULL;
+    };
+    for (const auto& run : m_state->runs)
+        for (const VectorArray* array : {&run->state.position, &run->state.velocity}) {
+            add(array->x);
+            add(array->y);
+            add(array->z);
+        }
+    return hash;
+}
+
+} // namespace knead

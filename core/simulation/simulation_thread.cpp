@@ -1,0 +1,193 @@
+#include "core/simulation/simulation_thread.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+namespace knead {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+
+constexpr double frameSeconds = 1.0 / 60;
+// The rest of a frame is for the snapshot and for the window, which shares the processor.
+constexpr double steppingShare = 0.85;
+constexpr double meteringSeconds = 0.5;
+
+double secondsSince(Clock::time_point start) { return Seconds(Clock::now() - start).count(); }
+
+} // namespace
+
+struct SimulationThread::Worker {
+    explicit Worker(Simulation sim) : simulation(std::move(sim)), latest(simulation.snapshot())
+    {
+        thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
+    }
+
+    /// Hands work to the thread and wakes it.
+    void ask(std::function<void(Worker&)> request)
+    {
+        {
+            const std::lock_guard lock(mutex);
+            requests.push_back(std::move(request));
+        }
+        wake.notify_one();
+    }
+
+    void run(const std::stop_token& stop)
+    {
+        while (!stop.stop_requested()) {
+            carryOutRequests(stop);
+            if (stop.stop_requested())
+                return;
+            if (playing)
+                playFrame(stop);
+            publish();
+        }
+    }
+
+    /// Takes all requests; without any, and paused, waits for one.
+    void carryOutRequests(const std::stop_token& stop)
+    {
+        std::deque<std::function<void(Worker&)>> taken;
+        {
+            std::unique_lock lock(mutex);
+            if (!playing)
+                wake.wait(lock, stop, [this] { return !requests.empty(); });
+            taken.swap(requests);
+        }
+        for (const auto& request : taken)
+            request(*this);
+        if (!playing)
+            simulation.applyCommands();
+    }
+
+    /// Simulates one sixtieth of a second times the wanted speed, or as much of it as fits, and waits for the frame to end.
+    void playFrame(const std::stop_token& stop)
+    {
+        const Clock::time_point start = Clock::now();
+        const double target = simulation.time() + frameSeconds * speed - carry;
+        const double before = simulation.time();
+        steps = 0;
+        while (!stop.stop_requested() && simulation.time() < target && simulation.health().ok) {
+            simulation.step();
+            ++steps;
+            if (secondsSince(start) > steppingShare * frameSeconds)
+                break;
+        }
+        // What a frame overshoots is taken from the next; what it could not do is given up, the ratio says so.
+        carry = std::max(0.0, simulation.time() - target);
+        if (!simulation.health().ok)
+            playing = false;
+        meter(simulation.time() - before, start);
+        std::unique_lock lock(mutex);
+        const auto end = start + std::chrono::duration_cast<Clock::duration>(Seconds(frameSeconds));
+        wake.wait_until(lock, stop, end, [] { return false; });
+    }
+
+    void meter(double simulated, Clock::time_point start)
+    {
+        if (frames.empty() || Seconds(start - frames.back().start).count() > meteringSeconds)
+            frames.clear();
+        frames.push_back({start, simulated});
+        while (Seconds(start - frames.front().start).count() > meteringSeconds)
+            frames.pop_front();
+        const double wall = Seconds(start - frames.front().start).count() + std::max(frameSeconds, secondsSince(start));
+        double sum = 0;
+        for (const Frame& frame : frames)
+            sum += frame.simulated;
+        ratio = sum / wall;
+        updates = static_cast<double>(frames.size()) / wall;
+    }
+
+    void publish()
+    {
+        const std::shared_ptr<Snapshot> shot = simulation.snapshot();
+        shot->playing = playing;
+        shot->ratio = playing ? ratio : 0;
+        shot->updatesPerSecond = playing ? updates : 0;
+        shot->stepsPerFrame = playing ? steps : 0;
+        const std::lock_guard lock(mutex);
+        latest = shot;
+    }
+
+    struct Frame {
+        Clock::time_point start;
+        double simulated;
+    };
+
+    // Owned by the thread.
+    Simulation simulation;
+    bool playing = false;
+    double speed = 1;
+    double carry = 0;
+    double ratio = 0;
+    double updates = 0;
+    int steps = 0;
+    std::deque<Frame> frames;
+
+    // Shared.
+    std::mutex mutex;
+    std::condition_variable_any wake;
+    std::deque<std::function<void(Worker&)>> requests;
+    SnapshotPointer latest;
+
+    std::jthread thread;   // last: stops before the rest goes
+};
+
+SimulationThread::SimulationThread(Simulation simulation) : m_worker(std::make_unique<Worker>(std::move(simulation))) {}
+SimulationThread::~SimulationThread() = default;
+
+void SimulationThread::play()
+{
+    m_worker->ask([](Worker& worker) { worker.playing = worker.simulation.health().ok; });
+}
+
+void SimulationThread::pause()
+{
+    m_worker->ask([](Worker& worker) { worker.playing = false; });
+}
+
+void SimulationThread::stepOnce()
+{
+    m_worker->ask([](Worker& worker) {
+        if (!worker.playing)
+            worker.simulation.step();
+    });
+}
+
+void SimulationThread::reset()
+{
+    m_worker->ask([](Worker& worker) {
+        worker.playing = false;
+        worker.carry = 0;
+        worker.simulation.reset();
+    });
+}
+
+void SimulationThread::setSpeed(double ratio)
+{
+    m_worker->ask([speed = std::clamp(ratio, 0.01, 10.0)](Worker& worker) { worker.speed = speed; });
+}
+
+void SimulationThread::post(Command command)
+{
+    m_worker->ask([command = std::move(command)](Worker& worker) { worker.simulation.post(command); });
+}
+
+SnapshotPointer SimulationThread::latest() const
+{
+    const std::lock_guard lock(m_worker->mutex);
+    return m_worker->latest;
+}
+
+} // namespace knead
