@@ -33,8 +33,12 @@ void fillTorus(benchmark::State& state)
     setRate(state, "objects/s", objects);
     setRate(state, "triangles/s", mesh.triangles.size());
 }
-BENCHMARK(fillTorus)->Args({20'000, 100'000})->Args({200'000, 1'000'000})->Args({1'000'000, 1'000'000})
-    ->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(fillTorus)
+    ->Args({20'000, 100'000})
+    ->Args({200'000, 1'000'000})
+    ->Args({1'000'000, 1'000'000})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 void buildSurfaceDistance(benchmark::State& state)
 {

@@ -2,8 +2,12 @@
 
 #include "core/geometry/triangle_mesh.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 /// Closed meshes with known volumes for tests and benchmarks. All are welded and face outwards.
 namespace knead::shapes {
@@ -49,7 +53,8 @@ inline TriangleMesh box(const Vec3& size)
     TriangleMesh mesh;
     for (int i = 0; i < 8; ++i)
         mesh.vertices.push_back(0.5 * size.cwiseProduct(Vec3((i & 1) * 2 - 1, (i & 2) - 1, (i & 4) / 2 - 1)));
-    const std::uint32_t quads[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+    const std::uint32_t quads[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                       {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
     for (std::uint32_t face = 0; face < 6; ++face) {
         const auto& q = quads[face];
         mesh.triangles.push_back({q[0], q[1], q[2]});
@@ -91,8 +96,8 @@ inline TriangleMesh torus(double radius, double tubeRadius, std::uint32_t around
     });
 }
 
-/// A surface of revolution about z through the points (radius, height) of an open profile that ascends; both ends are closed by
-/// a point on the axis. Faces: 0 bottom, 1 side, 2 top.
+/// A surface of revolution about z through the points (radius, height) of an open profile that ascends; both ends are
+/// closed by a point on the axis. Faces: 0 bottom, 1 side, 2 top.
 template <typename Profile>
 TriangleMesh revolution(std::uint32_t around, std::uint32_t rings, Profile&& profile)
 {
@@ -192,12 +197,11 @@ inline TriangleMesh fork(double width, double length, double height, double base
 {
     const double left = (width - slot) / 2;
     const double right = (width + slot) / 2;
-    // The polygon is not star-shaped, so its triangles are listed.
     TriangleMesh mesh;
-    const std::vector<Eigen::Vector2d> corners{{0, 0},         {left, 0},     {right, 0},        {width, 0},
-                                               {width, base},  {width, length}, {right, length}, {right, base},
-                                               {left, base},   {left, length}, {0, length},      {0, base}};
-    const std::uint32_t n = 12;
+    const std::vector<Eigen::Vector2d> corners{{0, 0},        {left, 0},       {right, 0},      {width, 0},
+                                               {width, base}, {width, length}, {right, length}, {right, base},
+                                               {left, base},  {left, length},  {0, length},     {0, base}};
+    const std::uint32_t n = 12; // not star-shaped, so its triangles are listed below
     for (const double z : {0.0, height})
         for (const Eigen::Vector2d& corner : corners)
             mesh.vertices.emplace_back(corner.x(), corner.y(), z);

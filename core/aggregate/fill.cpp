@@ -1,0 +1,162 @@
+#include "core/aggregate/fill.h"
+
+#include "core/aggregate/cell_corners.h"
+#include "core/aggregate/cut_cells.h"
+#include "core/geometry/half_edges.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/surface_distance.h"
+#include "core/task/parallel_progress.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace knead {
+
+namespace {
+
+constexpr int exactLayers = 1; // objects up to so many steps from the corners of cut cells get their exact depth
+
+std::string inMillimetres(double length)
+{
+    std::ostringstream text;
+    text << length * 1000 << " mm";
+    return text.str();
+}
+
+[[noreturn]] void refuseTooManyObjects(const FillOptions& options)
+{
+    throw std::runtime_error("A spacing of " + inMillimetres(options.spacing) + " needs more than " +
+                             std::to_string(options.maximumObjects) + " objects. Choose a larger spacing.");
+}
+
+void checkMesh(const TriangleMesh& mesh)
+{
+    if (mesh.empty())
+        throw std::runtime_error(
+            "The part has no triangles, so there is nothing to fill. Import a part with a surface.");
+    for (const Vec3& vertex : mesh.vertices)
+        if (!vertex.allFinite())
+            throw std::runtime_error(
+                "A vertex of the surface is not at a finite place. Repair the file and import again.");
+    const std::size_t open = findHalfEdges(mesh).unpaired;
+    if (open > 0)
+        throw std::runtime_error("The surface is not closed: " + std::to_string(open) +
+                                 " edges of triangles have no partner. Close the gaps and import again.");
+}
+
+/// Refuses what could not be stored, before anything is allocated.
+void checkSize(const MassProperties& properties, const FillOptions& options)
+{
+    const double a = options.spacing;
+    if (!std::isfinite(a) || a <= 0)
+        throw std::runtime_error("A spacing of " + inMillimetres(a) + " cannot be used. Enter a length above 0.");
+    const auto most = static_cast<double>(options.maximumObjects);
+    if (std::abs(properties.volume) / (a * a * a) > most || properties.box.sizes().maxCoeff() / a > most)
+        refuseTooManyObjects(options);
+}
+
+/// Marks objects next to marked ones along one axis, in both senses.
+void growAlong(const Lattice& lattice, std::size_t axis, std::vector<std::uint8_t>& marks)
+{
+    const std::vector<std::uint8_t> before = marks;
+    for (const Lattice::Segment& segment : lattice.segments[axis])
+        for (ObjectIndex low = segment.begin; low < segment.end; ++low) {
+            const ObjectIndex high = low + static_cast<ObjectIndex>(segment.offset);
+            Lattice::Node neighbor = lattice.nodes[low];
+            ++neighbor[axis];
+            if ((before[low] | before[high]) == 0 || lattice.nodes[high] != neighbor)
+                continue;
+            marks[low] |= before[high];
+            marks[high] |= before[low];
+        }
+}
+
+/// Objects within exactLayers steps of a surface object, diagonals counted as one step. Growing axis by axis reaches
+/// all of them: where a node on the way is missing, the objects around the gap are surface objects themselves.
+std::vector<ObjectIndex> objectsNearSurface(const CellCorners& corners)
+{
+    std::vector<std::uint8_t> marks = corners.isSurface;
+    for (int layer = 0; layer < exactLayers; ++layer)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            growAlong(corners.aggregate.lattice, axis, marks);
+    std::vector<ObjectIndex> objects;
+    for (ObjectIndex object = 0; object < marks.size(); ++object)
+        if (marks[object] != 0)
+            objects.push_back(object);
+    return objects;
+}
+
+/// All cells within exactLayers + 1 steps of the other objects are full, so these are at least that deep.
+void measureDepth(Aggregate& aggregate, const std::vector<ObjectIndex>& nearSurface, const TriangleMesh& mesh,
+                  double orientation, TaskControl& control)
+{
+    aggregate.depth.assign(aggregate.size(), (exactLayers + 1) * aggregate.lattice.spacing);
+    aggregate.face.assign(aggregate.size(), Aggregate::noFace);
+    control.throwIfCancelled();
+    const SurfaceDistance surface(mesh);
+    forEachBlock(nearSurface.size(), 1024, control, "measuring depth", [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const ObjectIndex object = nearSurface[i];
+            const SurfaceDistance::Hit hit = surface.nearest(aggregate.lattice.position(object));
+            aggregate.depth[object] = -orientation * hit.signedDistance;
+            if (!mesh.faceOfTriangle.empty())
+                aggregate.face[object] = mesh.faceOfTriangle[hit.triangle];
+        }
+    });
+}
+
+} // namespace
+
+Aggregate fill(const TriangleMesh& mesh, const FillOptions& options, TaskControl& control)
+{
+    control.report(0, "checking the surface");
+    checkMesh(mesh);
+    const MassProperties properties = massProperties(mesh);
+    checkSize(properties, options);
+
+    const double orientation = properties.volume < 0 ? -1 : 1;
+    const CellGrid grid = gridAround(properties.box, options.spacing);
+    TaskPortion cutting(control, 0.1, 0.5);
+    const CutCells cells = cutCells(mesh, grid, orientation, options.minimumFraction, cutting);
+    if (cells.size() == 0)
+        throw std::runtime_error("The part is too thin for a spacing of " + inMillimetres(options.spacing) +
+                                 ": no cell holds enough material. Choose a smaller spacing.");
+    if (countCorners(cells) > std::min<std::size_t>(options.maximumObjects, 0x7fffffff))
+        refuseTooManyObjects(options);
+
+    TaskPortion joining(control, 0.5, 0.6);
+    CellCorners corners = joinCells(cells, grid, joining);
+    corners.aggregate.meshVolume = std::abs(properties.volume);
+    TaskPortion measuring(control, 0.6, 1);
+    measureDepth(corners.aggregate, objectsNearSurface(corners), mesh, orientation, measuring);
+    return std::move(corners.aggregate);
+}
+
+double spacingForCellsAcross(const TriangleMesh& mesh, double cells)
+{
+    assert(cells > 0);
+    return massProperties(mesh).box.sizes().maxCoeff() / cells;
+}
+
+/// One object per cell of the volume, and for the corners of cut cells a layer over the surface, measured as 0.95 to
+/// 1.05 cells thick for solids and sheets of any orientation.
+double spacingForObjectCount(const TriangleMesh& mesh, double objects)
+{
+    assert(objects > 0);
+    constexpr double layer = 1;
+    const MassProperties properties = massProperties(mesh);
+    const double volume = std::abs(properties.volume);
+    double few = 0; // of 1 / spacing
+    double many = std::cbrt(objects / volume);
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (few + many) / 2;
+        const double count = middle * middle * (middle * volume + layer * properties.area);
+        (count < objects ? few : many) = middle;
+    }
+    return 1 / many;
+}
+
+} // namespace knead

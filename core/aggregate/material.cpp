@@ -1,0 +1,60 @@
+#include "core/aggregate/material.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace knead {
+
+namespace {
+
+std::string withUnit(double number, const MaterialField& field)
+{
+    std::ostringstream text;
+    text << number;
+    if (*field.unit != '\0')
+        text << ' ' << field.unit;
+    return text.str();
+}
+
+std::string problem(const MaterialField& field, double number)
+{
+    std::ostringstream minimum;
+    minimum << field.minimum;
+    return std::string(field.name) + " is " + withUnit(number, field) + "; it must lie between " + minimum.str() +
+           " and " + withUnit(field.maximum, field) + ".";
+}
+
+} // namespace
+
+double Material::soundSpeed() const
+{
+    return std::sqrt(youngsModulus / density);
+}
+
+const std::vector<MaterialField>& materialFields()
+{
+    static const std::vector<MaterialField> fields{
+        {"density_kg_m3", "Density", "kg/m^3", 1, 30'000, &Material::density},
+        {"youngs_modulus_pa", "Young's modulus", "Pa", 100, 1e12, &Material::youngsModulus},
+        {"poisson_ratio", "Poisson's ratio", "", 0, 0.49, &Material::poissonRatio},
+        {"damping_ratio", "Damping ratio", "", 0, 0.3, &Material::dampingRatio},
+        {"shape_damping_per_s", "Shape damping", "1/s", 0, 1000, &Material::shapeDamping},
+        {"friction", "Friction", "", 0, 2, &Material::friction},
+    };
+    return fields;
+}
+
+std::vector<std::string> materialProblems(const Material& material)
+{
+    std::vector<std::string> problems;
+    for (const MaterialField& field : materialFields()) {
+        const double number = material.*field.value;
+        // A NaN fails every comparison, so the range is asked for, not its opposite.
+        const bool inRange = number >= field.minimum && number <= field.maximum;
+        if (!inRange)
+            problems.push_back(problem(field, number));
+    }
+    return problems;
+}
+
+} // namespace knead

@@ -1,0 +1,137 @@
+#include "core/geometry/refine.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+
+namespace knead {
+
+namespace {
+
+using Triangle = TriangleMesh::Triangle;
+
+std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b)
+{
+    return (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
+}
+
+/// One pass: every edge that is too long gets a vertex in its middle, shared by its triangles.
+class Splitter {
+public:
+    Splitter(const TriangleMesh& mesh, double maximumEdge) : m_mesh(mesh), m_maximumSquared(maximumEdge * maximumEdge)
+    {
+        m_result.vertices = mesh.vertices;
+        m_result.triangles.reserve(mesh.triangles.size() * 2);
+    }
+
+    bool hasSplit() const { return !m_middle.empty(); }
+
+    TriangleMesh split()
+    {
+        for (std::size_t t = 0; t < m_mesh.triangles.size(); ++t)
+            splitTriangle(t);
+        return std::move(m_result);
+    }
+
+private:
+    std::optional<std::uint32_t> middle(std::uint32_t a, std::uint32_t b)
+    {
+        const Vec3& A = m_mesh.vertices[a];
+        const Vec3& B = m_mesh.vertices[b];
+        if ((A - B).squaredNorm() <= m_maximumSquared)
+            return std::nullopt;
+        const auto next = static_cast<std::uint32_t>(m_result.vertices.size());
+        const auto [place, isNew] = m_middle.try_emplace(edgeKey(a, b), next);
+        if (isNew)
+            m_result.vertices.push_back(0.5 * (A + B));
+        return place->second;
+    }
+
+    void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t parent)
+    {
+        m_result.triangles.push_back({a, b, c});
+        if (!m_mesh.faceOfTriangle.empty())
+            m_result.faceOfTriangle.push_back(m_mesh.faceOfTriangle[parent]);
+    }
+
+    void splitTriangle(std::size_t t)
+    {
+        Triangle v = m_mesh.triangles[t];
+        std::array<std::optional<std::uint32_t>, 3> m; // m[i] lies between v[i] and v[i+1]
+        for (std::size_t i = 0; i < 3; ++i)
+            m[i] = middle(v[i], v[(i + 1) % 3]);
+        const auto count = std::count_if(m.begin(), m.end(), [](const auto& x) { return x.has_value(); });
+        if (count == 0)
+            return add(v[0], v[1], v[2], t);
+        if (count == 3) {
+            for (std::size_t i = 0; i < 3; ++i)
+                add(v[i], *m[i], *m[(i + 2) % 3], t);
+            return add(*m[0], *m[1], *m[2], t);
+        }
+        // Turn until the first edge is split and the last one is not.
+        while (!m[0] || m[2]) {
+            std::rotate(v.begin(), v.begin() + 1, v.end());
+            std::rotate(m.begin(), m.begin() + 1, m.end());
+        }
+        if (!m[1]) {
+            add(v[0], *m[0], v[2], t);
+            return add(*m[0], v[1], v[2], t);
+        }
+        add(*m[0], v[1], *m[1], t);
+        splitQuadrangle({v[0], *m[0], *m[1], v[2]}, t);
+    }
+
+    /// Along the shorter diagonal, which keeps triangles from becoming slivers.
+    void splitQuadrangle(const std::array<std::uint32_t, 4>& q, std::size_t t)
+    {
+        const auto length = [&](std::size_t i, std::size_t j) {
+            return (m_result.vertices[q[i]] - m_result.vertices[q[j]]).squaredNorm();
+        };
+        if (length(0, 2) <= length(1, 3)) {
+            add(q[0], q[1], q[2], t);
+            add(q[0], q[2], q[3], t);
+        } else {
+            add(q[0], q[1], q[3], t);
+            add(q[1], q[2], q[3], t);
+        }
+    }
+
+    const TriangleMesh& m_mesh;
+    double m_maximumSquared;
+    TriangleMesh m_result;
+    std::unordered_map<std::uint64_t, std::uint32_t> m_middle;
+};
+
+double areaOf(const TriangleMesh& mesh)
+{
+    double area = 0;
+    for (const Triangle& t : mesh.triangles) {
+        const Vec3& a = mesh.vertices[t[0]];
+        area += 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
+    }
+    return area;
+}
+
+} // namespace
+
+TriangleMesh refine(const TriangleMesh& mesh, double maximumEdge, std::size_t maximumTriangles)
+{
+    assert(maximumEdge > 0);
+    // Split triangles have edges around 0.7 of the longest allowed, hence about a quarter of its square as area.
+    const double smallestArea = areaOf(mesh) / static_cast<double>(maximumTriangles);
+    const double edge = std::max(maximumEdge, 2 * std::sqrt(smallestArea));
+
+    TriangleMesh result = mesh;
+    while (result.triangles.size() < maximumTriangles) {
+        Splitter splitter(result, edge);
+        TriangleMesh next = splitter.split();
+        if (!splitter.hasSplit())
+            break;
+        result = std::move(next);
+    }
+    return result;
+}
+
+} // namespace knead

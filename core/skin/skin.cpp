@@ -1,0 +1,158 @@
+#include "core/skin/skin.h"
+
+#include "core/skin/neighborhood.h"
+#include "core/skin/shape_functions.h"
+#include "core/task/parallel_progress.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+namespace knead {
+
+namespace {
+
+using Owner = NeighborhoodFinder::Owner;
+
+constexpr double support = 2.6;     // [a]
+constexpr double nodesWithin = 1.7; // [a] the support reaches so far beyond the nearest object
+constexpr std::size_t pointsPerBlock = 512;
+
+/// Influences of consecutive points of some order.
+struct InfluenceList {
+    std::vector<std::uint32_t> count; // per point
+    std::vector<Skin::Influence> influences;
+};
+
+/// Points far from all objects, on a fin too thin for the lattice, need a wider support to find any.
+double supportFor(const std::vector<Vec3>& offsets)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vec3& offset : offsets)
+        nearest = std::min(nearest, offset.norm());
+    return std::max(support, nearest + nodesWithin);
+}
+
+void addPoint(InfluenceList& list, const Lattice& lattice, const std::vector<ObjectIndex>& objects,
+              const Vec3& coordinates)
+{
+    std::vector<Vec3> offsets(objects.size());
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const Lattice::Node& node = lattice.nodes[objects[i]];
+        offsets[i] = Vec3(node[0], node[1], node[2]) - coordinates;
+    }
+    const std::vector<double> functions = shapeFunctions(offsets, supportFor(offsets));
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        if (functions[i] == 0)
+            continue;
+        list.influences.push_back({objects[i], static_cast<float>(functions[i])});
+        ++count;
+    }
+    list.count.push_back(count);
+}
+
+/// Finds the influences of all points, those with the same owner together: they share its neighborhood.
+class SkinBuilder {
+public:
+    SkinBuilder(const Aggregate& aggregate, std::span<const Vec3> points)
+        : m_lattice(aggregate.lattice)
+        , m_points(points)
+        , m_finder(aggregate)
+        , m_owners(points.size())
+        , m_order(points.size())
+        , m_lists((points.size() + pointsPerBlock - 1) / pointsPerBlock)
+    {
+    }
+
+    void build(TaskControl& control)
+    {
+        forEachBlock(m_points.size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t point = begin; point < end; ++point)
+                m_owners[point] = m_finder.owner(m_lattice.coordinates(m_points[point]));
+        });
+        std::iota(m_order.begin(), m_order.end(), 0U);
+        std::sort(m_order.begin(), m_order.end(), [&](std::uint32_t p, std::uint32_t q) {
+            return m_owners[p] != m_owners[q] ? m_owners[p] < m_owners[q] : p < q;
+        });
+        forEachBlock(m_points.size(), pointsPerBlock, control, "attaching the surface",
+                     [&](std::size_t begin, std::size_t end) { m_lists[begin / pointsPerBlock] = attach(begin, end); });
+    }
+
+    /// Calls visit(point, influences) for every point.
+    template <typename Visit>
+    void forEachPoint(Visit&& visit) const
+    {
+        for (std::size_t list = 0; list < m_lists.size(); ++list) {
+            std::size_t first = 0;
+            for (std::size_t i = 0; i < m_lists[list].count.size(); ++i) {
+                const std::size_t count = m_lists[list].count[i];
+                visit(m_order[list * pointsPerBlock + i],
+                      std::span<const Skin::Influence>(m_lists[list].influences.data() + first, count));
+                first += count;
+            }
+        }
+    }
+
+private:
+    InfluenceList attach(std::size_t begin, std::size_t end) const
+    {
+        InfluenceList list;
+        std::vector<ObjectIndex> objects;
+        for (std::size_t i = begin; i < end; ++i) {
+            const Owner& owner = m_owners[m_order[i]];
+            if (i == begin || owner != m_owners[m_order[i - 1]])
+                objects = m_finder.gather(owner);
+            addPoint(list, m_lattice, objects, m_lattice.coordinates(m_points[m_order[i]]));
+        }
+        return list;
+    }
+
+    const Lattice& m_lattice;
+    std::span<const Vec3> m_points;
+    NeighborhoodFinder m_finder;
+    std::vector<Owner> m_owners;
+    std::vector<std::uint32_t> m_order; // points, by owner
+    std::vector<InfluenceList> m_lists; // per block of that order
+};
+
+} // namespace
+
+Skin::Skin(const Aggregate& aggregate, std::span<const Vec3> points, TaskControl& control)
+    : m_points(points.begin(), points.end())
+    , m_first(points.size() + 1, 0)
+{
+    if (aggregate.size() == 0)
+        throw std::invalid_argument("Skin: the aggregate has no objects");
+    SkinBuilder builder(aggregate, m_points);
+    builder.build(control);
+    builder.forEachPoint([&](std::size_t point, std::span<const Influence> influences) {
+        m_first[point + 1] = static_cast<std::uint32_t>(influences.size());
+    });
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    m_influences.resize(m_first.back());
+    builder.forEachPoint([&](std::size_t point, std::span<const Influence> influences) {
+        std::copy(influences.begin(), influences.end(), m_influences.begin() + m_first[point]);
+    });
+}
+
+void Skin::evaluate(std::span<const Vec3> displacement, std::span<Vec3> places) const
+{
+    assert(places.size() == size());
+    forEachBlock(size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t point = begin; point < end; ++point) {
+            // Relative to one of the objects, the rounding of the weights does not scale with the distance travelled.
+            const std::span<const Influence> around = influences(point);
+            const Vec3 common = displacement[around.front().object];
+            Vec3 sum = Vec3::Zero();
+            for (const Influence& influence : around)
+                sum += static_cast<double>(influence.weight) * (displacement[influence.object] - common);
+            places[point] = m_points[point] + (common + sum);
+        }
+    });
+}
+
+} // namespace knead

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/aggregate/aggregate.h"
+#include "core/task/task_control.h"
+
+#include <span>
+#include <vector>
+
+namespace knead {
+
+/// Carries points of the imported surface along with the objects: x(X) = X + sum_i phi_i(X) u_i, where u_i is the
+/// displacement of object i and phi are quadratic moving-least-squares shape functions with Wendland C2 weights of
+/// support 2.6 a. The map reproduces affine (and quadratic) displacement fields, and is C2 in X.
+///
+/// Objects that influence a point are gathered along connections (at most three steps from the cell that owns the
+/// point), so material across a gap does not pull. Where few objects are near, at sharp corners and on fins too thin to
+/// hold any, the support is wider; where the moment matrix of the quadratic basis stays singular the linear basis is
+/// used, then the constant one.
+///
+/// Immutable after construction; evaluate() may run on any number of threads and uses several itself.
+class Skin {
+public:
+    /// @throws std::invalid_argument for an aggregate without objects. @throws Cancelled
+    Skin(const Aggregate& aggregate, std::span<const Vec3> points, TaskControl& control = TaskControl::none());
+
+    std::size_t size() const { return m_points.size(); }
+
+    /// Current places of the points.
+    /// @param displacement one per object of the aggregate [m]
+    /// @param places size() entries, written [m]
+    void evaluate(std::span<const Vec3> displacement, std::span<Vec3> places) const;
+
+    /// Objects and weights of one point, for tests and for picking.
+    struct Influence {
+        ObjectIndex object;
+        float weight;
+    };
+    std::span<const Influence> influences(std::size_t point) const
+    {
+        return {m_influences.data() + m_first[point], m_first[point + 1] - m_first[point]};
+    }
+
+private:
+    std::vector<Vec3> m_points;
+    std::vector<std::uint32_t> m_first;       ///< size() + 1
+    std::vector<Influence> m_influences;
+};
+
+} // namespace knead
