@@ -83,7 +83,7 @@ std::vector<Contacts::ContactPair> Contacts::findPairs(double margin)
     if (m_bodies.size() < 2)
         return {};
     std::vector<ContactPair> pairs;
-    for (const UniformGrid::Pair& pair : m_grid.pairs())
+    for (const VicinityPair& pair : m_grid.pairs())
         pairs.push_back({pair, m_objects[pair.first].radius + m_objects[pair.second].radius});
     return pairs;
 }

@@ -86,7 +86,7 @@ private:
         ContactParameters parameters;
     };
     struct ContactPair {
-        UniformGrid::Pair objects;
+        VicinityPair objects;
         double nominalLength;         ///< [m]
     };
 

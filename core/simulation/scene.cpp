@@ -9,7 +9,7 @@ namespace knead {
 
 namespace {
 
-constexpr double rounding = 1e-9;    // [a]: objects on a border belong to it whatever their last bits are
+constexpr double rounding = 1e-9; // [a]: objects on a border belong to it whatever their last bits are
 
 /// A set of CAD faces with fast look-up.
 class FaceSet {
@@ -48,13 +48,13 @@ std::vector<ObjectIndex> markedObjects(const std::vector<std::uint8_t>& marks)
 
 } // namespace
 
-/// An object outside belongs to the faces when the place of the surface nearest to it does. The corners of kept cells are
-/// hardly ever further out than `beyond`.
+/// An object outside belongs to the faces when the place of the surface nearest to it does. The corners of kept cells
+/// are hardly ever further out than `beyond`.
 std::vector<ObjectIndex> objectsAtFaces(const Aggregate& aggregate, const TriangleMesh& mesh,
                                         const std::vector<std::uint32_t>& faces)
 {
-    constexpr double within = 0.5;   // [a]
-    constexpr double beyond = 1.5;   // [a]
+    constexpr double within = 0.5; // [a]
+    constexpr double beyond = 1.5; // [a]
     const FaceSet chosen(faces);
     const TriangleMesh part = trianglesOf(mesh, chosen);
     if (part.empty())

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "core/geometry/vec3.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace knead {
+
+/// A sphere that may come into contact.
+struct VicinitySphere {
+    Vec3 center;              ///< [m]
+    double radius = 0;        ///< [m], >= 0
+    std::uint32_t group = 0;  ///< pairs within a group are not looked for
+};
+
+/// Two spheres by index, first < second.
+struct VicinityPair {
+    std::uint32_t first;
+    std::uint32_t second;
+    friend auto operator<=>(const VicinityPair&, const VicinityPair&) = default;
+};
+
+/// What a vicinity calculation cost, in numbers that do not depend on the machine.
+struct VicinityStatistics {
+    std::uint64_t sphereTests = 0;    ///< distances computed
+    std::size_t spanningObjects = 0;  ///< spheres held by inner nodes of a tree
+    int depth = 0;                    ///< of the tree; 0 for the others
+};
+
+/// The vicinity calculation: which spheres are close to each other. All back-ends return the same pairs.
+class Vicinity {
+public:
+    virtual ~Vicinity() = default;
+
+    /// Takes spheres over; what was there before is forgotten, its memory kept for use.
+    virtual void build(std::span<const VicinitySphere> spheres, double margin) = 0;
+
+    /// All pairs of different groups whose surfaces are closer than the margin, sorted.
+    virtual std::vector<VicinityPair> pairs() = 0;
+
+    /// Of the last build() and pairs().
+    const VicinityStatistics& statistics() const { return m_statistics; }
+
+protected:
+    VicinityStatistics m_statistics;
+};
+
+enum class VicinityMethod {
+    uniformGrid,       ///< default: near linear for any scene
+    halfPartition,     ///< published: binary space partition through the middle of space
+    medianPartition,   ///< published: binary space partition through the median sphere
+    bruteForce,        ///< every sphere against every other
+};
+
+inline constexpr VicinityMethod vicinityMethods[] = {VicinityMethod::uniformGrid, VicinityMethod::halfPartition,
+                                                     VicinityMethod::medianPartition, VicinityMethod::bruteForce};
+
+std::string_view nameOf(VicinityMethod method);   ///< "uniform-grid", "half-partition" ... as in recipes
+
+std::unique_ptr<Vicinity> makeVicinity(VicinityMethod method);
+
+/// True when the surfaces of spheres of different groups are closer than the margin.
+inline bool closerThan(const VicinitySphere& a, const VicinitySphere& b, double margin)
+{
+    const double reach = a.radius + b.radius + margin;
+    return a.group != b.group && (a.center - b.center).squaredNorm() < reach * reach;
+}
+
+} // namespace knead
