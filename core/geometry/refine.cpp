@@ -20,7 +20,9 @@ std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b)
 /// One pass: every edge that is too long gets a vertex in its middle, shared by its triangles.
 class Splitter {
 public:
-    Splitter(const TriangleMesh& mesh, double maximumEdge) : m_mesh(mesh), m_maximumSquared(maximumEdge * maximumEdge)
+    Splitter(const TriangleMesh& mesh, double maximumEdge)
+        : m_mesh(mesh)
+        , m_maximumSquared(maximumEdge * maximumEdge)
     {
         m_result.vertices = mesh.vertices;
         m_result.triangles.reserve(mesh.triangles.size() * 2);

@@ -1,12 +1,17 @@
 #include "core/integration/semi_implicit_euler.h"
 
+#include "core/mechanics/lattice_kernels.h"
 #include "core/task/parallel.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <tuple>
+#include <cstdint>
+#include <limits>
+#include <numeric>
 #include <vector>
 
 namespace knead {
@@ -15,38 +20,14 @@ namespace {
 
 constexpr std::size_t blockSize = 4096;
 
-struct Axis {
-    const std::vector<double>& force;
-    const std::vector<double>& damping;
-    std::vector<double>& velocity;
-    std::vector<double>& position;
-    double gravity;
-};
-
-struct AxisReport {
-    double largestSpeed = 0;
-    double dampingWork = 0;
-};
-
-AxisReport advanceAxis(std::size_t begin, std::size_t end, double dt, const ObjectState& state, const Axis& axis)
+/// Largest absolute value; not a number when one of them is.
+double largestOf(const double* values, std::size_t count)
 {
-    const double* f = axis.force.data();
-    const double* b = axis.damping.data();
-    const double* mass = state.mass.data();
-    const double* inverseMass = state.inverseMass.data();
-    double* v = axis.velocity.data();
-    double* x = axis.position.data();
-    AxisReport report;
-    for (std::size_t i = begin; i < end; ++i) {
-        const double before = v[i];
-        v[i] += dt * inverseMass[i] * (f[i] + b[i] + mass[i] * axis.gravity);
-        x[i] += dt * v[i];
-        report.dampingWork += b[i] * (0.5 * dt) * (before + v[i]);
-    }
-    for (std::size_t i = begin; i < end; ++i)   // the negated comparison also catches a velocity that is not a number
-        if (!(std::abs(v[i]) <= report.largestSpeed))
-            report.largestSpeed = std::abs(v[i]);
-    return report;
+    // Bit patterns of absolute values compare like the values, with infinities and what is no number on top.
+    std::int64_t largest = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        largest = std::max(largest, std::bit_cast<std::int64_t>(values[i]) & std::numeric_limits<std::int64_t>::max());
+    return std::bit_cast<double>(largest);
 }
 
 } // namespace
@@ -56,15 +37,17 @@ StepReport semiImplicitEuler(ObjectState& state, const Vec3& gravity, double dt)
     const std::size_t blocks = (state.size() + blockSize - 1) / blockSize;
     std::vector<StepReport> reports(blocks);
     forEachBlock(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
-        const auto& [f, b, v, x] = std::tie(state.force, state.damping, state.velocity, state.position);
-        const AxisReport axes[] = {advanceAxis(begin, end, dt, state, {f.x, b.x, v.x, x.x, gravity.x()}),
-                                   advanceAxis(begin, end, dt, state, {f.y, b.y, v.y, x.y, gravity.y()}),
-                                   advanceAxis(begin, end, dt, state, {f.z, b.z, v.z, x.z, gravity.z()})};
+        std::array<double, kernels::sumLanes> work{};
         StepReport& report = reports[begin / blockSize];
-        for (const AxisReport& axis : axes) {
-            report.largestSpeed = std::hypot(report.largestSpeed, axis.largestSpeed);
-            report.dampingWork += axis.dampingWork;
+        for (const auto component : {&VectorArray::x, &VectorArray::y, &VectorArray::z}) {
+            const double pull = component == &VectorArray::x ? gravity.x() : component == &VectorArray::y ? gravity.y() : gravity.z();
+            double* velocity = (state.velocity.*component).data() + begin;
+            kernels::best().advance(end - begin, dt, pull, state.mass.data() + begin, state.inverseMass.data() + begin,
+                                    (state.force.*component).data() + begin, (state.damping.*component).data() + begin,
+                                    velocity, (state.position.*component).data() + begin, work.data());
+            report.largestSpeed = std::hypot(report.largestSpeed, largestOf(velocity, end - begin));
         }
+        report.dampingWork = std::accumulate(work.begin(), work.end(), 0.0);
     });
     StepReport total;
     for (const StepReport& report : reports) {

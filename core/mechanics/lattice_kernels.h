@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-/// The innermost loops over lattice connections, each over a contiguous stretch of objects whose neighbors are contiguous
-/// too. Compiled for several instruction sets and dispatched at run time; the bits are the same on each, because every lane
+/// The innermost loops over objects and over lattice connections, each over a contiguous stretch of objects whose neighbors
+/// are contiguous too. Compiled for several instruction sets and dispatched at run time; the bits are the same on each, because every lane
 /// does the same IEEE operations and fused multiply-add is off.
 namespace knead::kernels {
 
@@ -40,6 +40,9 @@ struct StressArguments {
 /// Smallest det F that the volumetric law follows; below it the pressure stays what it is there.
 inline constexpr double smallestVolumeRatio = 0.1;
 
+/// Partial sums that a reducing kernel keeps apart.
+inline constexpr std::size_t sumLanes = 8;
+
 /// The kernels of one instruction set.
 struct Kernels {
     /// Adds the pull of the neighbors: k (|d| - l) n to `force`, k dampingTime v_n n to `damping`.
@@ -57,6 +60,11 @@ struct Kernels {
     /// Adds sign k (self + neighbor) to the force: the share of one lattice column in the volumetric forces.
     void (*addVolumetricForces)(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor,
                                 const double* stiffness, double sign, const Vectors& force);
+
+    /// Semi-implicit Euler for one component: v += dt ((f + b) / m + g), x += dt v. Adds the work of b with the mean of old
+    /// and new velocity to work[i % sumLanes], so that the sum does not depend on the width of the instructions.
+    void (*advance)(std::size_t count, double dt, double gravity, const double* mass, const double* inverseMass,
+                    const double* force, const double* damping, double* velocity, double* position, double* work);
 
     const char* name;   ///< "x86-64", "AVX2", "AVX-512"
 };

@@ -147,9 +147,30 @@ void addVolumetricForces(std::size_t count, const ConstVectors& self, const Cons
     }
 }
 
+void advance(std::size_t count, double dt, double gravity, const double* mass, const double* inverseMass,
+             const double* force, const double* damping, double* velocity, double* position, double* work)
+{
+    const double half = 0.5 * dt;
+    const auto move = [&](std::size_t i, double& sum) {
+        const double before = velocity[i];
+        const double after = before + dt * inverseMass[i] * (force[i] + damping[i] + mass[i] * gravity);
+        velocity[i] = after;
+        position[i] += dt * after;
+        sum += damping[i] * half * (before + after);
+    };
+    const std::size_t whole = count - count % sumLanes;
+    for (std::size_t first = 0; first < whole; first += sumLanes) {
+#pragma GCC ivdep
+        for (std::size_t lane = 0; lane < sumLanes; ++lane)
+            move(first + lane, work[lane]);
+    }
+    for (std::size_t i = whole; i < count; ++i)
+        move(i, work[i - whole]);
+}
+
 } // namespace
 
 extern const Kernels set;
-const Kernels set{addConnectionForces, addShape, volumetricStress, addVolumetricForces, KNEAD_KERNEL_NAME};
+const Kernels set{addConnectionForces, addShape, volumetricStress, addVolumetricForces, advance, KNEAD_KERNEL_NAME};
 
 } // namespace knead::kernels::KNEAD_KERNEL_SET

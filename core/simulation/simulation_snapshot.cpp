@@ -47,26 +47,28 @@ ToolState stateOf(ToolId id, ToolRun& tool)
 
 EnergyLedger Simulation::State::storedEnergy()
 {
-    // The scheme keeps velocities half a step ahead of positions. Taken at the start of the last step, where forces and
-    // contact energy are known, with 1/2 m v- . v+ of the velocities half a step before and after, the sum is what the
-    // scheme conserves exactly for linear springs; any other choice shows the offset as an error.
+    // The scheme keeps velocities half a step ahead of positions. All is taken at the start of the last step, where forces
+    // and contact energy are known. With 1/2 m v- . v+ of the velocities half a step before and after, the sum is what
+    // the scheme conserves exactly for linear springs; the imbalance uses that, or it would show the offset as an error.
     EnergyLedger stored = energy;
     stored.contact = contactReport.energy;
     const double back = step > 0 ? timeStep : 0;
+    double conserved = 0;
     for (auto& run : runs) {
         ObjectState earlier = run->state;
         for (std::size_t i = 0; i < earlier.size(); ++i) {
             const double mass = earlier.mass[i];
-            const Vec3 acceleration = earlier.inverseMass[i] * (earlier.force.at(i) + earlier.damping.at(i) + mass * gravity);
-            earlier.position.add(i, -back * earlier.velocity.at(i));
+            const Vec3 force = earlier.force.at(i) + earlier.damping.at(i) + mass * gravity;
             const Vec3 after = earlier.velocity.at(i);
-            const Vec3 before = after - back * acceleration;
-            stored.kinetic += 0.5 * mass * before.dot(after);
+            const Vec3 before = after - back * earlier.inverseMass[i] * force;
+            earlier.position.add(i, -back * after);
+            stored.kinetic += 0.125 * mass * (before + after).squaredNorm();
             stored.gravity -= mass * gravity.dot(earlier.position.at(i));
+            conserved += 0.5 * mass * before.dot(after);
         }
         stored.elastic += run->connections.energy(earlier);
     }
-    stored.imbalance = stored.kinetic + stored.elastic + stored.gravity + stored.contact + stored.dissipated -
+    stored.imbalance = conserved + stored.elastic + stored.gravity + stored.contact + stored.dissipated -
                        stored.toolWork - startEnergy;
     return stored;
 }
