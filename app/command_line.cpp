@@ -1,0 +1,60 @@
+#include "app/command_line.h"
+
+#include "app/commands/convert_command.h"
+#include "app/commands/info_command.h"
+#include "app/commands/recipe_command.h"
+#include "app/commands/run_command.h"
+#include "app/exit_status.h"
+#include "app/gui.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace knead {
+
+namespace {
+
+constexpr const char* description = "A CAD workbench in which a part is a lump of real material.\n"
+                                    "Without a sub-command it opens the window. Sub-commands need no display.";
+
+constexpr const char* footer = "Exit status: 0 done, 1 the work failed, 2 wrong use or unreadable input, "
+                               "130 interrupted.";
+
+/// Help and version are "errors" to the parser too; they go to stdout with status 0.
+int explain(const CLI::App& program, const CLI::ParseError& error)
+{
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+        return program.exit(error);
+    std::cerr << "knead: " << error.what() << "; knead --help shows what is possible.\n";
+    return exit_status::wrongUse;
+}
+
+} // namespace
+
+int runProgram(int argc, char** argv)
+{
+    CLI::App program(description, "knead");
+    program.footer(footer);
+    program.set_version_flag("--version", std::string("knead ") + KNEAD_VERSION, "Print the version and exit");
+    program.require_subcommand(0, 1);
+    std::vector<std::string> files;
+    program.add_option("FILE", files, "CAD or mesh files to open in the window")->type_name("");
+
+    int status = exit_status::done;
+    addInfoCommand(program, status);
+    addConvertCommand(program, status);
+    addRunCommand(program, status);
+    addRecipeCommand(program, status);
+
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return explain(program, error);
+    }
+    return program.get_subcommands().empty() ? runWindow(argc, argv, files) : status;
+}
+
+} // namespace knead

@@ -1,0 +1,160 @@
+#include "app/commands/info_command.h"
+
+#include "app/exit_status.h"
+#include "app/terminal_control.h"
+#include "io/importer.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <string>
+
+namespace knead {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double toMm = 1e3;
+constexpr double toMm2 = 1e6;
+constexpr double toMm3 = 1e9;
+
+struct InfoOptions {
+    std::string file;
+    bool json = false;
+};
+
+std::string hexColor(const Color& color)
+{
+    const auto byte = [](float channel) { return static_cast<unsigned>(std::lround(255 * channel)) & 0xFFU; };
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", byte(color.r), byte(color.g), byte(color.b));
+    return text.data();
+}
+
+Json toJson(const Box& box)
+{
+    Json numbers = Json::array();
+    for (const Vec3& corner : {box.min(), box.max()})
+        for (const double coordinate : corner)
+            numbers.push_back(toMm * coordinate);
+    return numbers;
+}
+
+Json toJson(const Part& part)
+{
+    return {{"name", part.name},
+            {"path", part.path},
+            {"color", part.color ? Json(hexColor(*part.color)) : Json(nullptr)},
+            {"solids", part.solids},
+            {"shells", part.shells},
+            {"faces", part.faces.size()},
+            {"edges", part.edges},
+            {"triangles", part.mesh.triangles.size()},
+            {"volume_mm3", toMm3 * part.volume},
+            {"area_mm2", toMm2 * part.area},
+            {"bbox_mm", toJson(part.box)},
+            {"watertight", part.watertight},
+            {"valid", part.valid},
+            {"max_tolerance_mm", toMm * part.maxTolerance},
+            {"warnings", part.warnings}};
+}
+
+void printJson(const Model& model)
+{
+    Json json{{"file", model.file},       {"format", model.format}, {"unit", model.unit},
+              {"warnings", model.warnings}, {"parts", Json::array()}};
+    for (const Part& part : model.parts)
+        json["parts"].push_back(toJson(part));
+    // Paths on Linux are bytes; what is no UTF-8 is shown with replacement characters.
+    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+std::string plural(std::size_t count, const char* noun)
+{
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+void printPart(const Part& part, int depth)
+{
+    const int indent = 2 * depth;
+    const Vec3 size = part.box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(toMm * part.box.sizes());
+    std::printf("%*s  %.5g x %.5g x %.5g mm", indent, "", size.x(), size.y(), size.z());
+    if (part.volume > 0)
+        std::printf(", volume %.6g mm3", toMm3 * part.volume);
+    std::printf(", area %.6g mm2", toMm2 * part.area);
+    if (part.color)
+        std::printf(", color %s", hexColor(*part.color).c_str());
+    std::printf("\n%*s  ", indent, "");
+    if (!part.faces.empty())
+        std::printf("%s, %s, ", plural(part.faces.size(), "face").c_str(),
+                    plural(static_cast<std::size_t>(part.edges), "edge").c_str());
+    std::printf("%s; %s\n", plural(part.mesh.triangles.size(), "triangle").c_str(),
+                part.watertight ? "closed" : "not closed");
+    for (const std::string& warning : part.warnings)
+        std::printf("%*s  warning: %s\n", indent, "", warning.c_str());
+}
+
+void printNode(const PartNode& node, const Model& model, int depth)
+{
+    std::printf("%*s%s\n", 2 * depth, "", node.name.c_str());
+    if (node.part)
+        printPart(model.parts[*node.part], depth);
+    for (const PartNode& child : node.children)
+        printNode(child, model, depth + 1);
+}
+
+void printTree(const Model& model)
+{
+    double volume = 0;
+    std::size_t closed = 0;
+    for (const Part& part : model.parts) {
+        volume += part.volume;
+        closed += part.watertight ? 1 : 0;
+    }
+    std::printf("%s: %s, unit %s, %s (%zu closed), volume %.6g mm3\n", model.file.c_str(), model.format.c_str(),
+                model.unit.empty() ? "not stated" : model.unit.c_str(), plural(model.parts.size(), "part").c_str(),
+                closed, toMm3 * volume);
+    for (const std::string& warning : model.warnings)
+        std::printf("warning: %s\n", warning.c_str());
+    for (const PartNode& child : model.tree.children)
+        printNode(child, model, 1);
+}
+
+int info(const InfoOptions& options)
+{
+    TerminalControl control;
+    try {
+        const Model model = importFile(options.file, {}, control);
+        control.clear();
+        options.json ? printJson(model) : printTree(model);
+        return exit_status::done;
+    } catch (const Cancelled&) {
+        control.clear();
+        std::cerr << "knead: interrupted.\n";
+        return exit_status::interrupted;
+    } catch (const std::exception& error) {
+        control.clear();
+        std::cerr << "knead: " << error.what() << '\n';
+        return exit_status::wrongUse;
+    }
+}
+
+} // namespace
+
+void addInfoCommand(CLI::App& program, int& exitStatus)
+{
+    auto options = std::make_shared<InfoOptions>();
+    CLI::App* command = program.add_subcommand("info", "Say what a CAD or mesh file holds");
+    command->add_option("FILE", options->file, "STEP, IGES, BREP, STL, OBJ or PLY file")->required();
+    command->add_flag("--json", options->json, "Print it as JSON");
+    command->callback([options, &exitStatus] { exitStatus = info(*options); });
+}
+
+} // namespace knead

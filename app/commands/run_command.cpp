@@ -1,0 +1,143 @@
+#include "app/commands/run_command.h"
+
+#include "app/exit_status.h"
+#include "app/recipe_runner.h"
+#include "app/recipe_scene.h"
+#include "app/resources.h"
+#include "app/terminal_control.h"
+#include "app/thread_limit.h"
+#include "io/material_library.h"
+#include "io/recipe.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <string>
+
+namespace knead {
+
+namespace {
+
+struct RunOptions {
+    std::string recipe;
+    std::string outputFolder = ".";
+    unsigned threads = 0;
+    bool json = false;
+};
+
+int complain(const std::string& sentence, int status)
+{
+    std::cerr << "knead: " << sentence << '\n';
+    return status;
+}
+
+/// 64 bits do not fit into a JSON number, hence hexadecimal digits.
+std::string hexadecimal(std::uint64_t number)
+{
+    std::array<char, 17> text{};
+    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(number));
+    return text.data();
+}
+
+void printJson(const RunReport& report)
+{
+    const EnergyLedger& energy = report.energy;
+    nlohmann::ordered_json json{
+        {"objects", report.objects},
+        {"connections", report.connections},
+        {"steps", report.steps},
+        {"time_step_s", report.timeStep},
+        {"simulated_s", report.simulated},
+        {"wall_s", report.wall},
+        {"ratio", report.ratio()},
+        {"state_hash", hexadecimal(report.stateHash)},
+        {"energy_j",
+         {{"kinetic", energy.kinetic},
+          {"elastic", energy.elastic},
+          {"gravity", energy.gravity},
+          {"contact", energy.contact},
+          {"tool_work", energy.toolWork},
+          {"dissipated", energy.dissipated},
+          {"imbalance", energy.imbalance}}},
+        {"tools", nlohmann::ordered_json::array()},
+        {"files", report.files},
+    };
+    for (const ToolState& tool : report.tools)
+        json["tools"].push_back({{"name", tool.name},
+                                 {"force_n", {tool.force.x(), tool.force.y(), tool.force.z()}},
+                                 {"peak_force_n", tool.peakForce}});
+    std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+}
+
+void printSummary(const RunReport& report)
+{
+    std::printf("%zu objects, %zu connections in %zu %s\n", report.objects, report.connections, report.bodies,
+                report.bodies == 1 ? "body" : "bodies");
+    std::printf("%.3f s simulated in %.1f s (%.2fx real time), %llu steps of %.3g ms\n", report.simulated, report.wall,
+                report.ratio(), static_cast<unsigned long long>(report.steps), 1000 * report.timeStep);
+    std::printf("energy: elastic %.3g J, kinetic %.3g J, work of the tools %.3g J, dissipated %.3g J\n",
+                report.energy.elastic, report.energy.kinetic, report.energy.toolWork, report.energy.dissipated);
+    for (const ToolState& tool : report.tools)
+        std::printf("tool %s: force (%.3g, %.3g, %.3g) N, peak %.3g N\n", tool.name.c_str(), tool.force.x(),
+                    tool.force.y(), tool.force.z(), tool.peakForce);
+    for (const std::string& file : report.files)
+        std::printf("wrote %s\n", file.c_str());
+}
+
+int carryOut(const Recipe& recipe, const RunOptions& options)
+{
+    const ThreadLimit limit(options.threads);
+    TerminalControl control;
+    try {
+        const RunReport report = runRecipe(recipe, options.outputFolder, control);
+        control.clear();
+        for (const std::string& warning : report.warnings)
+            std::cerr << "knead: warning: " << warning << '\n';
+        options.json ? printJson(report) : printSummary(report);
+        return exit_status::done;
+    } catch (const Cancelled&) {
+        control.clear();
+        return complain("interrupted; no file was left half-written.", exit_status::interrupted);
+    } catch (const UnusableInput& error) {
+        control.clear();
+        return complain(error.what(), exit_status::wrongUse);
+    } catch (const std::exception& error) {
+        control.clear();
+        return complain(error.what(), exit_status::failed);
+    }
+}
+
+int run(const RunOptions& options)
+{
+    Recipe recipe;
+    try {
+        recipe = readRecipe(options.recipe, readMaterials(resourcesFolder() + "/materials/materials.json"));
+    } catch (const std::exception& error) {
+        return complain(error.what(), exit_status::wrongUse);
+    }
+    return carryOut(recipe, options);
+}
+
+} // namespace
+
+void addRunCommand(CLI::App& program, int& exitStatus)
+{
+    auto options = std::make_shared<RunOptions>();
+    CLI::App* command = program.add_subcommand("run", "Carry out a recipe without a window");
+    command->add_option("RECIPE", options->recipe, "Recipe to carry out, a JSON file")->required();
+    command->add_option("--out", options->outputFolder, "Folder for the exports, made when missing")
+        ->type_name("FOLDER")
+        ->capture_default_str();
+    command->add_option("--threads", options->threads, "Number of threads; the result is the same for any")
+        ->type_name("N")
+        ->check(CLI::Range(1U, 1024U));
+    command->add_flag("--json", options->json, "Print the report as JSON");
+    command->callback([options, &exitStatus] { exitStatus = run(*options); });
+}
+
+} // namespace knead

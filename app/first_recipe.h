@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/model/part.h"
+
+#include <string>
+
+namespace knead {
+
+/// A recipe to start from, as JSON text: holds the lowest tenth of the model and presses a block into its top.
+/// @param part how the recipe names the file of the model
+/// @throws std::runtime_error, in a sentence, when no body is closed.
+std::string firstRecipe(const Model& model, const std::string& part);
+
+} // namespace knead

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "app/recipe_scene.h"
+#include "core/simulation/snapshot.h"
+#include "core/task/task_control.h"
+#include "io/recipe.h"
+
+#include <string>
+#include <vector>
+
+namespace knead {
+
+/// Makes the folders the exports go to, before a long run finds out that it cannot.
+/// @throws std::runtime_error, in a sentence.
+void prepareFolders(const std::vector<RecipeExport>& exports, const std::string& outputFolder);
+
+/// Writes the bodies as they are in a snapshot; pictures show the tools too.
+/// @return the paths written
+/// @throws std::runtime_error, in a sentence. @throws Cancelled between two files
+std::vector<std::string> writeExports(const std::vector<RecipeExport>& exports, const std::string& outputFolder,
+                                      const RecipeScene& ready, const Snapshot& snapshot, TaskControl& control);
+
+} // namespace knead

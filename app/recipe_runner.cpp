@@ -1,0 +1,185 @@
+#include "app/recipe_runner.h"
+
+#include "app/recipe_exports.h"
+#include "app/recipe_scene.h"
+#include "core/simulation/simulation.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <stdexcept>
+
+namespace knead {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Shares of the progress: reading and filling, simulating, writing.
+constexpr double sceneEnd = 0.1;
+constexpr double stepsEnd = 0.95;
+
+constexpr double frame = 1.0 / 60; // forces on tools are means over this time [s]
+constexpr std::chrono::milliseconds reportInterval{100};
+
+double secondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::string fixed(double number, int digits)
+{
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", digits, number);
+    return text.data();
+}
+
+/// Steps a simulation from 0 to the end of a recipe, with its events.
+class Runner {
+public:
+    Runner(const Recipe& recipe, const RecipeScene& ready)
+        : m_recipe(recipe)
+        , m_ready(ready)
+        , m_simulation(ready.scene)
+    {
+    }
+
+    void run(TaskControl& control)
+    {
+        const Clock::time_point start = Clock::now();
+        Clock::time_point nextReport = start;
+        m_latest = m_simulation.snapshot();
+        while (!isAt(m_recipe.duration)) {
+            control.throwIfCancelled();
+            postDueEvents();
+            m_simulation.step();
+            checkHealth();
+            if (isAt(m_latest->time + frame))
+                takeSnapshot();
+            if (Clock::now() >= nextReport) {
+                report(control, secondsSince(start));
+                nextReport = Clock::now() + reportInterval;
+            }
+        }
+        m_wall = secondsSince(start);
+        takeSnapshot();
+    }
+
+    const Snapshot& latest() const { return *m_latest; }
+
+    RunReport takeReport() const
+    {
+        RunReport report;
+        report.bodies = m_latest->bodies.size();
+        report.objects = m_latest->objects;
+        report.connections = m_latest->connections;
+        report.steps = m_latest->step;
+        report.timeStep = m_latest->timeStep;
+        report.simulated = m_latest->time;
+        report.wall = m_wall;
+        report.stateHash = m_simulation.stateHash();
+        report.energy = m_latest->energy;
+        report.tools = m_tools;
+        return report;
+    }
+
+private:
+    /// Whether the step nearest to a time has been reached.
+    bool isAt(double time) const { return m_simulation.time() + 0.5 * m_simulation.timeStep() >= time; }
+
+    void postDueEvents()
+    {
+        for (; m_nextEvent < m_recipe.events.size() && isAt(m_recipe.events[m_nextEvent].time); ++m_nextEvent)
+            std::visit([this](const auto& action) { post(action); }, m_recipe.events[m_nextEvent].action);
+    }
+
+    void post(const ChangeMaterial& change)
+    {
+        for (const BodyId body : bodiesNamed(change.body, m_ready.parts, "events"))
+            m_simulation.post(SetMaterial{body, change.material.on(m_ready.scene.bodies[body].material)});
+    }
+
+    void post(const ReleaseFixture& release)
+    {
+        for (std::size_t i = 0; i < m_recipe.fixtures.size(); ++i)
+            if (m_recipe.fixtures[i].name == release.fixture)
+                for (const FixtureId id : m_ready.fixtureIds[i])
+                    m_simulation.post(RemoveFixture{id});
+    }
+
+    void post(const TakeManipulatorAway& away)
+    {
+        for (std::size_t i = 0; i < m_recipe.manipulators.size(); ++i)
+            if (m_recipe.manipulators[i].name == away.manipulator)
+                m_simulation.post(RemoveManipulator{static_cast<ToolId>(i)});
+    }
+
+    void post(const ChangeGravity& change) { m_simulation.post(SetGravity{change.gravity}); }
+
+    void checkHealth() const
+    {
+        const Health& health = m_simulation.health();
+        if (!health.ok)
+            throw std::runtime_error(health.message);
+    }
+
+    /// Tools are remembered by id, so that those taken away stay in the report.
+    void takeSnapshot()
+    {
+        m_latest = m_simulation.snapshot();
+        for (const ToolState& tool : m_latest->tools) {
+            const auto same = [&](const ToolState& other) { return other.id == tool.id; };
+            const auto known = std::find_if(m_tools.begin(), m_tools.end(), same);
+            if (known == m_tools.end())
+                m_tools.push_back(tool);
+            else
+                *known = tool;
+        }
+    }
+
+    void report(TaskControl& control, double wall) const
+    {
+        const double time = m_simulation.time();
+        control.report(sceneEnd + (stepsEnd - sceneEnd) * std::min(1.0, time / m_recipe.duration),
+                       "simulating " + fixed(time, 2) + " of " + fixed(m_recipe.duration, 2) + " s, " +
+                           fixed(wall > 0 ? time / wall : 0, 2) + "x");
+    }
+
+    const Recipe& m_recipe;
+    const RecipeScene& m_ready;
+    Simulation m_simulation;
+    SnapshotPointer m_latest;
+    std::vector<ToolState> m_tools;
+    std::size_t m_nextEvent = 0;
+    double m_wall = 0;
+};
+
+/// Names are checked before the first step, not when the event is due.
+void checkEventBodies(const Recipe& recipe, const RecipeScene& ready)
+{
+    for (const RecipeEvent& event : recipe.events)
+        if (const auto* change = std::get_if<ChangeMaterial>(&event.action))
+            bodiesNamed(change->body, ready.parts, "events");
+}
+
+} // namespace
+
+RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskControl& control)
+{
+    TaskPortion preparing(control, 0, sceneEnd);
+    const RecipeScene ready = buildScene(recipe, preparing);
+    checkEventBodies(recipe, ready);
+    prepareFolders(recipe.exports, outputFolder);
+
+    Runner runner(recipe, ready);
+    runner.run(control);
+
+    TaskPortion writing(control, stepsEnd, 1);
+    RunReport report = runner.takeReport();
+    report.files = writeExports(recipe.exports, outputFolder, ready, runner.latest(), writing);
+    report.warnings = ready.warnings;
+    return report;
+}
+
+} // namespace knead

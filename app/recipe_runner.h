@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/simulation/snapshot.h"
+#include "core/task/task_control.h"
+#include "io/recipe.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace knead {
+
+/// What a run of a recipe did and left behind.
+struct RunReport {
+    std::size_t bodies = 0;
+    std::size_t objects = 0;
+    std::size_t connections = 0; ///< structural, at the end
+    std::uint64_t steps = 0;
+    double timeStep = 0;         ///< at the end [s]
+    double simulated = 0;        ///< [s]
+    double wall = 0;             ///< taken by the steps [s]
+    std::uint64_t stateHash = 0; ///< equal for equal histories, whatever the number of threads
+    EnergyLedger energy;
+    std::vector<ToolState> tools;      ///< as last seen, those taken away included
+    std::vector<std::string> files;    ///< written, in the order of the recipe
+    std::vector<std::string> warnings; ///< sentences for the person
+
+    double ratio() const { return wall > 0 ? simulated / wall : 0; }
+};
+
+/// Carries out a recipe: part -> scene -> steps -> exports. Files appear whole or not at all; when cancelled, those not
+/// yet begun are missing.
+/// @param outputFolder made when missing
+/// @throws UnusableInput (app/recipe_scene.h) when recipe and part do not fit, std::runtime_error when the work failed,
+///         each in a sentence. @throws Cancelled
+RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskControl& control = TaskControl::none());
+
+} // namespace knead

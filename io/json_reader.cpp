@@ -1,0 +1,206 @@
+#include "io/json_reader.h"
+
+#include "io/json_value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace knead {
+
+namespace {
+
+std::string readText(const std::string& path)
+{
+    std::error_code error;
+    if (!std::filesystem::exists(path, error))
+        throw std::runtime_error(path + ": no such file.");
+    if (std::filesystem::is_directory(path, error))
+        throw std::runtime_error(path + ": this is a folder; name a file.");
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (!file)
+        throw std::runtime_error(path + ": the file cannot be read; check its permissions.");
+    return text.str();
+}
+
+std::string plain(double number)
+{
+    std::ostringstream text;
+    text << number;
+    return text.str();
+}
+
+} // namespace
+
+struct JsonDocument {
+    std::string file; ///< name without folders
+    JsonValue root;
+};
+
+JsonNode::JsonNode(std::shared_ptr<const JsonDocument> document, const JsonValue* value, std::string place)
+    : m_document(std::move(document))
+    , m_value(value)
+    , m_place(std::move(place))
+{
+}
+
+JsonNode JsonNode::readFile(const std::string& path)
+{
+    const std::string file = std::filesystem::path(path).filename().string();
+    auto document = std::make_shared<JsonDocument>(JsonDocument{file, parseJson(readText(path), file)});
+    const JsonValue* root = &document->root;
+    return {std::move(document), root, ""};
+}
+
+JsonNode JsonNode::child(const JsonValue& value, const std::string& place) const
+{
+    return {m_document, &value, place};
+}
+
+void JsonNode::fail(const std::string& saying) const
+{
+    throw std::runtime_error(m_document->file + ": " + (m_place.empty() ? "the file" : m_place) + " " + saying);
+}
+
+void JsonNode::failExpecting(const std::string& verbAndExpectation) const
+{
+    fail(verbAndExpectation + ", got " + shortJson(*m_value) + ".");
+}
+
+bool JsonNode::isObject() const
+{
+    return std::holds_alternative<JsonValue::Object>(m_value->content);
+}
+
+bool JsonNode::isString() const
+{
+    return std::holds_alternative<std::string>(m_value->content);
+}
+
+bool JsonNode::isList() const
+{
+    return std::holds_alternative<JsonValue::List>(m_value->content);
+}
+
+void JsonNode::mustBeObject() const
+{
+    if (!isObject())
+        failExpecting("must be an object in { }");
+}
+
+std::optional<JsonNode> JsonNode::find(std::string_view key) const
+{
+    mustBeObject();
+    for (const auto& [name, value] : std::get<JsonValue::Object>(m_value->content))
+        if (name == key)
+            return child(value, m_place.empty() ? name : m_place + "." + name);
+    return std::nullopt;
+}
+
+JsonNode JsonNode::at(std::string_view key) const
+{
+    if (std::optional<JsonNode> found = find(key))
+        return *found;
+    fail("must have the key \"" + std::string(key) + "\".");
+}
+
+std::vector<std::string> JsonNode::keys() const
+{
+    mustBeObject();
+    std::vector<std::string> names;
+    for (const auto& member : std::get<JsonValue::Object>(m_value->content))
+        names.push_back(member.first);
+    return names;
+}
+
+void JsonNode::allowOnly(const std::vector<std::string>& allowed) const
+{
+    for (const std::string& key : keys()) {
+        if (std::find(allowed.begin(), allowed.end(), key) != allowed.end())
+            continue;
+        std::string list;
+        for (const std::string& name : allowed)
+            list += (list.empty() ? "" : ", ") + name;
+        find(key)->fail("is not a known key; allowed here: " + list + ".");
+    }
+}
+
+std::vector<JsonNode> JsonNode::items() const
+{
+    if (!isList())
+        failExpecting("must be a list in [ ]");
+    std::vector<JsonNode> nodes;
+    for (const JsonValue& value : std::get<JsonValue::List>(m_value->content))
+        nodes.push_back(child(value, m_place + "[" + std::to_string(nodes.size()) + "]"));
+    return nodes;
+}
+
+std::string JsonNode::text() const
+{
+    const auto* text = std::get_if<std::string>(&m_value->content);
+    if (!text || text->empty())
+        failExpecting("must be a text in quotes that is not empty");
+    return *text;
+}
+
+bool JsonNode::boolean() const
+{
+    const auto* value = std::get_if<bool>(&m_value->content);
+    if (!value)
+        failExpecting("must be true or false");
+    return *value;
+}
+
+double JsonNode::number() const
+{
+    return number(-std::numeric_limits<double>::max(), std::numeric_limits<double>::max());
+}
+
+double JsonNode::number(double minimum, double maximum) const
+{
+    const auto* number = std::get_if<double>(&m_value->content);
+    if (!number || !std::isfinite(*number))
+        failExpecting("must be a number");
+    if (*number < minimum || *number > maximum)
+        failExpecting("must be a number between " + plain(minimum) + " and " + plain(maximum));
+    return *number;
+}
+
+double JsonNode::positive() const
+{
+    const auto* number = std::get_if<double>(&m_value->content);
+    if (!number || !std::isfinite(*number) || *number <= 0)
+        failExpecting("must be a positive number");
+    return *number;
+}
+
+int JsonNode::integer(int minimum, int maximum) const
+{
+    const auto* number = std::get_if<double>(&m_value->content);
+    if (!number || *number != std::floor(*number) || *number < minimum || *number > maximum)
+        failExpecting("must be a whole number between " + std::to_string(minimum) + " and " + std::to_string(maximum));
+    return static_cast<int>(*number);
+}
+
+std::vector<double> JsonNode::numbers(std::size_t count) const
+{
+    std::vector<double> numbers;
+    if (const auto* list = std::get_if<JsonValue::List>(&m_value->content))
+        for (const JsonValue& value : *list)
+            if (const auto* number = std::get_if<double>(&value.content); number && std::isfinite(*number))
+                numbers.push_back(*number);
+    // Anything that is no number was left out, so a wrong element shows as a wrong count.
+    const bool complete =
+        isList() && numbers.size() == count && std::get<JsonValue::List>(m_value->content).size() == count;
+    if (!complete)
+        failExpecting("must hold " + std::to_string(count) + " numbers");
+    return numbers;
+}
+
+} // namespace knead

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace knead {
+
+struct JsonDocument;
+struct JsonValue;
+
+/// A value of a JSON file that knows its place in it, for strict reading: every failure is a sentence that names the
+/// file, the place ("manipulators[0].size_mm") and what is allowed there. All failures are std::runtime_error.
+class JsonNode {
+public:
+    /// Reads a whole file. Syntax errors and keys given twice are named with line and column.
+    static JsonNode readFile(const std::string& path);
+
+    /// The value of a key that must be there.
+    JsonNode at(std::string_view key) const;
+    std::optional<JsonNode> find(std::string_view key) const;
+
+    /// Keys of an object, in the order of the file.
+    std::vector<std::string> keys() const;
+    /// Fails for the first key that is not among those allowed.
+    void allowOnly(const std::vector<std::string>& allowed) const;
+
+    bool isObject() const;
+    bool isString() const;
+    bool isList() const;
+
+    std::vector<JsonNode> items() const; ///< of a list, which may be empty
+    std::string text() const;            ///< a string that is not empty
+    bool boolean() const;
+    double number() const; ///< finite
+    double number(double minimum, double maximum) const;
+    double positive() const; ///< > 0
+    int integer(int minimum, int maximum) const;
+    std::vector<double> numbers(std::size_t count) const;
+
+    /// @throws std::runtime_error "FILE: PLACE SAYING"; the saying continues the place: "must hold 3 numbers, got 2."
+    [[noreturn]] void fail(const std::string& saying) const;
+    /// The same with what is there added: "PLACE must be EXPECTED, got VALUE."
+    [[noreturn]] void failExpecting(const std::string& verbAndExpectation) const;
+
+private:
+    JsonNode(std::shared_ptr<const JsonDocument> document, const JsonValue* value, std::string place);
+    JsonNode child(const JsonValue& value, const std::string& place) const;
+    void mustBeObject() const;
+
+    std::shared_ptr<const JsonDocument> m_document;
+    const JsonValue* m_value;
+    std::string m_place; ///< empty for the whole file
+};
+
+} // namespace knead

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace knead {
+
+/// A JSON value as parsed: null, true or false, number, string, list, object with its keys in the order of the file.
+struct JsonValue {
+    using List = std::vector<JsonValue>;
+    using Object = std::vector<std::pair<std::string, JsonValue>>;
+    std::variant<std::monostate, bool, double, std::string, List, Object> content;
+};
+
+/// Parses a text.
+/// @param file name for messages
+/// @throws std::runtime_error, in a sentence with line and column, for wrong syntax and for keys given twice.
+JsonValue parseJson(const std::string& text, const std::string& file);
+
+/// The value as JSON in one line, shortened with dots when longer than about 60 characters.
+std::string shortJson(const JsonValue& value);
+
+} // namespace knead

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "core/aggregate/material.h"
+#include "core/geometry/vec3.h"
+#include "core/mechanics/manipulator.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace knead {
+
+/// How finely the parts are filled. Counts are for all parts of the file together.
+struct RecipeResolution {
+    enum class Kind {
+        Spacing,     ///< value is the lattice spacing [m]
+        CellsAcross, ///< value is the number of cells along the longest side of the box around all parts
+        Objects      ///< value is the wanted number of objects
+    };
+    Kind kind = Kind::CellsAcross;
+    double value = 0;
+};
+
+/// A material as a recipe states it: a preset, or numbers that replace those of another material, or both.
+struct RecipeMaterial {
+    std::optional<Material> preset;
+    std::vector<std::pair<double Material::*, double>> overrides;
+
+    /// The preset, or `base` without one, with the overrides.
+    Material on(const Material& base) const;
+};
+
+/// A region held in place: CAD faces or everything in a box.
+struct RecipeFixture {
+    std::string name;
+    std::string body;                 ///< empty: the only one for faces, every one for a box
+    std::vector<std::uint32_t> faces; ///< indices into Part::faces
+    std::optional<Box> box;           ///< [m]
+};
+
+struct RecipeFloor {
+    double height = 0; ///< z [m]
+    double friction = 0.4;
+};
+
+/// Things that can happen at a time of the run.
+struct ChangeMaterial {
+    std::string body;        ///< empty: every one
+    RecipeMaterial material; ///< on top of what the body started with
+};
+struct ReleaseFixture {
+    std::string fixture;
+};
+struct TakeManipulatorAway {
+    std::string manipulator;
+};
+struct ChangeGravity {
+    Vec3 gravity = Vec3::Zero(); ///< [m/s^2]
+};
+using RecipeAction = std::variant<ChangeMaterial, ReleaseFixture, TakeManipulatorAway, ChangeGravity>;
+
+struct RecipeEvent {
+    double time = 0; ///< [s]
+    RecipeAction action;
+};
+
+/// A file to write at the end. All but the name is for pictures.
+struct RecipeExport {
+    std::string file; ///< relative to the output folder
+    int width = 1280;
+    int height = 800;
+    std::optional<Vec3> viewDirection; ///< from the eye to the part; the picture writer's own without one
+    Vec3 up = Vec3::UnitZ();
+    bool showTools = true; ///< draw the manipulators too
+
+    bool isPicture() const;
+};
+
+/// A session that runs without a window: a part, its material, tools with their motions, events and exports. SI units.
+struct Recipe {
+    std::string file; ///< where it was read from
+    std::string part; ///< path of the CAD or mesh file, ready to open
+    RecipeResolution resolution;
+    Material material;                                           ///< of every body that has none of its own
+    std::vector<std::pair<std::string, Material>> bodyMaterials; ///< body name and its material
+    std::vector<RecipeFixture> fixtures;
+    std::vector<Manipulator> manipulators; ///< motions are HoldStill or FollowKeyFrames
+    Vec3 gravity = Vec3::Zero();           ///< [m/s^2]
+    std::optional<RecipeFloor> floor;
+    double duration = 0;             ///< simulated [s]
+    std::vector<RecipeEvent> events; ///< ascending times
+    std::vector<RecipeExport> exports;
+};
+
+/// Reads and checks a recipe; resources/examples/README.md documents every key. Nothing is guessed: an unknown key, a
+/// wrong type or a number out of range is an error. Whether the names of bodies and faces exist is seen when the part
+/// is opened.
+/// @throws std::runtime_error, in a sentence: the file, the place in it, and what is allowed there.
+Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets);
+
+} // namespace knead
