@@ -45,11 +45,14 @@ inline constexpr std::size_t sumLanes = 8;
 
 /// The kernels of one instruction set.
 struct Kernels {
-    /// Adds the pull of the neighbors: k (|d| - l) n to `force`, k dampingTime v_n n to `damping`.
-    /// `stiffness` and `nominalLength` are those of the connections, in the order of the stretch.
-    void (*addConnectionForces)(std::size_t count, const End& self, const End& neighbor, const double* stiffness,
-                                const double* nominalLength, double dampingTime, const Vectors& force,
-                                const Vectors& damping);
+    /// Writes the pull of the neighbors on one end of each connection: k (|d| - l) n to `force`, k dampingTime v_n n to
+    /// `damping`. The other end feels the opposite. `stiffness` and `nominalLength` are in the order of the stretch.
+    void (*connectionForces)(std::size_t count, const End& self, const End& neighbor, const double* stiffness,
+                             const double* nominalLength, double dampingTime, const Vectors& force,
+                             const Vectors& damping);
+
+    /// Adds sign from to target.
+    void (*addScaled)(std::size_t count, double sign, const ConstVectors& from, const Vectors& target);
 
     /// Adds sign k d to one column of the shape matrices, d from self to neighbor.
     void (*addShape)(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor, const double* stiffness,

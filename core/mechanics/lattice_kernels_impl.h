@@ -36,9 +36,8 @@ inline double naturalLogarithm(double x)
     return exponent * 0.69314718055994531 + 2 * t * series;
 }
 
-void addConnectionForces(std::size_t count, const End& self, const End& neighbor, const double* stiffness,
-                         const double* nominalLength, double dampingTime, const Vectors& force,
-                         const Vectors& damping)
+void connectionForces(std::size_t count, const End& self, const End& neighbor, const double* stiffness,
+                      const double* nominalLength, double dampingTime, const Vectors& force, const Vectors& damping)
 {
     const double *x0 = self.position.x, *y0 = self.position.y, *z0 = self.position.z;
     const double *u0 = self.velocity.x, *v0 = self.velocity.y, *w0 = self.velocity.z;
@@ -58,12 +57,24 @@ void addConnectionForces(std::size_t count, const End& self, const End& neighbor
         const double scaled = k[i] * inverse;
         const double pull = scaled * (squared * inverse - l[i]);
         const double brake = scaled * dampingTime * rate;
-        fx[i] += pull * dx;
-        fy[i] += pull * dy;
-        fz[i] += pull * dz;
-        bx[i] += brake * dx;
-        by[i] += brake * dy;
-        bz[i] += brake * dz;
+        fx[i] = pull * dx;
+        fy[i] = pull * dy;
+        fz[i] = pull * dz;
+        bx[i] = brake * dx;
+        by[i] = brake * dy;
+        bz[i] = brake * dz;
+    }
+}
+
+void addScaled(std::size_t count, double sign, const ConstVectors& from, const Vectors& target)
+{
+    const double *x = from.x, *y = from.y, *z = from.z;
+    double *tx = target.x, *ty = target.y, *tz = target.z;
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < count; ++i) {
+        tx[i] += sign * x[i];
+        ty[i] += sign * y[i];
+        tz[i] += sign * z[i];
     }
 }
 
@@ -171,6 +182,6 @@ void advance(std::size_t count, double dt, double gravity, const double* mass, c
 } // namespace
 
 extern const Kernels set;
-const Kernels set{addConnectionForces, addShape, volumetricStress, addVolumetricForces, advance, KNEAD_KERNEL_NAME};
+const Kernels set{connectionForces, addScaled, addShape, volumetricStress, addVolumetricForces, advance, KNEAD_KERNEL_NAME};
 
 } // namespace knead::kernels::KNEAD_KERNEL_SET

@@ -12,8 +12,8 @@ namespace knead {
 
 namespace {
 
-// Objects per block: large enough to amortize a task, small enough that a block's arrays stay in the L2 cache.
-constexpr std::size_t blockSize = 2048;
+// Connections computed at a time: their forces stay in the first-level cache until both ends have taken them.
+constexpr std::size_t chunkSize = 256;
 
 // Stiffness of a contact in units of mu V / a^2. 3 keeps a tool from sinking visibly into soft material
 // (overlap / a about 0.4 p / E) and adds a quarter to the stiffness of a surface object.
@@ -59,6 +59,13 @@ StructuralConnections::StructuralConnections(std::shared_ptr<const Aggregate> ag
 {
     for (std::size_t d = 0; d < Lattice::directionCount; ++d)
         m_nominalLength[d].assign(m_aggregate->size(), m_aggregate->lattice.direction(static_cast<int>(d)).norm());
+    // A block also computes the connections that reach into it from lower objects, which lie up to the largest offset
+    // back; four times that keeps the double work near a tenth. Small lattices have small offsets and need no small blocks.
+    std::size_t largestOffset = 0;
+    for (const auto& segments : m_aggregate->lattice.segments)
+        for (const Lattice::Segment& segment : segments)
+            largestOffset = std::max(largestOffset, static_cast<std::size_t>(segment.offset));
+    m_blockSize = std::clamp<std::size_t>(4 * largestOffset, 2048, 65536);
     setMaterial(material);
 }
 
@@ -113,7 +120,7 @@ void StructuralConnections::findInverseShapes()
 void StructuralConnections::computeStress(const ObjectState& state)
 {
     const Lattice& lattice = m_aggregate->lattice;
-    forEachBlock(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+    forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         std::array<VectorArray, 3> columns;
         for (VectorArray& column : columns)
             column.resize(end - begin);
@@ -151,36 +158,63 @@ void StructuralConnections::computeStress(const ObjectState& state)
 
 void StructuralConnections::addForcesOfBlock(ObjectState& state, std::size_t begin, std::size_t end)
 {
-    const Lattice& lattice = m_aggregate->lattice;
-    const auto column = [&](int c, std::size_t i) {
-        const auto first = static_cast<std::size_t>(3 * c);
-        return kernels::ConstVectors{&m_stress[first][i], &m_stress[first + 1][i], &m_stress[first + 2][i]};
-    };
+    const auto& segments = m_aggregate->lattice.segments;
     for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
-        const auto addFrom = [&](double sign) {
-            return [&, sign](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
-                kernels::best().addConnectionForces(n, {from(state.position, i), from(state.velocity, i)},
-                                             {from(state.position, j), from(state.velocity, j)},
-                                             &m_stiffness[d][lower], &m_nominalLength[d][lower], m_dampingTime,
-                                             into(state.force, i), into(state.damping, i));
-                if (m_volumetricModulus == 0)
-                    return;
-                for (int c = 0; c < 3; ++c)
-                    if (const int component = Lattice::directions[d][static_cast<std::size_t>(c)]; component != 0)
-                        kernels::best().addVolumetricForces(n, column(c, i), column(c, j), &m_stiffness[d][lower],
-                                                     sign * component, into(state.force, i));
-            };
-        };
-        forEachForward(lattice, d, begin, end, addFrom(1));
-        forEachBackward(lattice, d, begin, end, addFrom(-1));
+        const auto upper = [](const Lattice::Segment& s, ObjectIndex i) { return i + static_cast<std::size_t>(s.offset); };
+        auto segment = std::partition_point(segments[d].begin(), segments[d].end(),
+                                            [&](const auto& s) { return upper(s, s.end) <= begin; });
+        for (; segment != segments[d].end() && segment->begin < end; ++segment) {
+            // Connections with an end in the block: the lower end from `offset` before it on, to its end.
+            const auto offset = static_cast<std::size_t>(segment->offset);
+            const std::size_t first = std::max<std::size_t>(segment->begin, begin > offset ? begin - offset : 0);
+            const std::size_t last = std::min<std::size_t>(segment->end, end);
+            for (std::size_t chunk = first; chunk < last; chunk += chunkSize)
+                addForcesOfChunk(state, d, {chunk, std::min(chunk + chunkSize, last), offset}, begin, end);
+        }
     }
+}
+
+void StructuralConnections::addForcesOfChunk(ObjectState& state, std::size_t d, const Chunk& chunk, std::size_t begin,
+                                             std::size_t end) const
+{
+    const std::size_t lower = chunk.first;
+    const std::size_t upper = chunk.first + chunk.offset;
+    const std::size_t count = chunk.last - chunk.first;
+    if (chunk.last <= begin && upper >= end)   // an offset longer than the block: both ends miss it
+        return;
+    double buffer[6][chunkSize];
+    const kernels::Vectors pull{buffer[0], buffer[1], buffer[2]};
+    const kernels::Vectors brake{buffer[3], buffer[4], buffer[5]};
+    const kernels::Kernels& kernel = kernels::best();
+    kernel.connectionForces(count, {from(state.position, lower), from(state.velocity, lower)},
+                            {from(state.position, upper), from(state.velocity, upper)}, &m_stiffness[d][lower],
+                            &m_nominalLength[d][lower], m_dampingTime, pull, brake);
+    if (m_volumetricModulus != 0) {
+        const auto column = [&](std::size_t c, std::size_t i) {
+            return kernels::ConstVectors{&m_stress[3 * c][i], &m_stress[3 * c + 1][i], &m_stress[3 * c + 2][i]};
+        };
+        for (std::size_t c = 0; c < 3; ++c)
+            if (const int component = Lattice::directions[d][c]; component != 0)
+                kernel.addVolumetricForces(count, column(c, lower), column(c, upper), &m_stiffness[d][lower], component, pull);
+    }
+    const auto take = [&](double sign, std::size_t end0) {   // what of the ends that begin at end0 lies in the block
+        const std::size_t from0 = std::max(end0, begin);
+        const std::size_t to = std::min(end0 + count, end);
+        if (from0 >= to)
+            return;
+        const std::size_t skip = from0 - end0;
+        kernel.addScaled(to - from0, sign, {pull.x + skip, pull.y + skip, pull.z + skip}, into(state.force, from0));
+        kernel.addScaled(to - from0, sign, {brake.x + skip, brake.y + skip, brake.z + skip}, into(state.damping, from0));
+    };
+    take(1, lower);
+    take(-1, upper);
 }
 
 void StructuralConnections::computeForces(ObjectState& state)
 {
     if (m_volumetricModulus != 0)
         computeStress(state);
-    forEachBlock(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+    forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         for (VectorArray* array : {&state.force, &state.damping})
             for (std::vector<double>* component : {&array->x, &array->y, &array->z})
                 std::fill_n(component->data() + begin, end - begin, 0.0);

@@ -20,8 +20,9 @@ namespace knead {
 /// Poisson's ratio 1/4; the rest is a volumetric energy per object, 1/2 (lambda - mu) V theta^2 with
 /// theta = ln det F, F the least-squares deformation gradient over the object's connections. It is absent at 1/4.
 ///
-/// Every object gathers its own force in a fixed order, so no two threads write to one place and the bits do not depend
-/// on the number of threads. Each connection is evaluated from both ends; the two results are exact opposites.
+/// Objects are worked on in blocks that depend on the lattice only. A block computes every connection with an end in it and
+/// writes to its own objects alone, so no two threads write to one place and the bits do not depend on their number;
+/// connections between blocks are computed by both, with results that are exact opposites.
 class StructuralConnections {
 public:
     StructuralConnections(std::shared_ptr<const Aggregate> aggregate, const Material& material);
@@ -54,7 +55,14 @@ private:
 
     void findInverseShapes();
     void computeStress(const ObjectState& state);
+    /// Connections of one direction whose lower ends are first .. last; the upper ends are `offset` further on.
+    struct Chunk {
+        std::size_t first;
+        std::size_t last;
+        std::size_t offset;
+    };
     void addForcesOfBlock(ObjectState& state, std::size_t begin, std::size_t end);
+    void addForcesOfChunk(ObjectState& state, std::size_t d, const Chunk& chunk, std::size_t begin, std::size_t end) const;
     double bondBound(const ObjectState& state) const;
     double iteratedFrequency(ObjectState& state);
 
@@ -62,6 +70,7 @@ private:
     DirectionArray m_stiffness;          ///< k [N/m] at the lower object; 0 = no connection
     DirectionArray m_nominalLength;      ///< l [m]
     std::size_t m_count = 0;
+    std::size_t m_blockSize = 0;         ///< objects per block
     double m_dampingTime = 0;
     double m_shearModulus = 0;           ///< mu [Pa]
     double m_volumetricModulus = 0;      ///< lambda - mu [Pa]
