@@ -1,0 +1,165 @@
+#include "io/cad_assembly.h"
+
+#include "io/readable_name.h"
+
+#include <Quantity_Color.hxx>
+#include <TDF_LabelIntegerMap.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS_Shape.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+
+#include <algorithm>
+
+namespace knead {
+
+namespace {
+
+constexpr int deepestAssembly = 4000; // the walk recurses once a level
+
+TDF_LabelSequence componentsOf(const TDF_Label& label)
+{
+    TDF_LabelSequence components;
+    XCAFDoc_ShapeTool::GetComponents(label, components);
+    return components;
+}
+
+TDF_Label referredBy(const TDF_Label& component)
+{
+    TDF_Label product;
+    return XCAFDoc_ShapeTool::GetReferredShape(component, product) ? product : component;
+}
+
+std::string nameOf(const TDF_Label& label)
+{
+    Handle(TDataStd_Name) name;
+    if (!label.FindAttribute(TDataStd_Name::GetID(), name))
+        return {};
+    const TCollection_ExtendedString& text = name->Get();
+    return readableName(std::u16string_view(text.ToExtString(), static_cast<std::size_t>(text.Length())));
+}
+
+/// Names of instances such as "nut_1" say more than "nut", but many programs number them without meaning.
+std::string bestName(const std::string& instance, const std::string& product, const std::string& fallback)
+{
+    if (!isGeneratedName(instance))
+        return instance;
+    return isGeneratedName(product) ? fallback : product;
+}
+
+std::optional<Color> colorOf(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label)
+{
+    Quantity_Color color;
+    for (const XCAFDoc_ColorType type : {XCAFDoc_ColorSurf, XCAFDoc_ColorGen, XCAFDoc_ColorCurv})
+        if (tool->GetColor(label, type, color)) {
+            Standard_Real r = 0;
+            Standard_Real g = 0;
+            Standard_Real b = 0;
+            color.Values(r, g, b, Quantity_TOC_sRGB);
+            return Color{static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)};
+        }
+    return std::nullopt;
+}
+
+class AssemblyWalk {
+public:
+    AssemblyWalk(const TDocStd_Document& document, const std::string& path, const std::string& fallbackName)
+        : m_shapes(XCAFDoc_DocumentTool::ShapeTool(document.Main()))
+        , m_colorTool(XCAFDoc_DocumentTool::ColorTool(document.Main()))
+        , m_path(path)
+        , m_fallbackName(fallbackName)
+    {
+    }
+
+    CadAssembly run()
+    {
+        TDF_LabelSequence roots;
+        m_shapes->GetFreeShapes(roots);
+        checkSize(roots);
+        for (const TDF_Label& root : roots)
+            m_result.roots.push_back(node(root, root, TopLoc_Location(), {m_fallbackName, std::nullopt, {}, nullptr}));
+        return std::move(m_result);
+    }
+
+private:
+    /// Counts instances without visiting them: 24 levels of two are 16 million parts in 40 kB.
+    int countParts(const TDF_Label& product, int depth)
+    {
+        if (depth > deepestAssembly)
+            failReading(m_path, "the assembly is nested more than " + std::to_string(deepestAssembly) +
+                                    " levels deep; export a part of it.");
+        if (const int* known = m_partCounts.Seek(product))
+            return *known;
+        int count = 0;
+        if (XCAFDoc_ShapeTool::IsAssembly(product)) {
+            for (const TDF_Label& component : componentsOf(product))
+                count = std::min(count + countParts(referredBy(component), depth + 1), 2 * mostParts);
+        } else {
+            count = 1;
+        }
+        m_partCounts.Bind(product, count);
+        return count;
+    }
+
+    void checkSize(const TDF_LabelSequence& roots)
+    {
+        int count = 0;
+        for (const TDF_Label& root : roots)
+            count = std::min(count + countParts(referredBy(root), 0), 2 * mostParts);
+        if (count > mostParts)
+            failReading(m_path, "the assembly has more than " + std::to_string(mostParts) +
+                                    " parts; export the parts you need.");
+    }
+
+    CadNode node(const TDF_Label& instance, const TDF_Label& product, const TopLoc_Location& placement,
+                 const CadNode& parent)
+    {
+        CadNode result;
+        result.name = bestName(instance == product ? std::string() : nameOf(instance), nameOf(product), parent.name);
+        result.color = colorOf(m_colorTool, instance);
+        if (!result.color)
+            result.color = colorOf(m_colorTool, product);
+        if (!result.color)
+            result.color = parent.color;
+        if (XCAFDoc_ShapeTool::IsAssembly(product)) {
+            for (const TDF_Label& component : componentsOf(product))
+                result.children.push_back(node(component, referredBy(component),
+                                               placement * XCAFDoc_ShapeTool::GetLocation(component), result));
+            return result;
+        }
+        rememberColors(product);
+        const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(product);
+        if (!shape.IsNull())
+            result.shape = std::make_shared<const TopoDS_Shape>(shape.Moved(placement));
+        return result;
+    }
+
+    void rememberColors(const TDF_Label& product)
+    {
+        TDF_LabelSequence parts;
+        XCAFDoc_ShapeTool::GetSubShapes(product, parts);
+        for (const TDF_Label& part : parts)
+            if (const auto color = colorOf(m_colorTool, part))
+                m_result.colors.set(XCAFDoc_ShapeTool::GetShape(part), *color);
+    }
+
+    Handle(XCAFDoc_ShapeTool) m_shapes;
+    Handle(XCAFDoc_ColorTool) m_colorTool;
+    const std::string& m_path;
+    const std::string& m_fallbackName;
+    TDF_LabelIntegerMap m_partCounts; // per product; instances share it
+    CadAssembly m_result;
+};
+
+} // namespace
+
+CadAssembly readAssembly(const TDocStd_Document& document, const std::string& path, const std::string& fallbackName)
+{
+    return AssemblyWalk(document, path, fallbackName).run();
+}
+
+} // namespace knead

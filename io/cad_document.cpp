@@ -1,0 +1,268 @@
+#include "io/cad_document.h"
+
+#include "io/cad_assembly.h"
+#include "io/readable_name.h"
+#include "io/step_assembly_size.h"
+#include "io/step_check.h"
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <IGESCAFControl_Reader.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Message_ProgressIndicator.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <STEPControl_Reader.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Shape.hxx>
+#include <XCAFApp_Application.hxx>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+namespace knead {
+
+namespace {
+
+constexpr const char* transferStage = "making shapes";
+
+/// Hands OpenCASCADE's progress on, and the wish to stop back.
+class OcctProgress final : public Message_ProgressIndicator {
+public:
+    OcctProgress(TaskControl& control, const char* stage)
+        : m_control(control)
+        , m_stage(stage)
+    {
+    }
+
+    Standard_Boolean UserBreak() override { return m_control.isCancelled(); }
+    void Show(const Message_ProgressScope&, const Standard_Boolean) override
+    {
+        m_control.report(GetPosition(), m_stage);
+    }
+
+private:
+    TaskControl& m_control;
+    const char* m_stage;
+};
+
+/// A document that is closed in any case.
+class ScopedDocument {
+public:
+    ScopedDocument() { XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", m_document); }
+    ~ScopedDocument() { XCAFApp_Application::GetApplication()->Close(m_document); }
+    ScopedDocument(const ScopedDocument&) = delete;
+    ScopedDocument& operator=(const ScopedDocument&) = delete;
+
+    Handle(TDocStd_Document) & operator*() { return m_document; }
+
+private:
+    Handle(TDocStd_Document) m_document;
+};
+
+std::string lowerCase(std::string text)
+{
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+}
+
+/// The unit as a person writes it.
+std::string displayUnit(const std::string& name)
+{
+    struct Entry {
+        const char* name;
+        const char* shown;
+    };
+    static constexpr std::array entries{
+        Entry{"millimetre", "mm"}, Entry{"millimeter", "mm"}, Entry{"metre", "m"},       Entry{"meter", "m"},
+        Entry{"centimetre", "cm"}, Entry{"centimeter", "cm"}, Entry{"inch", "inch"},     Entry{"in", "inch"},
+        Entry{"foot", "ft"},       Entry{"feet", "ft"},       Entry{"micrometre", "um"}, Entry{"kilometre", "km"},
+        Entry{"mil", "mil"},       Entry{"uin", "uinch"},     Entry{"mi", "mile"},       Entry{"mile", "mile"},
+    };
+    const std::string lower = lowerCase(name);
+    for (const Entry& entry : entries)
+        if (lower == entry.name)
+            return entry.shown;
+    return lower;
+}
+
+std::string fallbackNameFor(const std::string& path)
+{
+    const std::string stem = readableName(std::string_view(std::filesystem::path(path).stem().string()));
+    return stem.empty() ? "part" : stem;
+}
+
+std::string stepUnit(STEPControl_Reader& reader, const std::string& path, std::vector<std::string>& warnings)
+{
+    TColStd_SequenceOfAsciiString lengths;
+    TColStd_SequenceOfAsciiString angles;
+    TColStd_SequenceOfAsciiString solidAngles;
+    reader.FileUnits(lengths, angles, solidAngles);
+    std::string unit;
+    for (const TCollection_AsciiString& length : lengths) {
+        const std::string one = displayUnit(length.ToCString());
+        if (unit.empty())
+            unit = one;
+        else if (unit != one)
+            warnings.push_back(shortName(path) + ": the file mixes the length units " + unit + " and " + one +
+                               "; check the sizes of the parts.");
+    }
+    if (unit.empty())
+        warnings.push_back(shortName(path) + ": the file states no length unit; millimetres were taken.");
+    return unit;
+}
+
+void readStep(const std::string& path, TaskControl& control, CadDocument& result)
+{
+    TaskPortion checking(control, 0, 0.05);
+    const StepCheck check = checkStepText(path, checking);
+    result.format = check.protocol.empty() ? "STEP" : "STEP " + check.protocol;
+
+    control.report(0.05, "reading the file");
+    std::ifstream file(path, std::ios::binary);
+    if (file.peek() == 0xEF) // the byte-order mark, which recognizeFormat() saw whole; the reader cannot take it
+        file.seekg(3);
+    STEPCAFControl_Reader reader;
+    reader.SetColorMode(true);
+    reader.SetNameMode(true);
+    reader.SetGDTMode(false); // crashes on some files
+    reader.SetPropsMode(false);
+    reader.SetLayerMode(false);
+    reader.SetMatMode(false);
+    if (reader.ChangeReader().ReadStream(shortName(path).c_str(), file) != IFSelect_RetDone)
+        failReading(path, "the STEP text has errors that the reader cannot get over; export the file again.");
+    control.throwIfCancelled();
+    if (countUnfoldedParts(reader.Reader(), mostParts) >= mostParts)
+        failReading(path, "the assembly unfolds to more than " + std::to_string(mostParts) +
+                              " parts; export the parts you need.");
+    result.unit = stepUnit(reader.ChangeReader(), path, result.warnings);
+
+    TaskPortion transferring(control, 0.3, 1);
+    Handle(OcctProgress) progress = new OcctProgress(transferring, transferStage);
+    ScopedDocument document;
+    const bool done = reader.Transfer(*document, progress->Start());
+    control.throwIfCancelled();
+    if (!done)
+        failReading(path, "no shape of the STEP file could be made; export the file again.");
+    CadAssembly assembly = readAssembly(**document, path, result.root.name);
+    result.root.children = std::move(assembly.roots);
+    result.colors = std::move(assembly.colors);
+}
+
+std::string igesUnit(const IGESCAFControl_Reader& reader, const std::string& path, std::vector<std::string>& warnings)
+{
+    const Handle(IGESData_IGESModel) model = Handle(IGESData_IGESModel)::DownCast(reader.Model());
+    if (!model.IsNull() && !model->GlobalSection().UnitName().IsNull()) {
+        const std::string unit = displayUnit(model->GlobalSection().UnitName()->ToCString());
+        if (!unit.empty())
+            return unit;
+    }
+    warnings.push_back(shortName(path) + ": the file states no length unit; millimetres were taken.");
+    return {};
+}
+
+/// Most IGES files hold nothing but single faces of one thing: they become one surface, each face with its color.
+void joinLooseSurfaces(CadNode& root, ShapeColors& colors)
+{
+    TopoDS_Compound surface;
+    const BRep_Builder builder;
+    builder.MakeCompound(surface);
+    const auto isLoose = [](const CadNode& node) {
+        return node.shape && !TopExp_Explorer(*node.shape, TopAbs_SOLID).More();
+    };
+    if (std::count_if(root.children.begin(), root.children.end(), isLoose) < 2)
+        return;
+    for (const CadNode& node : root.children) {
+        if (!isLoose(node))
+            continue;
+        builder.Add(surface, *node.shape);
+        for (TopExp_Explorer faces(*node.shape, TopAbs_FACE); faces.More(); faces.Next())
+            if (node.color && !colors.find(faces.Current()))
+                colors.set(faces.Current(), *node.color);
+    }
+    std::erase_if(root.children, isLoose);
+    root.children.push_back({root.name, std::nullopt, {}, std::make_shared<const TopoDS_Shape>(surface)});
+}
+
+void readIges(const std::string& path, TaskControl& control, CadDocument& result)
+{
+    result.format = "IGES";
+    control.report(0.05, "reading the file");
+    IGESCAFControl_Reader reader;
+    reader.SetColorMode(true);
+    reader.SetNameMode(true);
+    reader.SetLayerMode(false);
+    if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+        failReading(path,
+                    "the IGES text has errors that the reader cannot get over; export the file again, best as STEP.");
+    control.throwIfCancelled();
+    result.unit = igesUnit(reader, path, result.warnings);
+
+    TaskPortion transferring(control, 0.3, 1);
+    Handle(OcctProgress) progress = new OcctProgress(transferring, transferStage);
+    ScopedDocument document;
+    const bool done = reader.Transfer(*document, progress->Start());
+    control.throwIfCancelled();
+    if (!done)
+        failReading(path, "no shape of the IGES file could be made; export the file again, best as STEP.");
+    CadAssembly assembly = readAssembly(**document, path, result.root.name);
+    result.root.children = std::move(assembly.roots);
+    result.colors = std::move(assembly.colors);
+    joinLooseSurfaces(result.root, result.colors);
+}
+
+void readBrep(const std::string& path, TaskControl& control, CadDocument& result)
+{
+    result.format = "BREP";
+    result.warnings.push_back(shortName(path) + ": BREP files state no length unit; millimetres were taken.");
+    TopoDS_Shape shape;
+    std::ifstream file(path, std::ios::binary);
+    file.exceptions(std::ios::failbit | std::ios::badbit); // else the reader loops for ever at the end of a cut file
+    Handle(OcctProgress) progress = new OcctProgress(control, "reading the file");
+    try {
+        BRepTools::Read(shape, file, BRep_Builder(), progress->Start());
+    } catch (const std::ios::failure&) {
+        failReading(path, "the BREP file is cut off or damaged; get it again.");
+    }
+    control.throwIfCancelled();
+    if (shape.IsNull())
+        failReading(path, "the BREP file is damaged, or newer than the reader; save it again in an older version.");
+    BRepTools::Clean(shape); // triangles stored in the file are of unknown quality
+    CadNode leaf;
+    leaf.name = result.root.name;
+    leaf.shape = std::make_shared<const TopoDS_Shape>(shape);
+    result.root.children.push_back(std::move(leaf));
+}
+
+} // namespace
+
+void ShapeColors::set(const TopoDS_Shape& shape, const Color& color)
+{
+    m_colors[shape.TShape().get()] = color;
+}
+
+std::optional<Color> ShapeColors::find(const TopoDS_Shape& shape) const
+{
+    const auto found = m_colors.find(shape.TShape().get());
+    return found == m_colors.end() ? std::nullopt : std::optional(found->second);
+}
+
+CadDocument readCadDocument(const std::string& path, FormatKind kind, TaskControl& control)
+{
+    CadDocument result;
+    result.root.name = fallbackNameFor(path);
+    if (kind == FormatKind::Step)
+        readStep(path, control, result);
+    else if (kind == FormatKind::Iges)
+        readIges(path, control, result);
+    else
+        readBrep(path, control, result);
+    return result;
+}
+
+} // namespace knead

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/model/part.h"
+#include "core/task/task_control.h"
+#include "io/cad_format.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+class TopoDS_Shape;
+
+namespace knead {
+
+constexpr int mostParts = 100'000; ///< of an assembly; no program could show more
+
+/// A node of the assembly as the file has it: an assembly with children, or a leaf with a shape.
+struct CadNode {
+    std::string name;           ///< never empty
+    std::optional<Color> color; ///< of the instance, its product, or what it is part of
+    std::vector<CadNode> children;
+    std::shared_ptr<const TopoDS_Shape> shape; ///< of a leaf, placed in the world [mm]
+};
+
+/// Colors given to solids, shells and faces, whatever their place and orientation.
+class ShapeColors {
+public:
+    void set(const TopoDS_Shape& shape, const Color& color);
+    std::optional<Color> find(const TopoDS_Shape& shape) const;
+
+private:
+    std::unordered_map<const void*, Color> m_colors; // by the geometry that instances share
+};
+
+/// What a CAD file holds, before any measuring.
+struct CadDocument {
+    std::string format; ///< "STEP AP214"
+    std::string unit;   ///< as Model::unit
+    std::vector<std::string> warnings;
+    CadNode root;
+    ShapeColors colors;
+};
+
+/// Reads STEP, IGES or BREP. OpenCASCADE keeps global state: call within an OcctSession.
+/// @throws std::runtime_error, in a sentence. @throws Cancelled
+CadDocument readCadDocument(const std::string& path, FormatKind kind, TaskControl& control);
+
+} // namespace knead

@@ -1,0 +1,103 @@
+#include "io/cad_reader.h"
+
+#include "io/cad_document.h"
+#include "io/cad_part.h"
+#include "io/occt_session.h"
+#include "io/size_limits.h"
+
+#include <TopoDS_Shape.hxx>
+
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+struct Leaf {
+    const CadNode* node;
+    PartNode* place;
+    std::string path; ///< ends in the leaf's own name
+};
+
+/// Copies the tree without its parts and lists its leaves in order.
+void copyTree(const CadNode& from, PartNode& to, const std::string& path, std::vector<Leaf>& leaves)
+{
+    to.name = from.name;
+    if (from.shape)
+        leaves.push_back({&from, &to, path});
+    to.children.resize(from.children.size());
+    for (std::size_t i = 0; i < from.children.size(); ++i)
+        copyTree(from.children[i], to.children[i],
+                 path.empty() ? from.children[i].name : path + "/" + from.children[i].name, leaves);
+}
+
+std::string numbered(const std::string& name, std::size_t index)
+{
+    return index == 0 ? name : name + " (" + std::to_string(index + 1) + ")";
+}
+
+class PartMaker {
+public:
+    PartMaker(const CadDocument& document, const ImportOptions& options, TaskControl& control, Model& model)
+        : m_document(document)
+        , m_options(options)
+        , m_control(control)
+        , m_model(model)
+    {
+    }
+
+    void run()
+    {
+        std::vector<Leaf> leaves;
+        copyTree(m_document.root, m_model.tree, {}, leaves);
+        for (std::size_t i = 0; i < leaves.size(); ++i)
+            addLeaf(leaves[i], static_cast<double>(i) / static_cast<double>(leaves.size()));
+    }
+
+private:
+    /// One body is the leaf itself; several become its children.
+    void addLeaf(const Leaf& leaf, double done)
+    {
+        const std::vector<TopoDS_Shape> bodies = splitIntoBodies(*leaf.node->shape);
+        const std::string parentPath = leaf.path.substr(0, leaf.path.size() - leaf.node->name.size());
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            m_control.report(done, "measuring parts");
+            m_control.throwIfCancelled();
+            Part part = makePart(bodies[i], leaf.node->color, m_document.colors, m_options);
+            part.name = numbered(leaf.node->name, i);
+            part.path = parentPath + part.name;
+            const std::size_t index = m_model.parts.size();
+            if (bodies.size() == 1)
+                leaf.place->part = index;
+            else
+                leaf.place->children.push_back({part.name, index, {}});
+            m_model.parts.push_back(std::move(part));
+        }
+    }
+
+    const CadDocument& m_document;
+    const ImportOptions& m_options;
+    TaskControl& m_control;
+    Model& m_model;
+};
+
+} // namespace
+
+Model readCad(const std::string& path, FormatKind kind, const ImportOptions& options, TaskControl& control)
+{
+    const OcctSession session;
+    Model model;
+    guardOcct(path, [&] {
+        TaskPortion reading(control, 0, 0.5);
+        CadDocument document = readCadDocument(path, kind, reading);
+        model.format = document.format;
+        model.unit = document.unit;
+        model.warnings = document.warnings;
+        TaskPortion measuring(control, 0.5, 1);
+        PartMaker(document, options, measuring, model).run();
+    });
+    checkPlaceAndSize(path, model);
+    return model;
+}
+
+} // namespace knead

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/model/part.h"
+#include "core/task/task_control.h"
+
+#include <string>
+#include <vector>
+
+namespace knead {
+
+struct ImportOptions {
+    double linearDeflection = 0;     ///< chord error of the tessellation [m]; 0: 1/2000 of each part's diagonal
+    double angularDeflection = 0.2;  ///< [rad]
+};
+
+/// Reads any supported file: STEP, IGES, BREP with exact geometry; STL, OBJ, PLY as meshes. The content decides the format,
+/// not the ending. One import at a time per process runs (a lock inside): the CAD readers share global state.
+/// Runs on the calling thread.
+///
+/// @throws std::runtime_error whose text is one sentence for the person: which file, what is wrong, what to do.
+/// @throws Cancelled
+Model importFile(const std::string& path, const ImportOptions& options = {}, TaskControl& control = TaskControl::none());
+
+/// A readable or writable format, for dialogs and help.
+struct FileFormat {
+    std::string name;                    ///< "STEP"
+    std::vector<std::string> endings;    ///< "step", "stp"
+};
+const std::vector<FileFormat>& importFormats();
+
+} // namespace knead

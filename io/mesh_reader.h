@@ -1,0 +1,12 @@
+#pragma once
+
+#include "io/cad_format.h"
+#include "io/importer.h"
+
+namespace knead {
+
+/// Reads STL, OBJ or PLY; every object in the file becomes a part. Numbers are taken as millimetres.
+/// @throws std::runtime_error, in a sentence. @throws Cancelled
+Model readMesh(const std::string& path, FormatKind kind, TaskControl& control);
+
+} // namespace knead

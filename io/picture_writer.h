@@ -1,0 +1,22 @@
+#pragma once
+
+#include "io/mesh_writer.h"
+
+#include <string>
+#include <vector>
+
+namespace knead {
+
+struct PictureOptions {
+    int width = 1280;
+    int height = 800;
+    Vec3 viewDirection = Vec3(-1, 1.4, -0.8);   ///< from the eye to the part, any length
+    Vec3 up = Vec3::UnitZ();
+};
+
+/// Draws bodies to a PNG without a display or a graphics card: z-buffer, smooth shading with sharp CAD edges, parallel
+/// projection fitted to the bodies, anti-aliased, light background, soft ground shadow when it helps.
+/// @throws std::runtime_error, in a sentence.
+void writePicture(const std::string& path, const std::vector<MeshBody>& bodies, const PictureOptions& options = {});
+
+} // namespace knead

@@ -1,0 +1,113 @@
+#include "io/readable_name.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+
+namespace knead {
+
+namespace {
+
+constexpr std::size_t longestName = 120;
+constexpr char32_t replacement = 0xFFFD;
+
+void append(std::string& text, char32_t letter)
+{
+    const auto byte = [&](char32_t bits) { text += static_cast<char>(static_cast<unsigned char>(bits)); };
+    if (letter < 0x80) {
+        byte(letter);
+    } else if (letter < 0x800) {
+        byte(0xC0 | (letter >> 6U));
+        byte(0x80 | (letter & 0x3FU));
+    } else if (letter < 0x10000) {
+        byte(0xE0 | (letter >> 12U));
+        byte(0x80 | ((letter >> 6U) & 0x3FU));
+        byte(0x80 | (letter & 0x3FU));
+    } else {
+        byte(0xF0 | (letter >> 18U));
+        byte(0x80 | ((letter >> 12U) & 0x3FU));
+        byte(0x80 | ((letter >> 6U) & 0x3FU));
+        byte(0x80 | (letter & 0x3FU));
+    }
+}
+
+/// The letter that starts at `text[at]`; moves `at` behind it. Broken sequences give the replacement character.
+char32_t nextLetter(std::string_view text, std::size_t& at)
+{
+    const auto first = static_cast<unsigned char>(text[at++]);
+    if (first < 0x80)
+        return first;
+    const int more = first >= 0xF0 && first < 0xF5 ? 3 : first >= 0xE0 ? 2 : first >= 0xC2 ? 1 : 0;
+    if (more == 0 || first >= 0xF5)
+        return replacement;
+    char32_t letter = first & (0x3FU >> static_cast<unsigned>(more));
+    for (int i = 0; i < more; ++i) {
+        if (at >= text.size() || (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U)
+            return replacement;
+        letter = (letter << 6U) | (static_cast<unsigned char>(text[at++]) & 0x3FU);
+    }
+    static constexpr std::array<char32_t, 4> least{0, 0x80, 0x800, 0x10000};
+    const bool isSurrogate = letter >= 0xD800 && letter < 0xE000;
+    return letter < least[static_cast<std::size_t>(more)] || letter > 0x10FFFF || isSurrogate ? replacement : letter;
+}
+
+char32_t nextLetter(std::u16string_view text, std::size_t& at)
+{
+    const char32_t first = text[at++];
+    if (first < 0xD800 || first >= 0xE000)
+        return first;
+    if (first >= 0xDC00 || at >= text.size() || text[at] < 0xDC00 || text[at] >= 0xE000)
+        return replacement;
+    return 0x10000 + ((first - 0xD800) << 10U) + (static_cast<char32_t>(text[at++]) - 0xDC00);
+}
+
+template <typename Text>
+std::string readable(Text text)
+{
+    std::string name;
+    for (std::size_t at = 0; at < text.size();) {
+        const char32_t letter = nextLetter(text, at);
+        const bool isSpace = letter <= 0x20 || (letter >= 0x7F && letter <= 0xA0);
+        if (isSpace && (name.empty() || name.back() == ' '))
+            continue;
+        if (name.size() + 7 > longestName) {
+            name += "...";
+            break;
+        }
+        append(name, isSpace ? U' ' : letter);
+    }
+    while (!name.empty() && name.back() == ' ')
+        name.pop_back();
+    return name;
+}
+
+bool isDigits(std::string_view text)
+{
+    return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+} // namespace
+
+std::string readableName(std::string_view utf8)
+{
+    return readable(utf8);
+}
+
+std::string readableName(std::u16string_view utf16)
+{
+    return readable(utf16);
+}
+
+bool isGeneratedName(std::string_view name)
+{
+    static constexpr std::array<std::string_view, 11> shapes{
+        "COMPOUND", "COMPSOLID", "SOLID", "SHELL", "FACE", "WIRE", "EDGE", "VERTEX", "ASSEMBLY", "NONE", "unknown"};
+    if (name.starts_with("=>[") || name.starts_with("NAUO"))
+        return true;
+    if (name.starts_with("Open CASCADE STEP translator"))
+        return true;
+    return isDigits(name) || std::find(shapes.begin(), shapes.end(), name) != shapes.end();
+}
+
+} // namespace knead

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace knead {
+
+/// A name from a file made fit to show: valid UTF-8 on one line without control characters, at most 120 bytes.
+std::string readableName(std::string_view utf8);
+std::string readableName(std::u16string_view utf16);
+
+/// True for names that programs make up and no person knows by: empty, "NAUO12", "=>[0:1:1:2]", "17", "SOLID".
+bool isGeneratedName(std::string_view name);
+
+} // namespace knead
