@@ -28,7 +28,7 @@ constexpr double millimeter = 1e-3;
 struct ConvertOptions {
     std::string input;
     std::string output;
-    double deflection = 0;   ///< [mm]; 0: the importer's own
+    double deflection = 0; ///< [mm]; 0: the importer's own
 };
 
 std::string endingOf(const std::string& path)
@@ -89,7 +89,8 @@ std::optional<Model> read(const ConvertOptions& options, int& status)
 int convert(const ConvertOptions& options)
 {
     if (!canBeWritten(options.output))
-        return complain(options.output + ": the ending is none of .stl, .obj, .ply and .png; name the file after its format.",
+        return complain(options.output +
+                            ": the ending is none of .stl, .obj, .ply and .png; name the file after its format.",
                         exit_status::wrongUse);
     int status = exit_status::done;
     std::optional<Model> model = read(options, status);

@@ -68,8 +68,11 @@ Json toJson(const Part& part)
 
 void printJson(const Model& model)
 {
-    Json json{{"file", model.file},       {"format", model.format}, {"unit", model.unit},
-              {"warnings", model.warnings}, {"parts", Json::array()}};
+    Json json{{"file", model.file},
+              {"format", model.format},
+              {"unit", model.unit},
+              {"warnings", model.warnings},
+              {"parts", Json::array()}};
     for (const Part& part : model.parts)
         json["parts"].push_back(toJson(part));
     // Paths on Linux are bytes; what is no UTF-8 is shown with replacement characters.

@@ -75,9 +75,9 @@ bool isNear(double a, double b)
 /// An elliptical cut through the grip [mm].
 struct Section {
     double height;
-    double forward;   // of the middle, along x
-    double width;     // half, along x
-    double depth;     // half, along y
+    double forward; // of the middle, along x
+    double width;   // half, along x
+    double depth;   // half, along y
 };
 
 TopoDS_Shape loft(const std::vector<Section>& sections)
@@ -104,7 +104,7 @@ TopoDS_Shape roundedRims(const TopoDS_Shape& shape, double radius)
         TopoDS_Vertex first;
         TopoDS_Vertex last;
         TopExp::Vertices(edge, first, last);
-        if (first.IsSame(last))   // the seam runs between them
+        if (first.IsSame(last)) // the seam runs between them
             fillet.Add(radius, edge);
     }
     fillet.Build();
@@ -122,8 +122,8 @@ std::vector<ExampleBody> makeBar()
 
 std::vector<ExampleBody> makeBracket()
 {
-    constexpr double width = 50;      // along y
-    constexpr double length = 70;     // of the foot, along x
+    constexpr double width = 50;  // along y
+    constexpr double length = 70; // of the foot, along x
     constexpr double height = 60;
     constexpr double wall = 8;
     constexpr double holeRadius = 10;
@@ -133,10 +133,10 @@ std::vector<ExampleBody> makeBracket()
 
     TopoDS_Shape body = BRepAlgoAPI_Fuse(box(0, 0, 0, length, width, wall), box(0, 0, 0, wall, width, height)).Shape();
     body = unified(body);
-    body = rounded(body, 6, [&](const gp_Pnt& p, const gp_Dir& d) {   // the inner corner
+    body = rounded(body, 6, [&](const gp_Pnt& p, const gp_Dir& d) { // the inner corner
         return isParallel(d, y) && isNear(p.X(), wall) && isNear(p.Z(), wall);
     });
-    body = rounded(body, 12, [&](const gp_Pnt& p, const gp_Dir& d) {   // the corners of the two plates
+    body = rounded(body, 12, [&](const gp_Pnt& p, const gp_Dir& d) { // the corners of the two plates
         return (isParallel(d, z) && isNear(p.X(), length)) || (isParallel(d, x) && isNear(p.Z(), height));
     });
     for (const double side : {14.0, width - 14.0})

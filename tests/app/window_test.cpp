@@ -1,0 +1,378 @@
+#include "app/gui.h"
+#include "core/geometry/mass_properties.h"
+#include "io/importer.h"
+#include "ui/main_window.h"
+#include "ui/panels/banner.h"
+#include "ui/panels/log_panel.h"
+#include "ui/panels/quantity_field.h"
+#include "ui/run_window.h"
+#include "ui/viewport/viewport_widget.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDir>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+using namespace knead;
+
+namespace {
+
+constexpr int patience = 60'000; // [ms], for machines that do much else
+
+double largestMove(const Frame& from, const Frame& to)
+{
+    double largest = 0;
+    for (std::size_t b = 0; b < from.bodies.size(); ++b)
+        for (std::size_t v = 0; v < from.bodies[b]->places.size(); ++v)
+            largest = std::max(largest, (from.bodies[b]->places[v] - to.bodies[b]->places[v]).norm());
+    return largest;
+}
+
+} // namespace
+
+/// The window as a person uses it: files through the window's own way, everything else through keys and mouse.
+class WindowTest : public QObject {
+    Q_OBJECT
+
+    Services m_services;
+    std::unique_ptr<MainWindow> m_window;
+
+    Document& document() { return m_window->document(); }
+    const Snapshot& snapshot() { return *document().frame()->snapshot; }
+    QAction* action(const char* name) { return m_window->findChild<QAction*>(name); }
+    template <class Widget>
+    Widget* find(const char* name)
+    {
+        return m_window->findChild<Widget*>(name);
+    }
+
+    QString example(const char* name) { return QDir(QString::fromStdString(m_services.examplesFolder)).filePath(name); }
+
+    void show(const Services& services)
+    {
+        m_window = std::make_unique<MainWindow>(services);
+        m_window->resize(1280, 800);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->activateWindow(); // there may be no window manager that does it
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    }
+
+    /// Opens an example, filled coarsely so that it runs briskly on any machine.
+    void openExample(const char* name, double cells = 16)
+    {
+        m_window->open(example(name));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        QVERIFY2(!document().isEmpty(), qPrintable(m_window->banner().sentence()));
+        m_window->refill(document().size() / cells);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        QTest::qWait(300); // the view turns to fit
+    }
+
+    /// Left-clicks the view where a place is seen.
+    void click(const Vec3& place)
+    {
+        const std::optional<QPointF> position = m_window->viewport().widgetPosition(place);
+        QVERIFY(position.has_value());
+        QTest::mouseMove(&m_window->viewport(), position->toPoint());
+        QTest::mouseClick(&m_window->viewport(), Qt::LeftButton, {}, position->toPoint());
+    }
+
+    /// A picture for people, when they ask for it.
+    void picture(const char* name)
+    {
+        const QString folder = qEnvironmentVariable("KNEAD_PICTURES");
+        if (!folder.isEmpty())
+            m_window->grab().save(QDir(folder).filePath(QString(name) + ".png"));
+    }
+
+private slots:
+    void initTestCase()
+    {
+        if (QGuiApplication::platformName() == "offscreen")
+            QSKIP("The view needs a display: run this test under xvfb-run.");
+        QStandardPaths::setTestModeEnabled(true);
+        QApplication::setOrganizationName("knead-test");
+        QApplication::setApplicationName("window-test");
+        m_services = fileServices();
+    }
+
+    void init() { show(m_services); }
+
+    void cleanup() { m_window.reset(); }
+
+    void anEmptyWindowSaysWhatToDo()
+    {
+        QVERIFY(find<QWidget>("homePage")->isVisible());
+        QVERIFY(!action("play")->isEnabled());
+        QVERIFY(find<QWidget>("example_bar") != nullptr);
+        picture("home");
+    }
+
+    void aBlockDrivenIntoThePartDeformsItAndFeelsIt()
+    {
+        openExample("bracket.step");
+        const FramePointer rest = document().frame();
+
+        QTest::keyClick(m_window.get(), Qt::Key_B);
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(snapshot().playing);
+        QTRY_VERIFY(action("play")->text() == "Pause");
+
+        QTest::keyPress(&m_window->viewport(), Qt::Key_PageDown);
+        const auto pressesHard = [&] { return snapshot().tools[0].force.z() > 0.05; };
+        QTRY_VERIFY_WITH_TIMEOUT(pressesHard() && largestMove(*rest, *document().frame()) > 0.02 * document().size(),
+                                 patience);
+        QTRY_VERIFY(find<QLabel>("forceLabel0") != nullptr);
+        QTest::qWait(100);
+        picture("pressed");
+        QVERIFY(find<QLabel>("toolForce")->text() != "0 N");
+        QTest::keyRelease(&m_window->viewport(), Qt::Key_PageDown);
+        QTRY_VERIFY(snapshot().ratio > 0);
+        QVERIFY(find<QLabel>("ratio")->text().contains('x'));
+
+        // Released, the block holds still.
+        const auto isStill = [&] {
+            const FramePointer before = document().frame();
+            QTest::qWait(100);
+            return snapshot().step > before->snapshot->step &&
+                   snapshot().tools[0].pose.position == before->snapshot->tools[0].pose.position;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isStill(), patience);
+
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing);
+        QTRY_COMPARE(find<QLabel>("ratio")->text(), QString("Paused"));
+        const std::uint64_t step = snapshot().step;
+        QTest::keyClick(m_window.get(), Qt::Key_Period);
+        QTRY_COMPARE(snapshot().step, step + 1);
+
+        exportedFileHoldsWhatIsSeen();
+
+        QTest::keyClick(m_window.get(), Qt::Key_Backspace);
+        QTRY_COMPARE(snapshot().step, std::uint64_t{0});
+        QTRY_VERIFY(largestMove(*rest, *document().frame()) < 1e-12);
+    }
+
+    void exportedFileHoldsWhatIsSeen()
+    {
+        if (document().isEmpty())
+            openExample("bar.step");
+        const std::vector<ExportBody> bodies = document().deformedBodies();
+        QTemporaryDir folder;
+        for (const char* name : {"out.stl", "out.obj", "out.ply"}) {
+            const QString path = folder.filePath(name);
+            m_window->exportTo(path);
+            QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+            QVERIFY2(m_window->banner().sentence().isEmpty(), qPrintable(m_window->banner().sentence()));
+            const Model read = importFile(path.toStdString());
+            double written = 0;
+            for (const ExportBody& body : bodies)
+                written += massProperties(body.mesh).volume;
+            double found = 0;
+            for (const Part& part : read.parts)
+                found += massProperties(part.mesh).volume;
+            QVERIFY(std::abs(found - written) < 1e-3 * written);
+        }
+    }
+
+    void aBadFileIsOneSentenceAndChangesNothing()
+    {
+        openExample("bar.step");
+        const auto model = document().content().model;
+        QTemporaryDir folder;
+        const QString path = folder.filePath("bad.step");
+        QFile file(path);
+        QVERIFY(file.open(QFile::WriteOnly));
+        file.write("this is no part");
+        file.close();
+        m_window->open(path);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        QVERIFY(m_window->banner().sentence().contains("bad.step"));
+        QVERIFY(find<LogPanel>("log")->toPlainText().contains(m_window->banner().sentence()));
+        QCOMPARE(document().content().model, model);
+        picture("failure");
+    }
+
+    void aDroppedFileOpens()
+    {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(example("bar.step"))});
+        QDragEnterEvent enter(QPoint(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(m_window.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop(QPointF(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(m_window.get(), &drop);
+        QTRY_VERIFY_WITH_TIMEOUT(!document().isEmpty(), patience);
+        QTRY_VERIFY(find<QWidget>("viewport")->isVisible());
+    }
+
+    void cancelledImportLeavesTheDocumentUnchanged()
+    {
+        Services slow = m_services;
+        std::atomic<bool> isSlow = false;
+        std::atomic<bool> wasTold = false;
+        slow.import = [&, import = m_services.import](const std::string& path, TaskControl& control) {
+            while (isSlow) {
+                control.report(0.5, "reading faces");
+                wasTold = control.isCancelled();
+                control.throwIfCancelled();
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+            return import(path, control);
+        };
+        show(slow);
+        openExample("bar.step");
+        const auto model = document().content().model;
+        isSlow = true;
+        m_window->open(example("bracket.step"));
+        QTRY_VERIFY(find<QLabel>("taskStage")->text().contains("reading faces"));
+        QVERIFY(find<QWidget>("taskReading")->isVisible());
+        picture("importing");
+        QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        QVERIFY(!m_window->tasks().isRunning());
+        QTRY_VERIFY(wasTold);
+        QTest::qWait(100);
+        QCOMPARE(document().content().model, model);
+        QVERIFY(!find<QWidget>("taskReading")->isVisible());
+        isSlow = false;
+    }
+
+    void theWindowAnswersWhileAFileIsRead()
+    {
+        Services slow = m_services;
+        slow.import = [](const std::string&, TaskControl&) -> Model {
+            std::this_thread::sleep_for(std::chrono::milliseconds(400));
+            throw std::runtime_error("slow.step: nothing in it.");
+        };
+        show(slow);
+        m_window->open("slow.step");
+        int answers = 0;
+        while (m_window->tasks().isRunning()) {
+            QTest::qWait(10);
+            ++answers;
+        }
+        QVERIFY(answers > 10);
+    }
+
+    void typedStiffnessReachesTheSimulation()
+    {
+        openExample("bar.step");
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(snapshot().playing);
+        auto* field = find<QuantityField>("youngs_modulus_pa");
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, "0,25 MPa");
+        QTest::keyClick(field, Qt::Key_Return);
+        QTRY_COMPARE(snapshot().materials[0].youngsModulus, 2.5e5);
+        QCOMPARE(field->text(), QString("250 kPa"));
+        QTRY_COMPARE(find<QComboBox>("materialPreset")->currentIndex(), -1);
+    }
+
+    void pickedFacesAreHeldAndFreedAgain()
+    {
+        openExample("bar.step");
+        QTest::keyClick(m_window.get(), Qt::Key_X);
+        QVERIFY(action("fixFaces")->isChecked());
+        const Box box = document().content().box;
+        const Vec3 top(box.center().x(), box.center().y(), box.max().z());
+        click(top);
+        QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
+        QVERIFY(!snapshot().fixtures[0].objects.empty());
+        for (const ObjectIndex object : snapshot().fixtures[0].objects)
+            QVERIFY(snapshot().bodies[0].positions[object].z() > box.max().z() - document().content().spacing);
+        QCOMPARE(document().selection().kind, Selection::Kind::Fixture);
+        picture("fixed");
+        click(top);
+        QTRY_VERIFY(snapshot().fixtures.empty());
+        click(top);
+        QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
+        QTest::keyClick(m_window.get(), Qt::Key_Delete);
+        QTRY_VERIFY(snapshot().fixtures.empty());
+        QVERIFY(document().fixtures().list().empty());
+    }
+
+    void aBlockIsDraggedWithTheMouse()
+    {
+        openExample("bar.step");
+        QTest::keyClick(m_window.get(), Qt::Key_B);
+        QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
+        QTest::keyClick(m_window.get(), Qt::Key_F);
+        QTest::qWait(500);
+        const Vec3 start = snapshot().tools[0].pose.position;
+        ViewportWidget& view = m_window->viewport();
+        const QPoint from = view.widgetPosition(start)->toPoint();
+        QTest::mouseMove(&view, from);
+        QTest::mousePress(&view, Qt::LeftButton, {}, from);
+        QTest::mouseMove(&view, from + QPoint(40, 0));
+        QTest::mouseMove(&view, from + QPoint(80, 0));
+        QTRY_VERIFY((snapshot().tools[0].pose.position - start).dot(view.camera().right()) > 0.05 * document().size());
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(80, 0));
+        // In the plane of the camera: neither nearer nor further.
+        QVERIFY(std::abs((snapshot().tools[0].pose.position - start).dot(view.camera().towardsEye())) < 1e-9);
+    }
+
+    void viewKeysTurnTheView()
+    {
+        openExample("bar.step");
+        QTest::keyClick(m_window.get(), Qt::Key_7);
+        QTRY_VERIFY((m_window->viewport().camera().towardsEye() - Vec3::UnitZ()).norm() < 1e-6);
+        QTest::keyClick(m_window.get(), Qt::Key_5);
+        QVERIFY(!m_window->viewport().camera().perspective);
+        QTest::keyClick(m_window.get(), Qt::Key_O);
+        QTest::qWait(200);
+        picture("objects");
+        QTest::keyClick(m_window.get(), Qt::Key_1);
+        QTRY_VERIFY((m_window->viewport().camera().towardsEye() + Vec3::UnitY()).norm() < 1e-6);
+    }
+
+    void refillKeepsToolsMaterialAndFixtures()
+    {
+        openExample("bar.step");
+        document().post(SetMaterial{0, {.density = 900, .youngsModulus = 3e5}});
+        QTest::keyClick(m_window.get(), Qt::Key_B);
+        document().toggleFace(0, 0);
+        QTRY_VERIFY(snapshot().tools.size() == 1 && snapshot().fixtures.size() == 1 &&
+                    snapshot().materials[0].youngsModulus == 3e5);
+        const std::size_t objects = snapshot().objects;
+        m_window->refill(document().size() / 22);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
+        QVERIFY(snapshot().objects > objects);
+        QCOMPARE(snapshot().tools.size(), std::size_t{1});
+        QCOMPARE(snapshot().materials[0].youngsModulus, 3e5);
+    }
+
+    void bothThemesApply()
+    {
+        openExample("bracket.step");
+        m_window->setTheme(Theme::Dark);
+        QTest::qWait(200);
+        const QColor dark = m_window->palette().color(QPalette::Window);
+        picture("dark");
+        m_window->setTheme(Theme::Light);
+        QVERIFY(m_window->palette().color(QPalette::Window).lightness() > dark.lightness() + 100);
+    }
+};
+
+int main(int argc, char** argv)
+{
+    prepareGraphics();
+    QApplication application(argc, argv);
+    WindowTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "window_test.moc"

@@ -1,0 +1,153 @@
+#include "ui/document/content.h"
+#include "ui/document/face_fixtures.h"
+
+#include "core/geometry/mass_properties.h"
+#include "support/shapes.h"
+
+#include <QtTest>
+
+using namespace knead;
+
+namespace {
+
+Part boxPart(const std::string& name, const Vec3& size, const Vec3& place)
+{
+    Part part;
+    part.name = name;
+    part.mesh = shapes::moved(shapes::box(size), {.position = place});
+    part.faces.resize(6);
+    part.solids = part.shells = 1;
+    part.watertight = part.valid = true;
+    part.volume = massProperties(part.mesh).volume;
+    return part;
+}
+
+/// Services that hand out a given model instead of reading a file.
+Services servicesFor(const Model& model)
+{
+    Services services;
+    services.import = [model](const std::string& path, TaskControl&) {
+        Model result = model;
+        result.file = path;
+        return result;
+    };
+    return services;
+}
+
+PreparedContent prepare(const Model& model)
+{
+    return prepareFile(servicesFor(model), "folder/part.step", {}, TaskControl::none());
+}
+
+class CancelledControl final : public TaskControl {
+public:
+    void report(double, std::string_view) override {}
+    bool isCancelled() const override { return true; }
+};
+
+} // namespace
+
+class ContentTest : public QObject {
+    Q_OBJECT
+private slots:
+    void everyClosedPartBecomesABody()
+    {
+        Model model;
+        model.parts = {boxPart("pin", {0.02, 0.02, 0.06}, {0, 0, 0.03}),
+                       boxPart("pin", {0.02, 0.02, 0.06}, {0.1, 0, 0.03})};
+        PreparedContent prepared = prepare(model);
+        const SnapshotPointer start = prepared.simulation.snapshot();
+        QCOMPARE(prepared.content.bodies.size(), std::size_t{2});
+        QCOMPARE(start->bodies.size(), std::size_t{2});
+        QVERIFY(prepared.content.bodies[0]->name != prepared.content.bodies[1]->name);
+        QCOMPARE(prepared.content.box.max().x(), 0.11);
+        QCOMPARE(*start->floorHeight, prepared.content.box.min().z());
+    }
+
+    void theSurfaceIsFineEnoughToBend()
+    {
+        Model model;
+        model.parts = {boxPart("bar", {0.1, 0.02, 0.02}, Vec3::Zero())};
+        const PreparedContent prepared = prepare(model);
+        const TriangleMesh& mesh = prepared.content.bodies[0]->mesh;
+        QVERIFY(isWatertight(mesh));
+        for (const auto& t : mesh.triangles)
+            for (std::size_t i = 0; i < 3; ++i)
+                QVERIFY((mesh.vertices[t[i]] - mesh.vertices[t[(i + 1) % 3]]).norm() <=
+                        prepared.content.spacing * 1.000001);
+    }
+
+    void aFileWithoutAClosedSolidIsRefusedWithTheReason()
+    {
+        Model model;
+        model.parts = {boxPart("sheet", {0.1, 0.1, 0.01}, Vec3::Zero())};
+        model.parts[0].watertight = false;
+        model.parts[0].shells = 3;
+        try {
+            prepare(model);
+            QFAIL("an open part was filled");
+        } catch (const std::runtime_error& error) {
+            QCOMPARE(QString(error.what()), QString("part.step: no closed solid found, only 3 open shells. Material "
+                                                    "needs an inside: close the surfaces "
+                                                    "and import again."));
+        }
+    }
+
+    void anOpenPartAmongClosedOnesIsLeftOutWithAWarning()
+    {
+        Model model;
+        model.parts = {boxPart("sheet", {0.1, 0.1, 0.01}, Vec3::Zero()),
+                       boxPart("pin", {0.02, 0.02, 0.06}, Vec3::Zero())};
+        model.parts[0].watertight = false;
+        const PreparedContent prepared = prepare(model);
+        QCOMPARE(prepared.content.bodies.size(), std::size_t{1});
+        QCOMPARE(prepared.content.bodies[0]->part, std::size_t{1});
+        QCOMPARE(prepared.content.warnings.size(), std::size_t{1});
+        QVERIFY(prepared.content.warnings[0].find("sheet") != std::string::npos);
+    }
+
+    void cancelStopsFilling()
+    {
+        Model model;
+        model.parts = {boxPart("bar", {0.1, 0.02, 0.02}, Vec3::Zero())};
+        CancelledControl control;
+        QVERIFY_THROWS_EXCEPTION(Cancelled, prepareFile(servicesFor(model), "part.step", {}, control));
+    }
+
+    void fixturesArePostedOnceAndFollowEdits()
+    {
+        Model model;
+        model.parts = {boxPart("bar", {0.1, 0.02, 0.02}, Vec3::Zero())};
+        PreparedContent prepared = prepare(model);
+        Simulation& simulation = prepared.simulation;
+        FaceFixtures fixtures;
+        const auto exchange = [&] {
+            const std::vector<Command> commands = fixtures.changes(*simulation.snapshot(), prepared.content);
+            for (const Command& command : commands)
+                simulation.post(command);
+            return commands.size();
+        };
+        const std::uint32_t key = fixtures.toggle(0, 0, 0);
+        QCOMPARE(fixtures.toggle(0, 1, key), key);
+        QCOMPARE(fixtures.find(key)->faces, (std::vector<std::uint32_t>{0, 1}));
+        QCOMPARE(exchange(), std::size_t{1});
+        QCOMPARE(exchange(), std::size_t{0}); // on its way
+        simulation.applyCommands();
+        QCOMPARE(exchange(), std::size_t{0}); // arrived
+        const std::size_t both = simulation.snapshot()->fixtures.at(0).objects.size();
+
+        QCOMPARE(fixtures.toggle(0, 1, key), 0U);
+        QCOMPARE(exchange(), std::size_t{2}); // the old one goes, the smaller one comes
+        simulation.applyCommands();
+        QCOMPARE(simulation.snapshot()->fixtures.size(), std::size_t{1});
+        QCOMPARE(simulation.snapshot()->fixtures[0].objects.size(), both / 2);
+
+        fixtures.remove(key);
+        QCOMPARE(exchange(), std::size_t{1});
+        simulation.applyCommands();
+        QVERIFY(simulation.snapshot()->fixtures.empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(ContentTest)
+#include "content_test.moc"

@@ -1,0 +1,106 @@
+#include "ui/actions.h"
+
+#include "ui/theme.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QWidget>
+
+namespace knead {
+
+namespace {
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("Actions", text);
+}
+
+struct Look {
+    const char* name;
+    const char* text;
+    const char* icon = nullptr;
+    QList<QKeySequence> keys = {};
+    const char* tip = nullptr;
+    bool checkable = false;
+    bool checked = false;
+};
+
+QAction* make(QWidget* window, const Look& look)
+{
+    auto* action = new QAction(tr(look.text), window);
+    action->setObjectName(look.name);
+    if (look.icon != nullptr)
+        action->setIcon(icon(look.icon));
+    action->setShortcuts(look.keys);
+    action->setCheckable(look.checkable);
+    action->setChecked(look.checked);
+    const QString tip = look.tip != nullptr ? tr(look.tip) : action->toolTip();
+    const QString keys = QKeySequence::listToString(look.keys, QKeySequence::NativeText);
+    action->setToolTip(keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys));
+    window->addAction(action);
+    return action;
+}
+
+} // namespace
+
+Actions::Actions(QWidget* window)
+    : open(make(window, {"open", "&Open...", "open", {QKeySequence("Ctrl+O")}, "Open a part"}))
+    , exportMeshes(make(
+          window, {"export", "&Export...", "export", {QKeySequence("Ctrl+E")}, "Write the deformed part to a file"}))
+    , quit(make(window, {"quit", "&Quit", nullptr, {QKeySequence("Ctrl+Q")}}))
+    , play(make(window, {"play", "Play", "play", {Qt::Key_Space}, "Run or pause the simulation"}))
+    , step(make(window, {"step", "Step", "step", {Qt::Key_Period}, "One time step"}))
+    , reset(make(window, {"reset", "Reset", "reset", {Qt::Key_Backspace, QKeySequence("Ctrl+R")}, "Back to the start"}))
+    , gravity(make(window, {"gravity", "Gravity", "gravity", {Qt::Key_G}, "Let everything weigh something", true}))
+    , floor(make(window, {"floor", "Floor", "floor", {}, "Put a floor under the part", true, true}))
+    , addBlock(make(window,
+                    {"addBlock", "Add block", "add-block", {Qt::Key_B}, "Put a block above the part to push it with"}))
+    , fixFaces(make(
+          window, {"fixFaces", "Fix faces", "fix", {Qt::Key_X}, "Click faces of the part to hold them in place", true}))
+    , remove(make(window, {"remove", "Remove", "delete", {Qt::Key_Delete}, "Remove the selected block or fixture"}))
+    , cancel(make(window, {"cancel", "Cancel", "close", {Qt::Key_Escape}, "Stop what is being done"}))
+    , fit(make(window, {"fit", "Fit", "fit", {Qt::Key_F}, "Show everything"}))
+    , front(make(window, {"viewFront", "Front", nullptr, {Qt::Key_1}}))
+    , back(make(window, {"viewBack", "Back", nullptr, {QKeySequence("Ctrl+1")}}))
+    , right(make(window, {"viewRight", "Right", nullptr, {Qt::Key_3}}))
+    , left(make(window, {"viewLeft", "Left", nullptr, {QKeySequence("Ctrl+3")}}))
+    , top(make(window, {"viewTop", "Top", nullptr, {Qt::Key_7}}))
+    , bottom(make(window, {"viewBottom", "Bottom", nullptr, {QKeySequence("Ctrl+7")}}))
+    , isometric(make(window, {"viewIsometric", "Isometric", nullptr, {Qt::Key_0}}))
+    , perspective(make(window, {"perspective", "Perspective", nullptr, {Qt::Key_5}, nullptr, true, true}))
+    , objects(make(window,
+                   {"objects", "Objects", "objects", {Qt::Key_O}, "Show the objects the material is made of", true}))
+    , allObjects(make(window, {"allObjects", "Inner objects too", nullptr, {QKeySequence("Shift+O")}, nullptr, true}))
+    , edges(make(window, {"edges", "Edges", nullptr, {Qt::Key_E}, nullptr, true, true}))
+    , grid(make(window, {"grid", "Grid", nullptr, {}, nullptr, true, true}))
+    , hide(make(window, {"hide", "Hide or show body", nullptr, {Qt::Key_H}}))
+    , lightTheme(make(window, {"lightTheme", "Light", nullptr, {}, nullptr, true}))
+    , darkTheme(make(window, {"darkTheme", "Dark", nullptr, {}, nullptr, true}))
+    , controls(make(window, {"controls", "Mouse and keys", nullptr, {Qt::Key_F1}}))
+    , about(make(window, {"about", "About Knead"}))
+{
+    auto* themes = new QActionGroup(window);
+    themes->addAction(lightTheme);
+    themes->addAction(darkTheme);
+    setDocumentOpen(false);
+}
+
+void Actions::setDocumentOpen(bool isOpen)
+{
+    for (QAction* action :
+         {exportMeshes, play, step, reset,  gravity,   floor,       addBlock, fixFaces,   remove, fit,  front, back,
+          right,        left, top,  bottom, isometric, perspective, objects,  allObjects, edges,  grid, hide})
+        action->setEnabled(isOpen);
+}
+
+void Actions::setPlaying(bool playing)
+{
+    const QString text = playing ? tr("Pause") : tr("Play");
+    if (play->text() == text)
+        return;
+    play->setText(text);
+    play->setIcon(icon(playing ? "pause" : "play"));
+}
+
+} // namespace knead

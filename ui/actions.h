@@ -1,0 +1,56 @@
+#pragma once
+
+class QAction;
+class QActionGroup;
+class QObject;
+class QWidget;
+
+namespace knead {
+
+/// Everything a person can ask for by menu, button or key. Names of the actions are their object names.
+struct Actions {
+    /// Makes them all; they work wherever the keyboard is in `window`.
+    explicit Actions(QWidget* window);
+
+    QAction* open;
+    QAction* exportMeshes;
+    QAction* quit;
+
+    QAction* play;
+    QAction* step;
+    QAction* reset;
+    QAction* gravity;
+    QAction* floor;
+
+    QAction* addBlock;
+    QAction* fixFaces;
+    QAction* remove;
+    QAction* cancel;
+
+    QAction* fit;
+    QAction* front;
+    QAction* back;
+    QAction* right;
+    QAction* left;
+    QAction* top;
+    QAction* bottom;
+    QAction* isometric;
+    QAction* perspective;
+    QAction* objects;
+    QAction* allObjects;
+    QAction* edges;
+    QAction* grid;
+    QAction* hide;
+    QAction* lightTheme;
+    QAction* darkTheme;
+
+    QAction* controls;
+    QAction* about;
+
+    /// Turns on or off what only makes sense with an open part.
+    void setDocumentOpen(bool open);
+    /// The first button says what a click will do.
+    void setPlaying(bool playing);
+};
+
+} // namespace knead

@@ -1,0 +1,267 @@
+#include "ui/document/document.h"
+
+#include <QTimer>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+constexpr double fastestDisplay = 0.016; // [s]
+constexpr double slowestDisplay = 0.1;   // [s]
+constexpr double crossingTime = 1.5;     // a block crosses the part in this time [s]
+
+} // namespace
+
+Document::Document(QObject* parent)
+    : QObject(parent)
+    , m_timer(new QTimer(this))
+{
+    setDisplayInterval(fastestDisplay);
+    m_timer->setTimerType(Qt::PreciseTimer);
+    connect(m_timer, &QTimer::timeout, this, &Document::poll);
+}
+
+Document::~Document() = default;
+
+void Document::open(PreparedContent prepared)
+{
+    m_fixtures.clear();
+    start(std::move(prepared));
+    m_nextBlock = 1;
+    m_selection = {Selection::Kind::Body, 0};
+    emit changed(Change::Content);
+    emit changed(Change::Selection);
+}
+
+void Document::refill(PreparedContent prepared)
+{
+    m_fixtures.refilled();
+    start(std::move(prepared));
+    if (m_selection.kind == Selection::Kind::Tool) // tools are numbered anew
+        m_selection = {Selection::Kind::Body, 0};
+    emit changed(Change::Content);
+    emit changed(Change::Selection);
+}
+
+void Document::start(PreparedContent prepared)
+{
+    m_preparer.reset();
+    m_content = std::move(prepared.content);
+    m_frame = prepareFrame(m_content.bodies, prepared.simulation.snapshot(), nullptr);
+    m_simulation = std::make_unique<SimulationThread>(std::move(prepared.simulation));
+    m_seen = m_simulation->latest();
+    m_toolToSelect.clear();
+    const std::uint64_t generation = ++m_generation;
+    m_preparer = std::make_unique<FramePreparer>(m_content.bodies, [this, generation](const FramePointer& frame) {
+        QMetaObject::invokeMethod(
+            this, [this, frame, generation] { accept(frame, generation); }, Qt::QueuedConnection);
+    });
+    m_preparer->prepare(m_seen);
+    m_timer->start();
+}
+
+void Document::poll()
+{
+    SnapshotPointer newest = m_simulation->latest();
+    if (newest == m_seen)
+        return;
+    m_seen = newest;
+    m_preparer->prepare(std::move(newest));
+}
+
+void Document::accept(const FramePointer& frame, std::uint64_t generation)
+{
+    if (generation != m_generation)
+        return;
+    m_frame = frame;
+    postFixtures();
+    selectNewTool();
+    dropLostSelection();
+    emit changed(Change::Frame);
+}
+
+void Document::setDisplayInterval(double seconds)
+{
+    const int interval = static_cast<int>(1000 * std::clamp(seconds, fastestDisplay, slowestDisplay));
+    if (interval != m_timer->interval())
+        m_timer->setInterval(interval);
+}
+
+void Document::play()
+{
+    if (m_simulation)
+        m_simulation->play();
+}
+
+void Document::pause()
+{
+    if (m_simulation)
+        m_simulation->pause();
+}
+
+void Document::togglePlay()
+{
+    if (m_simulation && m_simulation->latest()->playing)
+        pause();
+    else
+        play();
+}
+
+void Document::stepOnce()
+{
+    if (m_simulation)
+        m_simulation->stepOnce();
+}
+
+void Document::reset()
+{
+    if (m_simulation)
+        m_simulation->reset();
+}
+
+void Document::post(Command command)
+{
+    if (m_simulation)
+        m_simulation->post(std::move(command));
+}
+
+void Document::select(const Selection& selection)
+{
+    if (selection == m_selection)
+        return;
+    m_selection = selection;
+    emit changed(Change::Selection);
+}
+
+void Document::removeSelected()
+{
+    if (m_selection.kind == Selection::Kind::Tool) {
+        post(RemoveManipulator{m_selection.id});
+    } else if (m_selection.kind == Selection::Kind::Fixture) {
+        m_fixtures.remove(m_selection.id);
+        select({});
+        postFixtures();
+        emit changed(Change::Fixtures);
+    }
+}
+
+void Document::addBlock()
+{
+    if (isEmpty())
+        return;
+    Manipulator block;
+    block.name = "Block " + std::to_string(m_nextBlock++);
+    block.size = Vec3::Constant(size() / 4);
+    block.pose.position = placeAbove(block.size);
+    block.speedLimit = size() / crossingTime;
+    m_toolToSelect = block.name;
+    post(AddManipulator{std::move(block)});
+}
+
+/// Just above what lies under the middle of the bodies, other blocks included.
+Vec3 Document::placeAbove(const Vec3& blockSize) const
+{
+    Box box;
+    for (const auto& body : m_frame->bodies)
+        for (const Vec3& place : body->places)
+            box.extend(place);
+    const Vec3 center = box.center();
+    double top = std::numeric_limits<double>::lowest();
+    const auto raise = [&](const Vec3& place, const Vec3& margin) {
+        const Vec3 reach = blockSize / 2 + margin;
+        if (std::abs(place.x() - center.x()) <= reach.x() && std::abs(place.y() - center.y()) <= reach.y())
+            top = std::max(top, place.z() + margin.z());
+    };
+    for (const auto& body : m_frame->bodies)
+        for (const Vec3& place : body->places)
+            raise(place, Vec3::Zero());
+    for (const ToolState& tool : m_frame->snapshot->tools)
+        raise(tool.pose.position, tool.size / 2);
+    if (top < box.min().z()) // nothing there, as in a ring
+        top = box.max().z();
+    return {center.x(), center.y(), top + m_content.spacing + blockSize.z() / 2};
+}
+
+void Document::selectNewTool()
+{
+    if (m_toolToSelect.empty())
+        return;
+    for (const ToolState& tool : m_frame->snapshot->tools)
+        if (tool.name == m_toolToSelect) {
+            m_toolToSelect.clear();
+            select({Selection::Kind::Tool, tool.id});
+            return;
+        }
+}
+
+void Document::dropLostSelection()
+{
+    if (m_selection.kind == Selection::Kind::Tool && tool(m_selection.id) == nullptr)
+        select({});
+}
+
+const ToolState* Document::tool(ToolId id) const
+{
+    if (!m_frame)
+        return nullptr;
+    const auto& tools = m_frame->snapshot->tools;
+    const auto found = std::find_if(tools.begin(), tools.end(), [id](const ToolState& tool) { return tool.id == id; });
+    return found == tools.end() ? nullptr : &*found;
+}
+
+double Document::size() const
+{
+    return isEmpty() ? 0 : m_content.box.sizes().maxCoeff();
+}
+
+std::vector<ExportBody> Document::deformedBodies() const
+{
+    std::vector<ExportBody> bodies;
+    for (std::size_t b = 0; b < m_content.bodies.size(); ++b) {
+        const ContentBody& body = *m_content.bodies[b];
+        bodies.push_back({body.name, body.color, body.mesh});
+        bodies.back().mesh.vertices = m_frame->bodies[b]->places;
+    }
+    return bodies;
+}
+
+void Document::toggleFace(BodyId body, std::uint32_t face)
+{
+    if (m_content.model->parts[m_content.bodies[body]->part].faces.empty()) {
+        emit notice(tr("\"%1\" is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.")
+                        .arg(QString::fromStdString(m_content.bodies[body]->name)));
+        return;
+    }
+    const std::uint32_t active = m_selection.kind == Selection::Kind::Fixture ? m_selection.id : 0;
+    const std::uint32_t key = m_fixtures.toggle(body, face, active);
+    if (key != 0)
+        select({Selection::Kind::Fixture, key});
+    else if (m_fixtures.find(active) == nullptr)
+        select({});
+    noticeEmptyFixtures();
+    postFixtures();
+    emit changed(Change::Fixtures);
+}
+
+void Document::noticeEmptyFixtures()
+{
+    const std::vector<Fixture>& wanted = m_fixtures.wanted(m_content);
+    for (const FaceFixture& fixture : m_fixtures.list())
+        if (std::none_of(wanted.begin(), wanted.end(), [&](const Fixture& f) { return f.name == fixture.name; }))
+            emit notice(
+                tr("%1 holds no objects: its faces are smaller than the spacing. Choose a finer spacing and refill.")
+                    .arg(QString::fromStdString(fixture.name)));
+}
+
+void Document::postFixtures()
+{
+    for (Command& command : m_fixtures.changes(*m_frame->snapshot, m_content))
+        post(std::move(command));
+}
+
+} // namespace knead

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/simulation/snapshot.h"
+#include "ui/document/content.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace knead {
+
+/// The surface of a body at one moment.
+struct BodyFrame {
+    std::vector<Vec3> places;   ///< of the vertices of ContentBody::mesh [m]
+    std::vector<float> points;  ///< x y z per render vertex [m]
+    std::vector<float> normals; ///< x y z per render vertex
+};
+
+/// All that is drawn at one moment: a snapshot and the surfaces that belong to it. Immutable, shared by pointer.
+struct Frame {
+    SnapshotPointer snapshot;
+    std::vector<std::shared_ptr<const BodyFrame>> bodies;
+};
+
+using FramePointer = std::shared_ptr<const Frame>;
+using ContentBodies = std::vector<std::shared_ptr<const ContentBody>>;
+
+/// Carries the surfaces along with a snapshot. Surfaces of `previous` are used again when no time has passed.
+FramePointer prepareFrame(const ContentBodies& bodies, SnapshotPointer snapshot, const FramePointer& previous);
+
+/// Prepares frames on a thread of its own, always the newest snapshot, so that the window never waits for a skin.
+class FramePreparer {
+public:
+    /// @param deliver called on the preparer's thread
+    FramePreparer(ContentBodies bodies, std::function<void(FramePointer)> deliver);
+    ~FramePreparer();
+    FramePreparer(const FramePreparer&) = delete;
+    FramePreparer& operator=(const FramePreparer&) = delete;
+
+    /// Replaces a snapshot that is still waiting.
+    void prepare(SnapshotPointer snapshot);
+
+private:
+    struct Worker;
+    std::unique_ptr<Worker> m_worker;
+};
+
+} // namespace knead

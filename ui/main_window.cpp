@@ -1,0 +1,356 @@
+#include "ui/main_window.h"
+
+#include "ui/actions.h"
+#include "ui/panels/banner.h"
+#include "ui/panels/home_page.h"
+#include "ui/panels/log_panel.h"
+#include "ui/panels/material_panel.h"
+#include "ui/panels/model_tree.h"
+#include "ui/panels/status_readings.h"
+#include "ui/units.h"
+#include "ui/viewport/viewport_widget.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMimeData>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QStackedWidget>
+
+#include <algorithm>
+
+namespace knead {
+
+namespace {
+
+constexpr double standardGravity = 9.81; // [m/s^2]
+constexpr const char* defaultMaterial = "silicone-rubber";
+
+Material startMaterial(const std::vector<MaterialPreset>& presets)
+{
+    const auto found = std::find_if(presets.begin(), presets.end(),
+                                    [](const MaterialPreset& preset) { return preset.id == defaultMaterial; });
+    return found == presets.end() ? Material{} : found->material;
+}
+
+} // namespace
+
+MainWindow::MainWindow(Services services, QWidget* parent)
+    : QMainWindow(parent)
+    , m_services(std::move(services))
+    , m_actions(std::make_unique<Actions>(this))
+{
+    setObjectName("mainWindow");
+    setWindowTitle(tr("Knead"));
+    setWindowIcon(icon("knead"));
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    resize(1280, 800);
+    makeCenter();
+    makeDocks();
+    makeMenus();
+    makeToolBar();
+    makeStatusBar();
+    connectFileActions();
+    connectSimulationActions();
+    connectViewActions();
+    connectTasks();
+    connect(&m_document, &Document::changed, this, &MainWindow::documentChanged);
+    connect(&m_document, &Document::notice, this, [this](const QString& sentence) { showProblem(sentence); });
+    selectionChanged();
+    restoreSettings();
+    m_log->add(tr("Ready. Open a part with Ctrl+O, or drop a file on the window."));
+}
+
+/// The view lets go of the keyboard and of the document while that is still there.
+MainWindow::~MainWindow()
+{
+    hide();
+    delete centralWidget();
+}
+
+void MainWindow::connectFileActions()
+{
+    connect(m_actions->open, &QAction::triggered, this, &MainWindow::askForFile);
+    connect(m_actions->exportMeshes, &QAction::triggered, this, &MainWindow::askForExport);
+    connect(m_actions->quit, &QAction::triggered, this, &QWidget::close);
+    connect(m_actions->cancel, &QAction::triggered, this, &MainWindow::cancel);
+    connect(m_actions->controls, &QAction::triggered, this, &MainWindow::showControls);
+    connect(m_actions->about, &QAction::triggered, this, &MainWindow::showAbout);
+    connect(m_home, &HomePage::openClicked, this, &MainWindow::askForFile);
+    connect(m_home, &HomePage::fileChosen, this, &MainWindow::open);
+}
+
+void MainWindow::connectSimulationActions()
+{
+    connect(m_actions->play, &QAction::triggered, &m_document, &Document::togglePlay);
+    connect(m_actions->step, &QAction::triggered, &m_document, &Document::stepOnce);
+    connect(m_actions->reset, &QAction::triggered, &m_document, &Document::reset);
+    connect(m_actions->gravity, &QAction::toggled, this, &MainWindow::setGravity);
+    connect(m_actions->floor, &QAction::toggled, this, &MainWindow::setFloor);
+    connect(m_actions->addBlock, &QAction::triggered, this, [this] {
+        m_document.addBlock();
+        m_viewport->setFocus(); // the arrow keys shall drive it
+    });
+    connect(m_actions->fixFaces, &QAction::toggled, m_viewport, &ViewportWidget::setFixing);
+    connect(m_actions->fixFaces, &QAction::toggled, this, &MainWindow::showHint);
+    connect(m_actions->remove, &QAction::triggered, &m_document, &Document::removeSelected);
+    connect(m_material, &MaterialPanel::refillRequested, this, &MainWindow::refill);
+    connect(m_banner, &Banner::remedyClicked, &m_document, &Document::reset);
+}
+
+void MainWindow::connectViewActions()
+{
+    const Actions& a = *m_actions;
+    connect(a.fit, &QAction::triggered, m_viewport, &ViewportWidget::fit);
+    const std::pair<QAction*, Vec3> views[] = {{a.front, {0, -1, 0}},    {a.back, {0, 1, 0}}, {a.right, {1, 0, 0}},
+                                               {a.left, {-1, 0, 0}},     {a.top, {0, 0, 1}},  {a.bottom, {0, 0, -1}},
+                                               {a.isometric, {1, -1, 1}}};
+    for (const auto& [action, direction] : views)
+        connect(action, &QAction::triggered, this, [this, towards = direction] { m_viewport->lookFrom(towards); });
+    connect(a.perspective, &QAction::toggled, m_viewport, &ViewportWidget::setPerspective);
+    for (QAction* action : {a.objects, a.allObjects, a.edges, a.grid})
+        connect(action, &QAction::toggled, this, &MainWindow::optionsChanged);
+    connect(a.hide, &QAction::triggered, m_tree, &ModelTree::toggleSelectedBody);
+    connect(m_tree, &ModelTree::hiddenChanged, this, [this](const std::set<BodyId>& hidden) {
+        SceneOptions options = m_viewport->options();
+        options.hidden = hidden;
+        m_viewport->setOptions(options);
+    });
+    connect(a.lightTheme, &QAction::triggered, this, [this] { setTheme(Theme::Light); });
+    connect(a.darkTheme, &QAction::triggered, this, [this] { setTheme(Theme::Dark); });
+}
+
+void MainWindow::connectTasks()
+{
+    connect(&m_tasks, &TaskRunner::started, m_taskReading, &TaskReading::begin);
+    connect(&m_tasks, &TaskRunner::progressed, m_taskReading, &TaskReading::progress);
+    connect(&m_tasks, &TaskRunner::finished, m_taskReading, &TaskReading::end);
+    connect(&m_tasks, &TaskRunner::started, m_hint, &QWidget::hide);
+    connect(&m_tasks, &TaskRunner::finished, m_hint, &QWidget::show);
+    connect(m_taskReading, &TaskReading::cancelClicked, &m_tasks, &TaskRunner::cancel);
+    connect(&m_tasks, &TaskRunner::failed, this,
+            [this](const QString&, const QString& sentence) { showProblem(sentence); });
+    connect(&m_tasks, &TaskRunner::cancelled, this,
+            [this](const QString& title) { m_log->add(tr("%1: cancelled, nothing has changed.").arg(title)); });
+}
+
+void MainWindow::restoreSettings()
+{
+    const QSettings settings;
+    setTheme(settings.value("theme").toString() == "dark" ? Theme::Dark : Theme::Light);
+    restoreGeometry(settings.value("geometry").toByteArray());
+    restoreState(settings.value("docks").toByteArray());
+}
+
+void MainWindow::setTheme(Theme theme)
+{
+    const bool isDark = theme == Theme::Dark;
+    applyTheme(*qApp, theme);
+    m_viewport->setStyle(isDark ? darkScene() : lightScene());
+    (isDark ? m_actions->darkTheme : m_actions->lightTheme)->setChecked(true);
+    QSettings().setValue("theme", isDark ? "dark" : "light");
+}
+
+bool MainWindow::isBusy()
+{
+    if (m_tasks.isRunning())
+        showProblem(tr("%1 is still going on: wait for it, or cancel it with Esc.").arg(m_tasks.title()));
+    return m_tasks.isRunning();
+}
+
+void MainWindow::open(const QString& path)
+{
+    if (isBusy())
+        return;
+    m_banner->hide();
+    const QString name = QFileInfo(path).fileName();
+    const auto work = [services = m_services, file = path.toStdString(),
+                       material = startMaterial(m_services.materials)](TaskControl& control) {
+        return prepareFile(services, file, material, control);
+    };
+    m_tasks.run<PreparedContent>(tr("Opening %1").arg(name), work,
+                                 [this](PreparedContent prepared) { m_document.open(std::move(prepared)); });
+}
+
+void MainWindow::refill(double spacing)
+{
+    if (m_document.isEmpty() || isBusy())
+        return;
+    m_banner->hide();
+    const auto work = [model = m_document.content().model, spacing, now = m_document.frame()->snapshot](
+                          TaskControl& control) { return prepareRefill(model, spacing, *now, control); };
+    m_tasks.run<PreparedContent>(tr("Filling with a spacing of %1").arg(formatQuantity(spacing, Quantity::Length)),
+                                 work, [this](PreparedContent prepared) { m_document.refill(std::move(prepared)); });
+}
+
+void MainWindow::exportTo(const QString& path)
+{
+    if (m_document.isEmpty() || isBusy())
+        return;
+    const QString name = QFileInfo(path).fileName();
+    const auto work = [services = m_services, file = path.toStdString(),
+                       bodies = m_document.deformedBodies()](TaskControl& control) {
+        control.report(0, "writing surfaces");
+        services.exportMeshes(file, bodies);
+        return bodies.size();
+    };
+    m_tasks.run<std::size_t>(tr("Exporting %1").arg(name), work, [this, path](std::size_t bodies) {
+        m_log->add(
+            (bodies == 1 ? tr("Exported 1 body to %1.") : tr("Exported %1 bodies to %2.").arg(bodies)).arg(path));
+    });
+}
+
+void MainWindow::documentChanged(Document::Change what)
+{
+    switch (what) {
+    case Document::Change::Content:
+        contentChanged();
+        break;
+    case Document::Change::Frame:
+        frameChanged();
+        break;
+    case Document::Change::Selection:
+        selectionChanged();
+        break;
+    case Document::Change::Fixtures:
+        break;
+    }
+}
+
+void MainWindow::contentChanged()
+{
+    const Content& content = m_document.content();
+    const QString name = QFileInfo(QString::fromStdString(content.model->file)).fileName();
+    setWindowTitle(tr("%1 - Knead").arg(name));
+    m_pages->setCurrentWidget(m_viewport);
+    m_actions->setDocumentOpen(true);
+    m_actions->fixFaces->setChecked(false);
+    showSurroundings();
+    m_readings->setVisible(true);
+    m_viewport->setFocus();
+    m_viewport->fit();
+    frameChanged();
+    const Snapshot& start = *m_document.frame()->snapshot;
+    m_log->add(tr("%1: %2, %3 objects of spacing %4, %5 connections, time step %6 µs.")
+                   .arg(name, QString::fromStdString(content.model->format), formatCount(start.objects),
+                        formatQuantity(content.spacing, Quantity::Length), formatCount(start.connections))
+                   .arg(start.timeStep * 1e6, 0, 'g', 3));
+    for (const std::string& warning : content.warnings)
+        m_log->add(QString::fromStdString(warning), LogPanel::Kind::Warning);
+}
+
+/// The switches say what the simulation has.
+void MainWindow::showSurroundings()
+{
+    const Snapshot& snapshot = *m_document.frame()->snapshot;
+    const QSignalBlocker gravityBlocker(m_actions->gravity);
+    const QSignalBlocker floorBlocker(m_actions->floor);
+    m_actions->gravity->setChecked(!snapshot.gravity.isZero());
+    m_actions->floor->setChecked(snapshot.floorHeight.has_value());
+}
+
+void MainWindow::frameChanged()
+{
+    const Snapshot& snapshot = *m_document.frame()->snapshot;
+    m_readings->show(snapshot);
+    m_actions->setPlaying(snapshot.playing);
+    m_actions->step->setEnabled(!snapshot.playing);
+    showHealth(snapshot.health);
+}
+
+void MainWindow::showHealth(const Health& health)
+{
+    if (health.message == m_shownHealth)
+        return;
+    m_shownHealth = health.message;
+    if (health.message.empty())
+        m_banner->hide();
+    else
+        showProblem(QString::fromStdString(health.message), health.ok ? QString() : tr("Reset"));
+}
+
+void MainWindow::showProblem(const QString& sentence, const QString& remedy)
+{
+    m_banner->show(sentence, remedy);
+    m_log->add(sentence, LogPanel::Kind::Error);
+}
+
+void MainWindow::selectionChanged()
+{
+    const Selection::Kind kind = m_document.selection().kind;
+    m_properties->setCurrentIndex(static_cast<int>(kind));
+    m_actions->remove->setEnabled(kind == Selection::Kind::Tool || kind == Selection::Kind::Fixture);
+    showHint();
+}
+
+void MainWindow::showHint()
+{
+    if (m_actions->fixFaces->isChecked())
+        m_hint->setText(tr("Click faces to hold or free them   Esc: done"));
+    else if (m_document.selection().kind == Selection::Kind::Tool)
+        m_hint->setText(tr("Arrows, PgUp, PgDn: drive   Shift: slower   Middle: orbit"));
+    else
+        m_hint->setText(tr("Middle: orbit   Shift+middle: pan   Wheel: zoom"));
+}
+
+void MainWindow::optionsChanged()
+{
+    SceneOptions options = m_viewport->options();
+    const ObjectDisplay shown = m_actions->allObjects->isChecked() ? ObjectDisplay::All : ObjectDisplay::Surface;
+    options.objects = m_actions->objects->isChecked() ? shown : ObjectDisplay::Off;
+    options.edges = m_actions->edges->isChecked();
+    options.grid = m_actions->grid->isChecked();
+    m_viewport->setOptions(options);
+}
+
+void MainWindow::setGravity(bool on)
+{
+    m_document.post(SetGravity{Vec3(0, 0, on ? -standardGravity : 0)});
+}
+
+void MainWindow::setFloor(bool on)
+{
+    SetFloor command;
+    if (on)
+        command.height = m_document.content().box.min().z();
+    m_document.post(command);
+}
+
+/// Esc: stops the task, else leaves the mode, else selects nothing.
+void MainWindow::cancel()
+{
+    if (m_tasks.isRunning())
+        m_tasks.cancel();
+    else if (m_actions->fixFaces->isChecked())
+        m_actions->fixFaces->setChecked(false);
+    else
+        m_document.select({});
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (urls.size() == 1 && urls.front().isLocalFile())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    event->acceptProposedAction();
+    open(event->mimeData()->urls().front().toLocalFile());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    m_tasks.cancel();
+    QSettings settings;
+    settings.setValue("geometry", saveGeometry());
+    settings.setValue("docks", saveState());
+    QMainWindow::closeEvent(event);
+}
+
+} // namespace knead

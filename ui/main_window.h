@@ -1,0 +1,101 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/services.h"
+#include "ui/tasks/task_runner.h"
+#include "ui/theme.h"
+
+#include <QMainWindow>
+
+#include <memory>
+
+class QLabel;
+class QStackedWidget;
+
+namespace knead {
+
+struct Actions;
+class Banner;
+class HomePage;
+class LogPanel;
+class MaterialPanel;
+class ModelTree;
+class StatusReadings;
+class TaskReading;
+class ViewportWidget;
+
+/// The program's window: tree, properties, view, log and status bar around one document.
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+public:
+    explicit MainWindow(Services services, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// Opens a file in the background. A failure is shown in a sentence and leaves everything as it was.
+    void open(const QString& path);
+    /// Writes the deformed bodies in the background; the ending decides the format.
+    void exportTo(const QString& path);
+    /// Fills the bodies anew in the background. @param spacing [m]
+    void refill(double spacing);
+
+    void setTheme(Theme theme);
+
+    Document& document() { return m_document; }
+    TaskRunner& tasks() { return m_tasks; }
+    ViewportWidget& viewport() { return *m_viewport; }
+    Banner& banner() { return *m_banner; }
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void makeCenter();
+    void makeDocks();
+    void makeMenus();
+    void makeToolBar();
+    void makeStatusBar();
+    void connectFileActions();
+    void connectSimulationActions();
+    void connectViewActions();
+    void connectTasks();
+    void restoreSettings();
+
+    void documentChanged(Document::Change what);
+    void contentChanged();
+    void showSurroundings();
+    void showHint();
+    void frameChanged();
+    void selectionChanged();
+    void showHealth(const Health& health);
+    void showProblem(const QString& sentence, const QString& remedy = {});
+    void optionsChanged();
+    void setGravity(bool on);
+    void setFloor(bool on);
+    void askForFile();
+    void askForExport();
+    void cancel();
+    void showControls();
+    void showAbout();
+    bool isBusy();
+
+    Services m_services;
+    Document m_document;
+    TaskRunner m_tasks;
+    std::unique_ptr<Actions> m_actions;
+    Banner* m_banner = nullptr;
+    QStackedWidget* m_pages = nullptr;
+    HomePage* m_home = nullptr;
+    ViewportWidget* m_viewport = nullptr;
+    ModelTree* m_tree = nullptr;
+    QStackedWidget* m_properties = nullptr;
+    MaterialPanel* m_material = nullptr;
+    LogPanel* m_log = nullptr;
+    QLabel* m_hint = nullptr;
+    StatusReadings* m_readings = nullptr;
+    TaskReading* m_taskReading = nullptr;
+    std::string m_shownHealth; ///< message last put into the banner
+};
+
+} // namespace knead

@@ -1,0 +1,97 @@
+// The dialogs of the main window: files and help.
+#include "ui/main_window.h"
+
+#include <QApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QSettings>
+
+namespace knead {
+
+namespace {
+
+/// "STEP (*.step *.stp)"
+QString filterOf(const Services::Format& format)
+{
+    QStringList patterns;
+    for (const std::string& ending : format.endings)
+        patterns << "*." + QString::fromStdString(ending);
+    return QStringLiteral("%1 (%2)").arg(QString::fromStdString(format.name), patterns.join(' '));
+}
+
+QStringList filtersOf(const std::vector<Services::Format>& formats)
+{
+    QStringList filters;
+    for (const Services::Format& format : formats)
+        filters << filterOf(format);
+    return filters;
+}
+
+} // namespace
+
+void MainWindow::askForFile()
+{
+    QStringList all;
+    for (const Services::Format& format : m_services.importFormats)
+        for (const std::string& ending : format.endings)
+            all << "*." + QString::fromStdString(ending);
+    const QStringList filters = QStringList(tr("Parts (%1)").arg(all.join(' '))) + filtersOf(m_services.importFormats);
+    QSettings settings;
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Open a part"), settings.value("folder").toString(), filters.join(";;"));
+    if (path.isEmpty())
+        return;
+    settings.setValue("folder", QFileInfo(path).absolutePath());
+    open(path);
+}
+
+void MainWindow::askForExport()
+{
+    const QString proposed = QFileInfo(QString::fromStdString(m_document.content().model->file)).completeBaseName();
+    QString filter;
+    QString path = QFileDialog::getSaveFileName(this, tr("Export the deformed part"),
+                                                QSettings().value("folder").toString() + '/' + proposed,
+                                                filtersOf(m_services.exportFormats).join(";;"), &filter);
+    if (path.isEmpty())
+        return;
+    if (QFileInfo(path).suffix().isEmpty())
+        for (const Services::Format& format : m_services.exportFormats)
+            if (filterOf(format) == filter)
+                path += '.' + QString::fromStdString(format.endings.front());
+    exportTo(path);
+}
+
+void MainWindow::showControls()
+{
+    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Mouse and keys"), {}, QMessageBox::Close, this);
+    box->setObjectName("controlsBox");
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::RichText);
+    box->setText(
+        tr("<table cellpadding=3>"
+           "<tr><td><b>Left button</b></td><td>select; drag a block</td></tr>"
+           "<tr><td><b>Middle button</b></td><td>orbit; with Shift or Ctrl pan</td></tr>"
+           "<tr><td><b>Wheel</b></td><td>zoom to the cursor</td></tr>"
+           "<tr><td><b>Arrows, PgUp, PgDn</b></td><td>drive the selected block; Shift is slower</td></tr>"
+           "<tr><td><b>Space, . , Backspace</b></td><td>play or pause, one step, reset</td></tr>"
+           "<tr><td><b>B, X, Del</b></td><td>add a block, fix faces, remove</td></tr>"
+           "<tr><td><b>G, O, H, E</b></td><td>gravity, objects, hide body, edges</td></tr>"
+           "<tr><td><b>1, 3, 7, 0</b></td><td>front, right, top, isometric; Ctrl: from the other side</td></tr>"
+           "<tr><td><b>5, F</b></td><td>perspective or parallel, fit</td></tr>"
+           "<tr><td><b>Esc</b></td><td>cancel</td></tr></table>"));
+    box->open();
+}
+
+void MainWindow::showAbout()
+{
+    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Knead"), {}, QMessageBox::Close, this);
+    box->setObjectName("aboutBox");
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setIconPixmap(icon("knead").pixmap(64, 64));
+    box->setText(tr("<b>Knead %1</b><br>A CAD workbench in which a part is a lump of real material.")
+                     .arg(QApplication::applicationVersion()));
+    box->open();
+}
+
+} // namespace knead

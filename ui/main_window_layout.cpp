@@ -1,0 +1,161 @@
+// What the main window consists of and where it sits. What it does is in main_window.cpp.
+#include "ui/main_window.h"
+
+#include "ui/actions.h"
+#include "ui/panels/banner.h"
+#include "ui/panels/fixture_panel.h"
+#include "ui/panels/home_page.h"
+#include "ui/panels/log_panel.h"
+#include "ui/panels/material_panel.h"
+#include "ui/panels/model_tree.h"
+#include "ui/panels/status_readings.h"
+#include "ui/panels/tool_panel.h"
+#include "ui/viewport/viewport_widget.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenuBar>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace knead {
+
+namespace {
+
+constexpr int leftWidth = 300;
+constexpr int logHeight = 110;
+
+QDockWidget* makeDock(QMainWindow* window, const QString& title, const char* name, QWidget* content,
+                      Qt::DockWidgetArea area)
+{
+    auto* dock = new QDockWidget(title, window);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+    window->addDockWidget(area, dock);
+    return dock;
+}
+
+QScrollArea* scrolled(QWidget* panel)
+{
+    auto* area = new QScrollArea;
+    area->setWidget(panel);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    return area;
+}
+
+} // namespace
+
+void MainWindow::makeCenter()
+{
+    auto* center = new QWidget(this);
+    auto* column = new QVBoxLayout(center);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_banner = new Banner(center);
+    m_pages = new QStackedWidget(center);
+    m_home = new HomePage(QString::fromStdString(m_services.examplesFolder), m_pages);
+    m_viewport = new ViewportWidget(m_document, m_pages);
+    m_pages->addWidget(m_home);
+    m_pages->addWidget(m_viewport);
+    column->addWidget(m_banner);
+    column->addWidget(m_pages, 1);
+    setCentralWidget(center);
+}
+
+void MainWindow::makeDocks()
+{
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    m_tree = new ModelTree(m_document, this);
+    m_properties = new QStackedWidget(this);
+    m_properties->setObjectName("properties");
+    auto* nothing = new QLabel(tr("Nothing selected."), m_properties);
+    nothing->setProperty("role", "dimmed");
+    nothing->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    nothing->setMargin(12);
+    m_material = new MaterialPanel(m_document, m_services.materials);
+    m_properties->addWidget(nothing); // in the order of Selection::Kind
+    m_properties->addWidget(scrolled(m_material));
+    m_properties->addWidget(scrolled(new ToolPanel(m_document)));
+    m_properties->addWidget(scrolled(new FixturePanel(m_document)));
+    m_log = new LogPanel(this);
+
+    QDockWidget* tree = makeDock(this, tr("Model"), "modelDock", m_tree, Qt::LeftDockWidgetArea);
+    QDockWidget* properties = makeDock(this, tr("Properties"), "propertiesDock", m_properties, Qt::LeftDockWidgetArea);
+    QDockWidget* log = makeDock(this, tr("Log"), "logDock", m_log, Qt::BottomDockWidgetArea);
+    resizeDocks({tree, properties}, {leftWidth, leftWidth}, Qt::Horizontal);
+    resizeDocks({tree, properties}, {1, 2}, Qt::Vertical);
+    resizeDocks({log}, {logHeight}, Qt::Vertical);
+}
+
+void MainWindow::makeMenus()
+{
+    const Actions& a = *m_actions;
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    file->addActions({a.open, a.exportMeshes});
+    file->addSeparator();
+    file->addAction(a.quit);
+
+    QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
+    simulation->addActions({a.play, a.step, a.reset});
+    simulation->addSeparator();
+    simulation->addActions({a.gravity, a.floor});
+
+    QMenu* tools = menuBar()->addMenu(tr("&Tools"));
+    tools->addActions({a.addBlock, a.fixFaces, a.remove});
+
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    view->addActions({a.fit, a.isometric, a.front, a.back, a.right, a.left, a.top, a.bottom});
+    view->addSeparator();
+    view->addActions({a.perspective, a.edges, a.grid, a.objects, a.allObjects, a.hide});
+    view->addSeparator();
+    view->addMenu(tr("Theme"))->addActions({a.lightTheme, a.darkTheme});
+    QMenu* panels = view->addMenu(tr("Panels"));
+    for (QDockWidget* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        panels->addAction(dock->toggleViewAction());
+
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    help->addActions({a.controls, a.about});
+}
+
+void MainWindow::makeToolBar()
+{
+    QToolBar* bar = addToolBar(tr("Tools"));
+    bar->setObjectName("toolBar");
+    bar->setMovable(false);
+    bar->setIconSize({20, 20});
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    const Actions& a = *m_actions;
+    bar->addActions({a.open, a.exportMeshes});
+    bar->addSeparator();
+    bar->addActions({a.play, a.step, a.reset});
+    bar->addSeparator();
+    bar->addActions({a.addBlock, a.fixFaces});
+    bar->addSeparator();
+    bar->addActions({a.gravity, a.floor});
+    bar->addSeparator();
+    bar->addActions({a.objects, a.fit});
+}
+
+void MainWindow::makeStatusBar()
+{
+    m_readings = new StatusReadings(this);
+    m_readings->hide();
+    m_taskReading = new TaskReading(this);
+    m_hint = new QLabel(this);
+    m_hint->setObjectName("navigationHint");
+    m_hint->setProperty("role", "dimmed");
+    m_hint->setContentsMargins(8, 0, 0, 0);
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->addWidget(m_hint);
+    statusBar()->addWidget(m_taskReading);
+    statusBar()->addPermanentWidget(m_readings);
+}
+
+} // namespace knead

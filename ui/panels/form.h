@@ -1,0 +1,18 @@
+#pragma once
+
+#include "ui/panels/quantity_field.h"
+
+#include <QFormLayout>
+#include <QString>
+
+class QLabel;
+
+namespace knead {
+
+/// Small helpers with which all property panels are laid out alike.
+QFormLayout* makeForm(QWidget* owner);
+QLabel* makeHeading(const QString& text, QWidget* parent);
+QLabel* makeReading(const QString& name, QWidget* parent); ///< a value that is shown, not typed
+QuantityField* makeField(Quantity quantity, const QString& name, QWidget* parent);
+
+} // namespace knead

@@ -1,0 +1,86 @@
+#include "ui/panels/home_page.h"
+
+#include "ui/theme.h"
+
+#include <QDir>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace knead {
+
+namespace {
+
+/// "l_bracket.step" becomes "L bracket".
+QString readableName(const QFileInfo& file)
+{
+    QString name = file.completeBaseName().replace('_', ' ').replace('-', ' ');
+    if (!name.isEmpty())
+        name[0] = name[0].toUpper();
+    return name;
+}
+
+QLabel* centered(const QString& text, const char* role, QWidget* parent)
+{
+    auto* label = new QLabel(text, parent);
+    label->setAlignment(Qt::AlignCenter);
+    label->setProperty("role", role);
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
+    : QWidget(parent)
+{
+    setObjectName("homePage");
+    auto* zone = new QFrame(this);
+    zone->setObjectName("dropZone");
+    zone->setFixedWidth(560);
+    auto* column = new QVBoxLayout(zone);
+    column->setContentsMargins(36, 32, 36, 32);
+    column->setSpacing(14);
+    auto* sign = new QLabel(zone);
+    sign->setPixmap(icon("knead").pixmap(72, 72));
+    sign->setAlignment(Qt::AlignCenter);
+    column->addWidget(sign);
+    column->addWidget(centered(tr("Drop a STEP, IGES or BREP file here"), "big", zone));
+    column->addWidget(centered(tr("It becomes a lump of real material to push, bend and squeeze."), "dimmed", zone));
+    auto* open = new QPushButton(tr("Open a file..."), zone);
+    open->setObjectName("homeOpen");
+    open->setProperty("role", "primary");
+    open->setMinimumHeight(34);
+    connect(open, &QPushButton::clicked, this, &HomePage::openClicked);
+    auto* openRow = new QHBoxLayout;
+    openRow->addStretch();
+    openRow->addWidget(open);
+    openRow->addStretch();
+    column->addLayout(openRow);
+
+    const QFileInfoList examples = QDir(examplesFolder).entryInfoList({"*.step", "*.stp"}, QDir::Files, QDir::Name);
+    if (!examples.isEmpty()) {
+        column->addSpacing(10);
+        column->addWidget(centered(tr("or begin with an example"), "dimmed", zone));
+        auto* row = new QHBoxLayout;
+        row->addStretch();
+        for (const QFileInfo& example : examples) {
+            auto* button = new QPushButton(icon("part"), readableName(example), zone);
+            button->setObjectName("example_" + example.completeBaseName());
+            connect(button, &QPushButton::clicked, this,
+                    [this, path = example.absoluteFilePath()] { emit fileChosen(path); });
+            row->addWidget(button);
+        }
+        row->addStretch();
+        column->addLayout(row);
+    }
+
+    auto* page = new QVBoxLayout(this);
+    page->addStretch();
+    page->addWidget(zone, 0, Qt::AlignHCenter);
+    page->addStretch();
+}
+
+} // namespace knead

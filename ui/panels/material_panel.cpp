@@ -1,0 +1,166 @@
+#include "ui/panels/material_panel.h"
+
+#include "ui/panels/form.h"
+#include "ui/theme.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace knead {
+
+MaterialPanel::MaterialPanel(Document& document, std::vector<MaterialPreset> presets, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_presets(std::move(presets))
+{
+    setObjectName("materialPanel");
+    makeForm(this);
+    makeMaterialRows();
+    makeFillingRows();
+    connect(&document, &Document::changed, this, &MaterialPanel::documentChanged);
+}
+
+void MaterialPanel::makeMaterialRows()
+{
+    auto* form = qobject_cast<QFormLayout*>(layout());
+    m_name = makeHeading({}, this);
+    m_facts = new QLabel(this);
+    m_facts->setObjectName("bodyFacts");
+    m_facts->setProperty("role", "dimmed");
+    m_facts->setWordWrap(true);
+    form->addRow(m_name);
+    form->addRow(m_facts);
+
+    m_preset = new QComboBox(this);
+    m_preset->setObjectName("materialPreset");
+    m_preset->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_preset->setMinimumContentsLength(10);
+    m_preset->setMaxVisibleItems(20);
+    m_preset->setPlaceholderText(tr("Own numbers"));
+    for (const MaterialPreset& preset : m_presets) {
+        m_preset->addItem(QString::fromStdString(preset.name));
+        m_preset->setItemData(m_preset->count() - 1, QString::fromStdString(preset.source), Qt::ToolTipRole);
+    }
+    connect(m_preset, &QComboBox::activated, this, &MaterialPanel::choosePreset);
+    form->addRow(tr("Material"), m_preset);
+
+    for (const MaterialField& row : materialFields()) {
+        QuantityField* field = makeField(quantityOfUnit(row.unit), QString::fromLatin1(row.key), this);
+        field->setRange(row.minimum, row.maximum);
+        connect(field, &QuantityField::committed, this,
+                [this, value = row.value](double number) { commit(value, number); });
+        form->addRow(tr(row.name), field);
+        m_fields.push_back(field);
+    }
+}
+
+void MaterialPanel::makeFillingRows()
+{
+    auto* form = qobject_cast<QFormLayout*>(layout());
+    form->addRow(makeHeading(tr("Filling"), this));
+    m_spacing = makeField(Quantity::Length, "spacing", this);
+    m_spacing->setRange(1e-6, 10);
+    m_spacing->setStatusTip(tr("Distance between neighboring objects"));
+    m_cells = makeField(Quantity::Number, "cellsAcross", this);
+    m_cells->setRange(2, 2000);
+    m_cells->setStatusTip(tr("Objects along the longest side of the part"));
+    m_refill = new QPushButton(icon("refill"), tr("Refill"), this);
+    m_refill->setObjectName("refill");
+    m_refill->setToolTip(tr("Fill all bodies again with this spacing; the simulation starts anew"));
+    connect(m_spacing, &QuantityField::committed, this, &MaterialPanel::showSpacing);
+    connect(m_cells, &QuantityField::committed, this, [this](double cells) { showSpacing(m_document.size() / cells); });
+    connect(m_refill, &QPushButton::clicked, this, [this] { emit refillRequested(m_spacing->value()); });
+    form->addRow(tr("Spacing"), m_spacing);
+    form->addRow(tr("Cells across"), m_cells);
+    form->addRow(QString(), m_refill);
+}
+
+double MaterialPanel::cellsAcross(double spacing) const
+{
+    return m_document.size() / spacing;
+}
+
+void MaterialPanel::showSpacing(double spacing)
+{
+    m_spacing->setValue(spacing);
+    m_cells->setValue(cellsAcross(spacing));
+}
+
+void MaterialPanel::documentChanged(Document::Change what)
+{
+    switch (what) {
+    case Document::Change::Content:
+        m_isPosted = false;
+        for (QuantityField* field : {m_spacing, m_cells})
+            field->restore();
+        showSpacing(m_document.content().spacing);
+        showBody();
+        break;
+    case Document::Change::Selection:
+        if (m_document.selection().kind == Selection::Kind::Body && m_document.selection().id != m_body)
+            showBody();
+        break;
+    case Document::Change::Frame:
+        showMaterial();
+        break;
+    case Document::Change::Fixtures:
+        break;
+    }
+}
+
+void MaterialPanel::showBody()
+{
+    const Selection& selection = m_document.selection();
+    m_body = selection.kind == Selection::Kind::Body ? selection.id : 0;
+    m_isPosted = false;
+    const ContentBody& body = *m_document.content().bodies[m_body];
+    m_name->setText(QString::fromStdString(body.name));
+    m_facts->setText(tr("%1 objects, %2 connections\n%3 of material")
+                         .arg(formatCount(body.aggregate->size()), formatCount(body.aggregate->connectionCount()),
+                              formatQuantity(body.aggregate->meshVolume, Quantity::Volume)));
+    for (QuantityField* field : m_fields)
+        field->restore();
+    showMaterial();
+}
+
+/// Shows what the simulation has, unless a change of ours is still on its way to it.
+void MaterialPanel::showMaterial()
+{
+    const Snapshot& now = *m_document.frame()->snapshot;
+    const Material& material = now.materials[m_body];
+    if (m_isPosted && material != m_material && now.health.ok)
+        return;
+    m_isPosted = false;
+    m_material = material;
+    const auto& rows = materialFields();
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        m_fields[i]->setValue(material.*rows[i].value);
+    const auto preset = std::find_if(m_presets.begin(), m_presets.end(),
+                                     [&](const MaterialPreset& p) { return p.material == material; });
+    m_preset->setCurrentIndex(preset == m_presets.end() ? -1 : static_cast<int>(preset - m_presets.begin()));
+}
+
+void MaterialPanel::choosePreset(int index)
+{
+    m_material = m_presets[static_cast<std::size_t>(index)].material;
+    for (QuantityField* field : m_fields)
+        field->restore();
+    post();
+}
+
+void MaterialPanel::commit(double Material::*value, double number)
+{
+    m_material.*value = number;
+    post();
+}
+
+void MaterialPanel::post()
+{
+    m_isPosted = true;
+    m_document.post(SetMaterial{m_body, m_material});
+}
+
+} // namespace knead

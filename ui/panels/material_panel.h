@@ -1,0 +1,52 @@
+#pragma once
+
+#include "ui/document/document.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace knead {
+
+class QuantityField;
+
+/// What the selected body is made of and how densely it is filled. A change reaches the simulation at once, also while
+/// it runs.
+class MaterialPanel final : public QWidget {
+    Q_OBJECT
+public:
+    MaterialPanel(Document& document, std::vector<MaterialPreset> presets, QWidget* parent = nullptr);
+
+signals:
+    /// The person wants the document filled with another spacing [m].
+    void refillRequested(double spacing);
+
+private:
+    void makeMaterialRows();
+    void makeFillingRows();
+    void documentChanged(Document::Change what);
+    void showBody();
+    void showMaterial();
+    void showSpacing(double spacing);
+    void choosePreset(int index);
+    void commit(double Material::*value, double number);
+    void post();
+    double cellsAcross(double spacing) const;
+
+    Document& m_document;
+    std::vector<MaterialPreset> m_presets;
+    BodyId m_body = 0;
+    Material m_material;     ///< as posted last
+    bool m_isPosted = false; ///< until a snapshot shows it
+    QLabel* m_name = nullptr;
+    QLabel* m_facts = nullptr;
+    QComboBox* m_preset = nullptr;
+    std::vector<QuantityField*> m_fields; ///< in the order of materialFields()
+    QuantityField* m_spacing = nullptr;
+    QuantityField* m_cells = nullptr;
+    QPushButton* m_refill = nullptr;
+};
+
+} // namespace knead

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "ui/document/document.h"
+
+#include <QTreeWidget>
+
+#include <set>
+
+namespace knead {
+
+/// What the document holds: parts as the file orders them, tools and fixtures. Selects together with the view; the
+/// check box of a
+/// body hides it.
+class ModelTree final : public QTreeWidget {
+    Q_OBJECT
+public:
+    explicit ModelTree(Document& document, QWidget* parent = nullptr);
+
+    /// Hides or shows the selected body.
+    void toggleSelectedBody();
+
+signals:
+    void hiddenChanged(const std::set<knead::BodyId>& hidden);
+
+private:
+    void documentChanged(Document::Change what);
+    void build();
+    void addParts(const PartNode& node, QTreeWidgetItem* parent);
+    void addPart(std::size_t part, const QString& name, QTreeWidgetItem* parent);
+    void listTools();
+    void listFixtures();
+    void showSelection();
+    void currentChanged();
+    void itemChecked(QTreeWidgetItem* item);
+    QTreeWidgetItem* find(const Selection& selection) const;
+
+    Document& m_document;
+    QTreeWidgetItem* m_tools = nullptr;
+    QTreeWidgetItem* m_fixtures = nullptr;
+    std::vector<std::pair<ToolId, std::string>> m_listedTools;
+    bool m_isUpdating = false;
+};
+
+} // namespace knead

@@ -1,0 +1,105 @@
+#include "ui/panels/quantity_field.h"
+
+#include <QFocusEvent>
+#include <QKeyEvent>
+#include <QStyle>
+
+namespace knead {
+
+QuantityField::QuantityField(Quantity quantity, QWidget* parent)
+    : QLineEdit(parent)
+    , m_quantity(quantity)
+{
+    setAlignment(Qt::AlignRight);
+    setText(formatQuantity(m_value, m_quantity));
+}
+
+void QuantityField::setRange(double minimum, double maximum)
+{
+    m_minimum = minimum;
+    m_maximum = maximum;
+}
+
+void QuantityField::setValue(double value)
+{
+    m_value = value;
+    if (!isModified())
+        setText(formatQuantity(value, m_quantity));
+}
+
+QSize QuantityField::sizeHint() const
+{
+    return {fontMetrics().horizontalAdvance(QStringLiteral("00000.00 kg/m³")) + 16, QLineEdit::sizeHint().height()};
+}
+
+/// Enter and Esc belong to the field while it has the keyboard, whatever the window uses them for.
+bool QuantityField::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Escape || key == Qt::Key_Return || key == Qt::Key_Enter) {
+            event->accept();
+            return true;
+        }
+    }
+    return QLineEdit::event(event);
+}
+
+void QuantityField::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Escape) {
+        restore();
+        return;
+    }
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        commit();
+        return;
+    }
+    QLineEdit::keyPressEvent(event);
+}
+
+void QuantityField::focusOutEvent(QFocusEvent* event)
+{
+    // A menu or another window takes the focus only for a while: the person is still typing.
+    if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason)
+        commit();
+    QLineEdit::focusOutEvent(event);
+}
+
+void QuantityField::commit()
+{
+    if (!isModified())
+        return;
+    const std::optional<double> read = parseQuantity(text(), m_quantity, m_value);
+    if (!read) {
+        showProblem(tr("\"%1\" is not a number here; the value is still %2. Esc restores it.")
+                        .arg(text(), formatQuantity(m_value, m_quantity)));
+        return;
+    }
+    if (*read < m_minimum || *read > m_maximum) {
+        showProblem(tr("Allowed is %1 to %2; the value is still %3. Esc restores it.")
+                        .arg(formatQuantity(m_minimum, m_quantity), formatQuantity(m_maximum, m_quantity),
+                             formatQuantity(m_value, m_quantity)));
+        return;
+    }
+    m_value = *read;
+    restore();
+    emit committed(m_value);
+}
+
+void QuantityField::restore()
+{
+    setText(formatQuantity(m_value, m_quantity)); // clears isModified()
+    showProblem({});
+}
+
+void QuantityField::showProblem(const QString& problem)
+{
+    m_problem = problem;
+    setToolTip(problem);
+    setProperty("problem", hasProblem()); // the style sheet draws the mark
+    style()->unpolish(this);
+    style()->polish(this);
+}
+
+} // namespace knead

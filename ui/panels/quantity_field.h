@@ -1,0 +1,50 @@
+#pragma once
+
+#include "ui/units.h"
+
+#include <QLineEdit>
+
+#include <limits>
+
+namespace knead {
+
+/// A number with its unit in one field. Enter or leaving the field commits, Esc restores. Text that is not a number in
+/// range stays
+/// visible, marked, while the old value holds. A text that was not edited is never read back, so a value cannot drift.
+class QuantityField final : public QLineEdit {
+    Q_OBJECT
+public:
+    explicit QuantityField(Quantity quantity, QWidget* parent = nullptr);
+
+    void setRange(double minimum, double maximum); ///< SI, both ends allowed
+    double value() const { return m_value; }       ///< SI
+    bool hasProblem() const { return !m_problem.isEmpty(); }
+
+    /// Shows a value without emitting; a text being edited is left alone.
+    void setValue(double value);
+
+    /// Drops what is being typed and shows the value.
+    void restore();
+
+    QSize sizeHint() const override;
+
+signals:
+    void committed(double value);
+
+protected:
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    void commit();
+    void showProblem(const QString& problem);
+
+    Quantity m_quantity;
+    double m_value = 0;
+    double m_minimum = -std::numeric_limits<double>::infinity();
+    double m_maximum = std::numeric_limits<double>::infinity();
+    QString m_problem;
+};
+
+} // namespace knead

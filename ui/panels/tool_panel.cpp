@@ -1,0 +1,112 @@
+#include "ui/panels/tool_panel.h"
+
+#include "ui/panels/form.h"
+#include "ui/theme.h"
+
+#include <QLabel>
+#include <QPushButton>
+
+namespace knead {
+
+namespace {
+
+constexpr const char* axisNames[] = {"X", "Y", "Z"};
+
+} // namespace
+
+ToolPanel::ToolPanel(Document& document, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_name(makeHeading({}, this))
+    , m_speed(makeField(Quantity::Speed, "toolSpeed", this))
+    , m_friction(makeField(Quantity::Number, "toolFriction", this))
+    , m_force(makeReading("toolForce", this))
+    , m_peak(makeReading("toolPeakForce", this))
+{
+    setObjectName("toolPanel");
+    QFormLayout* form = makeForm(this);
+    form->addRow(m_name);
+    form->addRow(tr("Force"), m_force);
+    form->addRow(tr("Largest so far"), m_peak);
+    m_force->setProperty("role", "heading");
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        m_position[axis] = makeField(Quantity::Length, QStringLiteral("toolPosition%1").arg(axisNames[axis]), this);
+        connect(m_position[axis], &QuantityField::committed, this, &ToolPanel::place);
+        form->addRow(tr("Position %1").arg(axisNames[axis]), m_position[axis]);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        m_size[axis] = makeField(Quantity::Length, QStringLiteral("toolSize%1").arg(axisNames[axis]), this);
+        m_size[axis]->setRange(1e-6, 100);
+        connect(m_size[axis], &QuantityField::committed, this, &ToolPanel::reshape);
+        form->addRow(tr("Size %1").arg(axisNames[axis]), m_size[axis]);
+    }
+    m_speed->setRange(1e-6, 100);
+    m_speed->setStatusTip(tr("Arrow keys and PgUp/PgDn drive at this speed; dragging is never faster"));
+    m_friction->setRange(0, 2);
+    connect(m_speed, &QuantityField::committed, this, &ToolPanel::reshape);
+    connect(m_friction, &QuantityField::committed, this, &ToolPanel::reshape);
+    form->addRow(tr("Speed limit"), m_speed);
+    form->addRow(tr("Friction"), m_friction);
+
+    auto* remove = new QPushButton(icon("delete"), tr("Remove block"), this);
+    remove->setObjectName("removeTool");
+    connect(remove, &QPushButton::clicked, this, [this] { m_document.removeSelected(); });
+    form->addRow(QString(), remove);
+    connect(&document, &Document::changed, this, &ToolPanel::documentChanged);
+}
+
+void ToolPanel::documentChanged(Document::Change what)
+{
+    const Selection& selection = m_document.selection();
+    if (selection.kind != Selection::Kind::Tool)
+        return;
+    if (what == Document::Change::Selection) {
+        m_tool = selection.id;
+        for (const auto& group : {m_position, m_size})
+            for (QuantityField* field : group)
+                field->restore();
+        m_speed->restore();
+        m_friction->restore();
+    }
+    showTool();
+}
+
+void ToolPanel::showTool()
+{
+    const ToolState* tool = m_document.tool(m_tool);
+    if (tool == nullptr)
+        return;
+    m_name->setText(QString::fromStdString(tool->name));
+    m_force->setText(formatReading(tool->force.norm(), Quantity::Force));
+    m_peak->setText(formatReading(tool->peakForce, Quantity::Force));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<Eigen::Index>(axis);
+        m_position[axis]->setValue(tool->pose.position[i]);
+        m_size[axis]->setValue(tool->size[i]);
+    }
+    m_speed->setValue(tool->speedLimit);
+    m_friction->setValue(tool->friction);
+}
+
+/// While paused the block is put there; while running it goes there.
+void ToolPanel::place()
+{
+    const ToolState* tool = m_document.tool(m_tool);
+    if (tool == nullptr)
+        return;
+    Pose pose = tool->pose;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        pose.position[static_cast<Eigen::Index>(axis)] = m_position[axis]->value();
+    if (m_document.frame()->snapshot->playing)
+        m_document.post(SetManipulatorMotion{m_tool, GoTo{pose}});
+    else
+        m_document.post(PlaceManipulator{m_tool, pose});
+}
+
+void ToolPanel::reshape()
+{
+    const Vec3 size(m_size[0]->value(), m_size[1]->value(), m_size[2]->value());
+    m_document.post(ReshapeManipulator{m_tool, size, m_friction->value(), m_speed->value()});
+}
+
+} // namespace knead

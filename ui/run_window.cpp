@@ -1,0 +1,30 @@
+#include "ui/run_window.h"
+
+#include "ui/main_window.h"
+#include "ui/viewport/viewport_bridge.h"
+
+#include <QApplication>
+#include <QSurfaceFormat>
+
+namespace knead {
+
+void prepareGraphics()
+{
+    QSurfaceFormat::setDefaultFormat(ViewportBridge::surfaceFormat());
+}
+
+int showMainWindow(int argc, char** argv, Services services, const std::vector<std::string>& files)
+{
+    prepareGraphics();
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("knead");
+    QApplication::setOrganizationName("knead");
+    QApplication::setApplicationDisplayName("Knead");
+    MainWindow window(std::move(services));
+    window.show();
+    if (!files.empty())
+        window.open(QString::fromStdString(files.front()));
+    return QApplication::exec();
+}
+
+} // namespace knead

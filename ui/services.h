@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/aggregate/material.h"
+#include "core/model/part.h"
+#include "core/task/task_control.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace knead {
+
+/// A deformed body on its way to a file.
+struct ExportBody {
+    std::string name;
+    Color color;
+    TriangleMesh mesh;   ///< [m]
+};
+
+/// What the window needs from files, handed in by app. The functions may be called from any thread and block.
+struct Services {
+    /// @throws std::runtime_error with a sentence, Cancelled
+    std::function<Model(const std::string& path, TaskControl&)> import;
+    /// The ending decides the format. @throws std::runtime_error with a sentence
+    std::function<void(const std::string& path, const std::vector<ExportBody>&)> exportMeshes;
+
+    struct Format {
+        std::string name;
+        std::vector<std::string> endings;
+    };
+    std::vector<Format> importFormats;
+    std::vector<Format> exportFormats;
+    std::vector<MaterialPreset> materials;
+    std::string examplesFolder;
+};
+
+} // namespace knead

@@ -1,0 +1,145 @@
+#include "ui/tasks/task_runner.h"
+
+#include <QTimer>
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+namespace knead {
+
+/// Shared by the window and the thread of the task: whoever lets go last deletes it, so that an abandoned task may end
+/// in peace.
+struct TaskRunner::Task final : TaskControl {
+    QString title;
+    std::function<void(TaskControl&)> work;
+    std::function<void()> finish;
+
+    std::atomic<bool> stopping = false;
+    std::atomic<bool> done = false;
+    std::mutex mutex; // guards the rest
+    double fraction = 0;
+    std::string stage;
+    bool wasCancelled = false;
+    std::string failure;
+
+    void report(double newFraction, std::string_view newStage) override
+    {
+        const std::lock_guard lock(mutex);
+        fraction = newFraction;
+        stage = newStage;
+    }
+
+    bool isCancelled() const override { return stopping; }
+
+    void run()
+    {
+        try {
+            work(*this);
+        } catch (const Cancelled&) {
+            const std::lock_guard lock(mutex);
+            wasCancelled = true;
+        } catch (const std::bad_alloc&) {
+            fail("There is not enough memory for this. Close other programs, or use a coarser spacing.");
+        } catch (const std::exception& error) {
+            fail(error.what());
+        }
+        work = nullptr;
+        done = true;
+    }
+
+    void fail(const std::string& sentence)
+    {
+        const std::lock_guard lock(mutex);
+        failure = sentence;
+    }
+};
+
+namespace {
+
+constexpr int pollInterval = 30; // [ms]
+constexpr auto patience = std::chrono::seconds(2);
+
+} // namespace
+
+TaskRunner::TaskRunner(QObject* parent)
+    : QObject(parent)
+    , m_timer(new QTimer(this))
+{
+    m_timer->setInterval(pollInterval);
+    connect(m_timer, &QTimer::timeout, this, &TaskRunner::poll);
+}
+
+TaskRunner::~TaskRunner()
+{
+    if (m_task)
+        m_abandoned.push_back(m_task);
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    for (const auto& task : m_abandoned) {
+        task->stopping = true;
+        while (!task->done && std::chrono::steady_clock::now() < deadline)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+}
+
+QString TaskRunner::title() const
+{
+    return m_task ? m_task->title : QString();
+}
+
+bool TaskRunner::start(const QString& title, std::function<void(TaskControl&)> work, std::function<void()> finish)
+{
+    if (m_task)
+        return false;
+    m_task = std::make_shared<Task>();
+    m_task->title = title;
+    m_task->work = std::move(work);
+    m_task->finish = std::move(finish);
+    std::thread([task = m_task] { task->run(); }).detach();
+    m_timer->start();
+    emit started(title);
+    return true;
+}
+
+void TaskRunner::cancel()
+{
+    if (!m_task)
+        return;
+    m_task->stopping = true;
+    const QString title = m_task->title;
+    std::erase_if(m_abandoned, [](const auto& task) { return task->done.load(); });
+    m_abandoned.push_back(m_task);
+    end();
+    emit cancelled(title);
+    emit finished();
+}
+
+void TaskRunner::poll()
+{
+    const std::shared_ptr<Task> task = m_task;
+    if (!task->done) {
+        std::unique_lock lock(task->mutex);
+        const double fraction = task->fraction;
+        const QString stage = QString::fromStdString(task->stage);
+        lock.unlock();
+        emit progressed(fraction, stage);
+        return;
+    }
+    end();
+    if (task->wasCancelled)
+        emit cancelled(task->title);
+    else if (!task->failure.empty())
+        emit failed(task->title, QString::fromStdString(task->failure));
+    else
+        task->finish();
+    emit finished();
+}
+
+void TaskRunner::end()
+{
+    m_timer->stop();
+    m_task.reset();
+}
+
+} // namespace knead

@@ -1,0 +1,152 @@
+#include "ui/units.h"
+
+#include <QLocale>
+#include <QRegularExpression>
+
+#include <cmath>
+#include <span>
+
+namespace knead {
+
+namespace {
+
+struct Unit {
+    const char* symbol;
+    double scale;   ///< SI value of one unit
+    bool displayed; ///< chosen for display; the others are understood when typed
+};
+
+constexpr Unit lengths[] = {{"mm", 1e-3, true},  {"m", 1, false},       {"cm", 1e-2, false},    {"µm", 1e-6, false},
+                            {"um", 1e-6, false}, {"in", 0.0254, false}, {"inch", 0.0254, false}};
+constexpr Unit pressures[] = {{"Pa", 1, true},    {"kPa", 1e3, true},    {"MPa", 1e6, true},
+                              {"GPa", 1e9, true}, {"N/mm²", 1e6, false}, {"N/mm2", 1e6, false}};
+constexpr Unit densities[] = {{"kg/m³", 1, true},    {"kg/m3", 1, false},   {"kg/m^3", 1, false},
+                              {"g/cm³", 1e3, false}, {"g/cm3", 1e3, false}, {"g/cm^3", 1e3, false}};
+constexpr Unit rates[] = {{"1/s", 1, true}, {"Hz", 1, false}};
+constexpr Unit speeds[] = {{"mm/s", 1e-3, true}, {"m/s", 1, false}, {"cm/s", 1e-2, false}};
+constexpr Unit forces[] = {{"mN", 1e-3, true}, {"N", 1, true}, {"kN", 1e3, true}, {"MN", 1e6, true}};
+constexpr Unit volumes[] = {{"mm³", 1e-9, true}, {"cm³", 1e-6, true}, {"m³", 1, false}};
+constexpr Unit numbers[] = {{"", 1, true}};
+
+std::span<const Unit> unitsOf(Quantity quantity)
+{
+    switch (quantity) {
+    case Quantity::Length:
+        return lengths;
+    case Quantity::Pressure:
+        return pressures;
+    case Quantity::Density:
+        return densities;
+    case Quantity::Rate:
+        return rates;
+    case Quantity::Speed:
+        return speeds;
+    case Quantity::Force:
+        return forces;
+    case Quantity::Volume:
+        return volumes;
+    case Quantity::Number:
+        break;
+    }
+    return numbers;
+}
+
+/// The unit zero is shown in: the plain one, not the smallest.
+const Unit& unitOfZero(Quantity quantity)
+{
+    return quantity == Quantity::Force ? forces[1] : unitsOf(quantity).front();
+}
+
+/// The largest displayed unit that leaves at least one unit, the smallest one otherwise.
+const Unit& displayUnit(double value, Quantity quantity)
+{
+    if (value == 0 || !std::isfinite(value))
+        return unitOfZero(quantity);
+    const std::span<const Unit> units = unitsOf(quantity);
+    const Unit* best = &units.front();
+    for (const Unit& unit : units)
+        // The margin lets 0.9999999e6 Pa, which rounds to one megapascal, be shown as such.
+        if (unit.displayed && std::abs(value) >= unit.scale * (1 - 1e-7))
+            best = &unit;
+    return *best;
+}
+
+const Unit* findUnit(const QString& symbol, Quantity quantity)
+{
+    const Unit* loose = nullptr;
+    int looseMatches = 0;
+    for (const Unit& unit : unitsOf(quantity)) {
+        const QString name = QString::fromUtf8(unit.symbol);
+        if (name == symbol)
+            return &unit;
+        if (name.compare(symbol, Qt::CaseInsensitive) == 0) {
+            loose = &unit;
+            ++looseMatches;
+        }
+    }
+    return looseMatches == 1 ? loose : nullptr; // "mn" could be millinewton or meganewton
+}
+
+} // namespace
+
+Quantity quantityOfUnit(const std::string& unit)
+{
+    if (unit == "Pa")
+        return Quantity::Pressure;
+    if (unit == "kg/m^3")
+        return Quantity::Density;
+    if (unit == "1/s")
+        return Quantity::Rate;
+    if (unit == "m")
+        return Quantity::Length;
+    if (unit == "m/s")
+        return Quantity::Speed;
+    if (unit == "N")
+        return Quantity::Force;
+    return Quantity::Number;
+}
+
+QString formatQuantity(double value, Quantity quantity)
+{
+    const Unit& unit = displayUnit(value, quantity);
+    const QString number = QLocale::c().toString(value / unit.scale, 'g', 5);
+    const QString symbol = QString::fromUtf8(unit.symbol);
+    return symbol.isEmpty() ? number : number + ' ' + symbol;
+}
+
+QString formatReading(double value, Quantity quantity)
+{
+    return formatQuantity(QString::number(value, 'g', 3).toDouble(), quantity);
+}
+
+std::optional<double> parseQuantity(const QString& text, Quantity quantity, double shown)
+{
+    // Digits may be grouped by spaces; a comma or a point, never both, starts the decimals.
+    static const QRegularExpression pattern(
+        QStringLiteral(
+            R"(^\s*([+-]?(?:\d+(?:\s\d{3})*(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*([^\s\d.,+-].*?|1/s)?\s*$)"),
+        QRegularExpression::UseUnicodePropertiesOption);
+    const QRegularExpressionMatch match = pattern.match(text);
+    if (!match.hasMatch())
+        return std::nullopt;
+
+    QString digits = match.captured(1);
+    digits.remove(QRegularExpression(QStringLiteral("\\s"))).replace(',', '.');
+    bool ok = false;
+    const double number = QLocale::c().toDouble(digits, &ok);
+    if (!ok || !std::isfinite(number))
+        return std::nullopt;
+
+    const QString symbol = match.captured(2);
+    const Unit* unit = symbol.isEmpty() ? &displayUnit(shown, quantity) : findUnit(symbol, quantity);
+    if (unit == nullptr)
+        return std::nullopt;
+    return number * unit->scale;
+}
+
+QString formatCount(std::size_t count)
+{
+    return QLocale(QLocale::English).toString(static_cast<qulonglong>(count));
+}
+
+} // namespace knead

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QString>
+
+#include <optional>
+#include <string>
+
+namespace knead {
+
+/// What a number measures. Inside everything is SI; people see millimetres, megapascals and the like.
+enum class Quantity { Number, Length, Pressure, Density, Rate, Speed, Force, Volume };
+
+/// The quantity measured in an SI unit as MaterialField spells it: "Pa", "kg/m^3", "1/s"; Number for anything else.
+Quantity quantityOfUnit(const std::string& unit);
+
+/// A number with a unit that keeps it short: 1.2e6 Pa becomes "1.2 MPa".
+QString formatQuantity(double value, Quantity quantity);
+
+/// The same with three digits, for readings that change all the time.
+QString formatReading(double value, Quantity quantity);
+
+/// Reads a number with or without a unit: "1,2 MPa", "1.2e6 Pa", "2 000". Point and comma both are decimal separators.
+/// A bare number takes the unit in which `shown` is displayed, since that is what the person sees in the field.
+/// @param shown the value now in the field (SI)
+/// @return SI; empty when the text is not a number of this quantity
+std::optional<double> parseQuantity(const QString& text, Quantity quantity, double shown = 0);
+
+/// "12,345": whole numbers with separators.
+QString formatCount(std::size_t count);
+
+} // namespace knead

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/geometry/vec3.h"
+
+#include <optional>
+
+namespace knead {
+
+/// A straight line of sight.
+struct Ray {
+    Vec3 origin = Vec3::Zero();     ///< [m]
+    Vec3 direction = Vec3::UnitX(); ///< unit
+};
+
+/// A place in a window of pixels, y downwards.
+struct Pixel {
+    double x = 0;
+    double y = 0;
+};
+
+struct WindowSize {
+    double width = 1;
+    double height = 1;
+    double aspect() const { return width / height; }
+};
+
+/// Where the person looks from: a turntable about the world's z axis. A value; knows no graphics library.
+struct Camera {
+    Vec3 target = Vec3::Zero(); ///< point of rotation, in the middle of the view [m]
+    double distance = 1;        ///< of the eye from the target [m]
+    double yaw = -0.785398;     ///< of the eye about z, seen from the target; 0 looks from +x [rad]
+    double pitch = 0.615480;    ///< of the eye above the horizon, -pi/2 .. pi/2 [rad]
+    bool perspective = true;
+
+    static constexpr double viewAngle = 30; ///< full height of the view in perspective [degrees]
+
+    Vec3 towardsEye() const; ///< unit
+    Vec3 right() const;      ///< unit, to the right of the window
+    Vec3 up() const;         ///< unit, to the top of the window
+    Vec3 eye() const { return target + distance * towardsEye(); }
+
+    /// Height of what is seen at the target [m]; equal in both projections, so that switching does not jump.
+    double viewHeight() const;
+
+    /// What lies under a pixel.
+    Ray ray(const Pixel& pixel, const WindowSize& window) const;
+    /// Where a place is seen; empty behind the eye.
+    std::optional<Pixel> project(const Vec3& place, const WindowSize& window) const;
+
+    void orbit(double dx, double dy); ///< by a mouse motion [pixels]
+    void pan(double dx, double dy, const WindowSize& window);
+    /// Scales the view by `factor` (< 1 comes nearer) and keeps what is under the pixel there.
+    void zoom(double factor, const Pixel& pixel, const WindowSize& window);
+    /// Shows the whole box from the present direction.
+    void fit(const Box& box, double aspect);
+    /// Looks from a direction, for example (0, -1, 0) for the front; straight from above the front stays below.
+    void lookFrom(const Vec3& direction);
+};
+
+/// Between two cameras, 0 <= s <= 1, turning the short way round.
+Camera blend(const Camera& from, const Camera& to, double s);
+
+/// The world axis (positive or negative) closest to a direction, x before y before z when they tie; `horizontal`
+/// leaves out z.
+Vec3 nearestAxis(const Vec3& direction, bool horizontal);
+
+} // namespace knead

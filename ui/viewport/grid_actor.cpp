@@ -1,0 +1,101 @@
+#include "ui/viewport/grid_actor.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+constexpr int halfLines = 20;        // grid lines on each side of the middle
+constexpr int piecesPerLine = 40;    // a line fades along its length
+constexpr double opacity = 0.55;     // of ordinary lines at the middle
+constexpr double majorOpacity = 0.9; // of every fifth line
+
+} // namespace
+
+struct GridActor::Parts {
+    vtkSmartPointer<vtkRenderer> renderer;
+    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<vtkActor> actor;
+};
+
+GridActor::GridActor(vtkRenderer* renderer)
+    : m_parts(std::make_unique<Parts>())
+{
+    m_parts->renderer = renderer;
+    m_parts->actor->SetMapper(m_parts->mapper);
+    m_parts->actor->GetProperty()->LightingOff();
+    m_parts->actor->GetProperty()->SetLineWidth(1);
+    m_parts->actor->ForceTranslucentOn();
+    m_parts->actor->UseBoundsOff(); // the view is fitted to parts, not to the ground
+    renderer->AddActor(m_parts->actor);
+}
+
+GridActor::~GridActor()
+{
+    m_parts->renderer->RemoveActor(m_parts->actor);
+}
+
+void GridActor::lay(const Box& box, double height, const Color& color)
+{
+    const double step = roundLength(box.sizes().maxCoeff() / 5);
+    const double reach = step * halfLines;
+    const Vec3 middle(step * std::round(box.center().x() / step), step * std::round(box.center().y() / step), height);
+
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> lines;
+    vtkNew<vtkUnsignedCharArray> colors;
+    colors->SetNumberOfComponents(4);
+    const auto addLine = [&](int number, bool alongX) {
+        const long index = std::lround((alongX ? middle.y() : middle.x()) / step) + number;
+        const double strength = index % 5 == 0 ? majorOpacity : opacity;
+        lines->InsertNextCell(piecesPerLine + 1);
+        for (int piece = 0; piece <= piecesPerLine; ++piece) {
+            const double along = reach * (2.0 * piece / piecesPerLine - 1);
+            const double across = step * number;
+            const Vec3 place = middle + (alongX ? Vec3(along, across, 0) : Vec3(across, along, 0));
+            lines->InsertCellPoint(points->InsertNextPoint(place.data()));
+            const double fade = std::max(0.0, 1 - std::hypot(along, across) / reach);
+            const double rgba[] = {255.0 * color.r, 255.0 * color.g, 255.0 * color.b, 255 * strength * fade * fade};
+            colors->InsertNextTuple(rgba);
+        }
+    };
+    for (int number = -halfLines; number <= halfLines; ++number) {
+        addLine(number, true);
+        addLine(number, false);
+    }
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetLines(lines);
+    data->GetPointData()->SetScalars(colors);
+    m_parts->mapper->SetInputData(data);
+}
+
+void GridActor::setVisible(bool visible)
+{
+    m_parts->actor->SetVisibility(visible);
+}
+
+double roundLength(double length)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(length)));
+    for (const double factor : {5.0, 2.0})
+        if (length >= factor * power)
+            return factor * power;
+    return power;
+}
+
+} // namespace knead

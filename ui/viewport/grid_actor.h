@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/model/part.h"
+
+#include <memory>
+
+class vtkRenderer;
+
+namespace knead {
+
+/// Thin lines on the ground that fade out with distance from the part.
+class GridActor {
+public:
+    explicit GridActor(vtkRenderer* renderer);
+    ~GridActor();
+    GridActor(const GridActor&) = delete;
+    GridActor& operator=(const GridActor&) = delete;
+
+    /// Lays the grid under a box, at a height [m], with a round spacing.
+    void lay(const Box& box, double height, const Color& color);
+    void setVisible(bool visible);
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> m_parts;
+};
+
+/// 1, 2 or 5 times a power of ten, the nearest below.
+double roundLength(double length);
+
+} // namespace knead

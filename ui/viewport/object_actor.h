@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/model/part.h"
+
+#include <memory>
+#include <span>
+
+class vtkRenderer;
+
+namespace knead {
+
+/// Draws objects as spheres: one point each, the graphics card makes the ball.
+class ObjectActor {
+public:
+    ObjectActor(vtkRenderer* renderer, const Color& color, double radius);
+    ~ObjectActor();
+    ObjectActor(const ObjectActor&) = delete;
+    ObjectActor& operator=(const ObjectActor&) = delete;
+
+    /// @param chosen which of the positions are drawn; all when empty
+    void show(std::span<const Vec3> positions, std::span<const std::uint32_t> chosen);
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> m_parts;
+};
+
+} // namespace knead

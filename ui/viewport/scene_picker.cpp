@@ -1,0 +1,52 @@
+#include "ui/viewport/scene_picker.h"
+
+#include <limits>
+
+namespace knead {
+
+void ScenePicker::forget()
+{
+    m_pickers.clear();
+    m_bodies.clear();
+    m_frame = nullptr;
+}
+
+void ScenePicker::follow()
+{
+    const FramePointer& frame = m_document.frame();
+    if (frame == m_frame)
+        return;
+    if (m_pickers.empty()) {
+        m_bodies = m_document.content().bodies;
+        for (std::size_t b = 0; b < m_bodies.size(); ++b)
+            m_pickers.push_back(std::make_unique<SurfacePicker>(m_bodies[b]->render, frame->bodies[b]->points));
+    } else {
+        for (std::size_t b = 0; b < m_pickers.size(); ++b)
+            m_pickers[b]->refit(frame->bodies[b]->points);
+    }
+    m_frame = frame;
+}
+
+PickHit ScenePicker::pick(const Ray& ray, bool skipsTools)
+{
+    PickHit hit;
+    if (m_document.isEmpty())
+        return hit;
+    follow();
+    double nearest = std::numeric_limits<double>::max();
+    for (std::uint32_t b = 0; b < m_pickers.size(); ++b)
+        if (const auto found = m_pickers[b]->pick(ray); found && found->distance < nearest) {
+            nearest = found->distance;
+            hit = {PickHit::Kind::Body, b, found->triangle, found->face, ray.origin + nearest * ray.direction};
+        }
+    if (skipsTools)
+        return hit;
+    for (const ToolState& tool : m_frame->snapshot->tools)
+        if (const auto distance = pickBox(ray, tool.size, tool.pose); distance && *distance < nearest) {
+            nearest = *distance;
+            hit = {PickHit::Kind::Tool, tool.id, 0, 0, ray.origin + nearest * ray.direction};
+        }
+    return hit;
+}
+
+} // namespace knead

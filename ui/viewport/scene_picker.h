@@ -1,0 +1,45 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/viewport/picker.h"
+
+#include <memory>
+#include <vector>
+
+namespace knead {
+
+/// What lies under the cursor.
+struct PickHit {
+    enum class Kind { Nothing, Body, Tool };
+    Kind kind = Kind::Nothing;
+    std::uint32_t id = 0;       ///< BodyId or ToolId
+    std::uint32_t triangle = 0; ///< of ContentBody::mesh
+    std::uint32_t face = 0;     ///< CAD face
+    Vec3 place = Vec3::Zero();  ///< [m]
+};
+
+/// Picks bodies and tools of a document as they are drawn now. Follows deformation only when asked, so that an idle
+/// mouse costs nothing.
+class ScenePicker {
+public:
+    explicit ScenePicker(const Document& document)
+        : m_document(document)
+    {
+    }
+
+    /// The document shows another content.
+    void forget();
+
+    /// The nearest thing. @param skipsTools looks through blocks at the bodies
+    PickHit pick(const Ray& ray, bool skipsTools = false);
+
+private:
+    void follow();
+
+    const Document& m_document;
+    FramePointer m_frame; ///< the trees fit to this one
+    ContentBodies m_bodies;
+    std::vector<std::unique_ptr<SurfacePicker>> m_pickers;
+};
+
+} // namespace knead

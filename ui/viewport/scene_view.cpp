@@ -1,0 +1,263 @@
+#include "ui/viewport/scene_view.h"
+
+#include "ui/viewport/grid_actor.h"
+#include "ui/viewport/object_actor.h"
+#include "ui/viewport/skin_actor.h"
+#include "ui/viewport/tool_actor.h"
+#include "ui/viewport/view_cube.h"
+
+#include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <map>
+
+namespace knead {
+
+namespace {
+
+constexpr double arrowLength = 0.28; // of the largest force, in sizes of the part
+constexpr double objectRadius = 0.5; // in spacings
+constexpr double tint = 0.65;        // share of a mark in the color of a face
+
+Color mix(const Color& a, const Color& b, double share)
+{
+    const auto s = static_cast<float>(share);
+    return {a.r + s * (b.r - a.r), a.g + s * (b.g - a.g), a.b + s * (b.b - a.b)};
+}
+
+} // namespace
+
+struct SceneView::Parts {
+    vtkNew<vtkRenderer> renderer;
+    std::unique_ptr<ViewCube> cube;
+    std::unique_ptr<GridActor> grid;
+    std::vector<std::unique_ptr<SkinActor>> skins;
+    std::vector<std::unique_ptr<ObjectActor>> objects; ///< empty while they are not shown
+    std::map<ToolId, std::unique_ptr<ToolActor>> tools;
+};
+
+SceneView::SceneView(vtkRenderWindow* window)
+    : m_parts(std::make_unique<Parts>())
+    , m_style(lightScene())
+{
+    m_parts->renderer->GradientBackgroundOn();
+    m_parts->renderer->SetLayer(0);
+    addLights();
+    window->AddRenderer(m_parts->renderer);
+    m_parts->cube = std::make_unique<ViewCube>(window);
+    m_parts->grid = std::make_unique<GridActor>(m_parts->renderer);
+    m_parts->grid->setVisible(false);
+    setStyle(m_style);
+}
+
+SceneView::~SceneView() = default;
+
+/// A key light over the left shoulder and a weaker one from the right below; both turn with the camera.
+void SceneView::addLights()
+{
+    const struct {
+        double x, y, z, intensity;
+    } lights[] = {{-0.45, 0.7, 1.0, 0.86}, {0.9, -0.2, 0.7, 0.5}};
+    m_parts->renderer->AutomaticLightCreationOff();
+    for (const auto& setting : lights) {
+        vtkNew<vtkLight> light;
+        light->SetLightTypeToCameraLight();
+        light->SetPosition(setting.x, setting.y, setting.z);
+        light->SetFocalPoint(0, 0, 0);
+        light->SetIntensity(setting.intensity);
+        m_parts->renderer->AddLight(light);
+    }
+}
+
+void SceneView::setContent(const Content& content)
+{
+    m_model = content.model;
+    m_bodies = content.bodies;
+    m_restBox = content.box;
+    m_frame = nullptr;
+    m_marks = {};
+    m_parts->skins.clear();
+    m_parts->objects.clear();
+    m_parts->tools.clear();
+    for (const auto& body : m_bodies)
+        m_parts->skins.push_back(std::make_unique<SkinActor>(body, m_parts->renderer));
+    m_gridHeight = m_restBox.min().z();
+    layGrid();
+    colorBodies();
+    showBodies();
+}
+
+void SceneView::showFrame(const FramePointer& frame)
+{
+    const bool hasMoved = !m_frame || m_frame->bodies != frame->bodies;
+    m_frame = frame;
+    if (hasMoved) {
+        for (std::size_t b = 0; b < m_bodies.size(); ++b)
+            m_parts->skins[b]->show(*frame->bodies[b]);
+        showObjects();
+    }
+    showTools();
+    const double height = frame->snapshot->floorHeight.value_or(m_restBox.min().z());
+    if (height != m_gridHeight) {
+        m_gridHeight = height;
+        layGrid();
+    }
+}
+
+void SceneView::setStyle(const SceneStyle& style)
+{
+    m_style = style;
+    m_parts->renderer->SetBackground(style.bottom.r, style.bottom.g, style.bottom.b);
+    m_parts->renderer->SetBackground2(style.top.r, style.top.g, style.top.b);
+    m_parts->cube->setStyle(style);
+    layGrid();
+    colorBodies();
+    if (m_frame)
+        showTools();
+}
+
+void SceneView::setOptions(const SceneOptions& options)
+{
+    const bool otherObjects = options.objects != m_options.objects || options.hidden != m_options.hidden;
+    m_options = options;
+    if (otherObjects)
+        m_parts->objects.clear();
+    showBodies();
+    showObjects();
+    layGrid();
+}
+
+void SceneView::setMarks(const SceneMarks& marks)
+{
+    m_marks = marks;
+    colorBodies();
+    if (m_frame)
+        showTools();
+}
+
+void SceneView::colorBodies()
+{
+    for (BodyId b = 0; b < m_parts->skins.size(); ++b) {
+        const bool isSelected = m_marks.selectedBody == b;
+        m_parts->skins[b]->setEdges(isSelected ? m_style.selectedEdge : m_style.edge, isSelected ? 1.8F : 1.2F);
+        const Part& part = m_model->parts[m_bodies[b]->part];
+        m_parts->skins[b]->setColors([&](std::uint32_t face) {
+            const SceneMarks::Face mark{b, face};
+            Color color = faceColor(part, face);
+            if (std::count(m_marks.fixed.begin(), m_marks.fixed.end(), mark) > 0)
+                color = mix(color, m_style.fixed, tint);
+            return m_marks.highlighted == mark ? mix(color, m_style.highlight, tint) : color;
+        });
+    }
+}
+
+void SceneView::showBodies()
+{
+    for (BodyId b = 0; b < m_parts->skins.size(); ++b) {
+        const bool isVisible = !m_options.hidden.contains(b);
+        const bool isSkin = m_options.objects == ObjectDisplay::Off;
+        m_parts->skins[b]->setVisible(isVisible && isSkin, isVisible && isSkin && m_options.edges);
+    }
+}
+
+void SceneView::showObjects()
+{
+    if (m_options.objects == ObjectDisplay::Off || !m_frame)
+        return;
+    if (m_parts->objects.empty())
+        for (const auto& body : m_bodies)
+            m_parts->objects.push_back(std::make_unique<ObjectActor>(m_parts->renderer, body->color,
+                                                                     objectRadius * body->aggregate->lattice.spacing));
+    for (BodyId b = 0; b < m_bodies.size(); ++b) {
+        if (m_options.hidden.contains(b))
+            continue;
+        const bool areAll = m_options.objects == ObjectDisplay::All;
+        m_parts->objects[b]->show(m_frame->snapshot->bodies[b].positions,
+                                  areAll ? std::span<const ObjectIndex>() : m_bodies[b]->surfaceObjects);
+    }
+}
+
+void SceneView::showTools()
+{
+    std::map<ToolId, std::unique_ptr<ToolActor>> kept;
+    for (const ToolState& tool : m_frame->snapshot->tools) {
+        std::unique_ptr<ToolActor> actor = std::move(m_parts->tools[tool.id]);
+        if (!actor)
+            actor = std::make_unique<ToolActor>(m_parts->renderer);
+        actor->setStyle(m_style, m_marks.selectedTool == tool.id, m_marks.hoveredTool == tool.id);
+        actor->show(tool, arrowLength * m_restBox.sizes().maxCoeff());
+        kept[tool.id] = std::move(actor);
+    }
+    m_parts->tools = std::move(kept);
+}
+
+void SceneView::layGrid()
+{
+    m_parts->grid->setVisible(m_options.grid && !m_bodies.empty());
+    if (!m_bodies.empty())
+        m_parts->grid->lay(m_restBox, m_gridHeight, m_style.grid);
+}
+
+void SceneView::setCamera(const Camera& camera)
+{
+    m_camera = camera;
+    vtkCamera* eye = m_parts->renderer->GetActiveCamera();
+    eye->SetPosition(camera.eye().data());
+    eye->SetFocalPoint(camera.target.data());
+    eye->SetViewUp(camera.up().data());
+    eye->SetViewAngle(Camera::viewAngle);
+    eye->SetParallelProjection(!camera.perspective);
+    eye->SetParallelScale(camera.viewHeight() / 2);
+    m_parts->cube->setCamera(camera);
+    clipToScene();
+}
+
+/// Keeps the depth buffer for what there is to see, ground included.
+void SceneView::clipToScene()
+{
+    Box all = box();
+    if (all.isEmpty())
+        return;
+    const double reach = 5 * m_restBox.sizes().maxCoeff();
+    all.extend(Vec3(m_restBox.center() + Vec3(reach, reach, 0)));
+    all.extend(Vec3(m_restBox.center() - Vec3(reach, reach, 0)));
+    const double depth = (m_camera.eye() - all.center()).dot(m_camera.towardsEye());
+    const double radius = all.diagonal().norm() / 2;
+    // A parallel view has nothing behind the eye to protect.
+    const double nearest = m_camera.perspective ? std::max(depth - radius, 0.01 * m_camera.distance) : depth - radius;
+    m_parts->renderer->GetActiveCamera()->SetClippingRange(nearest, depth + radius);
+}
+
+ViewCube& SceneView::cube()
+{
+    return *m_parts->cube;
+}
+
+Box SceneView::box() const
+{
+    Box box = m_restBox;
+    if (!m_frame)
+        return box;
+    for (const auto& body : m_frame->bodies)
+        for (const Vec3& place : body->places)
+            box.extend(place);
+    for (const ToolState& tool : m_frame->snapshot->tools)
+        for (const double side : {-0.5, 0.5})
+            box.extend(Vec3(tool.pose.position + side * Vec3::Constant(tool.size.norm())));
+    return box;
+}
+
+std::vector<SceneLabel> SceneView::labels() const
+{
+    std::vector<SceneLabel> labels;
+    if (m_frame)
+        for (const ToolState& tool : m_frame->snapshot->tools)
+            labels.push_back({m_parts->tools.at(tool.id)->labelPlace(), tool.id, tool.force.norm()});
+    return labels;
+}
+
+} // namespace knead

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "ui/document/frame.h"
+#include "ui/viewport/camera.h"
+#include "ui/viewport/scene_style.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+class vtkRenderWindow;
+
+namespace knead {
+
+class ViewCube;
+
+/// Which objects are drawn as balls.
+enum class ObjectDisplay { Off, Surface, All };
+
+/// What a person chose to see.
+struct SceneOptions {
+    ObjectDisplay objects = ObjectDisplay::Off;
+    bool edges = true;
+    bool grid = true;
+    std::set<BodyId> hidden;
+};
+
+/// What is set apart by color.
+struct SceneMarks {
+    struct Face {
+        BodyId body = 0;
+        std::uint32_t face = 0;
+        friend bool operator==(const Face&, const Face&) = default;
+    };
+    std::optional<Face> highlighted;
+    std::vector<Face> fixed;
+    std::optional<BodyId> selectedBody;
+    std::optional<ToolId> selectedTool;
+    std::optional<ToolId> hoveredTool;
+};
+
+/// A number that belongs beside a place in the scene.
+struct SceneLabel {
+    Vec3 place = Vec3::Zero(); ///< [m]
+    ToolId tool = 0;
+    double force = 0; ///< [N]
+};
+
+/// The actors of the scene and how they follow frames. Draws nothing itself: the viewport asks its window to.
+class SceneView {
+public:
+    explicit SceneView(vtkRenderWindow* window);
+    ~SceneView();
+    SceneView(const SceneView&) = delete;
+    SceneView& operator=(const SceneView&) = delete;
+
+    void setContent(const Content& content);
+    void showFrame(const FramePointer& frame);
+    void setStyle(const SceneStyle& style);
+    void setOptions(const SceneOptions& options);
+    void setMarks(const SceneMarks& marks);
+    void setCamera(const Camera& camera);
+    ViewCube& cube();
+
+    /// Box of all that is drawn except the ground [m].
+    Box box() const;
+    std::vector<SceneLabel> labels() const;
+
+private:
+    struct Parts;
+
+    void addLights();
+    void colorBodies();
+    void showObjects();
+    void showTools();
+    void layGrid();
+    void showBodies();
+    void clipToScene();
+
+    std::unique_ptr<Parts> m_parts;
+    std::shared_ptr<const Model> m_model;
+    ContentBodies m_bodies;
+    Box m_restBox;
+    FramePointer m_frame;
+    SceneStyle m_style;
+    SceneOptions m_options;
+    SceneMarks m_marks;
+    Camera m_camera;
+    double m_gridHeight = 0;
+};
+
+} // namespace knead

@@ -1,0 +1,145 @@
+#include "ui/viewport/skin_actor.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace knead {
+
+struct SkinActor::Parts {
+    vtkSmartPointer<vtkRenderer> renderer;
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkFloatArray> normals;
+    vtkNew<vtkUnsignedCharArray> colors;
+    vtkNew<vtkPolyData> faces;
+    vtkNew<vtkPolyData> edges;
+    vtkNew<vtkPolyDataMapper> faceMapper;
+    vtkNew<vtkPolyDataMapper> edgeMapper;
+    vtkNew<vtkActor> faceActor;
+    vtkNew<vtkActor> edgeActor;
+};
+
+namespace {
+
+template <class Cells>
+void fillCells(vtkCellArray* target, const Cells& cells)
+{
+    for (const auto& cell : cells) {
+        target->InsertNextCell(static_cast<int>(cell.size()));
+        for (const std::uint32_t vertex : cell)
+            target->InsertCellPoint(vertex);
+    }
+}
+
+unsigned char byteOf(float channel)
+{
+    return static_cast<unsigned char>(std::clamp(channel, 0.0F, 1.0F) * 255.0F + 0.5F);
+}
+
+} // namespace
+
+SkinActor::SkinActor(std::shared_ptr<const ContentBody> body, vtkRenderer* renderer)
+    : m_body(std::move(body))
+    , m_parts(std::make_unique<Parts>())
+{
+    const RenderMesh& mesh = m_body->render;
+    const auto count = static_cast<vtkIdType>(mesh.source.size());
+    m_parts->renderer = renderer;
+    m_parts->points->SetDataTypeToFloat();
+    m_parts->points->SetNumberOfPoints(count);
+    m_parts->normals->SetNumberOfComponents(3);
+    m_parts->normals->SetNumberOfTuples(count);
+    m_parts->colors->SetNumberOfComponents(3);
+    m_parts->colors->SetNumberOfTuples(count);
+    m_parts->colors->Fill(200);
+
+    vtkNew<vtkCellArray> triangles;
+    fillCells(triangles, mesh.triangles);
+    m_parts->faces->SetPoints(m_parts->points);
+    m_parts->faces->SetPolys(triangles);
+    m_parts->faces->GetPointData()->SetNormals(m_parts->normals);
+    m_parts->faces->GetPointData()->SetScalars(m_parts->colors);
+    vtkNew<vtkCellArray> lines;
+    fillCells(lines, mesh.edges);
+    m_parts->edges->SetPoints(m_parts->points);
+    m_parts->edges->SetLines(lines);
+
+    m_parts->faceMapper->SetInputData(m_parts->faces);
+    m_parts->faceMapper->SetColorModeToDirectScalars();
+    // Faces step back a little so that the edges on them are whole.
+    m_parts->faceMapper->SetResolveCoincidentTopologyToPolygonOffset();
+    m_parts->faceMapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
+    m_parts->edgeMapper->SetInputData(m_parts->edges);
+    m_parts->edgeMapper->ScalarVisibilityOff();
+    m_parts->faceActor->SetMapper(m_parts->faceMapper);
+    m_parts->edgeActor->SetMapper(m_parts->edgeMapper);
+
+    vtkProperty* surface = m_parts->faceActor->GetProperty();
+    surface->SetAmbient(0.33);
+    surface->SetDiffuse(0.74);
+    surface->SetSpecular(0.12);
+    surface->SetSpecularPower(24);
+    m_parts->edgeActor->GetProperty()->LightingOff();
+    renderer->AddActor(m_parts->faceActor);
+    renderer->AddActor(m_parts->edgeActor);
+}
+
+SkinActor::~SkinActor()
+{
+    m_parts->renderer->RemoveActor(m_parts->faceActor);
+    m_parts->renderer->RemoveActor(m_parts->edgeActor);
+}
+
+void SkinActor::show(const BodyFrame& frame)
+{
+    vtkDataArray* points = m_parts->points->GetData();
+    std::copy(frame.points.begin(), frame.points.end(), static_cast<float*>(points->GetVoidPointer(0)));
+    std::copy(frame.normals.begin(), frame.normals.end(), m_parts->normals->GetPointer(0));
+    points->Modified();
+    m_parts->points->Modified();
+    m_parts->normals->Modified();
+    m_parts->faces->Modified();
+    m_parts->edges->Modified();
+}
+
+void SkinActor::setVisible(bool faces, bool edges)
+{
+    m_parts->faceActor->SetVisibility(faces);
+    m_parts->edgeActor->SetVisibility(edges);
+}
+
+void SkinActor::setEdges(const Color& color, float width)
+{
+    m_parts->edgeActor->GetProperty()->SetColor(color.r, color.g, color.b);
+    m_parts->edgeActor->GetProperty()->SetLineWidth(width);
+}
+
+void SkinActor::setColors(const std::function<Color(std::uint32_t face)>& colorOf)
+{
+    std::unordered_map<std::uint32_t, std::array<unsigned char, 3>> bytes;
+    unsigned char* out = m_parts->colors->GetPointer(0);
+    for (const std::uint32_t face : m_body->render.face) {
+        const auto [known, isNew] = bytes.try_emplace(face);
+        if (isNew) {
+            const Color color = colorOf(face);
+            known->second = {byteOf(color.r), byteOf(color.g), byteOf(color.b)};
+        }
+        out = std::copy(known->second.begin(), known->second.end(), out);
+    }
+    m_parts->colors->Modified();
+    m_parts->faces->Modified();
+}
+
+} // namespace knead

@@ -1,0 +1,294 @@
+#include "ui/viewport/viewport_widget.h"
+
+#include "ui/units.h"
+#include "ui/viewport/view_cube.h"
+
+#include <QLabel>
+#include <QMouseEvent>
+#include <QVariantAnimation>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+constexpr int turnTime = 220; // [ms]
+constexpr double zoomPerNotch = 0.86;
+constexpr double anglePerNotch = 120;  // of a mouse wheel, in Qt's eighths of a degree
+constexpr double drawingShare = 0.4;   // of the window's time at most; without a graphics card drawing is slow
+constexpr double labelledForce = 1e-6; // [N]
+
+Pixel pixelOf(const QPointF& position)
+{
+    return {position.x(), position.y()};
+}
+
+} // namespace
+
+ViewportWidget::ViewportWidget(Document& document, QWidget* parent)
+    : ViewportBridge(parent)
+    , m_document(document)
+    , m_manipulation(new Manipulation(document, this))
+    , m_scene(std::make_unique<SceneView>(renderWindow()))
+    , m_turning(new QVariantAnimation(this))
+{
+    setObjectName("viewport");
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setMinimumSize(320, 240);
+    m_turning->setDuration(turnTime);
+    m_turning->setStartValue(0.0);
+    m_turning->setEndValue(1.0);
+    m_turning->setEasingCurve(QEasingCurve::InOutCubic);
+    connect(m_turning, &QVariantAnimation::valueChanged, this,
+            [this](const QVariant& s) { setCamera(blend(m_turnStart, m_turnEnd, s.toDouble())); });
+    connect(&document, &Document::changed, this, &ViewportWidget::documentChanged);
+    connect(m_manipulation, &Manipulation::hoverChanged, this, &ViewportWidget::updateMarks);
+}
+
+ViewportWidget::~ViewportWidget() = default;
+
+void ViewportWidget::setOptions(const SceneOptions& options)
+{
+    m_options = options;
+    m_scene->setOptions(options);
+    requestRender();
+}
+
+void ViewportWidget::setStyle(const SceneStyle& style)
+{
+    m_scene->setStyle(style);
+    requestRender();
+}
+
+void ViewportWidget::setFixing(bool on)
+{
+    m_manipulation->setFixing(on);
+    updateMarks();
+}
+
+void ViewportWidget::documentChanged(Document::Change what)
+{
+    switch (what) {
+    case Document::Change::Content:
+        m_options.hidden.clear();
+        m_scene->setContent(m_document.content());
+        m_scene->setOptions(m_options);
+        m_scene->showFrame(m_document.frame());
+        break;
+    case Document::Change::Frame:
+        m_scene->showFrame(m_document.frame());
+        break;
+    case Document::Change::Selection:
+    case Document::Change::Fixtures:
+        break;
+    }
+    if (what != Document::Change::Frame)
+        updateMarks();
+    requestRender();
+}
+
+void ViewportWidget::updateMarks()
+{
+    SceneMarks marks;
+    const Selection& selection = m_document.selection();
+    if (selection.kind == Selection::Kind::Body && m_document.content().bodies.size() > 1)
+        marks.selectedBody = selection.id;
+    if (selection.kind == Selection::Kind::Tool)
+        marks.selectedTool = selection.id;
+    const PickHit& hovered = m_manipulation->hovered();
+    if (hovered.kind == PickHit::Kind::Tool)
+        marks.hoveredTool = hovered.id;
+    if (hovered.kind == PickHit::Kind::Body && m_manipulation->isFixing())
+        marks.highlighted = SceneMarks::Face{hovered.id, hovered.face};
+    for (const FaceFixture& fixture : m_document.fixtures().list())
+        for (const std::uint32_t face : fixture.faces)
+            marks.fixed.push_back({fixture.body, face});
+    m_scene->setMarks(marks);
+    setCursor(m_manipulation->cursor());
+    requestRender();
+}
+
+WindowSize ViewportWidget::window() const
+{
+    return {static_cast<double>(std::max(1, width())), static_cast<double>(std::max(1, height()))};
+}
+
+Ray ViewportWidget::rayAt(const QPointF& position) const
+{
+    return m_camera.ray(pixelOf(position), window());
+}
+
+std::optional<QPointF> ViewportWidget::widgetPosition(const Vec3& place) const
+{
+    const std::optional<Pixel> pixel = m_camera.project(place, window());
+    return pixel ? std::optional(QPointF(pixel->x, pixel->y)) : std::nullopt;
+}
+
+void ViewportWidget::setCamera(const Camera& camera)
+{
+    m_camera = camera;
+    requestRender();
+}
+
+void ViewportWidget::turnTo(const Camera& camera)
+{
+    m_turning->stop();
+    m_turnStart = m_camera;
+    m_turnEnd = camera;
+    m_turning->start();
+}
+
+void ViewportWidget::fit()
+{
+    Camera camera = m_turning->state() == QAbstractAnimation::Running ? m_turnEnd : m_camera;
+    camera.fit(m_scene->box(), window().aspect());
+    turnTo(camera);
+}
+
+void ViewportWidget::lookFrom(const Vec3& direction)
+{
+    Camera camera = m_turning->state() == QAbstractAnimation::Running ? m_turnEnd : m_camera;
+    camera.lookFrom(direction);
+    turnTo(camera);
+}
+
+void ViewportWidget::setPerspective(bool on)
+{
+    if (m_camera.perspective == on)
+        return;
+    m_turnEnd.perspective = on;
+    m_camera.perspective = on;
+    requestRender();
+}
+
+void ViewportWidget::aboutToRender()
+{
+    m_document.setDisplayInterval(renderSeconds() / drawingShare);
+    m_scene->cube().setWindow(window());
+    m_scene->setCamera(m_camera);
+    placeLabels();
+}
+
+/// The labels are widgets on top of the scene: text stays sharp, and the scene needs no second drawing.
+void ViewportWidget::placeLabels()
+{
+    std::map<ToolId, QLabel*> shown;
+    for (const SceneLabel& wanted : m_scene->labels()) {
+        const std::optional<QPointF> position = widgetPosition(wanted.place);
+        if (!position || wanted.force < labelledForce)
+            continue;
+        QLabel*& label = m_labels[wanted.tool];
+        if (label == nullptr) {
+            label = new QLabel(this);
+            label->setObjectName(QStringLiteral("forceLabel%1").arg(wanted.tool));
+            label->setProperty("role", "force");
+            label->setAttribute(Qt::WA_TransparentForMouseEvents);
+            label->show();
+        }
+        label->setText(formatReading(wanted.force, Quantity::Force));
+        label->adjustSize();
+        const int x = static_cast<int>(position->x()) + 10;
+        const int y = static_cast<int>(position->y()) - label->height() / 2;
+        label->move(std::clamp(x, 0, std::max(0, width() - label->width())),
+                    std::clamp(y, 0, std::max(0, height() - label->height())));
+        shown[wanted.tool] = label;
+        m_labels.erase(wanted.tool);
+    }
+    for (const auto& [tool, label] : m_labels)
+        delete label;
+    m_labels = std::move(shown);
+}
+
+void ViewportWidget::resizeEvent(QResizeEvent* event)
+{
+    ViewportBridge::resizeEvent(event);
+    requestRender();
+}
+
+void ViewportWidget::mousePressEvent(QMouseEvent* event)
+{
+    m_lastMouse = event->position();
+    if (event->button() == Qt::MiddleButton) {
+        m_turning->stop();
+        m_isNavigating = true;
+        setCursor(Qt::SizeAllCursor);
+        return;
+    }
+    if (event->button() != Qt::LeftButton)
+        return;
+    if (const auto direction = m_scene->cube().directionAt(pixelOf(event->position()))) {
+        lookFrom(*direction);
+        return;
+    }
+    m_manipulation->press(rayAt(event->position()));
+    setCursor(m_manipulation->cursor());
+}
+
+void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
+{
+    const QPointF step = event->position() - m_lastMouse;
+    m_lastMouse = event->position();
+    if (m_isNavigating) {
+        Camera camera = m_camera;
+        if (event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier))
+            camera.pan(step.x(), step.y(), window());
+        else
+            camera.orbit(step.x(), step.y());
+        setCamera(camera);
+    } else if (event->buttons() & Qt::LeftButton) {
+        m_manipulation->drag(rayAt(event->position()), m_camera);
+    } else {
+        m_manipulation->hover(rayAt(event->position()));
+    }
+}
+
+void ViewportWidget::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::MiddleButton) {
+        m_isNavigating = false;
+        setCursor(m_manipulation->cursor());
+    } else if (event->button() == Qt::LeftButton) {
+        m_manipulation->release();
+    }
+}
+
+void ViewportWidget::leaveEvent(QEvent* event)
+{
+    m_manipulation->leave();
+    ViewportBridge::leaveEvent(event);
+}
+
+void ViewportWidget::wheelEvent(QWheelEvent* event)
+{
+    m_turning->stop();
+    Camera camera = m_camera;
+    camera.zoom(std::pow(zoomPerNotch, event->angleDelta().y() / anglePerNotch), pixelOf(event->position()), window());
+    setCamera(camera);
+    event->accept();
+}
+
+void ViewportWidget::keyPressEvent(QKeyEvent* event)
+{
+    const bool isSlow = event->modifiers() & Qt::ShiftModifier;
+    const bool isRepeated = event->isAutoRepeat() && m_document.frame() && m_document.frame()->snapshot->playing;
+    if (!isRepeated && !m_manipulation->keyPressed(event->key(), isSlow, m_camera))
+        ViewportBridge::keyPressEvent(event);
+}
+
+void ViewportWidget::keyReleaseEvent(QKeyEvent* event)
+{
+    if (event->isAutoRepeat() || !m_manipulation->keyReleased(event->key()))
+        ViewportBridge::keyReleaseEvent(event);
+}
+
+void ViewportWidget::focusOutEvent(QFocusEvent* event)
+{
+    m_manipulation->releaseKeys();
+    ViewportBridge::focusOutEvent(event);
+}
+
+} // namespace knead

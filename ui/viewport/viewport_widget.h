@@ -1,0 +1,70 @@
+#pragma once
+
+#include "ui/viewport/manipulation.h"
+#include "ui/viewport/scene_view.h"
+#include "ui/viewport/viewport_bridge.h"
+
+#include <map>
+#include <memory>
+
+class QLabel;
+class QVariantAnimation;
+
+namespace knead {
+
+/// The view of a document: draws it, navigates, and passes the left button and the arrow keys on to the material.
+class ViewportWidget final : public ViewportBridge {
+    Q_OBJECT
+public:
+    explicit ViewportWidget(Document& document, QWidget* parent = nullptr);
+    ~ViewportWidget() override;
+
+    const Camera& camera() const { return m_camera; }
+    const SceneOptions& options() const { return m_options; }
+    void setOptions(const SceneOptions& options);
+    void setStyle(const SceneStyle& style);
+    void setFixing(bool on);
+
+    void fit();
+    /// Turns the view, smoothly, to look from a direction.
+    void lookFrom(const Vec3& direction);
+    void setPerspective(bool on);
+
+    /// Where a place is seen, in this widget's coordinates; for tests and labels.
+    std::optional<QPointF> widgetPosition(const Vec3& place) const;
+
+protected:
+    void aboutToRender() override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    void documentChanged(Document::Change what);
+    void updateMarks();
+    void setCamera(const Camera& camera);
+    void turnTo(const Camera& camera);
+    void placeLabels();
+    WindowSize window() const;
+    Ray rayAt(const QPointF& position) const;
+
+    Document& m_document;
+    Manipulation* m_manipulation;
+    std::unique_ptr<SceneView> m_scene;
+    SceneOptions m_options;
+    Camera m_camera;
+    QVariantAnimation* m_turning;
+    Camera m_turnStart;
+    Camera m_turnEnd;
+    QPointF m_lastMouse;
+    bool m_isNavigating = false;
+    std::map<ToolId, QLabel*> m_labels;
+};
+
+} // namespace knead
