@@ -9,8 +9,8 @@
 namespace knead {
 
 struct ImportOptions {
-    double linearDeflection = 0;     ///< chord error of the tessellation [m]; 0: 1/2000 of each part's diagonal
-    double angularDeflection = 0.2;  ///< [rad]
+    double linearDeflection = 0;    ///< chord error of the tessellation [m]; 0: 1/2000 of each part's diagonal
+    double angularDeflection = 0.2; ///< [rad]
 };
 
 /// Reads any supported file: STEP, IGES, BREP with exact geometry; STL, OBJ, PLY as meshes. The content decides the format,
@@ -19,12 +19,13 @@ struct ImportOptions {
 ///
 /// @throws std::runtime_error whose text is one sentence for the person: which file, what is wrong, what to do.
 /// @throws Cancelled
-Model importFile(const std::string& path, const ImportOptions& options = {}, TaskControl& control = TaskControl::none());
+Model importFile(const std::string& path, const ImportOptions& options = {},
+                 TaskControl& control = TaskControl::none());
 
 /// A readable or writable format, for dialogs and help.
 struct FileFormat {
-    std::string name;                    ///< "STEP"
-    std::vector<std::string> endings;    ///< "step", "stp"
+    std::string name;                 ///< "STEP"
+    std::vector<std::string> endings; ///< "step", "stp"
 };
 const std::vector<FileFormat>& importFormats();
 

@@ -12,7 +12,7 @@ namespace knead {
 struct MeshBody {
     std::string name;
     Color color;
-    TriangleMesh mesh;   ///< [m]
+    TriangleMesh mesh; ///< [m]
 };
 
 /// Writes bodies to STL (binary), OBJ (with a material library beside it) or PLY (binary); the ending decides. Lengths go out

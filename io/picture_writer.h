@@ -10,7 +10,7 @@ namespace knead {
 struct PictureOptions {
     int width = 1280;
     int height = 800;
-    Vec3 viewDirection = Vec3(-1, 1.4, -0.8);   ///< from the eye to the part, any length
+    Vec3 viewDirection = Vec3(-1, 1.4, -0.8); ///< from the eye to the part, any length
     Vec3 up = Vec3::UnitZ();
 };
 

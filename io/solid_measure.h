@@ -12,7 +12,7 @@ struct SolidMeasure {
     double volume = 0; ///< [m^3], negative for a solid turned inside out
     TriangleMesh mesh; ///< [m], its triangles as the faces are
     double disagreement =
-        0; ///< of the volume of the triangles, relative; above a thousandth when faces do not meet well
+        0; ///< relative, of the volume of the triangles; above a thousandth when faces do not meet well
 };
 
 /// Integrates the faces, and triangulates finer until the volume of the triangles is within a thousandth, unless a

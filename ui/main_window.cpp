@@ -27,7 +27,7 @@ namespace knead {
 namespace {
 
 constexpr double standardGravity = 9.81; // [m/s^2]
-constexpr const char* defaultMaterial = "silicone-rubber";
+constexpr const char* defaultMaterial = "sponge-rubber";
 
 Material startMaterial(const std::vector<MaterialPreset>& presets)
 {

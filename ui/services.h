@@ -14,7 +14,7 @@ namespace knead {
 struct ExportBody {
     std::string name;
     Color color;
-    TriangleMesh mesh;   ///< [m]
+    TriangleMesh mesh; ///< [m]
 };
 
 /// What the window needs from files, handed in by app. The functions may be called from any thread and block.

@@ -16,19 +16,19 @@ struct Aggregate {
     /// Cut-cell weight of the forward connection in each direction: the part of the cells around it that is material,
     /// 1 in the bulk, 0 where there is no connection. Scaled by one factor so that the sum of k l^2 is 6 E V.
     std::array<std::vector<double>, Lattice::directionCount> weight;
-    std::vector<double> volume;       ///< share of the body's volume [m^3]; their sum is filledVolume
-    std::vector<double> depth;        ///< distance below the surface [m]; negative outside. Objects further than 2a inside
-                                      ///< carry a lower bound >= 2a instead of the exact value
-    std::vector<std::uint32_t> face;  ///< CAD face nearest to the object; noFace for deep objects and plain meshes
+    std::vector<double> volume; ///< share of the body's volume [m^3]; their sum is filledVolume
+    std::vector<double> depth;  ///< distance below the surface [m]; negative outside. Objects further than 2a inside
+                                ///< carry a lower bound >= 2a instead of the exact value
+    std::vector<std::uint32_t> face; ///< CAD face nearest to the object; noFace for deep objects and plain meshes
 
-    double meshVolume = 0;            ///< of the mesh it was filled from [m^3]
-    double filledVolume = 0;          ///< as integrated cell by cell, thin slivers of cells included [m^3]
-    std::size_t cells = 0;            ///< kept cells
+    double meshVolume = 0;   ///< of the mesh it was filled from [m^3]
+    double filledVolume = 0; ///< as integrated cell by cell, thin slivers of cells included [m^3]
+    std::size_t cells = 0;   ///< kept cells
 
     static constexpr std::uint32_t noFace = 0xffffffffU;
 
     std::size_t size() const { return lattice.size(); }
-    std::size_t connectionCount() const;   ///< structural connections (weight > 0)
+    std::size_t connectionCount() const; ///< structural connections (weight > 0)
 };
 
 } // namespace knead

@@ -7,8 +7,8 @@
 namespace knead {
 
 struct FillOptions {
-    double spacing = 0.002;              ///< lattice spacing a [m], > 0
-    double minimumFraction = 0.25;       ///< cells with less material are dropped
+    double spacing = 0.002;        ///< lattice spacing a [m], > 0
+    double minimumFraction = 0.25; ///< cells with less material are dropped
     std::size_t maximumObjects = 20'000'000;
 };
 

@@ -28,21 +28,18 @@ struct Lattice {
     struct Segment {
         ObjectIndex begin = 0;
         ObjectIndex end = 0;
-        std::int32_t offset = 0;   ///< > 0
+        std::int32_t offset = 0; ///< > 0
     };
 
-    Vec3 origin = Vec3::Zero();    ///< place of node (0, 0, 0) [m]
-    double spacing = 0;            ///< a [m]
-    Mat3 axes = Mat3::Identity();  ///< columns: world directions of u, v, w (a cyclic permutation of x, y, z)
-    std::vector<Node> nodes;       ///< per object, sorted
+    Vec3 origin = Vec3::Zero();   ///< place of node (0, 0, 0) [m]
+    double spacing = 0;           ///< a [m]
+    Mat3 axes = Mat3::Identity(); ///< columns: world directions of u, v, w (a cyclic permutation of x, y, z)
+    std::vector<Node> nodes;      ///< per object, sorted
     std::array<std::vector<Segment>, directionCount> segments; ///< per direction, ascending, not overlapping
 
     std::size_t size() const { return nodes.size(); }
 
-    Vec3 position(const Node& node) const
-    {
-        return origin + spacing * (axes * Vec3(node[0], node[1], node[2]));
-    }
+    Vec3 position(const Node& node) const { return origin + spacing * (axes * Vec3(node[0], node[1], node[2])); }
     Vec3 position(ObjectIndex object) const { return position(nodes[object]); }
 
     /// Vector from an object to its neighbor in a direction, at rest [m].

@@ -7,28 +7,28 @@ namespace knead {
 
 /// What a body is made of, in the numbers an engineer knows. Lattice parameters follow from these and the spacing.
 struct Material {
-    double density = 1100;         ///< [kg/m^3], 1 .. 30000
-    double youngsModulus = 1e6;    ///< [Pa], 100 .. 1e12
-    double poissonRatio = 0.25;    ///< 0 .. 0.49
-    double dampingRatio = 0.05;    ///< of a single connection, b / (2 sqrt(k m_red)), 0 .. 0.3
-    double shapeDamping = 0;       ///< rate at which deviations from rigid motion decay [1/s], 0 .. 1000
-    double friction = 0.4;         ///< Coulomb coefficient of contacts, 0 .. 2
+    double density = 1100;      ///< [kg/m^3], 1 .. 30000
+    double youngsModulus = 1e6; ///< [Pa], 100 .. 1e12
+    double poissonRatio = 0.25; ///< 0 .. 0.49
+    double dampingRatio = 0.05; ///< of a single connection, b / (2 sqrt(k m_red)), 0 .. 0.3
+    double shapeDamping = 0;    ///< rate at which deviations from rigid motion decay [1/s], 0 .. 1000
+    double friction = 0.4;      ///< Coulomb coefficient of contacts, 0 .. 2
 
     friend bool operator==(const Material&, const Material&) = default;
 
-    double shearModulus() const { return youngsModulus / (2 * (1 + poissonRatio)); }   ///< mu [Pa]
-    double lameLambda() const                                                         ///< lambda [Pa]
+    double shearModulus() const { return youngsModulus / (2 * (1 + poissonRatio)); } ///< mu [Pa]
+    double lameLambda() const                                                        ///< lambda [Pa]
     {
         return youngsModulus * poissonRatio / ((1 + poissonRatio) * (1 - 2 * poissonRatio));
     }
-    double soundSpeed() const;     ///< of a thin bar, sqrt(E / rho) [m/s]
+    double soundSpeed() const; ///< of a thin bar, sqrt(E / rho) [m/s]
 };
 
 /// Describes one number of Material: for panels, recipes and messages.
 struct MaterialField {
-    const char* key;               ///< as in recipes: "youngs_modulus_pa"
-    const char* name;              ///< as a person reads it: "Young's modulus"
-    const char* unit;              ///< "Pa"; empty for pure numbers
+    const char* key;  ///< as in recipes: "youngs_modulus_pa"
+    const char* name; ///< as a person reads it: "Young's modulus"
+    const char* unit; ///< "Pa"; empty for pure numbers
     double minimum;
     double maximum;
     double Material::*value;
@@ -42,8 +42,8 @@ std::vector<std::string> materialProblems(const Material& material);
 
 /// A named material with where its numbers come from.
 struct MaterialPreset {
-    std::string id;                ///< "natural-rubber"
-    std::string name;              ///< "Natural rubber"
+    std::string id;   ///< "natural-rubber"
+    std::string name; ///< "Natural rubber"
     std::string source;
     Material material;
 };

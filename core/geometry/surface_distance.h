@@ -12,9 +12,9 @@ namespace knead {
 class SurfaceDistance {
 public:
     struct Hit {
-        Vec3 point = Vec3::Zero();    ///< nearest point of the surface [m]
-        double distance = 0;          ///< unsigned [m]
-        double signedDistance = 0;    ///< negative inside a closed surface [m]; sign by angle-weighted pseudo-normals
+        Vec3 point = Vec3::Zero(); ///< nearest point of the surface [m]
+        double distance = 0;       ///< unsigned [m]
+        double signedDistance = 0; ///< negative inside a closed surface [m]; sign by angle-weighted pseudo-normals
         std::uint32_t triangle = 0;
     };
 

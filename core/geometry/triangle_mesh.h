@@ -13,9 +13,10 @@ namespace knead {
 struct TriangleMesh {
     using Triangle = std::array<std::uint32_t, 3>;
 
-    std::vector<Vec3> vertices;           ///< [m]
-    std::vector<Triangle> triangles;      ///< indices into vertices
-    std::vector<std::uint32_t> faceOfTriangle; ///< CAD face of each triangle (index into Part::faces); empty for a plain mesh
+    std::vector<Vec3> vertices;      ///< [m]
+    std::vector<Triangle> triangles; ///< indices into vertices
+    std::vector<std::uint32_t>
+        faceOfTriangle; ///< CAD face of each triangle (index into Part::faces); empty for a plain mesh
 
     bool empty() const { return triangles.empty(); }
 };

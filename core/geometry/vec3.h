@@ -15,8 +15,8 @@ using Box = Eigen::AlignedBox3d;
 
 /// Where a rigid thing is: x = rotation * X + position.
 struct Pose {
-    Vec3 position = Vec3::Zero();                   ///< [m]
-    Quaternion rotation = Quaternion::Identity();   ///< unit length
+    Vec3 position = Vec3::Zero();                 ///< [m]
+    Quaternion rotation = Quaternion::Identity(); ///< unit length
 
     Vec3 toWorld(const Vec3& local) const { return rotation * local + position; }
     Vec3 toLocal(const Vec3& world) const { return rotation.conjugate() * (world - position); }

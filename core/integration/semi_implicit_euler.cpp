@@ -40,7 +40,9 @@ StepReport semiImplicitEuler(ObjectState& state, const Vec3& gravity, double dt)
         std::array<double, kernels::sumLanes> work{};
         StepReport& report = reports[begin / blockSize];
         for (const auto component : {&VectorArray::x, &VectorArray::y, &VectorArray::z}) {
-            const double pull = component == &VectorArray::x ? gravity.x() : component == &VectorArray::y ? gravity.y() : gravity.z();
+            const double pull = component == &VectorArray::x   ? gravity.x()
+                                : component == &VectorArray::y ? gravity.y()
+                                                               : gravity.z();
             double* velocity = (state.velocity.*component).data() + begin;
             kernels::best().advance(end - begin, dt, pull, state.mass.data() + begin, state.inverseMass.data() + begin,
                                     (state.force.*component).data() + begin, (state.damping.*component).data() + begin,

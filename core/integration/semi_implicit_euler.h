@@ -6,8 +6,8 @@ namespace knead {
 
 /// What an integration step found on its way.
 struct StepReport {
-    double largestSpeed = 0;   ///< [m/s]; not finite when any velocity is not
-    double dampingWork = 0;    ///< of state.damping on the objects, with the mean of old and new velocity [J]
+    double largestSpeed = 0; ///< [m/s]; not finite when any velocity is not
+    double dampingWork = 0;  ///< of state.damping on the objects, with the mean of old and new velocity [J]
 };
 
 /// One step of semi-implicit (symplectic) Euler: v += dt ((F + D) / m + g), then x += dt v with the new v.

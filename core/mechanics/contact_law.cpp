@@ -7,7 +7,10 @@ namespace knead {
 
 namespace {
 
-double harmonicMean(double a, double b) { return a + b > 0 ? 2 * a * b / (a + b) : 0; }
+double harmonicMean(double a, double b)
+{
+    return a + b > 0 ? 2 * a * b / (a + b) : 0;
+}
 
 } // namespace
 

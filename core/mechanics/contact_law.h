@@ -6,26 +6,27 @@ namespace knead {
 
 /// What a contact connection is made of.
 struct ContactParameters {
-    double stiffness = 0;      ///< k [N/m]
-    double damping = 0;        ///< b [N s/m]
-    double friction = 0;       ///< u, Coulomb
-    double reducedMass = 0;    ///< of the two objects; an object's own mass against a tool [kg]
-    double largestOverlap = 0; ///< beyond it the spring force stays what it is there, so that a tool placed inside a body
-                               ///< pushes it out instead of shooting it away [m]
+    double stiffness = 0;   ///< k [N/m]
+    double damping = 0;     ///< b [N s/m]
+    double friction = 0;    ///< u, Coulomb
+    double reducedMass = 0; ///< of the two objects; an object's own mass against a tool [kg]
+    double largestOverlap =
+        0; ///< beyond it the spring force stays what it is there, so that a tool placed inside a body
+           ///< pushes it out instead of shooting it away [m]
 };
 
 /// How the two ends of a contact lie and move.
 struct ContactState {
-    double overlap = 0;                    ///< l - distance, > 0 when they touch [m]
-    Vec3 normal = Vec3::UnitZ();           ///< unit, from the opposite object p (or the tool) to o
-    Vec3 relativeVelocity = Vec3::Zero();  ///< v_o - v_p [m/s]
+    double overlap = 0;                   ///< l - distance, > 0 when they touch [m]
+    Vec3 normal = Vec3::UnitZ();          ///< unit, from the opposite object p (or the tool) to o
+    Vec3 relativeVelocity = Vec3::Zero(); ///< v_o - v_p [m/s]
 };
 
 /// What a contact does to object o; the opposite end gets the opposite.
 struct ContactResult {
-    Vec3 spring = Vec3::Zero();    ///< conservative part of the force [N]
-    Vec3 damping = Vec3::Zero();   ///< of damper and friction [N]; what it does on the relative motion is lost
-    double energy = 0;             ///< stored in the spring [J]
+    Vec3 spring = Vec3::Zero();  ///< conservative part of the force [N]
+    Vec3 damping = Vec3::Zero(); ///< of damper and friction [N]; what it does on the relative motion is lost
+    double energy = 0;           ///< stored in the spring [J]
 
     Vec3 force() const { return spring + damping; }
 };

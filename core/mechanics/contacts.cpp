@@ -42,7 +42,7 @@ Contacts::Contacts(std::vector<BodyView> bodies)
         const double a = aggregate.lattice.spacing;
         m_margin = std::max(m_margin, marginShare * a);
         for (ObjectIndex i = 0; i < aggregate.size(); ++i)
-            if (aggregate.depth[i] < a * (1 - 1e-6))   // one layer; rounding must not take part of the next
+            if (aggregate.depth[i] < a * (1 - 1e-6)) // one layer; rounding must not take part of the next
                 m_objects.push_back({.body = b,
                                      .object = i,
                                      .reach = std::max(aggregate.depth[i], -a),
@@ -92,7 +92,7 @@ void Contacts::rebuild(std::span<const RigidSurface> surfaces)
 {
     m_pairs = findPairs(m_margin);
     auto known = m_touchingAtStart.begin();
-    for (ContactPair& pair : m_pairs) {   // both lists are sorted
+    for (ContactPair& pair : m_pairs) { // both lists are sorted
         while (known != m_touchingAtStart.end() && known->objects < pair.objects)
             ++known;
         if (known != m_touchingAtStart.end() && known->objects == pair.objects)
@@ -128,10 +128,11 @@ void Contacts::pushApart(const ContactPair& pair, double dt, Report& report) con
     const double distance = between.norm();
     if (distance >= pair.nominalLength || distance == 0)
         return;
-    const ContactResult result = contactForce({.overlap = pair.nominalLength - distance,
-                                               .normal = between / distance,
-                                               .relativeVelocity = a.velocity.at(first.object) - b.velocity.at(second.object)},
-                                              combine(first.parameters, second.parameters), dt);
+    const ContactResult result =
+        contactForce({.overlap = pair.nominalLength - distance,
+                      .normal = between / distance,
+                      .relativeVelocity = a.velocity.at(first.object) - b.velocity.at(second.object)},
+                     combine(first.parameters, second.parameters), dt);
     a.force.add(first.object, result.spring);
     a.damping.add(first.object, result.damping);
     b.force.add(second.object, -result.spring);
@@ -151,11 +152,10 @@ void Contacts::pushOff(const ContactObject& object, const RigidSurface& surface,
     const Vec3 surfaceVelocity = surface.velocityAt(place);
     ContactParameters parameters = object.parameters;
     parameters.friction = std::sqrt(parameters.friction * surface.friction);
-    const ContactResult result =
-        contactForce({.overlap = object.reach - point.distance,
-                      .normal = point.normal,
-                      .relativeVelocity = state.velocity.at(object.object) - surfaceVelocity},
-                     parameters, dt);
+    const ContactResult result = contactForce({.overlap = object.reach - point.distance,
+                                               .normal = point.normal,
+                                               .relativeVelocity = state.velocity.at(object.object) - surfaceVelocity},
+                                              parameters, dt);
     state.force.add(object.object, result.spring);
     state.damping.add(object.object, result.damping);
     load.force -= result.force();

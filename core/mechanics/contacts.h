@@ -18,22 +18,22 @@ struct RigidSurface {
     enum class Shape { box, floor };
 
     Shape shape = Shape::box;
-    Vec3 size = Vec3::Zero();               ///< of a box [m]
-    Pose pose;                              ///< of the box's center; of a floor only the height counts
-    Vec3 velocity = Vec3::Zero();           ///< of the center [m/s]
-    Vec3 angularVelocity = Vec3::Zero();    ///< [rad/s]
+    Vec3 size = Vec3::Zero();            ///< of a box [m]
+    Pose pose;                           ///< of the box's center; of a floor only the height counts
+    Vec3 velocity = Vec3::Zero();        ///< of the center [m/s]
+    Vec3 angularVelocity = Vec3::Zero(); ///< [rad/s]
     double friction = 0;
 
     SurfacePoint nearest(const Vec3& place) const;
     Vec3 velocityAt(const Vec3& place) const { return velocity + angularVelocity.cross(place - pose.position); }
-    Box reach(double margin) const;         ///< where objects may touch it
+    Box reach(double margin) const; ///< where objects may touch it
 };
 
 /// What the objects do to a rigid surface.
 struct SurfaceLoad {
-    Vec3 force = Vec3::Zero();    ///< on the surface [N]
-    Vec3 torque = Vec3::Zero();   ///< about its center [N m]
-    double power = 0;             ///< of the surface on the material [W]
+    Vec3 force = Vec3::Zero();  ///< on the surface [N]
+    Vec3 torque = Vec3::Zero(); ///< about its center [N m]
+    double power = 0;           ///< of the surface on the material [W]
 };
 
 /// Contact connections: found by the vicinity calculation between objects near the skin of different bodies, and between
@@ -68,10 +68,10 @@ public:
     void invalidate() { m_valid = false; }
 
     struct Report {
-        std::vector<SurfaceLoad> loads;   ///< per surface
-        double energy = 0;                ///< stored in contacts [J]
-        double brakingPower = 0;          ///< of dampers and friction on the rigid surfaces [W]
-        std::size_t count = 0;            ///< contacts that touch
+        std::vector<SurfaceLoad> loads; ///< per surface
+        double energy = 0;              ///< stored in contacts [J]
+        double brakingPower = 0;        ///< of dampers and friction on the rigid surfaces [W]
+        std::size_t count = 0;          ///< contacts that touch
     };
 
     /// Adds contact forces to the states of the bodies.
@@ -81,28 +81,29 @@ private:
     struct ContactObject {
         std::uint32_t body;
         ObjectIndex object;
-        double reach;                 ///< radius against rigid surfaces [m]
-        double radius;                ///< against other bodies [m]
+        double reach;  ///< radius against rigid surfaces [m]
+        double radius; ///< against other bodies [m]
         ContactParameters parameters;
     };
     struct ContactPair {
         VicinityPair objects;
-        double nominalLength;         ///< [m]
+        double nominalLength; ///< [m]
     };
 
     void rebuild(std::span<const RigidSurface> surfaces);
     std::vector<ContactPair> findPairs(double margin);
     ObjectState& stateOf(const ContactObject& object) const { return *m_bodies[object.body].state; }
     void pushApart(const ContactPair& pair, double dt, Report& report) const;
-    void pushOff(const ContactObject& object, const RigidSurface& surface, double dt, SurfaceLoad& load, Report& report) const;
+    void pushOff(const ContactObject& object, const RigidSurface& surface, double dt, SurfaceLoad& load,
+                 Report& report) const;
 
     std::vector<BodyView> m_bodies;
     std::vector<ContactObject> m_objects;
     UniformGrid m_grid;
-    std::vector<ContactPair> m_touchingAtStart;   ///< sorted
+    std::vector<ContactPair> m_touchingAtStart; ///< sorted
     std::vector<ContactPair> m_pairs;
-    std::vector<std::vector<std::uint32_t>> m_nearSurface;   ///< per surface, indices into m_objects
-    double m_margin = 0;                          ///< [m]
+    std::vector<std::vector<std::uint32_t>> m_nearSurface; ///< per surface, indices into m_objects
+    double m_margin = 0;                                   ///< [m]
     double m_travel = 0;
     double m_surfaceTravel = 0;
     bool m_valid = false;

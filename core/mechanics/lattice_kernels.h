@@ -28,13 +28,13 @@ struct End {
 
 /// Arrays of a stretch for the volumetric stress: lattice columns of 3x3 matrices, components of symmetric ones.
 struct StressArguments {
-    const double* const* shape;          ///< 9: M = sum k d o^T, column-wise
-    const double* const* inverseShape;   ///< 6: uu vv ww uv uw vw of K^-1 = (sum k o o^T)^-1
-    const double* volume;                ///< V [m^3]
-    double spacing;                      ///< a [m]
-    double modulus;                      ///< lambda - mu [Pa]
-    double* const* stress;               ///< 9, written: (p / a) F^-T K^-1, column-wise, p = (lambda - mu) V theta
-    double* theta;                       ///< written: ln det F, F = M K^-1 / a
+    const double* const* shape;        ///< 9: M = sum k d o^T, column-wise
+    const double* const* inverseShape; ///< 6: uu vv ww uv uw vw of K^-1 = (sum k o o^T)^-1
+    const double* volume;              ///< V [m^3]
+    double spacing;                    ///< a [m]
+    double modulus;                    ///< lambda - mu [Pa]
+    double* const* stress;             ///< 9, written: (p / a) F^-T K^-1, column-wise, p = (lambda - mu) V theta
+    double* theta;                     ///< written: ln det F, F = M K^-1 / a
 };
 
 /// Smallest det F that the volumetric law follows; below it the pressure stays what it is there.
@@ -69,7 +69,7 @@ struct Kernels {
     void (*advance)(std::size_t count, double dt, double gravity, const double* mass, const double* inverseMass,
                     const double* force, const double* damping, double* velocity, double* position, double* work);
 
-    const char* name;   ///< "x86-64", "AVX2", "AVX-512"
+    const char* name; ///< "x86-64", "AVX2", "AVX-512"
 };
 
 /// All sets that this machine can run, the plainest first. They give the same bits.

@@ -41,10 +41,8 @@ void connectionForces(std::size_t count, const End& self, const End& neighbor, c
 {
     const double *x0 = self.position.x, *y0 = self.position.y, *z0 = self.position.z;
     const double *u0 = self.velocity.x, *v0 = self.velocity.y, *w0 = self.velocity.z;
-    const double *x1 = neighbor.position.x, *y1 = neighbor.position.y,
-                 *z1 = neighbor.position.z;
-    const double *u1 = neighbor.velocity.x, *v1 = neighbor.velocity.y,
-                 *w1 = neighbor.velocity.z;
+    const double *x1 = neighbor.position.x, *y1 = neighbor.position.y, *z1 = neighbor.position.z;
+    const double *u1 = neighbor.velocity.x, *v1 = neighbor.velocity.y, *w1 = neighbor.velocity.z;
     double *fx = force.x, *fy = force.y, *fz = force.z;
     double *bx = damping.x, *by = damping.y, *bz = damping.z;
     const double *k = stiffness, *l = nominalLength;
@@ -182,6 +180,7 @@ void advance(std::size_t count, double dt, double gravity, const double* mass, c
 } // namespace
 
 extern const Kernels set;
-const Kernels set{connectionForces, addScaled, addShape, volumetricStress, addVolumetricForces, advance, KNEAD_KERNEL_NAME};
+const Kernels set{connectionForces,    addScaled, addShape,         volumetricStress,
+                  addVolumetricForces, advance,   KNEAD_KERNEL_NAME};
 
 } // namespace knead::kernels::KNEAD_KERNEL_SET

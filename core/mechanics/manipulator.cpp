@@ -48,8 +48,8 @@ struct Advance {
         const double allowed = speed > manipulator.speedLimit ? manipulator.speedLimit / speed : 1;
         pose.position += allowed * dt * drive.velocity;
         if (const double angle = drive.angularVelocity.norm() * dt; angle > 0)
-            pose.rotation = (Quaternion(Eigen::AngleAxisd(angle, drive.angularVelocity.normalized())) * pose.rotation)
-                                .normalized();
+            pose.rotation =
+                (Quaternion(Eigen::AngleAxisd(angle, drive.angularVelocity.normalized())) * pose.rotation).normalized();
         return pose;
     }
     Pose operator()(const GoTo& goTo) const { return goTowards(manipulator, goTo.target, dt); }
@@ -115,7 +115,8 @@ std::vector<std::string> manipulatorProblems(const Manipulator& manipulator)
                 "key frames must be finite numbers.");
     }
     if (const auto* drive = std::get_if<DriveAt>(&manipulator.motion))
-        require(drive->velocity.allFinite() && drive->angularVelocity.allFinite(), "its speed must be a finite number.");
+        require(drive->velocity.allFinite() && drive->angularVelocity.allFinite(),
+                "its speed must be a finite number.");
     if (const auto* goTo = std::get_if<GoTo>(&manipulator.motion))
         require(goTo->target.position.allFinite() && goTo->target.rotation.coeffs().allFinite(),
                 "its target must be finite numbers.");

@@ -13,31 +13,31 @@ using ToolId = std::uint32_t;
 
 /// A place at a time, for recorded and recipe motions.
 struct KeyFrame {
-    double time = 0;   ///< [s] since the start of the simulation
+    double time = 0; ///< [s] since the start of the simulation
     Pose pose;
 };
 
 /// How a manipulator moves. Position-driven: the material feels it, it does not feel the material (but reports the force).
 struct HoldStill {};
-struct DriveAt {       ///< moves on until told otherwise
-    Vec3 velocity = Vec3::Zero();          ///< [m/s]
-    Vec3 angularVelocity = Vec3::Zero();   ///< [rad/s], world axes
+struct DriveAt {                         ///< moves on until told otherwise
+    Vec3 velocity = Vec3::Zero();        ///< [m/s]
+    Vec3 angularVelocity = Vec3::Zero(); ///< [rad/s], world axes
 };
-struct GoTo {          ///< goes there in a straight line, no faster than the speed limit
+struct GoTo { ///< goes there in a straight line, no faster than the speed limit
     Pose target;
 };
-struct FollowKeyFrames {  ///< linear between frames; before the first and after the last it stands still
-    std::vector<KeyFrame> frames;   ///< ascending times, at least one
+struct FollowKeyFrames {          ///< linear between frames; before the first and after the last it stands still
+    std::vector<KeyFrame> frames; ///< ascending times, at least one
 };
 using Motion = std::variant<HoldStill, DriveAt, GoTo, FollowKeyFrames>;
 
 /// A rigid box that pushes material.
 struct Manipulator {
     std::string name;
-    Vec3 size = Vec3(0.02, 0.02, 0.02);    ///< edge lengths [m], > 0
-    Pose pose;                             ///< of its center
-    double friction = 0.4;                 ///< Coulomb, 0 .. 2
-    double speedLimit = 0.5;               ///< [m/s]
+    Vec3 size = Vec3(0.02, 0.02, 0.02); ///< edge lengths [m], > 0
+    Pose pose;                          ///< of its center
+    double friction = 0.4;              ///< Coulomb, 0 .. 2
+    double speedLimit = 0.5;            ///< [m/s]
     Motion motion;
 };
 
@@ -49,8 +49,8 @@ std::vector<std::string> manipulatorProblems(const Manipulator& manipulator);
 
 /// Signed distance and outward direction from the surface of a box.
 struct SurfacePoint {
-    double distance = 0;             ///< [m], negative inside
-    Vec3 normal = Vec3::UnitZ();     ///< outward, unit
+    double distance = 0;         ///< [m], negative inside
+    Vec3 normal = Vec3::UnitZ(); ///< outward, unit
 };
 
 /// Nearest point of the surface of a box of edge lengths `size` centered at the origin, seen from `point`.

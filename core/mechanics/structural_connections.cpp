@@ -19,8 +19,14 @@ constexpr std::size_t chunkSize = 256;
 // (overlap / a about 0.4 p / E) and adds a quarter to the stiffness of a surface object.
 constexpr double contactShare = 3;
 
-kernels::ConstVectors from(const VectorArray& v, std::size_t i) { return {&v.x[i], &v.y[i], &v.z[i]}; }
-kernels::Vectors into(VectorArray& v, std::size_t i) { return {&v.x[i], &v.y[i], &v.z[i]}; }
+kernels::ConstVectors from(const VectorArray& v, std::size_t i)
+{
+    return {&v.x[i], &v.y[i], &v.z[i]};
+}
+kernels::Vectors into(VectorArray& v, std::size_t i)
+{
+    return {&v.x[i], &v.y[i], &v.z[i]};
+}
 
 /// Calls run(object, neighbor, lower, count) for every stretch of connections of direction `d` that starts (forward) or ends
 /// (backward) in [begin, end). `lower` is where the stretch's parameters are.
@@ -28,7 +34,8 @@ template <typename Run>
 void forEachForward(const Lattice& lattice, std::size_t d, std::size_t begin, std::size_t end, Run run)
 {
     const auto& segments = lattice.segments[d];
-    auto segment = std::partition_point(segments.begin(), segments.end(), [&](const auto& s) { return s.end <= begin; });
+    auto segment =
+        std::partition_point(segments.begin(), segments.end(), [&](const auto& s) { return s.end <= begin; });
     for (; segment != segments.end() && segment->begin < end; ++segment) {
         const std::size_t first = std::max<std::size_t>(segment->begin, begin);
         const std::size_t last = std::min<std::size_t>(segment->end, end);
@@ -41,8 +48,8 @@ void forEachBackward(const Lattice& lattice, std::size_t d, std::size_t begin, s
 {
     const auto& segments = lattice.segments[d];
     const auto shift = [](const auto& s, ObjectIndex i) { return i + static_cast<std::size_t>(s.offset); };
-    auto segment = std::partition_point(segments.begin(), segments.end(),
-                                        [&](const auto& s) { return shift(s, s.end) <= begin; });
+    auto segment =
+        std::partition_point(segments.begin(), segments.end(), [&](const auto& s) { return shift(s, s.end) <= begin; });
     for (; segment != segments.end() && shift(*segment, segment->begin) < end; ++segment) {
         const std::size_t first = std::max(shift(*segment, segment->begin), begin);
         const std::size_t last = std::min(shift(*segment, segment->end), end);
@@ -97,12 +104,13 @@ void StructuralConnections::findInverseShapes()
         const Lattice::Node& o = Lattice::directions[d];
         const Vec3 direction(o[0], o[1], o[2]);
         const Mat3 dyad = direction * direction.transpose();
-        forEachForward(m_aggregate->lattice, d, 0, count, [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
-            for (std::size_t s = 0; s < n; ++s) {
-                shape[i + s] += m_stiffness[d][lower + s] * dyad;
-                shape[j + s] += m_stiffness[d][lower + s] * dyad;
-            }
-        });
+        forEachForward(m_aggregate->lattice, d, 0, count,
+                       [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
+                           for (std::size_t s = 0; s < n; ++s) {
+                               shape[i + s] += m_stiffness[d][lower + s] * dyad;
+                               shape[j + s] += m_stiffness[d][lower + s] * dyad;
+                           }
+                       });
     }
     for (auto& component : m_inverseShape)
         component.resize(count);
@@ -111,7 +119,8 @@ void StructuralConnections::findInverseShapes()
     m_theta.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         const Mat3 inverse = shape[i].inverse();
-        const double components[] = {inverse(0, 0), inverse(1, 1), inverse(2, 2), inverse(0, 1), inverse(0, 2), inverse(1, 2)};
+        const double components[] = {inverse(0, 0), inverse(1, 1), inverse(2, 2),
+                                     inverse(0, 1), inverse(0, 2), inverse(1, 2)};
         for (std::size_t c = 0; c < 6; ++c)
             m_inverseShape[c][i] = components[c];
     }
@@ -131,8 +140,8 @@ void StructuralConnections::computeStress(const ObjectState& state)
                     continue;
                 const auto add = [&](double sign) {
                     return [&, sign](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
-                        kernels::best().addShape(n, from(state.position, i), from(state.position, j), &m_stiffness[d][lower],
-                                          sign * component, into(columns[c], i - begin));
+                        kernels::best().addShape(n, from(state.position, i), from(state.position, j),
+                                                 &m_stiffness[d][lower], sign * component, into(columns[c], i - begin));
                     };
                 };
                 forEachForward(lattice, d, begin, end, add(1));
@@ -151,8 +160,8 @@ void StructuralConnections::computeStress(const ObjectState& state)
             stress[c] = &m_stress[c][begin];
         for (std::size_t c = 0; c < 6; ++c)
             inverseShape[c] = &m_inverseShape[c][begin];
-        kernels::best().volumetricStress(end - begin, {shape, inverseShape, &m_aggregate->volume[begin], lattice.spacing,
-                                                m_volumetricModulus, stress, &m_theta[begin]});
+        kernels::best().volumetricStress(end - begin, {shape, inverseShape, &m_aggregate->volume[begin],
+                                                       lattice.spacing, m_volumetricModulus, stress, &m_theta[begin]});
     });
 }
 
@@ -160,7 +169,9 @@ void StructuralConnections::addForcesOfBlock(ObjectState& state, std::size_t beg
 {
     const auto& segments = m_aggregate->lattice.segments;
     for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
-        const auto upper = [](const Lattice::Segment& s, ObjectIndex i) { return i + static_cast<std::size_t>(s.offset); };
+        const auto upper = [](const Lattice::Segment& s, ObjectIndex i) {
+            return i + static_cast<std::size_t>(s.offset);
+        };
         auto segment = std::partition_point(segments[d].begin(), segments[d].end(),
                                             [&](const auto& s) { return upper(s, s.end) <= begin; });
         for (; segment != segments[d].end() && segment->begin < end; ++segment) {
@@ -180,7 +191,7 @@ void StructuralConnections::addForcesOfChunk(ObjectState& state, std::size_t d, 
     const std::size_t lower = chunk.first;
     const std::size_t upper = chunk.first + chunk.offset;
     const std::size_t count = chunk.last - chunk.first;
-    if (chunk.last <= begin && upper >= end)   // an offset longer than the block: both ends miss it
+    if (chunk.last <= begin && upper >= end) // an offset longer than the block: both ends miss it
         return;
     double buffer[6][chunkSize];
     const kernels::Vectors pull{buffer[0], buffer[1], buffer[2]};
@@ -195,16 +206,18 @@ void StructuralConnections::addForcesOfChunk(ObjectState& state, std::size_t d, 
         };
         for (std::size_t c = 0; c < 3; ++c)
             if (const int component = Lattice::directions[d][c]; component != 0)
-                kernel.addVolumetricForces(count, column(c, lower), column(c, upper), &m_stiffness[d][lower], component, pull);
+                kernel.addVolumetricForces(count, column(c, lower), column(c, upper), &m_stiffness[d][lower], component,
+                                           pull);
     }
-    const auto take = [&](double sign, std::size_t end0) {   // what of the ends that begin at end0 lies in the block
+    const auto take = [&](double sign, std::size_t end0) { // what of the ends that begin at end0 lies in the block
         const std::size_t from0 = std::max(end0, begin);
         const std::size_t to = std::min(end0 + count, end);
         if (from0 >= to)
             return;
         const std::size_t skip = from0 - end0;
         kernel.addScaled(to - from0, sign, {pull.x + skip, pull.y + skip, pull.z + skip}, into(state.force, from0));
-        kernel.addScaled(to - from0, sign, {brake.x + skip, brake.y + skip, brake.z + skip}, into(state.damping, from0));
+        kernel.addScaled(to - from0, sign, {brake.x + skip, brake.y + skip, brake.z + skip},
+                         into(state.damping, from0));
     };
     take(1, lower);
     take(-1, upper);
@@ -276,10 +289,12 @@ double StructuralConnections::iteratedFrequency(ObjectState& state)
 {
     const std::size_t count = state.size();
     const bool known = m_mode.size() == count;
-    if (!known) {   // any vector with a share in all modes; the golden ratio's multiples are spread evenly
+    if (!known) { // any vector with a share in all modes; the golden ratio's multiples are spread evenly
         m_mode.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
-            const auto spread = [&](double factor) { return std::fmod(static_cast<double>(i + 1) * factor, 1.0) - 0.5; };
+            const auto spread = [&](double factor) {
+                return std::fmod(static_cast<double>(i + 1) * factor, 1.0) - 0.5;
+            };
             m_mode.set(i, {spread(0.6180339887), spread(0.7548776662), spread(0.5698402910)});
         }
     }
@@ -317,7 +332,7 @@ double StructuralConnections::iteratedFrequency(ObjectState& state)
     double contact = 0;
     for (std::size_t i = 0; i < count; ++i)
         contact = std::max(contact, contactStiffness(static_cast<ObjectIndex>(i)) / state.mass[i]);
-    constexpr double margin = 1.1;   // 40 iterations come within a few percent from below
+    constexpr double margin = 1.1; // 40 iterations come within a few percent from below
     return std::sqrt(margin * margin * squared + contact);
 }
 

@@ -42,7 +42,7 @@ public:
     /// mode found last time.
     double largestFrequency(ObjectState& state);
 
-    std::size_t count() const { return m_count; }   ///< connections of stiffness > 0
+    std::size_t count() const { return m_count; } ///< connections of stiffness > 0
 
     /// b / k, the same for all connections of the body [s].
     double dampingTime() const { return m_dampingTime; }
@@ -62,22 +62,23 @@ private:
         std::size_t offset;
     };
     void addForcesOfBlock(ObjectState& state, std::size_t begin, std::size_t end);
-    void addForcesOfChunk(ObjectState& state, std::size_t d, const Chunk& chunk, std::size_t begin, std::size_t end) const;
+    void addForcesOfChunk(ObjectState& state, std::size_t d, const Chunk& chunk, std::size_t begin,
+                          std::size_t end) const;
     double bondBound(const ObjectState& state) const;
     double iteratedFrequency(ObjectState& state);
 
     std::shared_ptr<const Aggregate> m_aggregate;
-    DirectionArray m_stiffness;          ///< k [N/m] at the lower object; 0 = no connection
-    DirectionArray m_nominalLength;      ///< l [m]
+    DirectionArray m_stiffness;     ///< k [N/m] at the lower object; 0 = no connection
+    DirectionArray m_nominalLength; ///< l [m]
     std::size_t m_count = 0;
-    std::size_t m_blockSize = 0;         ///< objects per block
+    std::size_t m_blockSize = 0; ///< objects per block
     double m_dampingTime = 0;
-    double m_shearModulus = 0;           ///< mu [Pa]
-    double m_volumetricModulus = 0;      ///< lambda - mu [Pa]
+    double m_shearModulus = 0;                         ///< mu [Pa]
+    double m_volumetricModulus = 0;                    ///< lambda - mu [Pa]
     std::array<std::vector<double>, 6> m_inverseShape; ///< (sum k o o^T)^-1 in lattice axes: uu vv ww uv uw vw [m/N]
     std::array<std::vector<double>, 9> m_stress;       ///< see kernels::StressArguments
-    std::vector<double> m_theta;         ///< ln det F
-    VectorArray m_mode;                  ///< of the largest frequency, as found last
+    std::vector<double> m_theta;                       ///< ln det F
+    VectorArray m_mode;                                ///< of the largest frequency, as found last
 };
 
 } // namespace knead

@@ -19,27 +19,27 @@ struct Color {
 
 /// One face of the CAD part.
 struct PartFace {
-    std::optional<Color> color;   ///< when it differs from the part's
+    std::optional<Color> color; ///< when it differs from the part's
 };
 
 /// One part of an imported file: one product instance, placed in the world, or one mesh.
 /// Lengths are metres whatever the unit of the file.
 struct Part {
     std::string name;
-    std::string path;             ///< names from the root to the part, joined by '/'
+    std::string path; ///< names from the root to the part, joined by '/'
     std::optional<Color> color;
-    std::vector<PartFace> faces;  ///< empty for a mesh
-    TriangleMesh mesh;            ///< tessellation, welded, outward
+    std::vector<PartFace> faces; ///< empty for a mesh
+    TriangleMesh mesh;           ///< tessellation, welded, outward
 
     int solids = 0;
     int shells = 0;
-    int edges = 0;                ///< distinct edges of the b-rep
-    double volume = 0;            ///< [m^3], exact from the b-rep, from the triangles for a mesh; 0 without a solid
-    double area = 0;              ///< [m^2]
-    Box box;                      ///< exact as far as the b-rep allows [m]
-    bool watertight = false;      ///< closed shells, no free edge
-    bool valid = false;           ///< passes the b-rep checks; for a mesh: watertight with positive volume
-    double maxTolerance = 0;      ///< largest vertex, edge or face tolerance [m]
+    int edges = 0;           ///< distinct edges of the b-rep
+    double volume = 0;       ///< [m^3], exact from the b-rep, from the triangles for a mesh; 0 without a solid
+    double area = 0;         ///< [m^2]
+    Box box;                 ///< exact as far as the b-rep allows [m]
+    bool watertight = false; ///< closed shells, no free edge
+    bool valid = false;      ///< passes the b-rep checks; for a mesh: watertight with positive volume
+    double maxTolerance = 0; ///< largest vertex, edge or face tolerance [m]
     std::vector<std::string> warnings; ///< sentences for the person
 
     /// Only a closed part can be filled with objects.
@@ -49,18 +49,18 @@ struct Part {
 /// A node of the assembly tree: an assembly with children, or a part.
 struct PartNode {
     std::string name;
-    std::optional<std::size_t> part;   ///< index into Model::parts
+    std::optional<std::size_t> part; ///< index into Model::parts
     std::vector<PartNode> children;
 };
 
 /// What an imported file holds.
 struct Model {
-    std::string file;             ///< path as given
-    std::string format;           ///< "STEP AP214", "IGES", "BREP", "STL" ...
-    std::string unit;             ///< length unit of the file as a person writes it: "mm", "inch", "m"; empty when unknown
+    std::string file;   ///< path as given
+    std::string format; ///< "STEP AP214", "IGES", "BREP", "STL" ...
+    std::string unit;   ///< length unit of the file as a person writes it: "mm", "inch", "m"; empty when unknown
     std::vector<std::string> warnings;
     std::vector<Part> parts;
-    PartNode tree;                ///< the root; its children are the free shapes of the file
+    PartNode tree; ///< the root; its children are the free shapes of the file
 };
 
 } // namespace knead

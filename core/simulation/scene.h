@@ -13,7 +13,7 @@
 
 namespace knead {
 
-using BodyId = std::uint32_t;      ///< index into Scene::bodies; bodies are never renumbered
+using BodyId = std::uint32_t; ///< index into Scene::bodies; bodies are never renumbered
 using FixtureId = std::uint32_t;
 
 /// A body of the scene: an aggregate made of a material.
@@ -21,24 +21,24 @@ struct Body {
     std::string name;
     std::shared_ptr<const Aggregate> aggregate;
     Material material;
-    Vec3 velocity = Vec3::Zero();          ///< at the start [m/s]
-    Vec3 angularVelocity = Vec3::Zero();   ///< at the start, about the center of mass [rad/s]
+    Vec3 velocity = Vec3::Zero();        ///< at the start [m/s]
+    Vec3 angularVelocity = Vec3::Zero(); ///< at the start, about the center of mass [rad/s]
 };
 
 /// Objects of a body that are held in place.
 struct Fixture {
     std::string name;
     BodyId body = 0;
-    std::vector<ObjectIndex> objects;      ///< within the body, ascending
+    std::vector<ObjectIndex> objects; ///< within the body, ascending
 };
 
 /// Everything a simulation starts from.
 struct Scene {
     std::vector<Body> bodies;
-    std::vector<Fixture> fixtures;             ///< their ids are their places here
-    std::vector<Manipulator> manipulators;     ///< their ids are their places here
-    Vec3 gravity = Vec3::Zero();               ///< [m/s^2]
-    std::optional<double> floorHeight;         ///< z of a fixed floor [m]
+    std::vector<Fixture> fixtures;         ///< their ids are their places here
+    std::vector<Manipulator> manipulators; ///< their ids are their places here
+    Vec3 gravity = Vec3::Zero();           ///< [m/s^2]
+    std::optional<double> floorHeight;     ///< z of a fixed floor [m]
     double floorFriction = 0.4;
 };
 

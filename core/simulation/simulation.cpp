@@ -29,7 +29,8 @@ constexpr double runawaySpeed = 30;
 BodyRun::BodyRun(const Body& body)
     : state(objectsAtRest(*body.aggregate))
     , connections(body.aggregate, body.material)
-{}
+{
+}
 
 std::vector<std::string> bodyProblems(const Body& body)
 {
@@ -106,8 +107,8 @@ void Simulation::State::updateTimeStep()
 {
     double smallest = std::numeric_limits<double>::infinity();
     for (auto& run : runs)
-        smallest = std::min(smallest, stableTimeStep(run->connections.largestFrequency(run->state),
-                                                     run->connections.dampingTime()));
+        smallest = std::min(
+            smallest, stableTimeStep(run->connections.largestFrequency(run->state), run->connections.dampingTime()));
     timeStep = timeStepShare * (runs.empty() ? 1e-3 : smallest);
 }
 
@@ -227,7 +228,8 @@ void Simulation::State::integrate()
 void Simulation::State::stop(const std::string& cause)
 {
     std::ostringstream text;
-    text << "The simulation was stopped at " << time << " s: " << cause << " It went back to " << lastGood.time << " s.";
+    text << "The simulation was stopped at " << time << " s: " << cause << " It went back to " << lastGood.time
+         << " s.";
     goBack(lastGood);
     health = {false, text.str()};
 }
@@ -247,8 +249,8 @@ void Simulation::State::checkHealth()
     } else if (step % checkpointInterval == 0) {
         lastGood = checkpoint();
     }
-    const bool shapeMatters = std::any_of(bodies.begin(), bodies.end(),
-                                          [](const Body& body) { return body.material.poissonRatio > 0.25; });
+    const bool shapeMatters =
+        std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.material.poissonRatio > 0.25; });
     if (shapeMatters && step % timeStepInterval == 0)
         updateTimeStep();
 }
@@ -282,7 +284,10 @@ void Simulation::State::goBack(const Checkpoint& moment)
     contactReport = {};
 }
 
-Simulation::Simulation(Scene scene) : m_state(std::make_unique<State>(std::move(scene))) {}
+Simulation::Simulation(Scene scene)
+    : m_state(std::make_unique<State>(std::move(scene)))
+{
+}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -300,15 +305,42 @@ void Simulation::step()
     state.checkHealth();
 }
 
-void Simulation::post(Command command) { m_state->pending.push_back(std::move(command)); }
-void Simulation::applyCommands() { m_state->applyCommands(); }
-void Simulation::reset() { m_state->placeAtStart(); }
+void Simulation::post(Command command)
+{
+    m_state->pending.push_back(std::move(command));
+}
+void Simulation::applyCommands()
+{
+    m_state->applyCommands();
+}
+void Simulation::reset()
+{
+    m_state->placeAtStart();
+}
 
-double Simulation::timeStep() const { return m_state->timeStep; }
-double Simulation::time() const { return m_state->time; }
-std::uint64_t Simulation::stepCount() const { return m_state->step; }
-const std::vector<Body>& Simulation::bodies() const { return m_state->bodies; }
-const Health& Simulation::health() const { return m_state->health; }
-const std::vector<RecordedCommand>& Simulation::recording() const { return m_state->recording; }
+double Simulation::timeStep() const
+{
+    return m_state->timeStep;
+}
+double Simulation::time() const
+{
+    return m_state->time;
+}
+std::uint64_t Simulation::stepCount() const
+{
+    return m_state->step;
+}
+const std::vector<Body>& Simulation::bodies() const
+{
+    return m_state->bodies;
+}
+const Health& Simulation::health() const
+{
+    return m_state->health;
+}
+const std::vector<RecordedCommand>& Simulation::recording() const
+{
+    return m_state->recording;
+}
 
 } // namespace knead

@@ -33,10 +33,10 @@ public:
     /// began, with the motion they began with. Time, energies and the recording begin anew.
     void reset();
 
-    double timeStep() const;           ///< largest stable step with a margin [s]
-    double time() const;               ///< [s]
+    double timeStep() const; ///< largest stable step with a margin [s]
+    double time() const;     ///< [s]
     std::uint64_t stepCount() const;
-    const std::vector<Body>& bodies() const;   ///< with their present materials
+    const std::vector<Body>& bodies() const; ///< with their present materials
     const Health& health() const;
 
     /// A copy of the state for other threads. Forces on tools are means since the previous snapshot.

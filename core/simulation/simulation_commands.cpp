@@ -10,7 +10,10 @@ namespace {
 /// Carries out one command on the state; a command that makes no sense throws with a sentence and changes nothing.
 class Executor {
 public:
-    explicit Executor(Simulation::State& state) : m_state(state) {}
+    explicit Executor(Simulation::State& state)
+        : m_state(state)
+    {
+    }
 
     void operator()(const SetMaterial& command) const
     {

@@ -18,22 +18,26 @@ struct BodyRun {
 
     ObjectState state;
     StructuralConnections connections;
-    std::vector<double> heldMass;      ///< inverse masses without fixtures [1/kg]
-    bool anchored = false;             ///< some object is held
+    std::vector<double> heldMass; ///< inverse masses without fixtures [1/kg]
+    bool anchored = false;        ///< some object is held
 };
 
 /// A tool while it is simulated. Its id is its place in the list; removed tools leave a gap.
 struct ToolRun {
-    explicit ToolRun(Manipulator tool) : manipulator(tool), start(std::move(tool)) {}
+    explicit ToolRun(Manipulator tool)
+        : manipulator(tool)
+        , start(std::move(tool))
+    {
+    }
 
     Manipulator manipulator;
-    Manipulator start;                 ///< what reset() makes of it
-    Vec3 velocity = Vec3::Zero();      ///< over the last step [m/s]
+    Manipulator start;            ///< what reset() makes of it
+    Vec3 velocity = Vec3::Zero(); ///< over the last step [m/s]
     Vec3 angularVelocity = Vec3::Zero();
-    Vec3 forceSum = Vec3::Zero();      ///< over the steps since the last snapshot
+    Vec3 forceSum = Vec3::Zero(); ///< over the steps since the last snapshot
     Vec3 torqueSum = Vec3::Zero();
     int stepsInSum = 0;
-    Vec3 meanForce = Vec3::Zero();     ///< over the last frame that had steps
+    Vec3 meanForce = Vec3::Zero(); ///< over the last frame that had steps
     Vec3 meanTorque = Vec3::Zero();
     double peakForce = 0;
 };
@@ -70,11 +74,11 @@ struct Simulation::State {
     void goBack(const Checkpoint& moment);
     void stop(const std::string& cause);
 
-    std::vector<Body> bodies;                    ///< present materials
+    std::vector<Body> bodies; ///< present materials
     Vec3 gravity = Vec3::Zero();
     std::optional<double> floorHeight;
     double floorFriction = 0;
-    std::vector<std::unique_ptr<BodyRun>> runs;  ///< per body; addresses stay
+    std::vector<std::unique_ptr<BodyRun>> runs; ///< per body; addresses stay
     std::vector<std::optional<ToolRun>> tools;
     std::vector<std::optional<Fixture>> fixtures;
     std::unique_ptr<Contacts> contacts;
@@ -85,12 +89,12 @@ struct Simulation::State {
     std::uint64_t step = 0;
     double time = 0;
     double timeStep = 0;
-    double largestTravel = 0;                    ///< of any object in the last step [m]
+    double largestTravel = 0; ///< of any object in the last step [m]
     double surfaceTravel = 0;
-    double startEnergy = 0;                      ///< stored at the start [J]
-    EnergyLedger energy;                         ///< toolWork and dissipated are kept up to date
+    double startEnergy = 0; ///< stored at the start [J]
+    EnergyLedger energy;    ///< toolWork and dissipated are kept up to date
     Health health;
-    std::string notice;                          ///< about the last command, empty when it was carried out
+    std::string notice; ///< about the last command, empty when it was carried out
     Checkpoint lastGood;
 };
 

@@ -23,12 +23,17 @@ constexpr double frameSeconds = 1.0 / 60;
 constexpr double steppingShare = 0.85;
 constexpr double meteringSeconds = 0.5;
 
-double secondsSince(Clock::time_point start) { return Seconds(Clock::now() - start).count(); }
+double secondsSince(Clock::time_point start)
+{
+    return Seconds(Clock::now() - start).count();
+}
 
 } // namespace
 
 struct SimulationThread::Worker {
-    explicit Worker(Simulation sim) : simulation(std::move(sim)), latest(simulation.snapshot())
+    explicit Worker(Simulation sim)
+        : simulation(std::move(sim))
+        , latest(simulation.snapshot())
     {
         thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
     }
@@ -141,10 +146,13 @@ struct SimulationThread::Worker {
     std::deque<std::function<void(Worker&)>> requests;
     SnapshotPointer latest;
 
-    std::jthread thread;   // last: stops before the rest goes
+    std::jthread thread; // last: stops before the rest goes
 };
 
-SimulationThread::SimulationThread(Simulation simulation) : m_worker(std::make_unique<Worker>(std::move(simulation))) {}
+SimulationThread::SimulationThread(Simulation simulation)
+    : m_worker(std::make_unique<Worker>(std::move(simulation)))
+{
+}
 SimulationThread::~SimulationThread() = default;
 
 void SimulationThread::play()

@@ -19,10 +19,10 @@ public:
 
     void play();
     void pause();
-    void stepOnce();            ///< one step, while paused
-    void reset();               ///< pauses and goes back to the start
+    void stepOnce();             ///< one step, while paused
+    void reset();                ///< pauses and goes back to the start
     void setSpeed(double ratio); ///< wanted ratio of simulated to wall time, 0.01 .. 10; 1 at first
-    void post(Command command); ///< takes effect at the next step, at once while paused
+    void post(Command command);  ///< takes effect at the next step, at once while paused
 
     /// The newest state; never null. A new pointer whenever anything changed.
     SnapshotPointer latest() const;

@@ -12,11 +12,11 @@ namespace knead {
 /// Where the energy is and where it went [J].
 struct EnergyLedger {
     double kinetic = 0;
-    double elastic = 0;       ///< in connections, volumetric term included
-    double gravity = 0;       ///< potential, zero at the origin
-    double contact = 0;       ///< stored in contact connections
-    double toolWork = 0;      ///< done on the material by manipulators since the start
-    double dissipated = 0;    ///< by damping and friction since the start
+    double elastic = 0;    ///< in connections, volumetric term included
+    double gravity = 0;    ///< potential, zero at the origin
+    double contact = 0;    ///< stored in contact connections
+    double toolWork = 0;   ///< done on the material by manipulators since the start
+    double dissipated = 0; ///< by damping and friction since the start
 
     /// What is stored less what came in, plus what went out, since the start; zero but for the error of the scheme [J].
     double imbalance = 0;
@@ -25,51 +25,51 @@ struct EnergyLedger {
 /// Numerical trouble, with its remedy.
 struct Health {
     bool ok = true;
-    std::string message;      ///< a sentence naming the cause and the remedy; empty when ok
+    std::string message; ///< a sentence naming the cause and the remedy; empty when ok
 };
 
 /// What a tool feels.
 struct ToolState {
     ToolId id = 0;
     std::string name;
-    Vec3 size = Vec3::Zero();          ///< [m]
+    Vec3 size = Vec3::Zero(); ///< [m]
     Pose pose;
     double friction = 0;
-    double speedLimit = 0;             ///< [m/s]
-    Vec3 force = Vec3::Zero();         ///< of the material on the tool, mean over the frame [N]
-    Vec3 torque = Vec3::Zero();        ///< about its center [N m]
-    double peakForce = 0;              ///< largest force since the start [N]
+    double speedLimit = 0;      ///< [m/s]
+    Vec3 force = Vec3::Zero();  ///< of the material on the tool, mean over the frame [N]
+    Vec3 torque = Vec3::Zero(); ///< about its center [N m]
+    double peakForce = 0;       ///< largest force since the start [N]
 };
 
 /// The state of a simulation at one moment, as the window and the exporters see it. Immutable, shared by pointer.
 struct Snapshot {
     struct BodyState {
-        std::vector<Vec3> positions;       ///< per object [m]
-        std::vector<Vec3> displacements;   ///< per object, from rest [m]
+        std::vector<Vec3> positions;     ///< per object [m]
+        std::vector<Vec3> displacements; ///< per object, from rest [m]
     };
 
     std::uint64_t step = 0;
-    double time = 0;                   ///< simulated [s]
-    double timeStep = 0;               ///< [s]
+    double time = 0;     ///< simulated [s]
+    double timeStep = 0; ///< [s]
     std::vector<BodyState> bodies;
-    std::vector<Material> materials;   ///< per body
+    std::vector<Material> materials; ///< per body
     std::vector<ToolState> tools;
     std::vector<Fixture> fixtures;
     std::vector<FixtureId> fixtureIds; ///< of fixtures, same order
     Vec3 gravity = Vec3::Zero();
     std::optional<double> floorHeight;
     EnergyLedger energy;
-    Vec3 momentum = Vec3::Zero();           ///< [kg m/s]
-    Vec3 angularMomentum = Vec3::Zero();    ///< about the origin [kg m^2/s]
+    Vec3 momentum = Vec3::Zero();        ///< [kg m/s]
+    Vec3 angularMomentum = Vec3::Zero(); ///< about the origin [kg m^2/s]
     Health health;
-    std::string notice;                     ///< why the last command was not carried out; empty when it was
+    std::string notice; ///< why the last command was not carried out; empty when it was
     std::size_t objects = 0;
-    std::size_t connections = 0;       ///< structural
-    std::size_t contacts = 0;          ///< contact connections now
+    std::size_t connections = 0; ///< structural
+    std::size_t contacts = 0;    ///< contact connections now
 
     // Time keeping, filled in by SimulationThread.
     bool playing = false;
-    double ratio = 0;                  ///< simulated per wall time, over the last half second
+    double ratio = 0; ///< simulated per wall time, over the last half second
     double updatesPerSecond = 0;
     int stepsPerFrame = 0;
 };

@@ -42,7 +42,7 @@ public:
 
 private:
     std::vector<Vec3> m_points;
-    std::vector<std::uint32_t> m_first;       ///< size() + 1
+    std::vector<std::uint32_t> m_first; ///< size() + 1
     std::vector<Influence> m_influences;
 };
 

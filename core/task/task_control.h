@@ -23,13 +23,21 @@ public:
 
 /// Thrown by a computation that was asked to stop; nothing has changed.
 struct Cancelled : std::runtime_error {
-    Cancelled() : std::runtime_error("cancelled") {}
+    Cancelled()
+        : std::runtime_error("cancelled")
+    {
+    }
 };
 
 /// A child task that covers the part [begin, end] of its parent's progress.
 class TaskPortion final : public TaskControl {
 public:
-    TaskPortion(TaskControl& parent, double begin, double end) : m_parent(parent), m_begin(begin), m_end(end) {}
+    TaskPortion(TaskControl& parent, double begin, double end)
+        : m_parent(parent)
+        , m_begin(begin)
+        , m_end(end)
+    {
+    }
 
     void report(double fraction, std::string_view stage) override
     {

@@ -15,8 +15,11 @@ constexpr int deepest = 200;
 
 } // namespace
 
-PartitionTree::PartitionTree(Plane plane, std::size_t subsets) : m_plane(plane), m_subsets(std::max<std::size_t>(subsets, 1))
-{}
+PartitionTree::PartitionTree(Plane plane, std::size_t subsets)
+    : m_plane(plane)
+    , m_subsets(std::max<std::size_t>(subsets, 1))
+{
+}
 
 double PartitionTree::planeOf(Tree& tree, const Work& work, int axis) const
 {
@@ -70,7 +73,7 @@ void PartitionTree::split(Tree& tree, const Work& work, std::vector<Work>& todo)
 
 void PartitionTree::plant(Tree& tree, std::uint32_t begin, std::uint32_t end)
 {
-    tree.pool.clear();   // keeps its memory: the paper's pool of nodes
+    tree.pool.clear(); // keeps its memory: the paper's pool of nodes
     tree.spanning = 0;
     tree.depth = 0;
     tree.order.resize(end - begin);
@@ -119,7 +122,7 @@ std::uint64_t PartitionTree::examine(const Tree& tree, std::uint32_t sphere, std
         const Node& node = tree.pool[static_cast<std::size_t>(path[--waiting])];
         for (std::uint32_t held = node.firstHeld; held < node.lastHeld; ++held) {
             const std::uint32_t other = tree.order[held];
-            if (other <= sphere)   // examined the other way round
+            if (other <= sphere) // examined the other way round
                 continue;
             ++tests;
             if (closerThan(self, m_spheres[other], m_margin))

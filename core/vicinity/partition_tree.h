@@ -31,21 +31,21 @@ private:
     struct Node {
         double plane = 0;
         std::int32_t axis = 0;
-        std::int32_t low = none;            ///< child, or none
+        std::int32_t low = none; ///< child, or none
         std::int32_t high = none;
-        std::uint32_t firstHeld = 0;        ///< spheres held: those that span the plane, or the one of a leaf
+        std::uint32_t firstHeld = 0; ///< spheres held: those that span the plane, or the one of a leaf
         std::uint32_t lastHeld = 0;
     };
     static constexpr std::int32_t none = -1;
 
     /// One subset and its tree. Held spheres of a node are contiguous in `order`.
     struct Tree {
-        std::vector<Node> pool;             ///< nodes of the present tree first; memory outlives the tree
+        std::vector<Node> pool; ///< nodes of the present tree first; memory outlives the tree
         std::vector<std::uint32_t> order;
         std::size_t spanning = 0;
         int depth = 0;
     };
-    struct Work {                           ///< a part of a tree still to be split
+    struct Work { ///< a part of a tree still to be split
         std::uint32_t begin;
         std::uint32_t end;
         std::int32_t parent;

@@ -15,7 +15,8 @@ constexpr std::int64_t farthestCell = (1 << 21) - 3;
 std::uint64_t keyOf(std::int64_t x, std::int64_t y, std::int64_t z)
 {
     // Sums, not bit sets: a key plus the key of a (possibly negative) step is the key of the neighbor.
-    return (static_cast<std::uint64_t>(z) << 42U) + (static_cast<std::uint64_t>(y) << 21U) + static_cast<std::uint64_t>(x);
+    return (static_cast<std::uint64_t>(z) << 42U) + (static_cast<std::uint64_t>(y) << 21U) +
+           static_cast<std::uint64_t>(x);
 }
 
 /// Which octave of radius a sphere belongs to; points have one of their own.
@@ -81,9 +82,8 @@ void UniformGrid::build(std::span<const VicinitySphere> spheres, double margin)
             const Cell cell = level.cellOf(m_spheres[s].center);
             level.entries.push_back({keyOf(cell[0], cell[1], cell[2]), s});
         }
-        std::sort(level.entries.begin(), level.entries.end(), [](const Entry& a, const Entry& b) {
-            return a.key != b.key ? a.key < b.key : a.sphere < b.sphere;
-        });
+        std::sort(level.entries.begin(), level.entries.end(),
+                  [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.sphere < b.sphere; });
         m_levels.push_back(std::move(level));
     }
 }
@@ -99,7 +99,7 @@ void UniformGrid::findWithin(const Level& level, std::vector<VicinityPair>& foun
 {
     // Half of the neighboring rows; the other half finds these pairs from the other side. Keys ascend, so the place
     // where each neighboring row begins only moves forward.
-    constexpr std::array<std::array<int, 2>, 4> rows{{{1, 0}, {-1, 1}, {0, 1}, {1, 1}}};   // (y, z)
+    constexpr std::array<std::array<int, 2>, 4> rows{{{1, 0}, {-1, 1}, {0, 1}, {1, 1}}}; // (y, z)
     std::array<std::size_t, 4> cursor{};
     const std::vector<Entry>& entries = level.entries;
     for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -168,7 +168,8 @@ std::vector<std::uint32_t> UniformGrid::inBox(const Box& box) const
         const auto before = [](const Entry& entry, std::uint64_t key) { return entry.key < key; };
         for (std::int64_t z = low[2]; z <= high[2]; ++z)
             for (std::int64_t y = low[1]; y <= high[1]; ++y) {
-                const auto first = std::lower_bound(level.entries.begin(), level.entries.end(), keyOf(low[0], y, z), before);
+                const auto first =
+                    std::lower_bound(level.entries.begin(), level.entries.end(), keyOf(low[0], y, z), before);
                 const auto last = std::lower_bound(first, level.entries.end(), keyOf(high[0], y, z) + 1, before);
                 keepInside(first, last);
             }

@@ -21,13 +21,13 @@ public:
 private:
     using Cell = std::array<std::int64_t, 3>;
     struct Entry {
-        std::uint64_t key;   ///< of the cell, ordered by z, y, x
+        std::uint64_t key; ///< of the cell, ordered by z, y, x
         std::uint32_t sphere;
     };
     /// The spheres of one octave of radius.
     struct Level {
-        double cellSize = 1;        ///< [m]
-        double largestRadius = 0;   ///< [m]
+        double cellSize = 1;      ///< [m]
+        double largestRadius = 0; ///< [m]
         Vec3 origin = Vec3::Zero();
         std::vector<Entry> entries; ///< sorted by key, then sphere
 
@@ -39,7 +39,7 @@ private:
     void test(std::uint32_t a, std::uint32_t b, std::vector<VicinityPair>& found);
 
     std::vector<VicinitySphere> m_spheres;
-    std::vector<Level> m_levels;   ///< smallest radii first
+    std::vector<Level> m_levels; ///< smallest radii first
     double m_margin = 0;
 };
 

@@ -12,9 +12,9 @@ namespace knead {
 
 /// A sphere that may come into contact.
 struct VicinitySphere {
-    Vec3 center;              ///< [m]
-    double radius = 0;        ///< [m], >= 0
-    std::uint32_t group = 0;  ///< pairs within a group are not looked for
+    Vec3 center;             ///< [m]
+    double radius = 0;       ///< [m], >= 0
+    std::uint32_t group = 0; ///< pairs within a group are not looked for
 };
 
 /// Two spheres by index, first < second.
@@ -26,9 +26,9 @@ struct VicinityPair {
 
 /// What a vicinity calculation cost, in numbers that do not depend on the machine.
 struct VicinityStatistics {
-    std::uint64_t sphereTests = 0;    ///< distances computed
-    std::size_t spanningObjects = 0;  ///< spheres held by inner nodes of a tree
-    int depth = 0;                    ///< of the tree; 0 for the others
+    std::uint64_t sphereTests = 0;   ///< distances computed
+    std::size_t spanningObjects = 0; ///< spheres held by inner nodes of a tree
+    int depth = 0;                   ///< of the tree; 0 for the others
 };
 
 /// The vicinity calculation: which spheres are close to each other. All back-ends return the same pairs.
@@ -50,16 +50,16 @@ protected:
 };
 
 enum class VicinityMethod {
-    uniformGrid,       ///< default: near linear for any scene
-    halfPartition,     ///< published: binary space partition through the middle of space
-    medianPartition,   ///< published: binary space partition through the median sphere
-    bruteForce,        ///< every sphere against every other
+    uniformGrid,     ///< default: near linear for any scene
+    halfPartition,   ///< published: binary space partition through the middle of space
+    medianPartition, ///< published: binary space partition through the median sphere
+    bruteForce,      ///< every sphere against every other
 };
 
 inline constexpr VicinityMethod vicinityMethods[] = {VicinityMethod::uniformGrid, VicinityMethod::halfPartition,
                                                      VicinityMethod::medianPartition, VicinityMethod::bruteForce};
 
-std::string_view nameOf(VicinityMethod method);   ///< "uniform-grid", "half-partition" ... as in recipes
+std::string_view nameOf(VicinityMethod method); ///< "uniform-grid", "half-partition" ... as in recipes
 
 std::unique_ptr<Vicinity> makeVicinity(VicinityMethod method);
 

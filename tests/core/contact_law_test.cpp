@@ -21,10 +21,11 @@ double restitution(double zeta)
     ContactParameters parameters = stiff();
     parameters.damping = 2 * zeta * std::sqrt(parameters.stiffness * parameters.reducedMass);
     double overlap = 0;
-    double velocity = -1;   // of o against p along the normal; negative closes
+    double velocity = -1; // of o against p along the normal; negative closes
     const double step = 1e-3 * std::sqrt(parameters.reducedMass / parameters.stiffness);
     do {
-        const ContactResult result = contactForce({.overlap = overlap, .relativeVelocity = {0, 0, velocity}}, parameters, step);
+        const ContactResult result =
+            contactForce({.overlap = overlap, .relativeVelocity = {0, 0, velocity}}, parameters, step);
         velocity += step * result.force().z() / parameters.reducedMass;
         overlap -= step * velocity;
     } while (overlap > 0);
@@ -85,8 +86,10 @@ private slots:
 
     void pairsActLikeSpringsInSeries()
     {
-        const ContactParameters a{.stiffness = 100, .damping = 1, .friction = 0.4, .reducedMass = 1, .largestOverlap = 1};
-        const ContactParameters b{.stiffness = 300, .damping = 1, .friction = 0.9, .reducedMass = 3, .largestOverlap = 2};
+        const ContactParameters a{
+            .stiffness = 100, .damping = 1, .friction = 0.4, .reducedMass = 1, .largestOverlap = 1};
+        const ContactParameters b{
+            .stiffness = 300, .damping = 1, .friction = 0.9, .reducedMass = 3, .largestOverlap = 2};
         const ContactParameters both = combine(a, b);
         QCOMPARE(both.stiffness, 150.0);
         QVERIFY(std::abs(both.friction - 0.6) < 1e-12);

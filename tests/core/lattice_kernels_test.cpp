@@ -37,11 +37,10 @@ std::vector<Column> connectionForces(const Kernels& kernels)
 {
     const auto v = randomColumns(14, count, 0.5, 1.5, 1);
     std::vector<Column> out(6, Column(count, 0.0));
-    kernels.connectionForces(count,
-                                {{v[0].data(), v[1].data(), v[2].data()}, {v[3].data(), v[4].data(), v[5].data()}},
-                                {{v[6].data(), v[7].data(), v[8].data()}, {v[9].data(), v[10].data(), v[11].data()}},
-                                v[12].data(), v[13].data(), 0.01, {out[0].data(), out[1].data(), out[2].data()},
-                                {out[3].data(), out[4].data(), out[5].data()});
+    kernels.connectionForces(count, {{v[0].data(), v[1].data(), v[2].data()}, {v[3].data(), v[4].data(), v[5].data()}},
+                             {{v[6].data(), v[7].data(), v[8].data()}, {v[9].data(), v[10].data(), v[11].data()}},
+                             v[12].data(), v[13].data(), 0.01, {out[0].data(), out[1].data(), out[2].data()},
+                             {out[3].data(), out[4].data(), out[5].data()});
     return out;
 }
 
@@ -61,7 +60,8 @@ std::vector<Column> diagonalStress(const Kernels& kernels, const Column& stretch
     std::array<double*, 9> stress;
     for (std::size_t c = 0; c < 9; ++c)
         stress[c] = out[c].data();
-    kernels.volumetricStress(stretch.size(), {shape.data(), inverse.data(), one.data(), 1, 1, stress.data(), out[9].data()});
+    kernels.volumetricStress(stretch.size(),
+                             {shape.data(), inverse.data(), one.data(), 1, 1, stress.data(), out[9].data()});
     return out;
 }
 
@@ -91,8 +91,8 @@ private slots:
         const double x0[] = {0}, x1[] = {3}, zero[] = {0}, y1[] = {4}, u1[] = {1}, k[] = {10}, l[] = {4};
         double f[3] = {0, 0, 0};
         double b[3] = {0, 0, 0};
-        best().connectionForces(1, {{x0, zero, zero}, {zero, zero, zero}}, {{x1, y1, zero}, {u1, zero, zero}}, k, l, 0.5,
-                                   {&f[0], &f[1], &f[2]}, {&b[0], &b[1], &b[2]});
+        best().connectionForces(1, {{x0, zero, zero}, {zero, zero, zero}}, {{x1, y1, zero}, {u1, zero, zero}}, k, l,
+                                0.5, {&f[0], &f[1], &f[2]}, {&b[0], &b[1], &b[2]});
         // |d| = 5, stretch 1, v_n = 0.6: spring 10, damper 10 0.5 0.6 = 3, along (0.6, 0.8, 0)
         QVERIFY(std::abs(f[0] - 6) < 1e-12);
         QVERIFY(std::abs(f[1] - 8) < 1e-12);
@@ -106,8 +106,8 @@ private slots:
         const double zero[] = {0}, k[] = {10}, l[] = {1};
         double f[3] = {0, 0, 0};
         double b[3] = {0, 0, 0};
-        best().connectionForces(1, {{zero, zero, zero}, {zero, zero, zero}}, {{zero, zero, zero}, {zero, zero, zero}}, k,
-                                   l, 0.5, {&f[0], &f[1], &f[2]}, {&b[0], &b[1], &b[2]});
+        best().connectionForces(1, {{zero, zero, zero}, {zero, zero, zero}}, {{zero, zero, zero}, {zero, zero, zero}},
+                                k, l, 0.5, {&f[0], &f[1], &f[2]}, {&b[0], &b[1], &b[2]});
         QCOMPARE(f[0], 0.0);
         QCOMPARE(b[0], 0.0);
     }
@@ -121,7 +121,8 @@ private slots:
             QVERIFY2(std::abs(out[9][i] - expected) <= 4e-16 * std::max(1.0, std::abs(expected)),
                      qPrintable(QString::number(stretch[i])));
             // p F^-T: the first entry is theta / stretch, the second theta.
-            QVERIFY(std::abs(out[0][i] - expected / stretch[i]) <= 1e-14 * std::max(1.0, std::abs(expected / stretch[i])));
+            QVERIFY(std::abs(out[0][i] - expected / stretch[i]) <=
+                    1e-14 * std::max(1.0, std::abs(expected / stretch[i])));
             QVERIFY(std::abs(out[4][i] - expected) <= 1e-14 * std::max(1.0, std::abs(expected)));
         }
     }

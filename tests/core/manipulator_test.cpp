@@ -17,7 +17,7 @@ private slots:
         const Vec3 size(2, 4, 6);
         QCOMPARE(boxSurface(size, {3, 0, 0}).distance, 2.0);
         QCOMPARE(boxSurface(size, {0, 0, -5}).normal, Vec3(0, 0, -1));
-        QCOMPARE(boxSurface(size, {4, 6, 0}).distance, 5.0);   // edge: 3-4-5
+        QCOMPARE(boxSurface(size, {4, 6, 0}).distance, 5.0); // edge: 3-4-5
         QVERIFY((boxSurface(size, {4, 6, 0}).normal - Vec3(0.6, 0.8, 0)).norm() < 1e-12);
         QCOMPARE(boxSurface(size, {0.5, 0, 0}).distance, -0.5);
         QCOMPARE(boxSurface(size, {0.5, 0, 0}).normal, Vec3(1, 0, 0));
@@ -77,7 +77,8 @@ private slots:
               Manipulator{.pose = {Vec3(nan, 0, 0), Quaternion::Identity()}}, Manipulator{.friction = -1},
               Manipulator{.friction = nan}, Manipulator{.speedLimit = 0}, Manipulator{.speedLimit = nan},
               Manipulator{.motion = FollowKeyFrames{}}, Manipulator{.motion = DriveAt{Vec3(nan, 0, 0)}},
-              Manipulator{.motion = FollowKeyFrames{{{1, {}}, {1, {}}}}}, Manipulator{.motion = GoTo{{Vec3(0, nan, 0)}}}})
+              Manipulator{.motion = FollowKeyFrames{{{1, {}}, {1, {}}}}},
+              Manipulator{.motion = GoTo{{Vec3(0, nan, 0)}}}})
             QCOMPARE(manipulatorProblems(bad).size(), std::size_t{1});
     }
 };

@@ -128,7 +128,7 @@ private slots:
         run(simulation, 1.2);
         const double settled = tip();
         run(simulation, 1.4);
-        QVERIFY(std::abs(tip() / settled - 1) < 2e-3);   // it has settled
+        QVERIFY(std::abs(tip() / settled - 1) < 2e-3); // it has settled
         const double length = cells.x() * spacing;
         const double width = cells.y() * spacing;
         const double area = width * width;
@@ -146,7 +146,7 @@ private slots:
         const auto hash = [](int threads) {
             return onThreads(threads, [] {
                 Scene scene = press();
-                scene.bodies[0] = scenes::box({24, 24, 24}, spacing, rubber(2e5));   // several blocks of objects
+                scene.bodies[0] = scenes::box({24, 24, 24}, spacing, rubber(2e5)); // several blocks of objects
                 scene.floorHeight = -12 * spacing;
                 scene.manipulators[0].pose.position.z() = 12 * spacing + 0.0045;
                 scene.bodies[0].material.poissonRatio = 0.4;
@@ -232,7 +232,7 @@ private slots:
         material.dampingRatio = 0.2;
         scene.bodies.push_back(scenes::box({6, 6, 3}, spacing, material));
         const double slope = 35 * std::acos(-1.0) / 180;
-        scene.gravity = 9.81 * Vec3(std::sin(slope), 0, -std::cos(slope));   // tilting gravity tilts the table
+        scene.gravity = 9.81 * Vec3(std::sin(slope), 0, -std::cos(slope)); // tilting gravity tilts the table
         scene.floorHeight = -1.5 * spacing;
         scene.floorFriction = friction;
         Simulation simulation(scene);
@@ -253,7 +253,8 @@ private slots:
         scene.bodies[0].material.friction = 0;
         scene.bodies[0].material.shapeDamping = 100;
         const double strain = 0.02;
-        scene.manipulators[0].motion = GoTo{{Vec3(0, 0, 5 * spacing * (1 - 2 * strain) + 0.005), Quaternion::Identity()}};
+        scene.manipulators[0].motion =
+            GoTo{{Vec3(0, 0, 5 * spacing * (1 - 2 * strain) + 0.005), Quaternion::Identity()}};
         Simulation simulation(scene);
         run(simulation, 0.4);
         simulation.snapshot();
@@ -270,7 +271,7 @@ private slots:
         }
         const double reached = 1 - (high - low) / (4 * spacing);
         const double expected = 2e5 * reached * width * width;
-        QVERIFY(reached > 0.75 * strain);   // contacts give way a little
+        QVERIFY(reached > 0.75 * strain); // contacts give way a little
         QVERIFY2(std::abs(shot->tools[0].force.z() / expected - 1) < 0.03,
                  qPrintable(QString::number(shot->tools[0].force.z() / expected)));
     }
@@ -350,9 +351,9 @@ private slots:
     {
         Scene scene;
         scene.bodies.push_back(scenes::box({6, 6, 6}, spacing, rubber()));
-        scene.bodies.push_back(
-            scenes::body(shapes::moved(shapes::box(6 * spacing * Vec3::Ones()), {Vec3(0.014, 0.0007, 0), Quaternion::Identity()}),
-                         spacing, rubber(), "second"));
+        scene.bodies.push_back(scenes::body(
+            shapes::moved(shapes::box(6 * spacing * Vec3::Ones()), {Vec3(0.014, 0.0007, 0), Quaternion::Identity()}),
+            spacing, rubber(), "second"));
         scene.bodies[0].velocity = Vec3(0.5, 0, 0);
         Simulation simulation(scene);
         const auto start = simulation.snapshot();
@@ -371,9 +372,9 @@ private slots:
     {
         Scene scene;
         scene.bodies.push_back(scenes::box({4, 4, 4}, spacing, rubber()));
-        scene.bodies.push_back(
-            scenes::body(shapes::moved(shapes::box(4 * spacing * Vec3::Ones()), {Vec3(4 * spacing, 0, 0), Quaternion::Identity()}),
-                         spacing, rubber(), "neighbor"));
+        scene.bodies.push_back(scenes::body(
+            shapes::moved(shapes::box(4 * spacing * Vec3::Ones()), {Vec3(4 * spacing, 0, 0), Quaternion::Identity()}),
+            spacing, rubber(), "neighbor"));
         Simulation simulation(scene);
         runSteps(simulation, 500);
         for (const auto& body : simulation.snapshot()->bodies)

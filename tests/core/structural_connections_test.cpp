@@ -148,8 +148,9 @@ private slots:
             Lump f(material);
             const Mat3 strain = 1e-5 * direction;
             f.deform(Mat3::Identity() + strain);
-            const double expected = f.aggregate->filledVolume * (0.5 * material.lameLambda() * strain.trace() * strain.trace() +
-                                                                 material.shearModulus() * strain.squaredNorm());
+            const double expected =
+                f.aggregate->filledVolume * (0.5 * material.lameLambda() * strain.trace() * strain.trace() +
+                                             material.shearModulus() * strain.squaredNorm());
             const double energy = f.connections.energy(f.state);
             QVERIFY2(std::abs(energy / expected - 1) < 1e-4, qPrintable(QString::number(energy / expected)));
         }

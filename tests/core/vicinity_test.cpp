@@ -63,7 +63,8 @@ private slots:
         QTest::newRow("points") << randomSpheres(100, {1, 1, 1}, 0);
         QTest::newRow("one huge") << withHugeOne(randomSpheres(600, {1, 1, 1}, 0.02));
         QTest::newRow("ten to one") << manySizes();
-        QTest::newRow("far away") << Spheres{{Vec3(1e15, 0, 0), 1, 0}, {Vec3(1e15, 1, 0), 1, 1}, {Vec3(-1e150, 0, 0), 1, 2}};
+        QTest::newRow("far away") << Spheres{
+            {Vec3(1e15, 0, 0), 1, 0}, {Vec3(1e15, 1, 0), 1, 1}, {Vec3(-1e150, 0, 0), 1, 2}};
         QTest::newRow("one group") << randomSpheres(100, {1, 1, 1}, 0.5, 1);
         QTest::newRow("single") << randomSpheres(1, {1, 1, 1}, 1);
         QTest::newRow("none") << Spheres{};
@@ -84,8 +85,8 @@ private slots:
         Spheres spheres;
         for (int cluster = 0; cluster < 100; ++cluster)
             for (const VicinitySphere& sphere : randomSpheres(1000, {1, 1, 1}, 0.1))
-                spheres.push_back({sphere.center + Vec3(4 * (cluster % 10), 4 * (cluster / 10), 0.1 * cluster), sphere.radius,
-                                   sphere.group});
+                spheres.push_back({sphere.center + Vec3(4 * (cluster % 10), 4 * (cluster / 10), 0.1 * cluster),
+                                   sphere.radius, sphere.group});
         const auto expected = pairsBy(VicinityMethod::uniformGrid, spheres, 0);
         QVERIFY(!expected.empty());
         QVERIFY(pairsBy(VicinityMethod::halfPartition, spheres, 0) == expected);

@@ -9,7 +9,8 @@
 /// Small scenes shared by tests and benchmarks.
 namespace knead::scenes {
 
-inline Body body(const TriangleMesh& mesh, double spacing, const Material& material = {}, const std::string& name = "body")
+inline Body body(const TriangleMesh& mesh, double spacing, const Material& material = {},
+                 const std::string& name = "body")
 {
     return {.name = name,
             .aggregate = std::make_shared<const Aggregate>(fill(mesh, {.spacing = spacing})),
@@ -30,8 +31,7 @@ inline Scene cantilever(const Eigen::Vector3i& cells, double spacing, const Mate
     const Aggregate& aggregate = *scene.bodies[0].aggregate;
     const double end = -0.5 * spacing * cells.x();
     scene.fixtures.push_back(
-        {"clamp", 0,
-         objectsInBox(aggregate, Box(Vec3(end - spacing / 2, -1, -1), Vec3(end + spacing / 2, 1, 1)))});
+        {"clamp", 0, objectsInBox(aggregate, Box(Vec3(end - spacing / 2, -1, -1), Vec3(end + spacing / 2, 1, 1)))});
     scene.gravity = gravity;
     return scene;
 }

@@ -12,7 +12,7 @@ namespace knead {
 
 namespace {
 
-constexpr double wantedObjects = 4000; // soft rubber of so many runs about in real time on a small machine
+constexpr double wantedObjects = 3000; // soft rubber of so many runs about in real time on a small machine
 constexpr double importShare = 0.4;    // of the progress bar
 constexpr double preparedShare = 0.92;
 constexpr double surfaceDepth = 0.9; // objects less deep than this many spacings are drawn
