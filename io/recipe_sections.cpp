@@ -232,7 +232,8 @@ RecipeFixture readRecipeFixture(const JsonNode& node)
 
 Manipulator readRecipeManipulator(const JsonNode& node)
 {
-    node.allowOnly({"name", "size_mm", "position_mm", "rotation_deg", "friction", "speed_limit_mm_s", "keyframes"});
+    node.allowOnly({"name", "size_mm", "position_mm", "rotation_deg", "friction", "speed_limit_mm_s", "force_limit_n",
+                    "keyframes"});
     Manipulator manipulator;
     manipulator.name = node.at("name").text();
     manipulator.size = readSize(node.at("size_mm"));
@@ -243,6 +244,8 @@ Manipulator readRecipeManipulator(const JsonNode& node)
         manipulator.friction = friction->number(0, 2);
     if (const auto limit = node.find("speed_limit_mm_s"))
         manipulator.speedLimit = limit->positive() * millimeter;
+    if (const auto limit = node.find("force_limit_n"))
+        manipulator.forceLimit = limit->positive();
     if (const auto frames = node.find("keyframes"))
         manipulator.motion = readKeyFrames(*frames, manipulator.pose, manipulator.speedLimit);
     return manipulator;

@@ -66,6 +66,16 @@ Pose advance(const Manipulator& manipulator, double time, double dt)
     return std::visit(Advance{manipulator, time, dt}, manipulator.motion);
 }
 
+Pose yieldTo(const Vec3& force, const Manipulator& manipulator, const Pose& next, double dt)
+{
+    if (!std::isfinite(manipulator.forceLimit))
+        return next;
+    const Vec3 way = next.position - manipulator.pose.position;
+    if (force.norm() > manipulator.forceLimit && way.dot(force) <= 0)
+        return manipulator.pose;
+    return way.norm() > manipulator.speedLimit * dt ? goTowards(manipulator, next, dt) : next;
+}
+
 SurfacePoint boxSurface(const Vec3& size, const Vec3& point)
 {
     const Vec3 beyond = point.cwiseAbs() - 0.5 * size;
@@ -101,6 +111,7 @@ std::vector<std::string> manipulatorProblems(const Manipulator& manipulator)
             "its place must be finite numbers.");
     require(within(manipulator.friction, 0, 2), "friction must lie between 0 and 2.");
     require(within(manipulator.speedLimit, 1e-6, 100), "the speed limit must lie between 0.001 mm/s and 100 m/s.");
+    require(manipulator.forceLimit > 0, "the force limit must be greater than 0 N.");
     if (const auto* follow = std::get_if<FollowKeyFrames>(&manipulator.motion)) {
         require(!follow->frames.empty(), "a key-framed motion needs at least one frame.");
         require(std::adjacent_find(follow->frames.begin(), follow->frames.end(),

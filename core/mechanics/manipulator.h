@@ -3,6 +3,7 @@
 #include "core/geometry/vec3.h"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <variant>
 #include <vector>
@@ -34,15 +35,21 @@ using Motion = std::variant<HoldStill, DriveAt, GoTo, FollowKeyFrames>;
 /// A rigid box that pushes material.
 struct Manipulator {
     std::string name;
-    Vec3 size = Vec3(0.02, 0.02, 0.02); ///< edge lengths [m], > 0
-    Pose pose;                          ///< of its center
-    double friction = 0.4;              ///< Coulomb, 0 .. 2
-    double speedLimit = 0.5;            ///< [m/s]
+    Vec3 size = Vec3(0.02, 0.02, 0.02);                          ///< edge lengths [m], > 0
+    Pose pose;                                                   ///< of its center
+    double friction = 0.4;                                       ///< Coulomb, 0 .. 2
+    double speedLimit = 0.5;                                     ///< [m/s]
+    double forceLimit = std::numeric_limits<double>::infinity(); ///< it stalls rather than push harder, > 0 [N]
     Motion motion;
 };
 
 /// Where a manipulator is after `dt` [s] of its motion, starting from `pose` at `time` [s].
 Pose advance(const Manipulator& manipulator, double time, double dt);
+
+/// Where a manipulator goes that wants to be at `next` after `dt` [s] while the material pushes on it with `force` [N].
+/// Beyond its force limit it stalls: it moves with the force or not at all. Afterwards it catches up no faster than its
+/// speed limit. Without a force limit it goes where it wants.
+Pose yieldTo(const Vec3& force, const Manipulator& manipulator, const Pose& next, double dt);
 
 /// One sentence per thing that cannot be simulated: sizes, places, speeds or key frames out of range. Empty when all is well.
 std::vector<std::string> manipulatorProblems(const Manipulator& manipulator);

@@ -3,6 +3,7 @@
 #include "core/simulation/scene.h"
 
 #include <cstdint>
+#include <limits>
 #include <variant>
 
 namespace knead {
@@ -36,6 +37,7 @@ struct ReshapeManipulator {
     Vec3 size = Vec3::Zero();
     double friction = 0;
     double speedLimit = 0;
+    double forceLimit = std::numeric_limits<double>::infinity();
 };
 /// At once, while paused; the tool does not push on the way.
 struct PlaceManipulator {

@@ -175,7 +175,7 @@ void Simulation::State::moveManipulators()
         if (!tool)
             continue;
         Manipulator& manipulator = tool->manipulator;
-        const Pose next = advance(manipulator, time, timeStep);
+        const Pose next = yieldTo(tool->force, manipulator, advance(manipulator, time, timeStep), timeStep);
         tool->velocity = (next.position - manipulator.pose.position) / timeStep;
         const Eigen::AngleAxisd turn(next.rotation * manipulator.pose.rotation.conjugate());
         tool->angularVelocity = turn.axis() * (turn.angle() / timeStep);
@@ -202,6 +202,7 @@ void Simulation::State::computeForces()
             continue;
         const SurfaceLoad& load = contactReport.loads[surface++];
         energy.toolWork += load.power * timeStep;
+        tool->force = load.force;
         tool->forceSum += load.force;
         tool->torqueSum += load.torque;
         ++tool->stepsInSum;

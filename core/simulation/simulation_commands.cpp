@@ -63,6 +63,7 @@ public:
             manipulator.size = command.size;
             manipulator.friction = command.friction;
             manipulator.speedLimit = command.speedLimit;
+            manipulator.forceLimit = command.forceLimit;
         };
         change(command.tool, reshape);
         reshape(tool(command.tool).start);

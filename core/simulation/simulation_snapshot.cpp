@@ -38,6 +38,7 @@ ToolState stateOf(ToolId id, ToolRun& tool)
             .pose = tool.manipulator.pose,
             .friction = tool.manipulator.friction,
             .speedLimit = tool.manipulator.speedLimit,
+            .forceLimit = tool.manipulator.forceLimit,
             .force = tool.meanForce,
             .torque = tool.meanTorque,
             .peakForce = tool.peakForce};

@@ -34,6 +34,7 @@ struct ToolRun {
     Manipulator start;            ///< what reset() makes of it
     Vec3 velocity = Vec3::Zero(); ///< over the last step [m/s]
     Vec3 angularVelocity = Vec3::Zero();
+    Vec3 force = Vec3::Zero();    ///< of the material on it in the last step [N]
     Vec3 forceSum = Vec3::Zero(); ///< over the steps since the last snapshot
     Vec3 torqueSum = Vec3::Zero();
     int stepsInSum = 0;

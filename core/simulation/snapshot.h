@@ -36,6 +36,7 @@ struct ToolState {
     Pose pose;
     double friction = 0;
     double speedLimit = 0;      ///< [m/s]
+    double forceLimit = 0;      ///< [N]; infinite: none
     Vec3 force = Vec3::Zero();  ///< of the material on the tool, mean over the frame [N]
     Vec3 torque = Vec3::Zero(); ///< about its center [N m]
     double peakForce = 0;       ///< largest force since the start [N]

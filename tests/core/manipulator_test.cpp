@@ -56,6 +56,21 @@ private slots:
         QVERIFY((advance(tool, 0, 0.5).position - Vec3(0, 0, -0.5)).norm() < 1e-12);
     }
 
+    void yieldsBeyondItsForceLimit()
+    {
+        Manipulator tool;
+        tool.speedLimit = 1;
+        const Pose lower{Vec3(0, 0, -0.05), Quaternion::Identity()};
+        QCOMPARE(yieldTo({0, 0, 1e9}, tool, lower, 0.1).position, lower.position); // no limit
+        tool.forceLimit = 10;
+        QCOMPARE(yieldTo({0, 0, 9}, tool, lower, 0.1).position, lower.position);
+        QCOMPARE(yieldTo({0, 0, 11}, tool, lower, 0.1).position, tool.pose.position);
+        QCOMPARE(yieldTo({0, 0, -11}, tool, lower, 0.1).position, lower.position); // with the force
+        // What it missed while it stalled it makes up at the speed limit.
+        QVERIFY((yieldTo({0, 0, 0}, tool, {Vec3(0, 0, -1), Quaternion::Identity()}, 0.1).position - Vec3(0, 0, -0.1))
+                    .norm() < 1e-12);
+    }
+
     void keyFramesAreJoinedByStraightLines()
     {
         Manipulator tool;
@@ -76,7 +91,8 @@ private slots:
              {Manipulator{.size = {0, 1, 1}}, Manipulator{.size = {nan, 1, 1}}, Manipulator{.size = {1e30, 1, 1}},
               Manipulator{.pose = {Vec3(nan, 0, 0), Quaternion::Identity()}}, Manipulator{.friction = -1},
               Manipulator{.friction = nan}, Manipulator{.speedLimit = 0}, Manipulator{.speedLimit = nan},
-              Manipulator{.motion = FollowKeyFrames{}}, Manipulator{.motion = DriveAt{Vec3(nan, 0, 0)}},
+              Manipulator{.forceLimit = 0}, Manipulator{.forceLimit = nan}, Manipulator{.motion = FollowKeyFrames{}},
+              Manipulator{.motion = DriveAt{Vec3(nan, 0, 0)}},
               Manipulator{.motion = FollowKeyFrames{{{1, {}}, {1, {}}}}},
               Manipulator{.motion = GoTo{{Vec3(0, nan, 0)}}}})
             QCOMPARE(manipulatorProblems(bad).size(), std::size_t{1});

@@ -276,6 +276,23 @@ private slots:
                  qPrintable(QString::number(shot->tools[0].force.z() / expected)));
     }
 
+    void forceLimitedToolStalls()
+    {
+        Scene scene = press();
+        const double width = 10 * spacing;
+        const double limit = 0.05 * 2e5 * width * width;
+        scene.manipulators[0].forceLimit = limit;
+        scene.bodies[0].material.shapeDamping = 100;
+        Simulation simulation(scene);
+        run(simulation, 0.3);
+        simulation.snapshot();
+        run(simulation, 0.4);
+        const auto shot = simulation.snapshot();
+        QVERIFY2(std::abs(shot->tools[0].force.z() / limit - 1) < 0.05,
+                 qPrintable(QString::number(shot->tools[0].force.z() / limit)));
+        QVERIFY(shot->tools[0].pose.position.z() > 5 * spacing * (1 - 0.3)); // it did not go on
+    }
+
     void energyLedgerCloses()
     {
         Simulation simulation(press());

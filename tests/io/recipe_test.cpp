@@ -245,7 +245,7 @@ void RecipeTest::wrongRecipesAreRefusedWithTheirPlace_data()
         "manipulators[0] must have the key \"position_mm\".");
     row("unknown key", withManipulator(R"({"name": "a", "size": [1, 2, 3]})"),
         "manipulators[0].size is not a known key; allowed here: name, size_mm, position_mm, rotation_deg, friction, "
-        "speed_limit_mm_s, keyframes.");
+        "speed_limit_mm_s, force_limit_n, keyframes.");
     row("friction", withManipulator(R"({"name": "a", "size_mm": [1, 2, 3], "position_mm": [0, 0, 0], "friction": 5})"),
         "manipulators[0].friction must be a number between 0 and 2, got 5.");
     row("frames backwards", withManipulator(R"({"name": "a", "size_mm": [1, 2, 3], "position_mm": [0, 0, 0],

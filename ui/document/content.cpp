@@ -189,6 +189,7 @@ PreparedContent prepareRefill(std::shared_ptr<const Model> model, double spacing
                                       .pose = tool.pose,
                                       .friction = tool.friction,
                                       .speedLimit = tool.speedLimit,
+                                      .forceLimit = tool.forceLimit,
                                       .motion = HoldStill{}});
     scene.gravity = now.gravity;
     scene.floorHeight = now.floorHeight;

@@ -14,6 +14,8 @@ namespace {
 constexpr double fastestDisplay = 0.016; // [s]
 constexpr double slowestDisplay = 0.1;   // [s]
 constexpr double crossingTime = 1.5;     // a block crosses the part in this time [s]
+// A new block stalls at this strain of the stiffest material under its face: enough to bend and dent, not to crush.
+constexpr double stallStrain = 0.25;
 
 } // namespace
 
@@ -159,6 +161,10 @@ void Document::addBlock()
     block.size = Vec3::Constant(size() / 4);
     block.pose.position = placeAbove(block.size);
     block.speedLimit = size() / crossingTime;
+    double stiffest = 0;
+    for (const Material& material : m_frame->snapshot->materials)
+        stiffest = std::max(stiffest, material.youngsModulus);
+    block.forceLimit = stallStrain * stiffest * block.size.x() * block.size.y();
     m_toolToSelect = block.name;
     post(AddManipulator{std::move(block)});
 }

@@ -19,6 +19,7 @@ ToolPanel::ToolPanel(Document& document, QWidget* parent)
     , m_document(document)
     , m_name(makeHeading({}, this))
     , m_speed(makeField(Quantity::Speed, "toolSpeed", this))
+    , m_forceLimit(makeField(Quantity::Force, "toolForceLimit", this))
     , m_friction(makeField(Quantity::Number, "toolFriction", this))
     , m_force(makeReading("toolForce", this))
     , m_peak(makeReading("toolPeakForce", this))
@@ -42,10 +43,14 @@ ToolPanel::ToolPanel(Document& document, QWidget* parent)
     }
     m_speed->setRange(1e-6, 100);
     m_speed->setStatusTip(tr("Arrow keys and PgUp/PgDn drive at this speed; dragging is never faster"));
+    m_forceLimit->setRange(1e-9, 1e12);
+    m_forceLimit->setStatusTip(tr("The block stalls rather than push harder"));
     m_friction->setRange(0, 2);
     connect(m_speed, &QuantityField::committed, this, &ToolPanel::reshape);
+    connect(m_forceLimit, &QuantityField::committed, this, &ToolPanel::reshape);
     connect(m_friction, &QuantityField::committed, this, &ToolPanel::reshape);
     form->addRow(tr("Speed limit"), m_speed);
+    form->addRow(tr("Force limit"), m_forceLimit);
     form->addRow(tr("Friction"), m_friction);
 
     auto* remove = new QPushButton(icon("delete"), tr("Remove block"), this);
@@ -66,6 +71,7 @@ void ToolPanel::documentChanged(Document::Change what)
             for (QuantityField* field : group)
                 field->restore();
         m_speed->restore();
+        m_forceLimit->restore();
         m_friction->restore();
     }
     showTool();
@@ -85,6 +91,7 @@ void ToolPanel::showTool()
         m_size[axis]->setValue(tool->size[i]);
     }
     m_speed->setValue(tool->speedLimit);
+    m_forceLimit->setValue(tool->forceLimit);
     m_friction->setValue(tool->friction);
 }
 
@@ -106,7 +113,7 @@ void ToolPanel::place()
 void ToolPanel::reshape()
 {
     const Vec3 size(m_size[0]->value(), m_size[1]->value(), m_size[2]->value());
-    m_document.post(ReshapeManipulator{m_tool, size, m_friction->value(), m_speed->value()});
+    m_document.post(ReshapeManipulator{m_tool, size, m_friction->value(), m_speed->value(), m_forceLimit->value()});
 }
 
 } // namespace knead

@@ -30,6 +30,7 @@ private:
     std::array<QuantityField*, 3> m_position{};
     std::array<QuantityField*, 3> m_size{};
     QuantityField* m_speed;
+    QuantityField* m_forceLimit;
     QuantityField* m_friction;
     QLabel* m_force;
     QLabel* m_peak;
