@@ -121,7 +121,7 @@ QToolBar QToolButton:hover { background: @button; border-color: @line; }
 QToolBar QToolButton:checked { background: @tint; border-color: @accent; }
 QToolBar QToolButton:checked:disabled { background: transparent; border-color: @line; }
 QDockWidget { font-weight: 600; }
-QDockWidget::title { padding: 5px 8px 9px 8px; background: @window; border-bottom: 1px solid @line; }
+QDockWidget::title { padding: 3px 8px; background: @window; border-bottom: 1px solid @line; }
 QTreeView, QPlainTextEdit { border: none; background: @base; }
 QTreeView::item { padding: 3px 2px; }
 QLineEdit { padding: 3px 6px; min-height: 18px; border: 1px solid @line; border-radius: 4px; background: @base; }

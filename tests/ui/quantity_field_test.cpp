@@ -103,6 +103,21 @@ private slots:
         QCOMPARE(m_field->value(), 4e9);
     }
 
+    void aValueFromElsewhereLeavesTheSelectionAlone()
+    {
+        // While time runs, positions come in sixty times a second.
+        m_field->setFocus();
+        m_field->selectAll();
+        m_field->setValue(7e6);
+        QCOMPARE(m_field->selectedText(), QString("1.2 MPa"));
+        QTest::keyClicks(m_field, "3 MPa");
+        QCOMPARE(m_field->text(), QString("3 MPa"));
+        QTest::keyClick(m_field, Qt::Key_Escape);
+        QCOMPARE(m_field->text(), QString("7 MPa"));
+        m_field->setValue(8e6);
+        QCOMPARE(m_field->text(), QString("8 MPa")); // shown again once the edit has ended
+    }
+
     void aValueFromElsewhereDoesNotDisturbTyping()
     {
         type("9");

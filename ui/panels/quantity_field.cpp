@@ -23,7 +23,7 @@ void QuantityField::setRange(double minimum, double maximum)
 void QuantityField::setValue(double value)
 {
     m_value = value;
-    if (!isModified())
+    if (!isModified() && !m_isBeingEdited)
         setText(formatQuantity(value, m_quantity));
 }
 
@@ -52,17 +52,35 @@ void QuantityField::keyPressEvent(QKeyEvent* event)
         return;
     }
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-        commit();
+        if (isModified())
+            commit();
+        else
+            restore();
         return;
     }
     QLineEdit::keyPressEvent(event);
 }
 
+void QuantityField::focusInEvent(QFocusEvent* event)
+{
+    m_isBeingEdited = true;
+    QLineEdit::focusInEvent(event);
+}
+
+void QuantityField::mousePressEvent(QMouseEvent* event)
+{
+    m_isBeingEdited = true;
+    QLineEdit::mousePressEvent(event);
+}
+
 void QuantityField::focusOutEvent(QFocusEvent* event)
 {
     // A menu or another window takes the focus only for a while: the person is still typing.
-    if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason)
+    if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason) {
         commit();
+        if (!isModified())
+            restore(); // shows what came in meanwhile
+    }
     QLineEdit::focusOutEvent(event);
 }
 
@@ -89,6 +107,7 @@ void QuantityField::commit()
 
 void QuantityField::restore()
 {
+    m_isBeingEdited = false;
     setText(formatQuantity(m_value, m_quantity)); // clears isModified()
     showProblem({});
 }

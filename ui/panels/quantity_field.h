@@ -20,7 +20,8 @@ public:
     double value() const { return m_value; }       ///< SI
     bool hasProblem() const { return !m_problem.isEmpty(); }
 
-    /// Shows a value without emitting; a text being edited is left alone.
+    /// Shows a value without emitting. From a click into the field to Enter, Esc or leaving it, text and selection are left
+    /// alone; what came in meanwhile shows then.
     void setValue(double value);
 
     /// Drops what is being typed and shows the value.
@@ -34,6 +35,8 @@ signals:
 protected:
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
@@ -45,6 +48,7 @@ private:
     double m_minimum = -std::numeric_limits<double>::infinity();
     double m_maximum = std::numeric_limits<double>::infinity();
     QString m_problem;
+    bool m_isBeingEdited = false;
 };
 
 } // namespace knead
