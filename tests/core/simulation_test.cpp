@@ -394,7 +394,8 @@ private slots:
             spacing, rubber(), "neighbor"));
         Simulation simulation(scene);
         runSteps(simulation, 500);
-        for (const auto& body : simulation.snapshot()->bodies)
+        const auto shot = simulation.snapshot();
+        for (const auto& body : shot->bodies)
             for (const Vec3& displacement : body.displacements)
                 QVERIFY(displacement.norm() < 1e-9 * spacing);
     }
