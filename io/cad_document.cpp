@@ -117,6 +117,22 @@ std::string stepUnit(STEPControl_Reader& reader, const std::string& path, std::v
     return unit;
 }
 
+/// Makes shapes of what a STEP or IGES reader has read, and takes their assembly and colors over.
+template <typename Reader>
+void transfer(Reader& reader, const std::string& path, const char* failure, TaskControl& control, CadDocument& result)
+{
+    TaskPortion transferring(control, 0.3, 1);
+    Handle(OcctProgress) progress = new OcctProgress(transferring, transferStage);
+    ScopedDocument document;
+    const bool done = reader.Transfer(*document, progress->Start());
+    control.throwIfCancelled();
+    if (!done)
+        failReading(path, failure);
+    CadAssembly assembly = readAssembly(**document, path, result.root.name);
+    result.root.children = std::move(assembly.roots);
+    result.colors = std::move(assembly.colors);
+}
+
 void readStep(const std::string& path, TaskControl& control, CadDocument& result)
 {
     TaskPortion checking(control, 0, 0.05);
@@ -142,16 +158,7 @@ void readStep(const std::string& path, TaskControl& control, CadDocument& result
                               " parts; export the parts you need.");
     result.unit = stepUnit(reader.ChangeReader(), path, result.warnings);
 
-    TaskPortion transferring(control, 0.3, 1);
-    Handle(OcctProgress) progress = new OcctProgress(transferring, transferStage);
-    ScopedDocument document;
-    const bool done = reader.Transfer(*document, progress->Start());
-    control.throwIfCancelled();
-    if (!done)
-        failReading(path, "no shape of the STEP file could be made; export the file again.");
-    CadAssembly assembly = readAssembly(**document, path, result.root.name);
-    result.root.children = std::move(assembly.roots);
-    result.colors = std::move(assembly.colors);
+    transfer(reader, path, "no shape of the STEP file could be made; export the file again.", control, result);
 }
 
 std::string igesUnit(const IGESCAFControl_Reader& reader, const std::string& path, std::vector<std::string>& warnings)
@@ -203,16 +210,8 @@ void readIges(const std::string& path, TaskControl& control, CadDocument& result
     control.throwIfCancelled();
     result.unit = igesUnit(reader, path, result.warnings);
 
-    TaskPortion transferring(control, 0.3, 1);
-    Handle(OcctProgress) progress = new OcctProgress(transferring, transferStage);
-    ScopedDocument document;
-    const bool done = reader.Transfer(*document, progress->Start());
-    control.throwIfCancelled();
-    if (!done)
-        failReading(path, "no shape of the IGES file could be made; export the file again, best as STEP.");
-    CadAssembly assembly = readAssembly(**document, path, result.root.name);
-    result.root.children = std::move(assembly.roots);
-    result.colors = std::move(assembly.colors);
+    transfer(reader, path, "no shape of the IGES file could be made; export the file again, best as STEP.", control,
+             result);
     joinLooseSurfaces(result.root, result.colors);
 }
 
