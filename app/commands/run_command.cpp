@@ -62,7 +62,10 @@ void printJson(const RunReport& report)
           {"gravity", energy.gravity},
           {"contact", energy.contact},
           {"tool_work", energy.toolWork},
-          {"dissipated", energy.dissipated},
+          {"viscous", energy.viscous},
+          {"friction", energy.friction},
+          {"plastic", energy.plastic},
+          {"fracture", energy.fracture},
           {"imbalance", energy.imbalance}}},
         {"tools", nlohmann::ordered_json::array()},
         {"files", report.files},
@@ -81,7 +84,7 @@ void printSummary(const RunReport& report)
     std::printf("%.3f s simulated in %.1f s (%.2fx real time), %llu steps of %.3g ms\n", report.simulated, report.wall,
                 report.ratio(), static_cast<unsigned long long>(report.steps), 1000 * report.timeStep);
     std::printf("energy: elastic %.3g J, kinetic %.3g J, work of the tools %.3g J, dissipated %.3g J\n",
-                report.energy.elastic, report.energy.kinetic, report.energy.toolWork, report.energy.dissipated);
+                report.energy.elastic, report.energy.kinetic, report.energy.toolWork, report.energy.dissipated());
     for (const ToolState& tool : report.tools)
         std::printf("tool %s: force (%.3g, %.3g, %.3g) N, peak %.3g N\n", tool.name.c_str(), tool.force.x(),
                     tool.force.y(), tool.force.z(), tool.peakForce);

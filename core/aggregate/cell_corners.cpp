@@ -29,7 +29,7 @@ struct Surroundings {
     }
 
     /// In the order of Lattice::directions: mean over the cells that share the connection.
-    std::array<double, Lattice::directionCount> weights() const
+    std::array<double, Lattice::isotropicCount> weights() const
     {
         return {(below[2] + below[3] + above[2] + above[3]) / 4,
                 (below[1] + below[3] + above[1] + above[3]) / 4,
@@ -128,8 +128,8 @@ CellCorners allocate(const CellGrid& grid, std::size_t objects)
     CellCorners corners;
     corners.aggregate.lattice = grid.frame;
     corners.aggregate.lattice.nodes.resize(objects);
-    for (std::vector<double>& weights : corners.aggregate.weight)
-        weights.resize(objects);
+    for (std::size_t d = 0; d < Lattice::isotropicCount; ++d)
+        corners.aggregate.weight[d].resize(objects);
     corners.aggregate.volume.resize(objects);
     corners.isSurface.resize(objects);
     return corners;

@@ -45,9 +45,9 @@ ObjectIndex Lattice::find(const Node& node) const
     return static_cast<ObjectIndex>(there ? found - nodes.begin() : nodes.end() - nodes.begin());
 }
 
-void findSegments(Lattice& lattice)
+void findSegments(Lattice& lattice, std::size_t directions)
 {
-    forEachBlock(Lattice::directionCount, 1, [&](std::size_t d, std::size_t) {
+    forEachBlock(directions, 1, [&](std::size_t d, std::size_t) {
         lattice.segments[d] = findSegments(lattice.nodes, Lattice::directions[d]);
     });
 }

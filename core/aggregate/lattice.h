@@ -14,14 +14,27 @@ using ObjectIndex = std::uint32_t;
 ///
 /// Lattice coordinates are (u, v, w). Objects are numbered in lexicographic order of (u, v, w), so that a row along w
 /// is a contiguous range of objects. w runs along the longest side of the part, which makes rows long and few.
-/// Each object has up to 18 neighbors; a connection is stored with its lower object, in the array of its direction.
+/// Each object has up to 18 neighbors (26 as published); a connection is stored with its lower object, in the array of its direction.
 struct Lattice {
     using Node = std::array<std::int32_t, 3>;
 
-    /// The forward half of the 18 neighbors: 3 along the axes, 6 across face diagonals. Each is the higher of its pair.
-    static constexpr int directionCount = 9;
-    static constexpr std::array<Node, directionCount> directions{
-        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1}}};
+    /// The forward halves of the neighbors, each the higher of its pair: 3 along the axes, 6 across face diagonals, which
+    /// make the 18 neighbors of every filled part; and 4 along body diagonals, which only the published arrangement has.
+    static constexpr int directionCount = 13;
+    static constexpr int isotropicCount = 9; ///< the first ones: of the 18 neighbors
+    static constexpr std::array<Node, directionCount> directions{{{1, 0, 0},
+                                                                  {0, 1, 0},
+                                                                  {0, 0, 1},
+                                                                  {1, 1, 0},
+                                                                  {1, -1, 0},
+                                                                  {1, 0, 1},
+                                                                  {1, 0, -1},
+                                                                  {0, 1, 1},
+                                                                  {0, 1, -1},
+                                                                  {1, 1, 1},
+                                                                  {1, 1, -1},
+                                                                  {1, -1, 1},
+                                                                  {1, -1, -1}}};
 
     /// A stretch of objects whose neighbor in one direction is `offset` further on.
     /// Objects inside it that have no such neighbor carry a connection of weight 0; begin + offset .. end + offset exist.
@@ -35,7 +48,8 @@ struct Lattice {
     double spacing = 0;           ///< a [m]
     Mat3 axes = Mat3::Identity(); ///< columns: world directions of u, v, w (a cyclic permutation of x, y, z)
     std::vector<Node> nodes;      ///< per object, sorted
-    std::array<std::vector<Segment>, directionCount> segments; ///< per direction, ascending, not overlapping
+    std::array<std::vector<Segment>, directionCount> segments; ///< per direction, ascending, not overlapping;
+                                                               ///< none for a direction that is not used
 
     std::size_t size() const { return nodes.size(); }
 
@@ -56,7 +70,7 @@ struct Lattice {
     Vec3 coordinates(const Vec3& place) const { return axes.transpose() * (place - origin) / spacing; }
 };
 
-/// Finds the segments for sorted nodes. Stretches with equal offset are joined over gaps.
-void findSegments(Lattice& lattice);
+/// Finds the segments of the first `directions` directions for sorted nodes. Stretches with equal offset are joined over gaps.
+void findSegments(Lattice& lattice, std::size_t directions = Lattice::isotropicCount);
 
 } // namespace knead

@@ -40,6 +40,13 @@ const std::vector<MaterialField>& materialFields()
         {"damping_ratio", "Damping ratio", "", 0, 0.3, &Material::dampingRatio},
         {"shape_damping_per_s", "Shape damping", "1/s", 0, 1000, &Material::shapeDamping},
         {"friction", "Friction", "", 0, 2, &Material::friction},
+        {"yield_stress_pa", "Yield stress", "Pa", 0, 1e11, &Material::yieldStress, "never yields"},
+        {"hardening_pa", "Hardening", "Pa", 0, 1e11, &Material::hardening},
+        {"relaxation_time_s", "Relaxation time", "s", 0, 1000, &Material::relaxationTime, "flows at once"},
+        {"tensile_strength_pa", "Tensile strength", "Pa", 0, 1e11, &Material::tensileStrength, "never breaks"},
+        {"elongation_at_break", "Elongation at break", "", 0, 100, &Material::elongationAtBreak, "flows without end"},
+        {"adhesion_pa", "Adhesion", "Pa", 0, 1e9, &Material::adhesion, "does not stick"},
+        {"healing_time_s", "Healing time", "s", 0, 1e4, &Material::healingTime, "does not heal"},
     };
     return fields;
 }

@@ -14,6 +14,15 @@ struct Material {
     double shapeDamping = 0;    ///< rate at which deviations from rigid motion decay [1/s], 0 .. 1000
     double friction = 0.4;      ///< Coulomb coefficient of contacts, 0 .. 2
 
+    double adhesion = 0;        ///< tension that skins bear after they touched [Pa], 0 .. 1e9; 0: they do not stick
+    double tensileStrength = 0; ///< [Pa], 0 .. 1e11; 0: never breaks
+    double yieldStress = 0;     ///< in uniaxial tension [Pa], 0 .. 1e11; 0: never yields
+    double hardening = 0;       ///< rise of the yield stress per plastic strain [Pa], 0 .. 1e11
+    double elongationAtBreak =
+        0;                     ///< plastic strain at which stretched material breaks, 0 .. 100; 0: it flows without end
+    double relaxationTime = 0; ///< in which stress beyond yield flows off [s], 0 .. 1000; 0: at once
+    double healingTime = 0;    ///< pressed together for so long, skins become one [s], 0 .. 1e4; 0: never
+
     friend bool operator==(const Material&, const Material&) = default;
 
     double shearModulus() const { return youngsModulus / (2 * (1 + poissonRatio)); } ///< mu [Pa]
@@ -22,6 +31,10 @@ struct Material {
         return youngsModulus * poissonRatio / ((1 + poissonRatio) * (1 - 2 * poissonRatio));
     }
     double soundSpeed() const; ///< of a thin bar, sqrt(E / rho) [m/s]
+
+    bool yields() const { return yieldStress > 0; }
+    bool breaks() const { return tensileStrength > 0 || (yields() && elongationAtBreak > 0); }
+    bool heals() const { return healingTime > 0; }
 };
 
 /// Describes one number of Material: for panels, recipes and messages.
@@ -32,6 +45,7 @@ struct MaterialField {
     double minimum;
     double maximum;
     double Material::*value;
+    const char* zero = ""; ///< what 0 means when it is no number like others: "never breaks"
 };
 
 /// All numbers of Material in the order a panel shows them.

@@ -31,7 +31,9 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
     if (const double speed = slide.norm(); speed > 0) {
         constexpr double share = 0.5;
         const double stopping = share * parameters.reducedMass * speed / dt;
-        result.damping -= std::min(parameters.friction * normalForce, stopping) / speed * slide;
+        const double friction = std::min(parameters.friction * normalForce, stopping);
+        result.damping -= friction / speed * slide;
+        result.frictionPower = -friction * speed;
     }
     return result;
 }

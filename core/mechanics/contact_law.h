@@ -27,6 +27,7 @@ struct ContactResult {
     Vec3 spring = Vec3::Zero();  ///< conservative part of the force [N]
     Vec3 damping = Vec3::Zero(); ///< of damper and friction [N]; what it does on the relative motion is lost
     double energy = 0;           ///< stored in the spring [J]
+    double frictionPower = 0;    ///< of friction on the relative motion, <= 0 [W]
 
     Vec3 force() const { return spring + damping; }
 };
@@ -36,7 +37,8 @@ struct ContactResult {
 /// most half of what would stop it within the step `dt`; that regularizes eq (7), which has no value at rest.
 ContactResult contactForce(const ContactState& state, const ContactParameters& parameters, double dt);
 
-/// Parameters of a contact between two objects: springs and dampers in series, geometric mean of the frictions.
+/// Parameters of a contact between two objects, so that two alike give their own: springs and dampers in series (harmonic
+/// mean), the geometric mean of the frictions, the lesser overlap cap.
 ContactParameters combine(const ContactParameters& a, const ContactParameters& b);
 
 } // namespace knead

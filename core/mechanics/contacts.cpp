@@ -1,5 +1,7 @@
 #include "core/mechanics/contacts.h"
 
+#include "core/task/parallel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,102 +10,237 @@ namespace knead {
 
 namespace {
 
+constexpr std::uint32_t none = 0xffffffffU;
+
 // Candidates are listed this far ahead, in spacings: more means fewer lists, but longer ones.
 constexpr double marginShare = 0.5;
 constexpr double smallestRadiusShare = 0.25;
+constexpr double crackRadiusShare = 0.5; // neighbors on both sides of a crack just touch
 constexpr double largestOverlapShare = 2;
+
+// Contacts of rigid bodies may reach this share of what the deformable ones' time step allows.
+constexpr double rigidShare = 0.1;
+constexpr double immovableMass = 1e9; // [kg]
+
+template <typename Pair>
+auto findPair(std::vector<Pair>& sorted, const VicinityPair& wanted)
+{
+    const auto found = std::lower_bound(sorted.begin(), sorted.end(), wanted,
+                                        [](const Pair& pair, const VicinityPair& key) { return pair.objects < key; });
+    return found != sorted.end() && found->objects == wanted ? found : sorted.end();
+}
 
 } // namespace
 
-SurfacePoint RigidSurface::nearest(const Vec3& place) const
-{
-    if (shape == Shape::floor)
-        return {place.z() - pose.position.z(), Vec3::UnitZ()};
-    SurfacePoint point = boxSurface(size, pose.toLocal(place));
-    point.normal = pose.rotation * point.normal;
-    return point;
-}
-
-Box RigidSurface::reach(double margin) const
-{
-    if (shape == Shape::floor) {
-        const double infinite = std::numeric_limits<double>::max();
-        return {Vec3(-infinite, -infinite, -infinite), Vec3(infinite, infinite, pose.position.z() + margin)};
-    }
-    const Vec3 extent = pose.rotation.toRotationMatrix().cwiseAbs() * (0.5 * size) + Vec3::Constant(margin);
-    return {pose.position - extent, pose.position + extent};
-}
-
-Contacts::Contacts(std::vector<BodyView> bodies)
+Contacts::Contacts(std::vector<BodyView> bodies, VicinityMethod method)
     : m_bodies(std::move(bodies))
+    , m_brokenSeen(m_bodies.size(), 0)
+    , m_vicinity(makeVicinity(method))
 {
     for (std::uint32_t b = 0; b < m_bodies.size(); ++b) {
-        const Aggregate& aggregate = *m_bodies[b].aggregate;
+        const Aggregate& aggregate = m_bodies[b].connections->aggregate();
         const double a = aggregate.lattice.spacing;
         m_margin = std::max(m_margin, marginShare * a);
+        m_indexOf.emplace_back(aggregate.size(), none);
         for (ObjectIndex i = 0; i < aggregate.size(); ++i)
             if (aggregate.depth[i] < a * (1 - 1e-6)) // one layer; rounding must not take part of the next
-                m_objects.push_back({.body = b,
-                                     .object = i,
-                                     .reach = std::max(aggregate.depth[i], -a),
-                                     .radius = std::max(aggregate.depth[i], smallestRadiusShare * a),
-                                     .parameters = {}});
+                addObject(b, i, false);
+        findSlits(b);
     }
-    updateParameters();
-    for (ContactPair& pair : findPairs(0)) {
-        const ContactObject& first = m_objects[pair.objects.first];
-        const ContactObject& second = m_objects[pair.objects.second];
-        pair.nominalLength =
-            (stateOf(first).position.at(first.object) - stateOf(second).position.at(second.object)).norm();
-        m_touchingAtStart.push_back(pair);
-    }
+    updateParameters(0);
+    keepDistances({});
 }
 
-void Contacts::updateParameters()
+void Contacts::addObject(std::uint32_t body, ObjectIndex object, bool loose)
 {
+    const Aggregate& aggregate = m_bodies[body].connections->aggregate();
+    const double a = aggregate.lattice.spacing;
+    const double depth = aggregate.depth[object];
+    const double largest = loose ? crackRadiusShare * a : a;
+    m_indexOf[body][object] = static_cast<std::uint32_t>(m_objects.size());
+    m_objects.push_back({.ref = {body, object},
+                         .reach = std::clamp(depth, -a, largest),
+                         .radius = std::clamp(depth, smallestRadiusShare * a, largest),
+                         .loose = loose,
+                         .parameters = {}});
+}
+
+/// Objects within two nodes of each other with no way of at most two connections between them face each other across a
+/// slit: they may touch.
+void Contacts::findSlits(std::uint32_t body)
+{
+    if (m_bodies[body].kind != BodyKind::deformable)
+        return;
+    const Lattice& lattice = m_bodies[body].connections->aggregate().lattice;
+    std::vector<std::uint8_t> facing(m_objects.size(), 0);
+    forEachBlock(m_objects.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const ContactObject& object = m_objects[i];
+            if (object.ref.body != body)
+                continue;
+            // Along the axes is enough: what faces across a slit of any slope has such a pair nearby.
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                for (const std::int32_t way : {-2, 2}) {
+                    Lattice::Node node = lattice.nodes[object.ref.object];
+                    node[axis] += way;
+                    const ObjectIndex other = lattice.find(node);
+                    if (other < lattice.size() && m_indexOf[body][other] != none &&
+                        !areNeighbors(object, m_objects[m_indexOf[body][other]]))
+                        facing[i] = 1;
+                }
+        }
+    });
+    for (std::size_t i = 0; i < m_objects.size(); ++i)
+        m_objects[i].loose = m_objects[i].loose || facing[i] != 0;
+}
+
+void Contacts::updateParameters(double frequency)
+{
+    m_frequency = frequency > 0 ? frequency : m_frequency > 0 ? m_frequency : 1e4;
     for (ContactObject& object : m_objects) {
-        const BodyView& body = m_bodies[object.body];
-        const double mass = body.state->mass[object.object];
-        const double stiffness = body.connections->contactStiffness(object.object);
+        const BodyView& body = m_bodies[object.ref.body];
+        const Material& material = materialOf(object.ref);
+        const bool deforms = body.kind == BodyKind::deformable;
+        const double own = body.state->mass[object.ref.object];
+        const double stiffness = deforms ? body.connections->contactStiffness(object.ref.object)
+                                         : std::min(body.connections->contactStiffness(object.ref.object),
+                                                    rigidShare * own * m_frequency * m_frequency);
         object.parameters = {.stiffness = stiffness,
-                             .damping = 2 * body.material->dampingRatio * std::sqrt(stiffness * mass),
-                             .friction = body.material->friction,
-                             .reducedMass = mass,
-                             .largestOverlap = largestOverlapShare * body.aggregate->lattice.spacing};
+                             .damping = 2 * material.dampingRatio * std::sqrt(stiffness * own),
+                             .friction = material.friction,
+                             .reducedMass = body.kind == BodyKind::glue ? immovableMass : own,
+                             .largestOverlap = largestOverlapShare * spacingOf(object.ref)};
     }
+    m_valid = false;
+}
+
+void Contacts::setKind(std::uint32_t body, BodyKind kind)
+{
+    m_bodies[body].kind = kind;
+    updateParameters(0);
+}
+
+ContactParameters Contacts::between(const ContactObject& a, const ContactObject& b) const
+{
+    ContactParameters parameters = combine(a.parameters, b.parameters);
+    for (const ContactObject* object : {&a, &b})
+        if (m_bodies[object->ref.body].kind == BodyKind::glue)
+            parameters.friction = object->parameters.friction;
+    return parameters;
+}
+
+bool Contacts::areNeighbors(const ContactObject& a, const ContactObject& b) const
+{
+    const StructuralConnections& connections = *m_bodies[a.ref.body].connections;
+    std::array<ObjectIndex, 2 * Lattice::directionCount> around{};
+    std::size_t count = 0;
+    connections.forEachConnection(a.ref.object,
+                                  [&](ObjectIndex neighbor, const ConnectionId&) { around[count++] = neighbor; });
+    const auto isAround = [&](ObjectIndex object) {
+        return std::find(around.begin(), around.begin() + count, object) != around.begin() + count;
+    };
+    bool near = isAround(b.ref.object);
+    connections.forEachConnection(
+        b.ref.object, [&](ObjectIndex neighbor, const ConnectionId&) { near = near || isAround(neighbor); });
+    return near;
 }
 
 std::vector<Contacts::ContactPair> Contacts::findPairs(double margin)
 {
     std::vector<VicinitySphere> spheres;
     spheres.reserve(m_objects.size());
-    for (const ContactObject& object : m_objects)
-        spheres.push_back({stateOf(object).position.at(object.object), object.radius, object.body});
-    m_grid.build(spheres, margin);
-    if (m_bodies.size() < 2)
-        return {};
+    for (const ContactObject& object : m_objects) {
+        const BodyView& body = m_bodies[object.ref.body];
+        VicinitySphere sphere{.center = placeOf(object), .radius = object.radius, .group = object.ref.body};
+        if (body.kind == BodyKind::deformable) {
+            sphere.node = body.connections->aggregate().lattice.nodes[object.ref.object];
+            sphere.loose = object.loose;
+        }
+        spheres.push_back(sphere);
+    }
+    m_vicinity->build(spheres, margin);
     std::vector<ContactPair> pairs;
-    for (const VicinityPair& pair : m_grid.pairs())
-        pairs.push_back({pair, m_objects[pair.first].radius + m_objects[pair.second].radius});
+    for (const VicinityPair& pair : m_vicinity->pairs()) {
+        const ContactObject& first = m_objects[pair.first];
+        const ContactObject& second = m_objects[pair.second];
+        const bool bothGlue =
+            m_bodies[first.ref.body].kind == BodyKind::glue && m_bodies[second.ref.body].kind == BodyKind::glue;
+        if (bothGlue || (first.ref.body == second.ref.body && areNeighbors(first, second)))
+            continue;
+        pairs.push_back({.objects = pair,
+                         .nominalLength = first.radius + second.radius,
+                         .joined = m_joints.connects(first.ref, second.ref),
+                         .parameters = between(first, second)});
+    }
+    m_statistics = m_vicinity->statistics();
     return pairs;
+}
+
+void Contacts::keepDistances(const std::vector<ContactPair>& known)
+{
+    std::vector<ContactPair> all = known;
+    for (ContactPair& pair : findPairs(0)) {
+        if (findPair(all, pair.objects) != all.end() ||
+            findPair(m_keptDistances, pair.objects) != m_keptDistances.end())
+            continue;
+        pair.nominalLength = (placeOf(m_objects[pair.objects.first]) - placeOf(m_objects[pair.objects.second])).norm();
+        m_keptDistances.push_back(pair);
+        std::inplace_merge(m_keptDistances.begin(), m_keptDistances.end() - 1, m_keptDistances.end(),
+                           [](const ContactPair& a, const ContactPair& b) { return a.objects < b.objects; });
+    }
+}
+
+void Contacts::connectionsBroke()
+{
+    bool any = false;
+    for (std::uint32_t b = 0; b < m_bodies.size(); ++b) {
+        const std::vector<ConnectionId>& broken = m_bodies[b].connections->changes().broken;
+        const Lattice& lattice = m_bodies[b].connections->aggregate().lattice;
+        for (; m_brokenSeen[b] < broken.size(); ++m_brokenSeen[b]) {
+            const ConnectionId& connection = broken[m_brokenSeen[b]];
+            Lattice::Node upper = lattice.nodes[connection.lower];
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                upper[axis] += Lattice::directions[connection.direction][axis];
+            for (const ObjectIndex end : {connection.lower, lattice.find(upper)}) {
+                if (m_indexOf[b][end] == none)
+                    addObject(b, end, true);
+                m_objects[m_indexOf[b][end]].loose = true;
+            }
+            any = true;
+        }
+    }
+    if (!any)
+        return;
+    updateParameters(0);
+    keepDistances(m_pairs);
 }
 
 void Contacts::rebuild(std::span<const RigidSurface> surfaces)
 {
+    std::vector<ContactPair> before = std::move(m_pairs);
     m_pairs = findPairs(m_margin);
-    auto known = m_touchingAtStart.begin();
-    for (ContactPair& pair : m_pairs) { // both lists are sorted
-        while (known != m_touchingAtStart.end() && known->objects < pair.objects)
-            ++known;
-        if (known != m_touchingAtStart.end() && known->objects == pair.objects)
-            pair.nominalLength = known->nominalLength;
+    auto old = before.begin();
+    auto kept = m_keptDistances.begin();
+    for (ContactPair& pair : m_pairs) { // all lists are sorted
+        while (kept != m_keptDistances.end() && kept->objects < pair.objects)
+            ++kept;
+        if (kept != m_keptDistances.end() && kept->objects == pair.objects)
+            pair.nominalLength = kept->nominalLength;
+        while (old != before.end() && old->objects < pair.objects)
+            ++old;
+        if (old != before.end() && old->objects == pair.objects)
+            pair.pressed = old->pressed;
     }
     double largestReach = 0;
     for (const BodyView& body : m_bodies)
-        largestReach = std::max(largestReach, body.aggregate->lattice.spacing);
-    m_nearSurface.clear();
-    for (const RigidSurface& surface : surfaces)
-        m_nearSurface.push_back(m_grid.inBox(surface.reach(largestReach + m_margin)));
+        largestReach = std::max(largestReach, body.connections->aggregate().lattice.spacing);
+    m_nearSurface.assign(surfaces.size(), {});
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+        const Box box = surfaces[s].reach(largestReach + m_margin);
+        for (std::uint32_t i = 0; i < m_objects.size(); ++i)
+            if (m_bodies[m_objects[i].ref.body].kind != BodyKind::glue && box.contains(placeOf(m_objects[i])))
+                m_nearSurface[s].push_back(i);
+    }
     m_travel = 0;
     m_surfaceTravel = 0;
     m_valid = true;
@@ -118,64 +255,105 @@ void Contacts::updateVicinity(std::span<const RigidSurface> surfaces, double tra
         rebuild(surfaces);
 }
 
-void Contacts::pushApart(const ContactPair& pair, double dt, Report& report) const
+void Contacts::pushApart(ContactPair& pair, double dt, Report& report)
 {
+    if (pair.joined)
+        return;
     const ContactObject& first = m_objects[pair.objects.first];
     const ContactObject& second = m_objects[pair.objects.second];
     ObjectState& a = stateOf(first);
     ObjectState& b = stateOf(second);
-    const Vec3 between = a.position.at(first.object) - b.position.at(second.object);
-    const double distance = between.norm();
-    if (distance >= pair.nominalLength || distance == 0)
+    const Vec3 between = a.position.at(first.ref.object) - b.position.at(second.ref.object);
+    const double squared = between.squaredNorm();
+    if (squared >= pair.nominalLength * pair.nominalLength || squared == 0) {
+        pair.pressed = 0;
         return;
-    const ContactResult result =
-        contactForce({.overlap = pair.nominalLength - distance,
-                      .normal = between / distance,
-                      .relativeVelocity = a.velocity.at(first.object) - b.velocity.at(second.object)},
-                     combine(first.parameters, second.parameters), dt);
-    a.force.add(first.object, result.spring);
-    a.damping.add(first.object, result.damping);
-    b.force.add(second.object, -result.spring);
-    b.damping.add(second.object, -result.damping);
+    }
+    const double distance = std::sqrt(squared);
+    const ContactState state{.overlap = pair.nominalLength - distance,
+                             .normal = between / distance,
+                             .relativeVelocity = a.velocity.at(first.ref.object) - b.velocity.at(second.ref.object)};
+    const ContactResult result = contactForce(state, pair.parameters, dt);
+    a.force.add(first.ref.object, result.spring);
+    a.damping.add(first.ref.object, result.damping);
+    b.force.add(second.ref.object, -result.spring);
+    b.damping.add(second.ref.object, -result.damping);
     report.energy += result.energy;
+    report.frictionPower += result.frictionPower;
     ++report.count;
+    m_touching[pair.objects.first] += 2 * pair.parameters.stiffness;
+    m_touching[pair.objects.second] += 2 * pair.parameters.stiffness;
+    joinIfSticky(pair);
+    healIfPressed(pair, state, dt);
 }
 
-void Contacts::pushOff(const ContactObject& object, const RigidSurface& surface, double dt, SurfaceLoad& load,
-                       Report& report) const
+void Contacts::pushOff(std::uint32_t index, const RigidSurface& surface, double dt, SurfaceLoad& load, Report& report)
 {
+    const ContactObject& object = m_objects[index];
     ObjectState& state = stateOf(object);
-    const Vec3 place = state.position.at(object.object);
+    const Vec3 place = placeOf(object);
     const SurfacePoint point = surface.nearest(place);
-    if (point.distance >= object.reach)
+    if (!(point.distance < object.reach))
         return;
     const Vec3 surfaceVelocity = surface.velocityAt(place);
     ContactParameters parameters = object.parameters;
     parameters.friction = std::sqrt(parameters.friction * surface.friction);
-    const ContactResult result = contactForce({.overlap = object.reach - point.distance,
-                                               .normal = point.normal,
-                                               .relativeVelocity = state.velocity.at(object.object) - surfaceVelocity},
-                                              parameters, dt);
-    state.force.add(object.object, result.spring);
-    state.damping.add(object.object, result.damping);
+    const ContactResult result =
+        contactForce({.overlap = object.reach - point.distance,
+                      .normal = point.normal,
+                      .relativeVelocity = state.velocity.at(object.ref.object) - surfaceVelocity},
+                     parameters, dt);
+    state.force.add(object.ref.object, result.spring);
+    state.damping.add(object.ref.object, result.damping);
     load.force -= result.force();
     load.torque -= (place - surface.pose.position).cross(result.force());
     load.power += result.force().dot(surfaceVelocity);
     report.energy += result.energy;
     report.brakingPower -= result.damping.dot(surfaceVelocity);
+    report.frictionPower += result.frictionPower;
     ++report.count;
+    m_touching[index] += parameters.stiffness;
 }
 
 Contacts::Report Contacts::computeForces(std::span<const RigidSurface> surfaces, double dt)
 {
     Report report;
     report.loads.resize(surfaces.size());
-    for (const ContactPair& pair : m_pairs)
+    m_touching.assign(m_objects.size(), 0);
+    if (!m_joints.all().empty()) {
+        std::vector<ObjectState*> states;
+        for (const BodyView& body : m_bodies)
+            states.push_back(body.state);
+        const Joints::Report joints = m_joints.computeForces(states, dt);
+        report.energy += joints.energy;
+        report.frictionPower += joints.frictionPower;
+        report.plastic += joints.plastic;
+        report.fracture += joints.fracture;
+        if (joints.ended > 0)
+            for (ContactPair& pair : m_pairs)
+                pair.joined = pair.joined &&
+                              m_joints.connects(m_objects[pair.objects.first].ref, m_objects[pair.objects.second].ref);
+    }
+    for (ContactPair& pair : m_pairs)
         pushApart(pair, dt, report);
     for (std::size_t s = 0; s < surfaces.size(); ++s)
         for (const std::uint32_t candidate : m_nearSurface[s])
-            pushOff(m_objects[candidate], surfaces[s], dt, report.loads[s], report);
+            pushOff(candidate, surfaces[s], dt, report.loads[s], report);
+    makeNewJoints();
+    for (std::size_t i = 0; i < m_objects.size(); ++i)
+        if (m_touching[i] > 0)
+            report.crowding = std::max(report.crowding, m_touching[i] / m_objects[i].parameters.stiffness);
     return report;
+}
+
+std::vector<double> Contacts::addedStiffness(std::uint32_t body, double crowding) const
+{
+    const StructuralConnections& connections = *m_bodies[body].connections;
+    std::vector<double> added(connections.aggregate().size());
+    for (ObjectIndex i = 0; i < added.size(); ++i)
+        added[i] = crowding * connections.contactStiffness(i);
+    m_joints.addStiffness(body, added);
+    return added;
 }
 
 } // namespace knead

@@ -1,63 +1,61 @@
 #pragma once
 
-#include "core/aggregate/material.h"
+#include "core/aggregate/material_map.h"
 #include "core/mechanics/contact_law.h"
-#include "core/mechanics/manipulator.h"
+#include "core/mechanics/joints.h"
 #include "core/mechanics/object_state.h"
+#include "core/mechanics/rigid_surface.h"
 #include "core/mechanics/structural_connections.h"
-#include "core/vicinity/uniform_grid.h"
+#include "core/vicinity/vicinity.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace knead {
 
-/// A rigid thing that objects may touch: the box of a manipulator, or everything below a horizontal floor.
-struct RigidSurface {
-    enum class Shape { box, floor };
-
-    Shape shape = Shape::box;
-    Vec3 size = Vec3::Zero();            ///< of a box [m]
-    Pose pose;                           ///< of the box's center; of a floor only the height counts
-    Vec3 velocity = Vec3::Zero();        ///< of the center [m/s]
-    Vec3 angularVelocity = Vec3::Zero(); ///< [rad/s]
-    double friction = 0;
-
-    SurfacePoint nearest(const Vec3& place) const;
-    Vec3 velocityAt(const Vec3& place) const { return velocity + angularVelocity.cross(place - pose.position); }
-    Box reach(double margin) const; ///< where objects may touch it
+/// How a body takes part.
+enum class BodyKind : std::uint8_t {
+    deformable,
+    rigid, ///< keeps its shape and moves with six degrees of freedom
+    glue,  ///< keeps its shape and place; its adhesion and friction hold for all that touches it
 };
 
-/// What the objects do to a rigid surface.
-struct SurfaceLoad {
-    Vec3 force = Vec3::Zero();  ///< on the surface [N]
-    Vec3 torque = Vec3::Zero(); ///< about its center [N m]
-    double power = 0;           ///< of the surface on the material [W]
-};
-
-/// Contact connections: found by the vicinity calculation between objects near the skin of different bodies, and between
+/// Contact connections: found by the vicinity calculation between objects near the skin, of one body or two, and between
 /// those and rigid surfaces. They exist while the ends touch.
 ///
 /// The radius of an object in contact is its depth below the skin, so that contact begins when the skins meet and flat faces
 /// are flat. Against rigid surfaces it may be negative (an object outside the skin, by the cut cells) and is limited to
-/// one spacing either way; between two bodies it is at least a quarter of the spacing.
+/// one spacing either way; between objects it is at least a quarter of the spacing. Ends of broken connections take part with
+/// half a spacing.
+///
+/// Within a body, objects that are joined by one or two connections do not touch each other.
+///
+/// Where both materials are adhesive, or one body is glue, touching makes a joint that holds up to the least adhesion. Where
+/// both heal, skins that stay pressed together for the longer healing time grow together.
 ///
 /// Candidates are listed with a margin and listed again when something has moved that far.
 class Contacts {
 public:
     struct BodyView {
         ObjectState* state;
-        const Aggregate* aggregate;
         const StructuralConnections* connections;
-        const Material* material;
+        const MaterialMap* materials;
+        BodyKind kind = BodyKind::deformable;
     };
 
-    /// Pairs of different bodies that overlap at the start keep that distance as nominal length: no force until pressed.
-    explicit Contacts(std::vector<BodyView> bodies);
+    /// Pairs that overlap at the start keep that distance as nominal length: no force until pressed.
+    Contacts(std::vector<BodyView> bodies, VicinityMethod method);
 
-    /// Takes over changed materials.
-    void updateParameters();
+    /// Takes over changed materials and masses.
+    /// @param frequency the largest one of the deformable bodies, which rigid ones must not exceed [rad/s]
+    void updateParameters(double frequency);
+
+    void setKind(std::uint32_t body, BodyKind kind);
+
+    /// Ends of newly broken connections become contact objects; where they overlap now, they keep their distance.
+    void connectionsBroke();
 
     /// Lists candidates again when objects or surfaces have moved too far, or the surfaces are others.
     /// @param travel how far the fastest object may have moved since the last call [m]
@@ -69,41 +67,79 @@ public:
 
     struct Report {
         std::vector<SurfaceLoad> loads; ///< per surface
-        double energy = 0;              ///< stored in contacts [J]
+        double energy = 0;              ///< stored in contacts and joints [J]
         double brakingPower = 0;        ///< of dampers and friction on the rigid surfaces [W]
+        double frictionPower = 0;       ///< of friction on relative motion [W]
+        double plastic = 0;             ///< flowed off in joints [J]
+        double fracture = 0;            ///< of joints that ended [J]
         std::size_t count = 0;          ///< contacts that touch
+        double crowding = 0;            ///< largest stiffness of all contacts of an object by that of one
     };
 
-    /// Adds contact forces to the states of the bodies.
+    /// Adds contact and joint forces to the states of the bodies; makes and ends joints.
     Report computeForces(std::span<const RigidSurface> surfaces, double dt);
+
+    /// Stiffness that contacts and joints add to the objects of a body [N/m].
+    /// @param crowding contacts at a time that one object may have
+    std::vector<double> addedStiffness(std::uint32_t body, double crowding) const;
+
+    const Joints& joints() const { return m_joints; }
+    const VicinityStatistics& statistics() const { return m_statistics; } ///< of the last listing
 
 private:
     struct ContactObject {
-        std::uint32_t body;
-        ObjectIndex object;
+        ObjectRef ref;
         double reach;  ///< radius against rigid surfaces [m]
-        double radius; ///< against other bodies [m]
+        double radius; ///< against other objects [m]
+        bool loose;    ///< has lost connections, or faces its own body across a slit
         ContactParameters parameters;
     };
     struct ContactPair {
         VicinityPair objects;
-        double nominalLength; ///< [m]
+        double nominalLength = 0; ///< [m]
+        double pressed = 0;       ///< for how long now [s]
+        bool joined = false;
+        ContactParameters parameters;
     };
 
+    void addObject(std::uint32_t body, ObjectIndex object, bool loose);
+    void findSlits(std::uint32_t body);
     void rebuild(std::span<const RigidSurface> surfaces);
     std::vector<ContactPair> findPairs(double margin);
-    ObjectState& stateOf(const ContactObject& object) const { return *m_bodies[object.body].state; }
-    void pushApart(const ContactPair& pair, double dt, Report& report) const;
-    void pushOff(const ContactObject& object, const RigidSurface& surface, double dt, SurfaceLoad& load,
-                 Report& report) const;
+    bool areNeighbors(const ContactObject& a, const ContactObject& b) const;
+    void keepDistances(const std::vector<ContactPair>& known);
+    ContactParameters between(const ContactObject& a, const ContactObject& b) const;
+    ObjectState& stateOf(const ContactObject& object) const { return *m_bodies[object.ref.body].state; }
+    Vec3 placeOf(const ContactObject& object) const { return stateOf(object).position.at(object.ref.object); }
+    const Material& materialOf(const ObjectRef& object) const
+    {
+        return m_bodies[object.body].materials->of(object.object);
+    }
+    double spacingOf(const ObjectRef& object) const
+    {
+        return m_bodies[object.body].connections->aggregate().lattice.spacing;
+    }
+    void pushApart(ContactPair& pair, double dt, Report& report);
+    void pushOff(std::uint32_t index, const RigidSurface& surface, double dt, SurfaceLoad& load, Report& report);
+    void joinIfSticky(ContactPair& pair);
+    void healIfPressed(ContactPair& pair, const ContactState& state, double dt);
+    void makeNewJoints();
+    Joint healed(const ObjectRef& a, const ObjectRef& b) const;
 
     std::vector<BodyView> m_bodies;
     std::vector<ContactObject> m_objects;
-    UniformGrid m_grid;
-    std::vector<ContactPair> m_touchingAtStart; ///< sorted
+    std::vector<std::vector<std::uint32_t>> m_indexOf; ///< per body and object: place in m_objects, or none
+    std::vector<std::size_t> m_brokenSeen;             ///< per body: broken connections taken into account
+    std::shared_ptr<Vicinity> m_vicinity;              ///< scratch memory, shared by copies
+    VicinityStatistics m_statistics;
+    Joints m_joints;
+    std::vector<Joint> m_newJoints;
+    std::vector<ContactPair> m_keptDistances; ///< pairs with a nominal length of their own, sorted
     std::vector<ContactPair> m_pairs;
     std::vector<std::vector<std::uint32_t>> m_nearSurface; ///< per surface, indices into m_objects
+    std::vector<double> m_touching;                        ///< per contact object: stiffness of its contacts now [N/m]
     double m_margin = 0;                                   ///< [m]
+    double m_frequency = 0;
     double m_travel = 0;
     double m_surfaceTravel = 0;
     bool m_valid = false;

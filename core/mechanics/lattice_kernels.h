@@ -30,15 +30,38 @@ struct End {
 struct StressArguments {
     const double* const* shape;        ///< 9: M = sum k d o^T, column-wise
     const double* const* inverseShape; ///< 6: uu vv ww uv uw vw of K^-1 = (sum k o o^T)^-1
-    const double* volume;              ///< V [m^3]
+    const double* bulk;                ///< (lambda - mu) V [J]
+    const double* restDilatation;      ///< theta at which there is no pressure
     double spacing;                    ///< a [m]
-    double modulus;                    ///< lambda - mu [Pa]
     double* const* stress;             ///< 9, written: (p / a) F^-T K^-1, column-wise, p = (lambda - mu) V theta
-    double* theta;                     ///< written: ln det F, F = M K^-1 / a
+    double* theta;                     ///< written: ln det F - restDilatation, F = M K^-1 / a
 };
 
-/// Smallest det F that the volumetric law follows; below it the pressure stays what it is there.
+/// det F below which the logarithm goes on as its tangent, so that squashed and inverted surroundings are pushed back with
+/// a force that stays the gradient of an energy.
 inline constexpr double smallestVolumeRatio = 0.1;
+
+/// ln det F of surroundings that are flat; less when they are inside out.
+inline constexpr double flatDilatation = -3.302585092994046;
+
+/// Arrays of a stretch of connections that flow. Strains are ln(L / l) less a third of the dilatation at the two ends.
+struct FlowArguments {
+    ConstVectors self;
+    ConstVectors neighbor;
+    const double* selfDilatation;
+    const double* neighborDilatation;
+    const double* stiffness;
+    const double* yieldStrain;
+    const double* hardening;
+    const double* share; ///< of the strain beyond yield that flows off now, 0 .. 1
+    double* nominalLength;
+    double* plasticStrain; ///< sum of all flow so far
+    double* dissipated;    ///< sumLanes partial sums [J]
+};
+
+/// Where the dilatation at an end is below this (a quarter of the volume left), connections do not flow: what F says about
+/// the volume there is no longer reliable.
+inline constexpr double leastFlowingDilatation = -1.4;
 
 /// Partial sums that a reducing kernel keeps apart.
 inline constexpr std::size_t sumLanes = 8;
@@ -48,7 +71,7 @@ struct Kernels {
     /// Writes the pull of the neighbors on one end of each connection: k (|d| - l) n to `force`, k dampingTime v_n n to
     /// `damping`. The other end feels the opposite. `stiffness` and `nominalLength` are in the order of the stretch.
     void (*connectionForces)(std::size_t count, const End& self, const End& neighbor, const double* stiffness,
-                             const double* nominalLength, double dampingTime, const Vectors& force,
+                             const double* nominalLength, const double* dampingTime, const Vectors& force,
                              const Vectors& damping);
 
     /// Adds sign from to target.
@@ -63,6 +86,12 @@ struct Kernels {
     /// Adds sign k (self + neighbor) to the force: the share of one lattice column in the volumetric forces.
     void (*addVolumetricForces)(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor,
                                 const double* stiffness, double sign, const Vectors& force);
+
+    void (*flow)(std::size_t count, const FlowArguments& arguments);
+
+    /// Writes by how much each connection's strain L / l - 1 exceeds a limit.
+    void (*excessStrain)(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor,
+                         const double* nominalLength, const double* limit, double* excess);
 
     /// Semi-implicit Euler for one component: v += dt ((f + b) / m + g), x += dt v. Adds the work of b with the mean of old
     /// and new velocity to work[i % sumLanes], so that the sum does not depend on the width of the instructions.

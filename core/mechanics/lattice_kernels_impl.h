@@ -37,7 +37,8 @@ inline double naturalLogarithm(double x)
 }
 
 void connectionForces(std::size_t count, const End& self, const End& neighbor, const double* stiffness,
-                      const double* nominalLength, double dampingTime, const Vectors& force, const Vectors& damping)
+                      const double* nominalLength, const double* dampingTime, const Vectors& force,
+                      const Vectors& damping)
 {
     const double *x0 = self.position.x, *y0 = self.position.y, *z0 = self.position.z;
     const double *u0 = self.velocity.x, *v0 = self.velocity.y, *w0 = self.velocity.z;
@@ -45,7 +46,7 @@ void connectionForces(std::size_t count, const End& self, const End& neighbor, c
     const double *u1 = neighbor.velocity.x, *v1 = neighbor.velocity.y, *w1 = neighbor.velocity.z;
     double *fx = force.x, *fy = force.y, *fz = force.z;
     double *bx = damping.x, *by = damping.y, *bz = damping.z;
-    const double *k = stiffness, *l = nominalLength;
+    const double *k = stiffness, *l = nominalLength, *time = dampingTime;
 #pragma GCC ivdep
     for (std::size_t i = 0; i < count; ++i) {
         const double dx = x1[i] - x0[i], dy = y1[i] - y0[i], dz = z1[i] - z0[i];
@@ -54,7 +55,7 @@ void connectionForces(std::size_t count, const End& self, const End& neighbor, c
         const double rate = ((u1[i] - u0[i]) * dx + (v1[i] - v0[i]) * dy + (w1[i] - w0[i]) * dz) * inverse;
         const double scaled = k[i] * inverse;
         const double pull = scaled * (squared * inverse - l[i]);
-        const double brake = scaled * dampingTime * rate;
+        const double brake = scaled * time[i] * rate;
         fx[i] = pull * dx;
         fy[i] = pull * dy;
         fz[i] = pull * dz;
@@ -101,13 +102,12 @@ void volumetricStress(std::size_t count, const StressArguments& arguments)
     const double *kuu = arguments.inverseShape[0], *kvv = arguments.inverseShape[1];
     const double *kww = arguments.inverseShape[2], *kuv = arguments.inverseShape[3];
     const double *kuw = arguments.inverseShape[4], *kvw = arguments.inverseShape[5];
-    const double* volume = arguments.volume;
+    const double *bulk = arguments.bulk, *rest = arguments.restDilatation;
     double *s00 = arguments.stress[0], *s10 = arguments.stress[1], *s20 = arguments.stress[2];
     double *s01 = arguments.stress[3], *s11 = arguments.stress[4], *s21 = arguments.stress[5];
     double *s02 = arguments.stress[6], *s12 = arguments.stress[7], *s22 = arguments.stress[8];
     double* theta = arguments.theta;
     const double inverseSpacing = 1 / arguments.spacing;
-    const double modulus = arguments.modulus;
 #pragma GCC ivdep
     for (std::size_t i = 0; i < count; ++i) {
         const double f00 = (m00[i] * kuu[i] + m01[i] * kuv[i] + m02[i] * kuw[i]) * inverseSpacing;
@@ -125,9 +125,10 @@ void volumetricStress(std::size_t count, const StressArguments& arguments)
         const double c20 = f01 * f12 - f02 * f11, c21 = f02 * f10 - f00 * f12, c22 = f00 * f11 - f01 * f10;
         const double determinant = f00 * c00 + f01 * c01 + f02 * c02;
         const double ratio = determinant > smallestVolumeRatio ? determinant : smallestVolumeRatio;
-        const double dilatation = naturalLogarithm(ratio);
+        const double below = determinant < smallestVolumeRatio ? determinant / smallestVolumeRatio - 1 : 0;
+        const double dilatation = naturalLogarithm(ratio) + below - rest[i];
         theta[i] = dilatation;
-        const double p = modulus * volume[i] * dilatation * inverseSpacing / ratio;
+        const double p = bulk[i] * dilatation * inverseSpacing / ratio;
         s00[i] = p * (c00 * kuu[i] + c01 * kuv[i] + c02 * kuw[i]);
         s10[i] = p * (c10 * kuu[i] + c11 * kuv[i] + c12 * kuw[i]);
         s20[i] = p * (c20 * kuu[i] + c21 * kuv[i] + c22 * kuw[i]);
@@ -156,6 +157,54 @@ void addVolumetricForces(std::size_t count, const ConstVectors& self, const Cons
     }
 }
 
+void flow(std::size_t count, const FlowArguments& arguments)
+{
+    const double *x0 = arguments.self.x, *y0 = arguments.self.y, *z0 = arguments.self.z;
+    const double *x1 = arguments.neighbor.x, *y1 = arguments.neighbor.y, *z1 = arguments.neighbor.z;
+    const double *t0 = arguments.selfDilatation, *t1 = arguments.neighborDilatation;
+    const double *k = arguments.stiffness, *yield = arguments.yieldStrain, *hardening = arguments.hardening;
+    const double* share = arguments.share;
+    double *l = arguments.nominalLength, *plastic = arguments.plasticStrain;
+    double* dissipated = arguments.dissipated;
+    const auto one = [&](std::size_t i, double& sum) {
+        const double dx = x1[i] - x0[i], dy = y1[i] - y0[i], dz = z1[i] - z0[i];
+        const double length = __builtin_sqrt(dx * dx + dy * dy + dz * dz + tinyLengthSquared);
+        const double strain = naturalLogarithm(length / l[i]) - (t0[i] + t1[i]) * (1.0 / 6);
+        const double size = strain < 0 ? -strain : strain;
+        const double beyond = size - (yield[i] + hardening[i] * plastic[i]);
+        const double least = t0[i] < t1[i] ? t0[i] : t1[i];
+        const double amount = beyond > 0 && least > leastFlowingDilatation && k[i] > 0 ? beyond * share[i] : 0;
+        const double before = length - l[i];
+        // exp(strain) to first order, in the form that stays positive.
+        const double nominal = strain > 0 ? l[i] * (1 + amount) : l[i] / (1 + amount);
+        const double after = length - nominal;
+        l[i] = nominal;
+        plastic[i] += amount;
+        sum += 0.5 * k[i] * (before * before - after * after);
+    };
+    const std::size_t whole = count - count % sumLanes;
+    for (std::size_t first = 0; first < whole; first += sumLanes) {
+#pragma GCC ivdep
+        for (std::size_t lane = 0; lane < sumLanes; ++lane)
+            one(first + lane, dissipated[lane]);
+    }
+    for (std::size_t i = whole; i < count; ++i)
+        one(i, dissipated[i - whole]);
+}
+
+void excessStrain(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor,
+                  const double* nominalLength, const double* limit, double* excess)
+{
+    const double *x0 = self.x, *y0 = self.y, *z0 = self.z;
+    const double *x1 = neighbor.x, *y1 = neighbor.y, *z1 = neighbor.z;
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < count; ++i) {
+        const double dx = x1[i] - x0[i], dy = y1[i] - y0[i], dz = z1[i] - z0[i];
+        const double length = __builtin_sqrt(dx * dx + dy * dy + dz * dz);
+        excess[i] = length / nominalLength[i] - 1 - limit[i];
+    }
+}
+
 void advance(std::size_t count, double dt, double gravity, const double* mass, const double* inverseMass,
              const double* force, const double* damping, double* velocity, double* position, double* work)
 {
@@ -180,7 +229,7 @@ void advance(std::size_t count, double dt, double gravity, const double* mass, c
 } // namespace
 
 extern const Kernels set;
-const Kernels set{connectionForces,    addScaled, addShape,         volumetricStress,
-                  addVolumetricForces, advance,   KNEAD_KERNEL_NAME};
+const Kernels set{connectionForces, addScaled, addShape,         volumetricStress, addVolumetricForces, flow,
+                  excessStrain,     advance,   KNEAD_KERNEL_NAME};
 
 } // namespace knead::kernels::KNEAD_KERNEL_SET

@@ -76,25 +76,6 @@ Pose yieldTo(const Vec3& force, const Manipulator& manipulator, const Pose& next
     return way.norm() > manipulator.speedLimit * dt ? goTowards(manipulator, next, dt) : next;
 }
 
-SurfacePoint boxSurface(const Vec3& size, const Vec3& point)
-{
-    const Vec3 beyond = point.cwiseAbs() - 0.5 * size;
-    const auto side = [&](Eigen::Index axis) { return point[axis] < 0 ? -1.0 : 1.0; };
-    Eigen::Index axis = 0;
-    const double largest = beyond.maxCoeff(&axis);
-    if (largest <= 0) {
-        Vec3 normal = Vec3::Zero();
-        normal[axis] = side(axis);
-        return {largest, normal};
-    }
-    const Vec3 outside = beyond.cwiseMax(0.0);
-    const double distance = outside.norm();
-    Vec3 normal = outside / distance;
-    for (Eigen::Index i = 0; i < 3; ++i)
-        normal[i] *= side(i);
-    return {distance, normal};
-}
-
 std::vector<std::string> manipulatorProblems(const Manipulator& manipulator)
 {
     std::vector<std::string> problems;
@@ -106,6 +87,10 @@ std::vector<std::string> manipulatorProblems(const Manipulator& manipulator)
     require(manipulator.size.allFinite() && within(manipulator.size.minCoeff(), 1e-6, 1e3) &&
                 within(manipulator.size.maxCoeff(), 1e-6, 1e3),
             "each edge must be between 0.001 mm and 1000 m long.");
+    require(manipulator.kind != ToolKind::part || manipulator.part, "it is to be a part, but has none.");
+    require(!((fittingSize(manipulator.kind, manipulator.size, manipulator.part.get()) - manipulator.size).norm() >
+              1e-9 * manipulator.size.norm()),
+            "its measures do not fit together: a ball has one, a cylinder a diameter and a length.");
     require(manipulator.pose.position.allFinite() && manipulator.pose.rotation.coeffs().allFinite() &&
                 std::abs(manipulator.pose.rotation.norm() - 1) < 1e-6,
             "its place must be finite numbers.");

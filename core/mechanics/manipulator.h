@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/vec3.h"
+#include "core/mechanics/tool_shape.h"
 
 #include <cstdint>
 #include <limits>
@@ -32,15 +33,19 @@ struct FollowKeyFrames {          ///< linear between frames; before the first a
 };
 using Motion = std::variant<HoldStill, DriveAt, GoTo, FollowKeyFrames>;
 
-/// A rigid box that pushes material.
+/// A rigid tool that pushes material.
 struct Manipulator {
     std::string name;
-    Vec3 size = Vec3(0.02, 0.02, 0.02);                          ///< edge lengths [m], > 0
+    Vec3 size = Vec3(0.02, 0.02, 0.02);                          ///< edge lengths of its box, as the kind says [m], > 0
     Pose pose;                                                   ///< of its center
     double friction = 0.4;                                       ///< Coulomb, 0 .. 2
     double speedLimit = 0.5;                                     ///< [m/s]
     double forceLimit = std::numeric_limits<double>::infinity(); ///< it stalls rather than push harder, > 0 [N]
     Motion motion;
+    ToolKind kind = ToolKind::box;
+    std::shared_ptr<const ToolPart> part; ///< for ToolKind::part
+
+    ToolShape shape() const { return {kind, size, part}; }
 };
 
 /// Where a manipulator is after `dt` [s] of its motion, starting from `pose` at `time` [s].
@@ -53,14 +58,5 @@ Pose yieldTo(const Vec3& force, const Manipulator& manipulator, const Pose& next
 
 /// One sentence per thing that cannot be simulated: sizes, places, speeds or key frames out of range. Empty when all is well.
 std::vector<std::string> manipulatorProblems(const Manipulator& manipulator);
-
-/// Signed distance and outward direction from the surface of a box.
-struct SurfacePoint {
-    double distance = 0;         ///< [m], negative inside
-    Vec3 normal = Vec3::UnitZ(); ///< outward, unit
-};
-
-/// Nearest point of the surface of a box of edge lengths `size` centered at the origin, seen from `point`.
-SurfacePoint boxSurface(const Vec3& size, const Vec3& point);
 
 } // namespace knead

@@ -1,6 +1,8 @@
 #include "core/mechanics/structural_connections.h"
 
 #include "core/mechanics/lattice_kernels.h"
+#include "core/mechanics/lattice_stretches.h"
+#include "core/mechanics/structural_friction.h"
 #include "core/task/parallel.h"
 
 #include <Eigen/Eigenvalues>
@@ -19,6 +21,9 @@ constexpr std::size_t chunkSize = 256;
 // (overlap / a about 0.4 p / E) and adds a quarter to the stiffness of a surface object.
 constexpr double contactShare = 3;
 
+// Surroundings whose connections lie this near to a plane say nothing about volume.
+constexpr double flattestShape = 0.01;
+
 kernels::ConstVectors from(const VectorArray& v, std::size_t i)
 {
     return {&v.x[i], &v.y[i], &v.z[i]};
@@ -28,44 +33,19 @@ kernels::Vectors into(VectorArray& v, std::size_t i)
     return {&v.x[i], &v.y[i], &v.z[i]};
 }
 
-/// Calls run(object, neighbor, lower, count) for every stretch of connections of direction `d` that starts (forward) or ends
-/// (backward) in [begin, end). `lower` is where the stretch's parameters are.
-template <typename Run>
-void forEachForward(const Lattice& lattice, std::size_t d, std::size_t begin, std::size_t end, Run run)
+Vec3 latticeVector(std::size_t d)
 {
-    const auto& segments = lattice.segments[d];
-    auto segment =
-        std::partition_point(segments.begin(), segments.end(), [&](const auto& s) { return s.end <= begin; });
-    for (; segment != segments.end() && segment->begin < end; ++segment) {
-        const std::size_t first = std::max<std::size_t>(segment->begin, begin);
-        const std::size_t last = std::min<std::size_t>(segment->end, end);
-        run(first, first + static_cast<std::size_t>(segment->offset), first, last - first);
-    }
-}
-
-template <typename Run>
-void forEachBackward(const Lattice& lattice, std::size_t d, std::size_t begin, std::size_t end, Run run)
-{
-    const auto& segments = lattice.segments[d];
-    const auto shift = [](const auto& s, ObjectIndex i) { return i + static_cast<std::size_t>(s.offset); };
-    auto segment =
-        std::partition_point(segments.begin(), segments.end(), [&](const auto& s) { return shift(s, s.end) <= begin; });
-    for (; segment != segments.end() && shift(*segment, segment->begin) < end; ++segment) {
-        const std::size_t first = std::max(shift(*segment, segment->begin), begin);
-        const std::size_t last = std::min(shift(*segment, segment->end), end);
-        const std::size_t lower = first - static_cast<std::size_t>(segment->offset);
-        run(first, lower, lower, last - first);
-    }
+    const Lattice::Node& o = Lattice::directions[d];
+    return {static_cast<double>(o[0]), static_cast<double>(o[1]), static_cast<double>(o[2])};
 }
 
 } // namespace
 
-StructuralConnections::StructuralConnections(std::shared_ptr<const Aggregate> aggregate, const Material& material)
+StructuralConnections::StructuralConnections(std::shared_ptr<const Aggregate> aggregate, const MaterialMap& materials)
     : m_aggregate(std::move(aggregate))
-    , m_count(m_aggregate->connectionCount())
+    , m_materials(&materials)
+    , m_laws(materials, m_aggregate->lattice.spacing)
 {
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-        m_nominalLength[d].assign(m_aggregate->size(), m_aggregate->lattice.direction(static_cast<int>(d)).norm());
     // A block also computes the connections that reach into it from lower objects, which lie up to the largest offset
     // back; four times that keeps the double work near a tenth. Small lattices have small offsets and need no small blocks.
     std::size_t largestOffset = 0;
@@ -73,37 +53,92 @@ StructuralConnections::StructuralConnections(std::shared_ptr<const Aggregate> ag
         for (const Lattice::Segment& segment : segments)
             largestOffset = std::max(largestOffset, static_cast<std::size_t>(segment.offset));
     m_blockSize = std::clamp<std::size_t>(4 * largestOffset, 2048, 65536);
-    setMaterial(material);
+    m_changes.restDilatation.assign(m_aggregate->size(), 0);
+    updateMaterials();
 }
 
-void StructuralConnections::setMaterial(const Material& material)
+void StructuralConnections::updateMaterials()
+{
+    m_laws = ConnectionLaws(*m_materials, m_aggregate->lattice.spacing);
+    findStiffness();
+    m_mode.resize(0);
+    if (m_laws.anyYields())
+        makeLengthsOwn();
+    findInverseShapes();
+}
+
+void StructuralConnections::restore(Changes changes)
+{
+    m_changes = std::move(changes);
+    if (m_changes.restDilatation.empty())
+        m_changes.restDilatation.assign(m_aggregate->size(), 0);
+    updateMaterials();
+}
+
+void StructuralConnections::findStiffness()
 {
     const double a = m_aggregate->lattice.spacing;
-    m_shearModulus = material.shearModulus();
-    m_volumetricModulus = material.lameLambda() - m_shearModulus;
-    if (std::abs(m_volumetricModulus) < 1e-9 * m_shearModulus)
-        m_volumetricModulus = 0;
+    const std::size_t objects = m_aggregate->size();
     for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
         const std::vector<double>& weight = m_aggregate->weight[d];
-        m_stiffness[d].resize(weight.size());
-        std::transform(weight.begin(), weight.end(), m_stiffness[d].begin(),
-                       [&](double w) { return m_shearModulus * a * w; });
+        std::vector<double>& stiffness = m_stiffness[d];
+        stiffness.assign(weight.size(), 0);
+        forEachForward(m_aggregate->lattice, d, 0, objects,
+                       [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {
+                           m_laws.fill(&ConnectionLaw::stiffness, i, j, n, &stiffness[i]);
+                           for (std::size_t s = i; s < i + n; ++s)
+                               stiffness[s] *= a * weight[s];
+                       });
     }
-    // b = 2 zeta sqrt(k m_red) with k = mu a w and m_red = rho a^3 w / 2 gives the same b / k for every connection.
-    m_dampingTime = 2 * material.dampingRatio * std::sqrt(material.density * a * a / (2 * m_shearModulus));
-    m_mode.resize(0);
-    if (m_volumetricModulus != 0)
-        findInverseShapes();
+    for (const ConnectionId& broken : m_changes.broken)
+        m_stiffness[broken.direction][broken.lower] = 0;
+    m_count = m_aggregate->connectionCount() - m_changes.broken.size();
+}
+
+void StructuralConnections::makeLengthsOwn()
+{
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
+        const std::size_t size = m_stiffness[d].size();
+        if (m_changes.nominalLength[d].size() != size)
+            m_changes.nominalLength[d].assign(size, m_aggregate->lattice.direction(static_cast<int>(d)).norm());
+        if (m_changes.plasticStrain[d].size() != size)
+            m_changes.plasticStrain[d].assign(size, 0);
+    }
+}
+
+const double* StructuralConnections::nominalLengths(std::size_t d, std::size_t lower, std::size_t count,
+                                                    double* buffer) const
+{
+    if (!m_changes.nominalLength[d].empty())
+        return &m_changes.nominalLength[d][lower];
+    std::fill_n(buffer, count, m_aggregate->lattice.direction(static_cast<int>(d)).norm());
+    return buffer;
+}
+
+double StructuralConnections::nominalLength(const ConnectionId& connection) const
+{
+    double rest = 0;
+    return *nominalLengths(connection.direction, connection.lower, 1, &rest);
 }
 
 void StructuralConnections::findInverseShapes()
 {
     const std::size_t count = m_aggregate->size();
+    const auto bulkModulus = [](const Material& material) {
+        const double modulus = material.lameLambda() - material.shearModulus();
+        return std::abs(modulus) < 1e-9 * material.shearModulus() ? 0 : modulus;
+    };
+    m_hasBulk = m_materials->largest([&](const Material& m) { return std::abs(bulkModulus(m)); }) > 0;
+    for (auto& component : m_inverseShape)
+        component.resize(count);
+    for (auto& component : m_stress)
+        component.assign(count, 0);
+    m_bulk.resize(count);
+    m_theta.assign(count, 0);
+    m_thetaIsPresent = false;
     std::vector<Mat3> shape(count, Mat3::Zero());
     for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
-        const Lattice::Node& o = Lattice::directions[d];
-        const Vec3 direction(o[0], o[1], o[2]);
-        const Mat3 dyad = direction * direction.transpose();
+        const Mat3 dyad = latticeVector(d) * latticeVector(d).transpose();
         forEachForward(m_aggregate->lattice, d, 0, count,
                        [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
                            for (std::size_t s = 0; s < n; ++s) {
@@ -112,18 +147,25 @@ void StructuralConnections::findInverseShapes()
                            }
                        });
     }
-    for (auto& component : m_inverseShape)
-        component.resize(count);
-    for (auto& component : m_stress)
-        component.resize(count);
-    m_theta.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const Mat3 inverse = shape[i].inverse();
-        const double components[] = {inverse(0, 0), inverse(1, 1), inverse(2, 2),
-                                     inverse(0, 1), inverse(0, 2), inverse(1, 2)};
-        for (std::size_t c = 0; c < 6; ++c)
-            m_inverseShape[c][i] = components[c];
+    for (ObjectIndex i = 0; i < count; ++i) {
+        m_bulk[i] = bulkModulus(m_materials->of(i)) * m_aggregate->volume[i];
+        setInverseShape(i, shape[i]);
     }
+}
+
+void StructuralConnections::setInverseShape(ObjectIndex object, const Mat3& shape)
+{
+    Eigen::SelfAdjointEigenSolver<Mat3> solver;
+    solver.computeDirect(shape, Eigen::EigenvaluesOnly);
+    Mat3 inverse = Mat3::Zero();
+    if (solver.eigenvalues()[0] > flattestShape * solver.eigenvalues()[2])
+        inverse = shape.inverse();
+    else
+        m_bulk[object] = 0;
+    const double components[] = {inverse(0, 0), inverse(1, 1), inverse(2, 2),
+                                 inverse(0, 1), inverse(0, 2), inverse(1, 2)};
+    for (std::size_t c = 0; c < 6; ++c)
+        m_inverseShape[c][object] = components[c];
 }
 
 void StructuralConnections::computeStress(const ObjectState& state)
@@ -160,12 +202,14 @@ void StructuralConnections::computeStress(const ObjectState& state)
             stress[c] = &m_stress[c][begin];
         for (std::size_t c = 0; c < 6; ++c)
             inverseShape[c] = &m_inverseShape[c][begin];
-        kernels::best().volumetricStress(end - begin, {shape, inverseShape, &m_aggregate->volume[begin],
-                                                       lattice.spacing, m_volumetricModulus, stress, &m_theta[begin]});
+        kernels::best().volumetricStress(end - begin,
+                                         {shape, inverseShape, &m_bulk[begin], &m_changes.restDilatation[begin],
+                                          lattice.spacing, stress, &m_theta[begin]});
     });
+    m_thetaIsPresent = true;
 }
 
-void StructuralConnections::addForcesOfBlock(ObjectState& state, std::size_t begin, std::size_t end)
+void StructuralConnections::addForcesOfBlock(ObjectState& state, std::size_t begin, std::size_t end, double dt)
 {
     const auto& segments = m_aggregate->lattice.segments;
     for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
@@ -180,27 +224,32 @@ void StructuralConnections::addForcesOfBlock(ObjectState& state, std::size_t beg
             const std::size_t first = std::max<std::size_t>(segment->begin, begin > offset ? begin - offset : 0);
             const std::size_t last = std::min<std::size_t>(segment->end, end);
             for (std::size_t chunk = first; chunk < last; chunk += chunkSize)
-                addForcesOfChunk(state, d, {chunk, std::min(chunk + chunkSize, last), offset}, begin, end);
+                addForcesOfChunk(state, d, {chunk, std::min(chunk + chunkSize, last), offset}, begin, end, dt);
         }
     }
 }
 
 void StructuralConnections::addForcesOfChunk(ObjectState& state, std::size_t d, const Chunk& chunk, std::size_t begin,
-                                             std::size_t end) const
+                                             std::size_t end, double dt) const
 {
     const std::size_t lower = chunk.first;
     const std::size_t upper = chunk.first + chunk.offset;
     const std::size_t count = chunk.last - chunk.first;
     if (chunk.last <= begin && upper >= end) // an offset longer than the block: both ends miss it
         return;
-    double buffer[6][chunkSize];
+    double buffer[8][chunkSize];
     const kernels::Vectors pull{buffer[0], buffer[1], buffer[2]};
     const kernels::Vectors brake{buffer[3], buffer[4], buffer[5]};
     const kernels::Kernels& kernel = kernels::best();
-    kernel.connectionForces(count, {from(state.position, lower), from(state.velocity, lower)},
-                            {from(state.position, upper), from(state.velocity, upper)}, &m_stiffness[d][lower],
-                            &m_nominalLength[d][lower], m_dampingTime, pull, brake);
-    if (m_volumetricModulus != 0) {
+    const kernels::End self{from(state.position, lower), from(state.velocity, lower)};
+    const kernels::End neighbor{from(state.position, upper), from(state.velocity, upper)};
+    m_laws.fill(&ConnectionLaw::dampingTime, lower, upper, count, buffer[6]);
+    kernel.connectionForces(count, self, neighbor, &m_stiffness[d][lower], nominalLengths(d, lower, count, buffer[7]),
+                            buffer[6], pull, brake);
+    if (m_structuralFriction > 0)
+        addStructuralFriction(count, self, neighbor, {&state.mass[lower], &state.mass[upper]}, m_structuralFriction, dt,
+                              pull, brake);
+    if (m_hasBulk) {
         const auto column = [&](std::size_t c, std::size_t i) {
             return kernels::ConstVectors{&m_stress[3 * c][i], &m_stress[3 * c + 1][i], &m_stress[3 * c + 2][i]};
         };
@@ -223,122 +272,57 @@ void StructuralConnections::addForcesOfChunk(ObjectState& state, std::size_t d, 
     take(-1, upper);
 }
 
-void StructuralConnections::computeForces(ObjectState& state)
+void StructuralConnections::computeForces(ObjectState& state, double dt)
 {
-    if (m_volumetricModulus != 0)
+    if (needsStress())
         computeStress(state);
     forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         for (VectorArray* array : {&state.force, &state.damping})
             for (std::vector<double>* component : {&array->x, &array->y, &array->z})
                 std::fill_n(component->data() + begin, end - begin, 0.0);
-        addForcesOfBlock(state, begin, end);
+        addForcesOfBlock(state, begin, end, dt);
     });
 }
 
 double StructuralConnections::energy(const ObjectState& state)
 {
     double sum = 0;
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+    for (std::uint32_t d = 0; d < Lattice::directionCount; ++d)
         forEachForward(m_aggregate->lattice, d, 0, state.size(),
                        [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
                            for (std::size_t s = 0; s < n; ++s) {
                                const double length = (state.position.at(j + s) - state.position.at(i + s)).norm();
-                               const double stretch = length - m_nominalLength[d][lower + s];
+                               const double stretch = length - nominalLength({d, static_cast<ObjectIndex>(lower + s)});
                                sum += 0.5 * m_stiffness[d][lower + s] * stretch * stretch;
                            }
                        });
-    if (m_volumetricModulus == 0)
+    if (!m_hasBulk)
         return sum;
     computeStress(state);
     for (std::size_t i = 0; i < state.size(); ++i)
-        sum += 0.5 * m_volumetricModulus * m_aggregate->volume[i] * m_theta[i] * m_theta[i];
+        sum += 0.5 * m_bulk[i] * m_theta[i] * m_theta[i];
     return sum;
+}
+
+std::size_t StructuralConnections::countInverted(const ObjectState& state)
+{
+    computeStress(state);
+    std::size_t inverted = 0;
+    for (ObjectIndex i = 0; i < state.size(); ++i) {
+        if (m_theta[i] + m_changes.restDilatation[i] > kernels::flatDilatation)
+            continue;
+        std::size_t neighbors = 0;
+        forEachConnection(i, [&](ObjectIndex, const ConnectionId&) { ++neighbors; });
+        if (neighbors >= 2 * Lattice::isotropicCount)
+            ++inverted;
+    }
+    return inverted;
 }
 
 double StructuralConnections::contactStiffness(ObjectIndex object) const
 {
     const double a = m_aggregate->lattice.spacing;
-    return contactShare * m_shearModulus * m_aggregate->volume[object] / (a * a);
-}
-
-double StructuralConnections::bondBound(const ObjectState& state) const
-{
-    std::vector<Mat3> stiffness(state.size(), Mat3::Zero());
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
-        const Vec3 n = m_aggregate->lattice.direction(static_cast<int>(d)).normalized();
-        const Mat3 dyad = n * n.transpose();
-        forEachForward(m_aggregate->lattice, d, 0, state.size(),
-                       [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t count) {
-                           for (std::size_t s = 0; s < count; ++s) {
-                               stiffness[i + s] += m_stiffness[d][lower + s] * dyad;
-                               stiffness[j + s] += m_stiffness[d][lower + s] * dyad;
-                           }
-                       });
-    }
-    double largest = 0;
-    Eigen::SelfAdjointEigenSolver<Mat3> solver;
-    for (std::size_t i = 0; i < state.size(); ++i) {
-        solver.computeDirect(stiffness[i], Eigen::EigenvaluesOnly);
-        const double bound = 2 * solver.eigenvalues()[2] + contactStiffness(static_cast<ObjectIndex>(i));
-        largest = std::max(largest, bound / state.mass[i]);
-    }
-    return std::sqrt(largest);
-}
-
-double StructuralConnections::iteratedFrequency(ObjectState& state)
-{
-    const std::size_t count = state.size();
-    const bool known = m_mode.size() == count;
-    if (!known) { // any vector with a share in all modes; the golden ratio's multiples are spread evenly
-        m_mode.resize(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto spread = [&](double factor) {
-                return std::fmod(static_cast<double>(i + 1) * factor, 1.0) - 0.5;
-            };
-            m_mode.set(i, {spread(0.6180339887), spread(0.7548776662), spread(0.5698402910)});
-        }
-    }
-    ObjectState probe = state;
-    std::fill(probe.velocity.x.begin(), probe.velocity.x.end(), 0.0);
-    std::fill(probe.velocity.y.begin(), probe.velocity.y.end(), 0.0);
-    std::fill(probe.velocity.z.begin(), probe.velocity.z.end(), 0.0);
-    const double step = 1e-4 * m_aggregate->lattice.spacing;
-    const auto displaced = [&](double amount) {
-        for (std::size_t i = 0; i < count; ++i)
-            probe.position.set(i, state.position.at(i) + amount * m_mode.at(i));
-        computeForces(probe);
-        return probe.force;
-    };
-    double squared = 0;
-    const int iterations = known ? 6 : 40;
-    for (int iteration = 0; iteration < iterations; ++iteration) {
-        double largest = 0;
-        for (std::size_t i = 0; i < count; ++i)
-            largest = std::max(largest, m_mode.at(i).cwiseAbs().maxCoeff());
-        for (std::size_t i = 0; i < count; ++i)
-            m_mode.set(i, m_mode.at(i) / largest);
-        const VectorArray ahead = displaced(step);
-        const VectorArray behind = displaced(-step);
-        double numerator = 0;
-        double denominator = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            const Vec3 stiffnessTimesMode = (behind.at(i) - ahead.at(i)) / (2 * step);
-            numerator += m_mode.at(i).dot(stiffnessTimesMode);
-            denominator += state.mass[i] * m_mode.at(i).squaredNorm();
-            m_mode.set(i, stiffnessTimesMode / state.mass[i]);
-        }
-        squared = std::max(squared, numerator / denominator);
-    }
-    double contact = 0;
-    for (std::size_t i = 0; i < count; ++i)
-        contact = std::max(contact, contactStiffness(static_cast<ObjectIndex>(i)) / state.mass[i]);
-    constexpr double margin = 1.1; // 40 iterations come within a few percent from below
-    return std::sqrt(margin * margin * squared + contact);
-}
-
-double StructuralConnections::largestFrequency(ObjectState& state)
-{
-    return m_volumetricModulus > 0 ? iteratedFrequency(state) : bondBound(state);
+    return contactShare * m_materials->of(object).shearModulus() * m_aggregate->volume[object] / (a * a);
 }
 
 } // namespace knead

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "core/aggregate/aggregate.h"
-#include "core/aggregate/material.h"
+#include "core/aggregate/material_map.h"
+#include "core/mechanics/connection_law.h"
 #include "core/mechanics/object_state.h"
 
 #include <array>
@@ -10,75 +11,173 @@
 
 namespace knead {
 
+/// A connection by the object that stores it and its direction.
+struct ConnectionId {
+    std::uint32_t direction = 0;
+    ObjectIndex lower = 0;
+    friend auto operator<=>(const ConnectionId&, const ConnectionId&) = default;
+};
+
 /// The structural connections of one body: parameters by direction, and the forces they give.
 ///
 /// Force on an object o from the connection to p (eqs 2, 3 and 5 of the paper, with the sign that attracts when stretched):
 ///     F = [k (|d| - l) + b (v_p - v_o).n] n,   d = x_p - x_o,  n = d / |d|
-/// There is no friction in structural connections: it would brake a rigid rotation.
+/// There is no friction in structural connections: it would brake a rigid rotation. The published form, eq 7 on every
+/// connection, can be switched on to reproduce published scenes.
 ///
 /// Calibration (18 neighbors, spacing a, cut-cell weight w, shear modulus mu): k = mu a w. Central forces alone give
 /// Poisson's ratio 1/4; the rest is a volumetric energy per object, 1/2 (lambda - mu) V theta^2 with
 /// theta = ln det F, F the least-squares deformation gradient over the object's connections. It is absent at 1/4.
+///
+/// Nominal lengths change by plastic flow and re-normalization, connections are taken away by fracture; all of that is
+/// `ConnectionChanges`, and going back to an earlier moment means putting earlier changes back.
 ///
 /// Objects are worked on in blocks that depend on the lattice only. A block computes every connection with an end in it and
 /// writes to its own objects alone, so no two threads write to one place and the bits do not depend on their number;
 /// connections between blocks are computed by both, with results that are exact opposites.
 class StructuralConnections {
 public:
-    StructuralConnections(std::shared_ptr<const Aggregate> aggregate, const Material& material);
+    using DirectionArray = std::array<std::vector<double>, Lattice::directionCount>;
 
-    /// Changes stiffness and damping; nominal lengths stay as they are.
-    void setMaterial(const Material& material);
+    /// What has become of the connections since the body was made. Arrays are empty until they are needed.
+    struct Changes {
+        DirectionArray nominalLength;       ///< l [m]
+        DirectionArray plasticStrain;       ///< sum of the flow of each connection
+        std::vector<double> restDilatation; ///< per object: theta of no pressure
+        std::vector<ConnectionId> broken;   ///< in the order of breaking
+    };
+
+    /// `materials` must outlive it.
+    StructuralConnections(std::shared_ptr<const Aggregate> aggregate, const MaterialMap& materials);
+
+    /// Takes over changed materials; nominal lengths stay as they are, broken connections stay broken.
+    void updateMaterials();
+
+    /// Friction u of eq 7 in every connection, as published; 0, as at first, for none.
+    void setStructuralFriction(double friction) { m_structuralFriction = friction; }
+
+    const Changes& changes() const { return m_changes; }
+    void restore(Changes changes);
 
     /// Writes state.force and state.damping. Reads positions and velocities.
-    void computeForces(ObjectState& state);
+    /// @param dt limits structural friction, which must not turn motion around [s]
+    void computeForces(ObjectState& state, double dt = 0);
+
+    /// Plastic flow of nominal lengths over a time dt, and breaking of connections that bear too much, at present positions.
+    struct FlowReport {
+        double plastic = 0;  ///< energy that flowed off [J]
+        double fracture = 0; ///< energy of connections that broke [J]
+        std::size_t broken = 0;
+    };
+    FlowReport flowAndBreak(const ObjectState& state, double dt);
+
+    /// Whether flowAndBreak() can do anything with the present materials.
+    bool flowsOrBreaks() const { return m_laws.anyYields() || m_laws.anyBreaks(); }
+
+    /// Re-normalization: nominal lengths approach present lengths, and rest dilatations present ones.
+    /// @param marks per object, 1 where it takes part; a connection does when both its objects do. Empty: all.
+    /// @param share of the way, 0 .. 1; 1 leaves no stress behind
+    /// @return energy taken out [J]
+    double renormalize(const ObjectState& state, const std::vector<std::uint8_t>& marks, double share);
+
+    /// Plastic strains of connections between healing materials decay [s of time].
+    void recover(double dt);
 
     /// Elastic energy at present positions, volumetric part included [J].
     double energy(const ObjectState& state);
 
-    /// Largest angular frequency of the body about its present shape, with contacts on it, from above [rad/s].
-    /// At Poisson's ratio 1/4 and below it is the bound of bounds per object, omega^2 <= max 2 lambda_max(K_ii) / m_i; above,
-    /// where that would cost a factor in the time step, a power iteration with a margin. The iteration starts from the
-    /// mode found last time.
-    double largestFrequency(ObjectState& state);
+    /// Largest angular frequency of the body about its present shape from above [rad/s], with a stiffness added to every
+    /// object (of contacts on it). At Poisson's ratio 1/4 and below it is the bound of bounds per object,
+    /// omega^2 <= max 2 lambda_max(K_ii) / m_i; above, where that would cost a factor in the time step, a power iteration
+    /// with a margin. The iteration starts from the mode found last time.
+    /// @param added per object [N/m]
+    double largestFrequency(ObjectState& state, const std::vector<double>& added);
 
-    std::size_t count() const { return m_count; } ///< connections of stiffness > 0
+    /// Stiffness that bounds each object's share in any mode from above: omega^2 <= max of it by mass [N/m]. Of connections
+    /// in their present places, of the volumetric term, and what is added.
+    std::vector<double> stiffnessBounds(const ObjectState& state, const std::vector<double>& added) const;
 
-    /// b / k, the same for all connections of the body [s].
-    double dampingTime() const { return m_dampingTime; }
+    /// Objects with all 18 connections whose surroundings are flat or inside out: det F <= 0.
+    std::size_t countInverted(const ObjectState& state);
 
-    /// Stiffness for contacts of an object [N/m]: as much as adds a twelfth or so to omega^2. 0 <= k <= 3 mu a.
+    const Aggregate& aggregate() const { return *m_aggregate; }
+    const DirectionArray& stiffness() const { return m_stiffness; }    ///< k [N/m] at the lower object; 0: none
+    double nominalLength(const ConnectionId& connection) const;        ///< l [m]
+    std::size_t count() const { return m_count; }                      ///< connections of stiffness > 0
+    double dampingTime() const { return m_laws.largestDampingTime(); } ///< largest b / k [s]
+
+    /// Calls visit(neighbor, connection) for the live connections of an object, forward and backward by direction.
+    template <typename Visit>
+    void forEachConnection(ObjectIndex object, Visit&& visit) const;
+
+    /// Stiffness for contacts of an object [N/m]: as much as adds a quarter or so to omega^2. 0 <= k <= 3 mu a.
     double contactStiffness(ObjectIndex object) const;
 
 private:
-    using DirectionArray = std::array<std::vector<double>, Lattice::directionCount>;
-
-    void findInverseShapes();
-    void computeStress(const ObjectState& state);
     /// Connections of one direction whose lower ends are first .. last; the upper ends are `offset` further on.
     struct Chunk {
         std::size_t first;
         std::size_t last;
         std::size_t offset;
     };
-    void addForcesOfBlock(ObjectState& state, std::size_t begin, std::size_t end);
-    void addForcesOfChunk(ObjectState& state, std::size_t d, const Chunk& chunk, std::size_t begin,
-                          std::size_t end) const;
-    double bondBound(const ObjectState& state) const;
-    double iteratedFrequency(ObjectState& state);
+    struct Shape;
+
+    void findStiffness();
+    void findInverseShapes();
+    void setInverseShape(ObjectIndex object, const Mat3& shape);
+    bool needsStress() const { return m_hasBulk || m_laws.anyYields(); }
+    void computeStress(const ObjectState& state);
+    void addForcesOfBlock(ObjectState& state, std::size_t begin, std::size_t end, double dt);
+    void addForcesOfChunk(ObjectState& state, std::size_t d, const Chunk& chunk, std::size_t begin, std::size_t end,
+                          double dt) const;
+    const double* nominalLengths(std::size_t d, std::size_t lower, std::size_t count, double* buffer) const;
+    void makeLengthsOwn();
+    double flowBlock(const ObjectState& state, std::size_t begin, std::size_t end, double dt);
+    std::vector<ConnectionId> overloaded(const ObjectState& state) const;
+    void findOverloaded(const ObjectState& state, std::size_t begin, std::size_t end,
+                        std::vector<ConnectionId>& found) const;
+    double breakAll(const ObjectState& state, const std::vector<ConnectionId>& connections);
+    double energyAround(const ObjectState& state, const std::vector<ObjectIndex>& objects) const;
+    Shape shapeAround(const ObjectState& state, ObjectIndex object) const;
+    std::vector<double> bondBounds(const ObjectState& state, const std::vector<double>& added) const;
+    double iteratedFrequency(ObjectState& state, const std::vector<double>& added);
 
     std::shared_ptr<const Aggregate> m_aggregate;
-    DirectionArray m_stiffness;     ///< k [N/m] at the lower object; 0 = no connection
-    DirectionArray m_nominalLength; ///< l [m]
+    const MaterialMap* m_materials;
+    ConnectionLaws m_laws;
+    DirectionArray m_stiffness; ///< k [N/m] at the lower object; 0 = no connection
+    Changes m_changes;
     std::size_t m_count = 0;
     std::size_t m_blockSize = 0; ///< objects per block
-    double m_dampingTime = 0;
-    double m_shearModulus = 0;                         ///< mu [Pa]
-    double m_volumetricModulus = 0;                    ///< lambda - mu [Pa]
+    double m_structuralFriction = 0;
+    bool m_hasBulk = false;
+    std::vector<double> m_bulk;                        ///< (lambda - mu) V [J]; 0 where surroundings are too thin
     std::array<std::vector<double>, 6> m_inverseShape; ///< (sum k o o^T)^-1 in lattice axes: uu vv ww uv uw vw [m/N]
     std::array<std::vector<double>, 9> m_stress;       ///< see kernels::StressArguments
-    std::vector<double> m_theta;                       ///< ln det F
+    std::vector<double> m_theta;                       ///< ln det F less its rest value
+    bool m_thetaIsPresent = false;                     ///< but for the last step
     VectorArray m_mode;                                ///< of the largest frequency, as found last
 };
+
+template <typename Visit>
+void StructuralConnections::forEachConnection(ObjectIndex object, Visit&& visit) const
+{
+    const Lattice& lattice = m_aggregate->lattice;
+    for (std::uint32_t d = 0; d < Lattice::directionCount; ++d) {
+        const auto& segments = lattice.segments[d];
+        const auto forward =
+            std::partition_point(segments.begin(), segments.end(), [&](const auto& s) { return s.end <= object; });
+        if (forward != segments.end() && forward->begin <= object && m_stiffness[d][object] > 0)
+            visit(object + static_cast<ObjectIndex>(forward->offset), ConnectionId{d, object});
+        const auto backward = std::partition_point(segments.begin(), segments.end(), [&](const auto& s) {
+            return s.end + static_cast<ObjectIndex>(s.offset) <= object;
+        });
+        if (backward == segments.end() || backward->begin + static_cast<ObjectIndex>(backward->offset) > object)
+            continue;
+        const ObjectIndex lower = object - static_cast<ObjectIndex>(backward->offset);
+        if (m_stiffness[d][lower] > 0)
+            visit(lower, ConnectionId{d, lower});
+    }
+}
 
 } // namespace knead

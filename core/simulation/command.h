@@ -13,6 +13,18 @@ namespace knead {
 struct SetMaterial {
     BodyId body = 0;
     Material material;
+    std::vector<ObjectIndex> objects = {}; ///< only these; empty: all that are not of a region
+};
+struct SetBodyKind {
+    BodyId body = 0;
+    BodyKind kind = BodyKind::deformable;
+};
+/// Re-normalization: the body, or a part of it, takes its present shape for its own. Connections take part whose objects both
+/// do.
+struct Renormalize {
+    BodyId body = 0;
+    std::vector<ObjectIndex> objects = {}; ///< only these; empty: all
+    double duration = 0;                   ///< gradually, as in annealing [s]; 0: at once
 };
 struct SetGravity {
     Vec3 gravity = Vec3::Zero();
@@ -38,6 +50,8 @@ struct ReshapeManipulator {
     double friction = 0;
     double speedLimit = 0;
     double forceLimit = std::numeric_limits<double>::infinity();
+    ToolKind kind = ToolKind::box;
+    std::shared_ptr<const ToolPart> part = nullptr; ///< for ToolKind::part
 };
 /// At once, while paused; the tool does not push on the way.
 struct PlaceManipulator {
@@ -52,8 +66,9 @@ struct RemoveFixture {
     FixtureId fixture = 0;
 };
 
-using Command = std::variant<SetMaterial, SetGravity, SetFloor, AddManipulator, RemoveManipulator, SetManipulatorMotion,
-                             ReshapeManipulator, PlaceManipulator, AddFixture, RemoveFixture>;
+using Command =
+    std::variant<SetMaterial, SetBodyKind, Renormalize, SetGravity, SetFloor, AddManipulator, RemoveManipulator,
+                 SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, AddFixture, RemoveFixture>;
 
 /// A command and the step before which it took effect.
 struct RecordedCommand {

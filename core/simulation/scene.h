@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/aggregate/aggregate.h"
-#include "core/aggregate/material.h"
+#include "core/aggregate/material_map.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/mechanics/contacts.h"
 #include "core/mechanics/manipulator.h"
+#include "core/vicinity/vicinity.h"
 
 #include <cstdint>
 #include <memory>
@@ -23,6 +25,15 @@ struct Body {
     Material material;
     Vec3 velocity = Vec3::Zero();        ///< at the start [m/s]
     Vec3 angularVelocity = Vec3::Zero(); ///< at the start, about the center of mass [rad/s]
+    BodyKind kind = BodyKind::deformable;
+    std::vector<MaterialRegion> regions; ///< of other materials; a later one wins where they overlap
+    double structuralFriction = 0;       ///< u of eq 7 within the body, 0 .. 2: only to repeat published scenes
+};
+
+/// How velocities and positions are advanced.
+enum class Integrator : std::uint8_t {
+    semiImplicitEuler, ///< keeps energy; needs no damping
+    forwardEuler,      ///< as published: gains energy unless damped
 };
 
 /// Objects of a body that are held in place.
@@ -40,6 +51,15 @@ struct Scene {
     Vec3 gravity = Vec3::Zero();           ///< [m/s^2]
     std::optional<double> floorHeight;     ///< z of a fixed floor [m]
     double floorFriction = 0.4;
+
+    Integrator integrator = Integrator::semiImplicitEuler;
+    VicinityMethod vicinity = VicinityMethod::uniformGrid;
+
+    /// A step of one's own choosing instead of the largest stable one [s]. A run with a longer step than is stable stops.
+    std::optional<double> timeStep;
+    /// Mass scaling: objects that would need a shorter step than this get as much mass as makes it stable [s]. What was
+    /// added is in Snapshot::addedMass.
+    std::optional<double> massScalingTimeStep;
 };
 
 /// Objects held when CAD faces are fixed: those within half a spacing of the faces, and those beyond them outside.

@@ -33,6 +33,9 @@ public:
     /// began, with the motion they began with. Time, energies and the recording begin anew.
     void reset();
 
+    /// Connected pieces of material, by live connections and joints.
+    std::size_t components();
+
     double timeStep() const; ///< largest stable step with a margin [s]
     double time() const;     ///< [s]
     std::uint64_t stepCount() const;

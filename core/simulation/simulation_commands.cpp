@@ -17,26 +17,57 @@ public:
 
     void operator()(const SetMaterial& command) const
     {
-        if (command.body >= m_state.bodies.size())
-            throw std::runtime_error("There is no body number " + std::to_string(command.body) + ".");
+        BodyRun& run = body(command.body);
         if (const auto problems = materialProblems(command.material); !problems.empty())
             throw std::runtime_error(problems.front());
-        m_state.bodies[command.body].material = command.material;
-        m_state.setMasses();
-        m_state.runs[command.body]->connections.setMaterial(command.material);
-        m_state.contacts->updateParameters();
-        m_state.updateTimeStep();
+        keepingAccounts([&] {
+            if (command.objects.empty()) {
+                run.materials.setOwn(command.material);
+                m_state.bodies[command.body].material = command.material;
+            } else {
+                run.materials.set(command.objects, command.material);
+            }
+            run.connections.updateMaterials();
+            m_state.setMasses();
+            m_state.updateTimeStep();
+        });
+    }
+    void operator()(const SetBodyKind& command) const
+    {
+        body(command.body);
+        keepingAccounts([&] { m_state.setKind(command.body, command.kind); });
+    }
+    void operator()(const Renormalize& command) const
+    {
+        BodyRun& run = body(command.body);
+        if (!run.deforms())
+            throw std::runtime_error("A rigid body has no stress to lose. Make it deformable first.");
+        if (!(command.duration >= 0 && command.duration <= 3600))
+            throw std::runtime_error("Re-normalization takes 0 to 3600 s.");
+        for (const ObjectIndex object : command.objects)
+            if (object >= run.state.size())
+                throw std::runtime_error("There is no object number " + std::to_string(object) + ".");
+        // At once means at the next occasion: at the start of the coming step.
+        const double duration = command.duration;
+        m_state.annealings.push_back({.body = command.body,
+                                      .marks = marksOf(command.objects, run.state.size()),
+                                      .rate = duration > 0 ? relaxationsPerAnnealing / duration : 0,
+                                      .end = m_state.time + duration});
+        if (duration == 0)
+            m_state.anneal();
     }
     void operator()(const SetGravity& command) const
     {
         if (!command.gravity.allFinite())
             throw std::runtime_error("Gravity must be finite numbers.");
-        m_state.gravity = command.gravity;
+        keepingAccounts([&] { m_state.gravity = command.gravity; });
     }
     void operator()(const SetFloor& command) const
     {
         if (command.height && !std::isfinite(*command.height))
             throw std::runtime_error("The height of the floor must be a finite number.");
+        if (!(command.friction >= 0 && command.friction <= 2))
+            throw std::runtime_error("The friction of the floor must lie between 0 and 2.");
         m_state.floorHeight = command.height;
         m_state.floorFriction = command.friction;
         m_state.contacts->invalidate();
@@ -60,6 +91,8 @@ public:
     void operator()(const ReshapeManipulator& command) const
     {
         const auto reshape = [&](Manipulator& manipulator) {
+            manipulator.kind = command.kind;
+            manipulator.part = command.part;
             manipulator.size = command.size;
             manipulator.friction = command.friction;
             manipulator.speedLimit = command.speedLimit;
@@ -81,8 +114,10 @@ public:
     {
         if (command.fixture.body >= m_state.bodies.size())
             throw std::runtime_error("Fixture \"" + command.fixture.name + "\" names a body that does not exist.");
-        m_state.fixtures.emplace_back(command.fixture);
-        m_state.holdFixtures();
+        keepingAccounts([&] {
+            m_state.fixtures.emplace_back(command.fixture);
+            m_state.holdFixtures();
+        });
     }
     void operator()(const RemoveFixture& command) const
     {
@@ -93,6 +128,23 @@ public:
     }
 
 private:
+    // An annealing takes this many times its relaxation time, so that little is left to do at once at its end.
+    static constexpr double relaxationsPerAnnealing = 5;
+
+    BodyRun& body(BodyId id) const
+    {
+        if (id >= m_state.bodies.size())
+            throw std::runtime_error("There is no body number " + std::to_string(id) + ".");
+        return *m_state.runs[id];
+    }
+    /// What a person changes by hand is neither won nor lost in the ledger.
+    template <typename Change>
+    void keepingAccounts(Change apply) const
+    {
+        const double before = m_state.storedEnergy().imbalance;
+        apply();
+        m_state.startEnergy += m_state.storedEnergy().imbalance - before;
+    }
     static void check(const Manipulator& manipulator)
     {
         if (const auto problems = manipulatorProblems(manipulator); !problems.empty())
@@ -118,6 +170,20 @@ private:
 };
 
 } // namespace
+
+void Simulation::State::setKind(BodyId body, BodyKind kind)
+{
+    BodyRun& run = *runs[body];
+    if (run.kind == kind)
+        return;
+    bodies[body].kind = kind;
+    run.kind = kind;
+    run.rigid.reset();
+    std::erase_if(annealings, [&](const Annealing& annealing) { return annealing.body == body; });
+    holdFixtures();
+    contacts->setKind(body, kind);
+    updateTimeStep();
+}
 
 void Simulation::State::carryOut(const Command& command)
 {

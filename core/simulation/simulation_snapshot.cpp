@@ -34,6 +34,8 @@ ToolState stateOf(ToolId id, ToolRun& tool)
     }
     return {.id = id,
             .name = tool.manipulator.name,
+            .kind = tool.manipulator.kind,
+            .part = tool.manipulator.part,
             .size = tool.manipulator.size,
             .pose = tool.manipulator.pose,
             .friction = tool.manipulator.friction,
@@ -48,28 +50,39 @@ ToolState stateOf(ToolId id, ToolRun& tool)
 
 EnergyLedger Simulation::State::storedEnergy()
 {
-    // The scheme keeps velocities half a step ahead of positions. All is taken at the start of the last step, where forces
-    // and contact energy are known. With 1/2 m v- . v+ of the velocities half a step before and after, the sum is what
-    // the scheme conserves exactly for linear springs; the imbalance uses that, or it would show the offset as an error.
+    // The semi-implicit scheme keeps velocities half a step ahead of positions. All is taken at the start of the last step,
+    // where forces and contact energy are known. With 1/2 m v- . v+ of the velocities half a step before and after, the sum
+    // is what the scheme conserves exactly for linear springs; the imbalance uses that, or it would show the offset as an
+    // error. Forward Euler has both at the same time.
     EnergyLedger stored = energy;
     stored.contact = contactReport.energy;
     const double back = step > 0 ? timeStep : 0;
+    const bool sameTime = integrator == Integrator::forwardEuler;
     double conserved = 0;
     for (auto& run : runs) {
+        if (run->rigid) {
+            const Vec3 center = run->rigid->center() - back * run->rigid->velocity();
+            conserved += run->rigid->conservedKinetic();
+            stored.kinetic += run->rigid->kinetic();
+            stored.gravity -= run->rigid->mass() * gravity.dot(center);
+            continue;
+        }
         ObjectState earlier = run->state;
         for (std::size_t i = 0; i < earlier.size(); ++i) {
             const double mass = earlier.mass[i];
             const Vec3 force = earlier.force.at(i) + earlier.damping.at(i) + mass * gravity;
             const Vec3 after = earlier.velocity.at(i);
             const Vec3 before = after - back * earlier.inverseMass[i] * force;
-            earlier.position.add(i, -back * after);
-            stored.kinetic += 0.125 * mass * (before + after).squaredNorm();
+            earlier.position.add(i, -back * (sameTime ? before : after));
+            stored.kinetic +=
+                sameTime ? 0.5 * mass * before.squaredNorm() : 0.125 * mass * (before + after).squaredNorm();
             stored.gravity -= mass * gravity.dot(earlier.position.at(i));
-            conserved += 0.5 * mass * before.dot(after);
+            conserved += 0.5 * mass * before.dot(sameTime ? before : after);
         }
-        stored.elastic += run->connections.energy(earlier);
+        if (run->deforms())
+            stored.elastic += run->connections.energy(earlier);
     }
-    stored.imbalance = conserved + stored.elastic + stored.gravity + stored.contact + stored.dissipated -
+    stored.imbalance = conserved + stored.elastic + stored.gravity + stored.contact + stored.dissipated() -
                        stored.toolWork - startEnergy;
     return stored;
 }
@@ -87,19 +100,28 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
     shot->notice = state.notice;
     shot->contacts = state.contactReport.count;
     shot->energy = state.storedEnergy();
+    shot->joints = state.contacts->joints().all().size();
+    shot->components = state.components();
+    double allMass = 0;
     for (std::size_t b = 0; b < state.bodies.size(); ++b) {
         const Aggregate& aggregate = *state.bodies[b].aggregate;
         const BodyRun& run = *state.runs[b];
         shot->bodies.push_back(copyOf(run, aggregate.lattice));
+        shot->bodies.back().kind = run.kind;
         shot->materials.push_back(state.bodies[b].material);
         shot->objects += aggregate.size();
-        shot->connections += run.connections.count();
+        shot->connections += run.deforms() ? run.connections.count() : 0;
+        shot->broken += run.connections.changes().broken.size();
+        double mass = 0;
         for (std::size_t i = 0; i < aggregate.size(); ++i) {
+            mass += run.state.mass[i];
             const Vec3 momentum = run.state.mass[i] * run.state.velocity.at(i);
             shot->momentum += momentum;
             shot->angularMomentum += run.state.position.at(i).cross(momentum);
         }
+        allMass += mass;
     }
+    shot->addedMass = allMass > 0 ? state.addedMass / allMass : 0;
     for (ToolId id = 0; id < state.tools.size(); ++id)
         if (state.tools[id])
             shot->tools.push_back(stateOf(id, *state.tools[id]));

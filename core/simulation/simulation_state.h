@@ -2,6 +2,7 @@
 
 #include "core/mechanics/contacts.h"
 #include "core/mechanics/object_state.h"
+#include "core/mechanics/rigid_motion.h"
 #include "core/mechanics/structural_connections.h"
 #include "core/simulation/simulation.h"
 
@@ -16,10 +17,15 @@ namespace knead {
 struct BodyRun {
     explicit BodyRun(const Body& body);
 
+    MaterialMap materials;
     ObjectState state;
     StructuralConnections connections;
-    std::vector<double> heldMass; ///< inverse masses without fixtures [1/kg]
-    bool anchored = false;        ///< some object is held
+    BodyKind kind;
+    std::optional<RigidMotion> rigid; ///< of a rigid body that is not held
+    std::vector<double> freeMass;     ///< inverse masses without fixtures [1/kg]
+    bool anchored = false;            ///< some object is held
+
+    bool deforms() const { return kind == BodyKind::deformable; }
 };
 
 /// A tool while it is simulated. Its id is its place in the list; removed tools leave a gap.
@@ -43,14 +49,32 @@ struct ToolRun {
     double peakForce = 0;
 };
 
+/// A re-normalization under way.
+struct Annealing {
+    BodyId body = 0;
+    std::vector<std::uint8_t> marks; ///< per object; empty: all
+    double rate = 0;                 ///< [1/s]
+    double end = 0;                  ///< [s]
+};
+
 /// Enough to go back to a moment.
 struct Checkpoint {
+    struct BodyMoment {
+        VectorArray position;
+        VectorArray velocity;
+        StructuralConnections::Changes changes;
+        std::optional<RigidMotion> rigid;
+        BodyKind kind = BodyKind::deformable;
+    };
+
     std::uint64_t step = 0;
     double time = 0;
     EnergyLedger energy;
-    std::vector<VectorArray> positions;
-    std::vector<VectorArray> velocities;
+    double startEnergy = 0;
+    std::vector<BodyMoment> bodies;
     std::vector<Pose> toolPoses;
+    std::vector<Annealing> annealings;
+    std::shared_ptr<const Contacts> contacts;
 };
 
 struct Simulation::State {
@@ -60,6 +84,7 @@ struct Simulation::State {
     void applyCommands();
     void moveManipulators();
     void updateVicinity();
+    void changeConnections();
     void computeForces();
     void integrate();
     void checkHealth();
@@ -67,21 +92,31 @@ struct Simulation::State {
     void carryOut(const Command& command);
     void holdFixtures();
     void setMasses();
+    void scaleMasses(BodyRun& run);
     void updateTimeStep();
     void placeAtStart();
+    void setKind(BodyId body, BodyKind kind);
+    void anneal();
     std::vector<RigidSurface> surfaces() const;
     EnergyLedger storedEnergy();
     Checkpoint checkpoint() const;
     void goBack(const Checkpoint& moment);
     void stop(const std::string& cause);
+    std::string squashedBody();
+    std::size_t components();
 
     std::vector<Body> bodies; ///< present materials
     Vec3 gravity = Vec3::Zero();
     std::optional<double> floorHeight;
     double floorFriction = 0;
+    Integrator integrator = Integrator::semiImplicitEuler;
+    VicinityMethod vicinity = VicinityMethod::uniformGrid;
+    std::optional<double> wantedTimeStep;
+    std::optional<double> massScalingTimeStep;
     std::vector<std::unique_ptr<BodyRun>> runs; ///< per body; addresses stay
     std::vector<std::optional<ToolRun>> tools;
     std::vector<std::optional<Fixture>> fixtures;
+    std::vector<Annealing> annealings;
     std::unique_ptr<Contacts> contacts;
     Contacts::Report contactReport;
 
@@ -90,10 +125,17 @@ struct Simulation::State {
     std::uint64_t step = 0;
     double time = 0;
     double timeStep = 0;
+    double stableStep = 0;    ///< largest stable one at the last look [s]
+    double crowding = 1;      ///< contacts at a time that the time step allows an object
     double largestTravel = 0; ///< of any object in the last step [m]
     double surfaceTravel = 0;
+    double addedMass = 0;   ///< by mass scaling [kg]
     double startEnergy = 0; ///< stored at the start [J]
-    EnergyLedger energy;    ///< toolWork and dissipated are kept up to date
+    EnergyLedger energy;    ///< what came in and went out is kept up to date
+    bool newlyBroken = false;
+    bool wasSquashed = false; ///< at the last look
+    std::size_t knownComponents = 0;
+    std::uint64_t componentsVersion = ~std::uint64_t{0};
     Health health;
     std::string notice; ///< about the last command, empty when it was carried out
     Checkpoint lastGood;
@@ -101,5 +143,8 @@ struct Simulation::State {
 
 /// Why a body cannot be simulated; empty when it can.
 std::vector<std::string> bodyProblems(const Body& body);
+
+/// 1 for each of `objects`, 0 for the others; empty when there are none.
+std::vector<std::uint8_t> marksOf(const std::vector<ObjectIndex>& objects, std::size_t count);
 
 } // namespace knead

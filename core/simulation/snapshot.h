@@ -12,11 +12,18 @@ namespace knead {
 /// Where the energy is and where it went [J].
 struct EnergyLedger {
     double kinetic = 0;
-    double elastic = 0;    ///< in connections, volumetric term included
-    double gravity = 0;    ///< potential, zero at the origin
-    double contact = 0;    ///< stored in contact connections
-    double toolWork = 0;   ///< done on the material by manipulators since the start
-    double dissipated = 0; ///< by damping and friction since the start
+    double elastic = 0;  ///< in connections, volumetric term included
+    double gravity = 0;  ///< potential, zero at the origin
+    double contact = 0;  ///< stored in contact connections
+    double toolWork = 0; ///< done on the material by manipulators since the start
+
+    // Where energy went since the start.
+    double viscous = 0;  ///< in dampers and shape damping
+    double friction = 0; ///< of contacts
+    double plastic = 0;  ///< flow and re-normalization
+    double fracture = 0; ///< of connections that broke
+
+    double dissipated() const { return viscous + friction + plastic + fracture; }
 
     /// What is stored less what came in, plus what went out, since the start; zero but for the error of the scheme [J].
     double imbalance = 0;
@@ -32,6 +39,8 @@ struct Health {
 struct ToolState {
     ToolId id = 0;
     std::string name;
+    ToolKind kind = ToolKind::box;
+    std::shared_ptr<const ToolPart> part;
     Vec3 size = Vec3::Zero(); ///< [m]
     Pose pose;
     double friction = 0;
@@ -47,6 +56,7 @@ struct Snapshot {
     struct BodyState {
         std::vector<Vec3> positions;     ///< per object [m]
         std::vector<Vec3> displacements; ///< per object, from rest [m]
+        BodyKind kind = BodyKind::deformable;
     };
 
     std::uint64_t step = 0;
@@ -67,6 +77,10 @@ struct Snapshot {
     std::size_t objects = 0;
     std::size_t connections = 0; ///< structural
     std::size_t contacts = 0;    ///< contact connections now
+    std::size_t broken = 0;      ///< structural connections that broke so far
+    std::size_t joints = 0;      ///< sticking or healed together now
+    std::size_t components = 0;  ///< connected pieces of material
+    double addedMass = 0;        ///< by mass scaling, as a share of all mass
 
     // Time keeping, filled in by SimulationThread.
     bool playing = false;

@@ -45,7 +45,7 @@ public:
         const std::vector<std::int32_t> front = std::move(m_front);
         m_front.clear();
         for (const std::int32_t place : front)
-            for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
+            for (std::size_t d = 0; d < Lattice::isotropicCount; ++d) {
                 const std::int32_t offset = placeInBlock(Lattice::directions[d]);
                 if (isConnected(place, d))
                     reachPlace(place + offset);
@@ -109,7 +109,7 @@ bool NeighborhoodFinder::isKept(const Lattice::Node& cell) const
         const ObjectIndex object = m_rows.find({cell[0] + local[0], cell[1] + local[1], cell[2] + local[2]});
         if (object == m_aggregate.size())
             return false;
-        for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
+        for (std::size_t d = 0; d < Lattice::isotropicCount; ++d) {
             const Lattice::Node& step = Lattice::directions[d];
             const bool within = inCell(local[0] + step[0]) && inCell(local[1] + step[1]) && inCell(local[2] + step[2]);
             if (within && m_aggregate.weight[d][object] <= 0)

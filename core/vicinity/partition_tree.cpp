@@ -3,6 +3,7 @@
 #include "core/task/parallel.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace knead {
@@ -12,6 +13,13 @@ namespace {
 // Space can be halved more often than doubles can tell apart; spheres left together then stay in one node and are tested
 // one by one, as coincident spheres are.
 constexpr int deepest = 200;
+
+// How far a sphere counts as reaching. The margin counts as part of the spheres, or close pairs could be parted; the few
+// units in the last place make up for the rounding of this sum, for the same reason.
+double reachOf(const VicinitySphere& sphere, double margin)
+{
+    return (sphere.radius + 0.5 * margin) * (1 + 4 * std::numeric_limits<double>::epsilon());
+}
 
 } // namespace
 
@@ -45,9 +53,9 @@ void PartitionTree::split(Tree& tree, const Work& work, std::vector<Work>& todo)
     if (work.end - work.begin > 1 && work.depth < deepest) {
         node.axis = work.depth % 3;
         node.plane = planeOf(tree, work, node.axis);
-        // Low side | spanning | high side. The margin counts as part of the sphere, or close pairs could be parted.
+        // Low side | spanning | high side.
         const auto begin = tree.order.begin();
-        const auto reach = [&](std::uint32_t s) { return m_spheres[s].radius + 0.5 * m_margin; };
+        const auto reach = [&](std::uint32_t s) { return reachOf(m_spheres[s], m_margin); };
         const auto held = std::partition(begin + work.begin, begin + work.end, [&](std::uint32_t s) {
             return m_spheres[s].center[node.axis] + reach(s) < node.plane;
         });
@@ -114,7 +122,7 @@ std::uint64_t PartitionTree::examine(const Tree& tree, std::uint32_t sphere, std
     if (tree.pool.empty())
         return 0;
     const VicinitySphere& self = m_spheres[sphere];
-    const double reach = self.radius + 0.5 * m_margin;
+    const double reach = reachOf(self, m_margin);
     std::uint64_t tests = 0;
     std::int32_t path[2 * deepest + 2] = {0};
     std::size_t waiting = 1;

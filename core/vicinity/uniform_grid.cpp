@@ -12,6 +12,10 @@ namespace {
 // 21 bits per axis. Cells further out share the border cell: their contents are tested exactly anyway.
 constexpr std::int64_t farthestCell = (1 << 21) - 3;
 
+// Cells are this much wider than two spheres: more than rounding shifts the border of the farthest cell. Otherwise two
+// spheres a hair closer than the width of a cell could be numbered two cells apart, and never be tested.
+constexpr double roundingSlack = 1 + 1e-8;
+
 std::uint64_t keyOf(std::int64_t x, std::int64_t y, std::int64_t z)
 {
     // Sums, not bit sets: a key plus the key of a (possibly negative) step is the key of the neighbor.
@@ -75,8 +79,8 @@ void UniformGrid::build(std::span<const VicinitySphere> spheres, double margin)
         level.origin = box.min();
         // Cells no finer than the key can number; points without a margin would have none at all.
         const double finest = box.sizes().maxCoeff() / static_cast<double>(farthestCell);
-        level.cellSize = std::max({2 * level.largestRadius + margin, std::isfinite(finest) ? finest : 0.0,
-                                   std::numeric_limits<double>::min()});
+        level.cellSize = std::max({roundingSlack * (2 * level.largestRadius + margin),
+                                   std::isfinite(finest) ? finest : 0.0, std::numeric_limits<double>::min()});
         level.entries.reserve(members.size());
         for (const std::uint32_t s : members) {
             const Cell cell = level.cellOf(m_spheres[s].center);

@@ -2,6 +2,7 @@
 
 #include "core/geometry/vec3.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -14,7 +15,9 @@ namespace knead {
 struct VicinitySphere {
     Vec3 center;             ///< [m]
     double radius = 0;       ///< [m], >= 0
-    std::uint32_t group = 0; ///< pairs within a group are not looked for
+    std::uint32_t group = 0; ///< pairs within a group are looked for only when their nodes lie apart, or one is loose
+    std::array<std::int32_t, 3> node{}; ///< place in the group's lattice
+    bool loose = false;                 ///< may touch any sphere of its group
 };
 
 /// Two spheres by index, first < second.
@@ -39,7 +42,7 @@ public:
     /// Takes spheres over; what was there before is forgotten, its memory kept for use.
     virtual void build(std::span<const VicinitySphere> spheres, double margin) = 0;
 
-    /// All pairs of different groups whose surfaces are closer than the margin, sorted.
+    /// All pairs that may touch whose surfaces are closer than the margin, sorted.
     virtual std::vector<VicinityPair> pairs() = 0;
 
     /// Of the last build() and pairs().
@@ -63,11 +66,23 @@ std::string_view nameOf(VicinityMethod method); ///< "uniform-grid", "half-parti
 
 std::unique_ptr<Vicinity> makeVicinity(VicinityMethod method);
 
-/// True when the surfaces of spheres of different groups are closer than the margin.
+/// Whether two spheres may touch at all. Within a group they may when they lie more than two nodes apart.
+inline bool mayTouch(const VicinitySphere& a, const VicinitySphere& b)
+{
+    constexpr std::int32_t near = 2;
+    if (a.group != b.group || a.loose || b.loose)
+        return true;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (a.node[i] - b.node[i] > near || b.node[i] - a.node[i] > near)
+            return true;
+    return false;
+}
+
+/// True when the surfaces of spheres that may touch are closer than the margin.
 inline bool closerThan(const VicinitySphere& a, const VicinitySphere& b, double margin)
 {
     const double reach = a.radius + b.radius + margin;
-    return a.group != b.group && (a.center - b.center).squaredNorm() < reach * reach;
+    return (a.center - b.center).squaredNorm() < reach * reach && mayTouch(a, b);
 }
 
 } // namespace knead

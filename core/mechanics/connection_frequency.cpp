@@ -1,0 +1,132 @@
+// The largest frequency of a body: part of StructuralConnections.
+#include "core/mechanics/lattice_stretches.h"
+#include "core/mechanics/structural_connections.h"
+#include "core/task/parallel.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+/// Stiffness of one connection in its present state, less what would make it softer: along itself k, across it the pull per
+/// length when it is stretched.
+Mat3 tangent(const Vec3& across, double k, double nominalLength)
+{
+    const double length = across.norm();
+    if (length == 0)
+        return k * Mat3::Identity();
+    const Vec3 n = across / length;
+    const Mat3 dyad = n * n.transpose();
+    const double sideways = std::max(0.0, 1 - nominalLength / length);
+    return k * (dyad + sideways * (Mat3::Identity() - dyad));
+}
+
+} // namespace
+
+std::vector<double> StructuralConnections::bondBounds(const ObjectState& state, const std::vector<double>& added) const
+{
+    std::vector<double> bounds(state.size());
+    forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
+        std::vector<Mat3> stiffness(end - begin, Mat3::Zero());
+        for (std::uint32_t d = 0; d < Lattice::directionCount; ++d) {
+            const auto add = [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
+                for (std::size_t s = 0; s < n; ++s)
+                    if (const double k = m_stiffness[d][lower + s]; k > 0)
+                        stiffness[i + s - begin] += tangent(state.position.at(j + s) - state.position.at(i + s), k,
+                                                            nominalLength({d, static_cast<ObjectIndex>(lower + s)}));
+            };
+            forEachForward(m_aggregate->lattice, d, begin, end, add);
+            forEachBackward(m_aggregate->lattice, d, begin, end, add);
+        }
+        Eigen::SelfAdjointEigenSolver<Mat3> solver;
+        for (std::size_t i = begin; i < end; ++i) {
+            solver.computeDirect(stiffness[i - begin], Eigen::EigenvaluesOnly);
+            bounds[i] = 2 * solver.eigenvalues()[2] + added[i];
+        }
+    });
+    return bounds;
+}
+
+/// The volumetric term stiffens the fastest waves from 3 mu to lambda + 2 mu.
+std::vector<double> StructuralConnections::stiffnessBounds(const ObjectState& state,
+                                                           const std::vector<double>& added) const
+{
+    std::vector<double> bounds = bondBounds(state, added);
+    for (ObjectIndex i = 0; i < bounds.size(); ++i) {
+        const Material& material = m_materials->of(i);
+        const double waves = (material.lameLambda() + 2 * material.shearModulus()) / (3 * material.shearModulus());
+        bounds[i] *= std::max(1.0, waves);
+    }
+    return bounds;
+}
+
+double StructuralConnections::iteratedFrequency(ObjectState& state, const std::vector<double>& added)
+{
+    const std::size_t count = state.size();
+    const bool known = m_mode.size() == count;
+    if (!known) { // any vector with a share in all modes; the golden ratio's multiples are spread evenly
+        m_mode.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto spread = [&](double factor) {
+                return std::fmod(static_cast<double>(i + 1) * factor, 1.0) - 0.5;
+            };
+            m_mode.set(i, {spread(0.6180339887), spread(0.7548776662), spread(0.5698402910)});
+        }
+    }
+    ObjectState probe = state;
+    std::fill(probe.velocity.x.begin(), probe.velocity.x.end(), 0.0);
+    std::fill(probe.velocity.y.begin(), probe.velocity.y.end(), 0.0);
+    std::fill(probe.velocity.z.begin(), probe.velocity.z.end(), 0.0);
+    const double step = 1e-4 * m_aggregate->lattice.spacing;
+    const auto displaced = [&](double amount) {
+        for (std::size_t i = 0; i < count; ++i)
+            probe.position.set(i, state.position.at(i) + amount * m_mode.at(i));
+        computeForces(probe);
+        return probe.force;
+    };
+    double squared = 0;
+    const int iterations = known ? 6 : 40;
+    for (int iteration = 0; iteration < iterations; ++iteration) {
+        double largest = 0;
+        for (std::size_t i = 0; i < count; ++i)
+            largest = std::max(largest, m_mode.at(i).cwiseAbs().maxCoeff());
+        if (!(largest > 0))
+            break;
+        for (std::size_t i = 0; i < count; ++i)
+            m_mode.set(i, m_mode.at(i) / largest);
+        const VectorArray ahead = displaced(step);
+        const VectorArray behind = displaced(-step);
+        double numerator = 0;
+        double denominator = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Vec3 stiffnessTimesMode = (behind.at(i) - ahead.at(i)) / (2 * step);
+            numerator += m_mode.at(i).dot(stiffnessTimesMode);
+            denominator += state.mass[i] * m_mode.at(i).squaredNorm();
+            m_mode.set(i, stiffnessTimesMode / state.mass[i]);
+        }
+        squared = std::max(squared, numerator / denominator);
+    }
+    m_thetaIsPresent = false; // the probe's were written over it
+    double contact = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        contact = std::max(contact, added[i] / state.mass[i]);
+    constexpr double margin = 1.1; // 40 iterations come within a few percent from below
+    return std::sqrt(margin * margin * squared + contact);
+}
+
+double StructuralConnections::largestFrequency(ObjectState& state, const std::vector<double>& added)
+{
+    if (m_materials->largest([](const Material& material) { return material.poissonRatio; }) > 0.25)
+        return iteratedFrequency(state, added);
+    const std::vector<double> bounds = bondBounds(state, added);
+    double squared = 0;
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+        squared = std::max(squared, bounds[i] / state.mass[i]);
+    return std::sqrt(squared);
+}
+
+} // namespace knead

@@ -1,0 +1,101 @@
+#include "core/mechanics/connection_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace knead {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// A lattice pulled along its axis first breaks at 0.95 and bears at most 1.10 of the stress at which every connection along
+// the pull is at its strain sigma / E. Half way between, so that the peak lies near what a tensile test calls strength.
+constexpr double strengthOfLattice = 1.05;
+
+ConnectionLaw lawOf(const Material& m, double spacing)
+{
+    ConnectionLaw law;
+    law.stiffness = m.shearModulus();
+    // b = 2 zeta sqrt(k m_red) with k = mu a w and m_red = rho a^3 w / 2 gives the same b / k for every weight.
+    law.dampingTime = 2 * m.dampingRatio * std::sqrt(m.density * spacing * spacing / (2 * law.stiffness));
+    const double strainPerStress = 2.0 / 3 * (1 + m.poissonRatio) / m.youngsModulus;
+    law.yieldStrain = m.yields() ? strainPerStress * m.yieldStress : infinite;
+    law.hardening = strainPerStress * m.hardening;
+    law.flowTime = m.relaxationTime;
+    law.breakingStrain = m.tensileStrength > 0 ? m.tensileStrength / (strengthOfLattice * m.youngsModulus) : infinite;
+    law.ductility = m.yields() && m.elongationAtBreak > 0 ? m.elongationAtBreak : infinite;
+    return law;
+}
+
+double harmonicMean(double a, double b)
+{
+    return a + b > 0 ? 2 * a * b / (a + b) : 0;
+}
+
+} // namespace
+
+ConnectionLaw lawBetween(const Material& a, const Material& b, double spacing)
+{
+    const ConnectionLaw first = lawOf(a, spacing);
+    if (a == b)
+        return first;
+    const ConnectionLaw second = lawOf(b, spacing);
+    ConnectionLaw law;
+    law.stiffness = harmonicMean(first.stiffness, second.stiffness);
+    law.dampingTime =
+        harmonicMean(first.stiffness * first.dampingTime, second.stiffness * second.dampingTime) / law.stiffness;
+    const auto lesserForce = [&](double ConnectionLaw::*strain) {
+        return std::min(first.stiffness * first.*strain, second.stiffness * second.*strain) / law.stiffness;
+    };
+    law.yieldStrain = lesserForce(&ConnectionLaw::yieldStrain);
+    law.breakingStrain = lesserForce(&ConnectionLaw::breakingStrain);
+    // Hardening and flow are those of the object that yields first.
+    const bool firstYields = first.stiffness * first.yieldStrain <= second.stiffness * second.yieldStrain;
+    law.hardening = firstYields ? first.hardening : second.hardening;
+    law.flowTime = firstYields ? first.flowTime : second.flowTime;
+    law.ductility = std::min(first.ductility, second.ductility);
+    return law;
+}
+
+ConnectionLaws::ConnectionLaws(const MaterialMap& materials, double spacing)
+    : m_materials(&materials)
+    , m_count(materials.materials().size())
+{
+    for (const Material& a : materials.materials())
+        for (const Material& b : materials.materials())
+            m_laws.push_back(lawBetween(a, b, spacing));
+}
+
+void ConnectionLaws::fill(double ConnectionLaw::*number, std::size_t lower, std::size_t upper, std::size_t count,
+                          double* values) const
+{
+    if (m_count == 1) {
+        std::fill_n(values, count, m_laws.front().*number);
+        return;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        values[i] = between(static_cast<ObjectIndex>(lower + i), static_cast<ObjectIndex>(upper + i)).*number;
+}
+
+double ConnectionLaws::largestDampingTime() const
+{
+    double largest = 0;
+    for (const ConnectionLaw& law : m_laws)
+        largest = std::max(largest, law.dampingTime);
+    return largest;
+}
+
+bool ConnectionLaws::anyYields() const
+{
+    return std::any_of(m_laws.begin(), m_laws.end(), [](const ConnectionLaw& l) { return l.yieldStrain < infinite; });
+}
+
+bool ConnectionLaws::anyBreaks() const
+{
+    return std::any_of(m_laws.begin(), m_laws.end(),
+                       [](const ConnectionLaw& l) { return l.breakingStrain < infinite || l.ductility < infinite; });
+}
+
+} // namespace knead

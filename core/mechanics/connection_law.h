@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/aggregate/material_map.h"
+
+#include <vector>
+
+namespace knead {
+
+/// What a structural connection gets from the materials of its two objects. Two objects of one material reproduce it; of two
+/// materials the softer and the weaker decide, as with springs in series:
+///   stiffness   k = 2 k1 k2 / (k1 + k2)      damping  b = 2 b1 b2 / (b1 + b2)
+///   yield and tolerance force                the lesser of the two
+/// Strains are of the connection, positive when longer; infinite where the material never yields or breaks.
+struct ConnectionLaw {
+    double stiffness = 0;      ///< k / (a w) [Pa]; for one material its shear modulus
+    double dampingTime = 0;    ///< b / k [s]
+    double yieldStrain = 0;    ///< deviatoric strain at which it begins to flow: 2/3 (1 + nu) sigma_y / E
+    double hardening = 0;      ///< rise of the yield strain per plastic strain
+    double flowTime = 0;       ///< [s]
+    double breakingStrain = 0; ///< t / (k l), t the tolerance force
+    double ductility = 0;      ///< plastic strain at which it breaks when stretched
+};
+
+/// The law between two objects on a lattice of a given spacing [m].
+ConnectionLaw lawBetween(const Material& a, const Material& b, double spacing);
+
+/// The laws between all materials of a body.
+class ConnectionLaws {
+public:
+    ConnectionLaws(const MaterialMap& materials, double spacing);
+
+    const ConnectionLaw& between(ObjectIndex a, ObjectIndex b) const
+    {
+        return m_laws[m_materials->indexOf(a) * m_count + m_materials->indexOf(b)];
+    }
+
+    /// Writes one number of the laws for the connections lower + i to upper + i, i < count.
+    void fill(double ConnectionLaw::*number, std::size_t lower, std::size_t upper, std::size_t count,
+              double* values) const;
+
+    double largestDampingTime() const; ///< [s]
+    bool anyYields() const;
+    bool anyBreaks() const;
+
+private:
+    const MaterialMap* m_materials;
+    std::size_t m_count;
+    std::vector<ConnectionLaw> m_laws; ///< count x count
+};
+
+} // namespace knead

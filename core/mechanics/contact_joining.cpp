@@ -1,0 +1,110 @@
+// How touching skins become joined: adhesion, glue and healing. Part of Contacts.
+#include "core/mechanics/contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace knead {
+
+namespace {
+
+// Skins that grow together are joined across this distance, in spacings: straight across and diagonally, as in a lattice.
+constexpr double healingReach = 1.6;
+// A healed object has about twice the connections across the seam that a lattice has.
+constexpr double healedWeight = 0.5;
+
+} // namespace
+
+/// Each contact bears adhesion times a^2, the skin that belongs to an object.
+void Contacts::joinIfSticky(ContactPair& pair)
+{
+    const ObjectRef& a = m_objects[pair.objects.first].ref;
+    const ObjectRef& b = m_objects[pair.objects.second].ref;
+    double adhesion = std::min(materialOf(a).adhesion, materialOf(b).adhesion);
+    for (const ObjectRef& object : {a, b})
+        if (m_bodies[object.body].kind == BodyKind::glue)
+            adhesion = materialOf(object).adhesion;
+    if (adhesion <= 0)
+        return;
+    const double spacing = std::min(spacingOf(a), spacingOf(b));
+    m_newJoints.push_back({.first = a,
+                           .second = b,
+                           .nominalLength = pair.nominalLength,
+                           .stiffness = pair.parameters.stiffness,
+                           .damping = pair.parameters.damping,
+                           .friction = pair.parameters.friction,
+                           .tolerance = adhesion * spacing * spacing,
+                           .yieldStrain = std::numeric_limits<double>::infinity(),
+                           .flowTime = 0,
+                           .ductility = std::numeric_limits<double>::infinity()});
+    pair.joined = true;
+}
+
+Joint Contacts::healed(const ObjectRef& a, const ObjectRef& b) const
+{
+    const double spacing = std::min(spacingOf(a), spacingOf(b));
+    const ConnectionLaw law = lawBetween(materialOf(a), materialOf(b), spacing);
+    const double length =
+        (m_bodies[a.body].state->position.at(a.object) - m_bodies[b.body].state->position.at(b.object)).norm();
+    const double stiffness = healedWeight * law.stiffness * spacing;
+    return {.first = a,
+            .second = b,
+            .nominalLength = length,
+            .stiffness = stiffness,
+            .damping = law.dampingTime * stiffness,
+            .friction = 0,
+            .tolerance = stiffness * length * law.breakingStrain,
+            .yieldStrain = law.yieldStrain,
+            .flowTime = law.flowTime,
+            .ductility = law.ductility};
+}
+
+/// Pressed together for the longer of the two healing times, sliding less than a spacing in it.
+void Contacts::healIfPressed(ContactPair& pair, const ContactState& state, double dt)
+{
+    const ContactObject& first = m_objects[pair.objects.first];
+    const ContactObject& second = m_objects[pair.objects.second];
+    const Material& one = materialOf(first.ref);
+    const Material& other = materialOf(second.ref);
+    const bool canHeal = one.heals() && other.heals() && !pair.joined &&
+                         m_bodies[first.ref.body].kind == BodyKind::deformable &&
+                         m_bodies[second.ref.body].kind == BodyKind::deformable;
+    if (!canHeal)
+        return;
+    const double time = std::max(one.healingTime, other.healingTime);
+    const double normalSpeed = state.relativeVelocity.dot(state.normal);
+    const double slide = (state.relativeVelocity - normalSpeed * state.normal).norm();
+    pair.pressed = slide * time < spacingOf(first.ref) ? pair.pressed + dt : 0;
+    if (pair.pressed < time)
+        return;
+    m_newJoints.push_back(healed(first.ref, second.ref));
+    const double reach = healingReach * std::min(spacingOf(first.ref), spacingOf(second.ref));
+    const auto joinAround = [&](const ContactObject& center, const ContactObject& opposite) {
+        m_bodies[opposite.ref.body].connections->forEachConnection(
+            opposite.ref.object, [&](ObjectIndex neighbor, const ConnectionId&) {
+                const ObjectRef there{opposite.ref.body, neighbor};
+                const bool isSelf = there == center.ref;
+                const Joint joint = healed(center.ref, there);
+                const std::uint32_t index = m_indexOf[there.body][neighbor];
+                const bool touches = !isSelf && index < m_objects.size() && joint.nominalLength < reach &&
+                                     (there.body != center.ref.body || !areNeighbors(center, m_objects[index]));
+                if (touches)
+                    m_newJoints.push_back(joint);
+            });
+    };
+    joinAround(first, second);
+    joinAround(second, first);
+}
+
+void Contacts::makeNewJoints()
+{
+    if (m_newJoints.empty())
+        return;
+    m_joints.add(std::move(m_newJoints));
+    m_newJoints.clear();
+    for (ContactPair& pair : m_pairs)
+        pair.joined = m_joints.connects(m_objects[pair.objects.first].ref, m_objects[pair.objects.second].ref);
+}
+
+} // namespace knead

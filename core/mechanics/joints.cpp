@@ -1,0 +1,116 @@
+#include "core/mechanics/joints.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+bool inOrder(const Joint& a, const Joint& b)
+{
+    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+}
+
+bool sameObjects(const Joint& a, const Joint& b)
+{
+    return a.first == b.first && a.second == b.second;
+}
+
+/// Moves the nominal length towards the length by what is beyond yield. @return energy [J]
+double flow(Joint& joint, double length, double dt)
+{
+    if (!std::isfinite(joint.yieldStrain) || length <= 0)
+        return 0;
+    const double strain = std::log(length / joint.nominalLength);
+    const double beyond = std::abs(strain) - joint.yieldStrain;
+    if (beyond <= 0)
+        return 0;
+    const double amount = beyond * (joint.flowTime > 0 ? -std::expm1(-dt / joint.flowTime) : 1);
+    const double before = length - joint.nominalLength;
+    joint.nominalLength *= strain > 0 ? 1 + amount : 1 / (1 + amount);
+    joint.plasticStrain += amount;
+    const double after = length - joint.nominalLength;
+    return 0.5 * joint.stiffness * (before * before - after * after);
+}
+
+} // namespace
+
+void Joints::add(std::vector<Joint> joints)
+{
+    for (Joint& joint : joints)
+        if (joint.second < joint.first)
+            std::swap(joint.first, joint.second);
+    std::sort(joints.begin(), joints.end(), inOrder);
+    std::vector<Joint> merged;
+    merged.reserve(m_joints.size() + joints.size());
+    std::merge(m_joints.begin(), m_joints.end(), joints.begin(), joints.end(), std::back_inserter(merged), inOrder);
+    // Of two between the same objects the older one comes first and stays.
+    merged.erase(std::unique(merged.begin(), merged.end(), sameObjects), merged.end());
+    m_joints = std::move(merged);
+    ++m_version;
+}
+
+bool Joints::connects(const ObjectRef& a, const ObjectRef& b) const
+{
+    Joint wanted;
+    wanted.first = std::min(a, b);
+    wanted.second = std::max(a, b);
+    return std::binary_search(m_joints.begin(), m_joints.end(), wanted, inOrder);
+}
+
+Joints::Report Joints::computeForces(std::span<ObjectState* const> bodies, double dt)
+{
+    Report report;
+    const auto endsNow = [&](Joint& joint) {
+        ObjectState& a = *bodies[joint.first.body];
+        ObjectState& b = *bodies[joint.second.body];
+        const Vec3 across = b.position.at(joint.second.object) - a.position.at(joint.first.object);
+        const double length = across.norm();
+        report.plastic += flow(joint, length, dt);
+        const double stretch = length - joint.nominalLength;
+        const double energy = 0.5 * joint.stiffness * stretch * stretch;
+        const bool worn = joint.plasticStrain > joint.ductility && stretch > 0;
+        if (worn || joint.stiffness * stretch > joint.tolerance) {
+            report.fracture += energy;
+            return true;
+        }
+        report.energy += energy;
+        if (length == 0)
+            return false;
+        const Vec3 n = across / length;
+        const Vec3 velocity = b.velocity.at(joint.second.object) - a.velocity.at(joint.first.object);
+        const double normalSpeed = velocity.dot(n);
+        const Vec3 pull = joint.stiffness * stretch * n;
+        Vec3 brake = joint.damping * normalSpeed * n;
+        const Vec3 slide = velocity - normalSpeed * n;
+        if (const double speed = slide.norm(); speed > 0 && joint.friction > 0) {
+            const double reducedMass = a.mass[joint.first.object] * b.mass[joint.second.object] /
+                                       (a.mass[joint.first.object] + b.mass[joint.second.object]);
+            const double friction = std::min(joint.friction * (pull + brake).norm(), 0.5 * reducedMass * speed / dt);
+            brake += friction / speed * slide;
+            report.frictionPower -= friction * speed;
+        }
+        a.force.add(joint.first.object, pull);
+        a.damping.add(joint.first.object, brake);
+        b.force.add(joint.second.object, -pull);
+        b.damping.add(joint.second.object, -brake);
+        return false;
+    };
+    // remove_if may look at an element once only, and does, in order.
+    const auto left = std::remove_if(m_joints.begin(), m_joints.end(), endsNow);
+    report.ended = static_cast<std::size_t>(m_joints.end() - left);
+    m_joints.erase(left, m_joints.end());
+    m_version += report.ended > 0 ? 1 : 0;
+    return report;
+}
+
+void Joints::addStiffness(std::uint32_t body, std::vector<double>& stiffness) const
+{
+    for (const Joint& joint : m_joints)
+        for (const ObjectRef& end : {joint.first, joint.second})
+            if (end.body == body)
+                stiffness[end.object] += 2 * joint.stiffness;
+}
+
+} // namespace knead

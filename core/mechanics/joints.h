@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/mechanics/object_state.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace knead {
+
+/// An object of any body.
+struct ObjectRef {
+    std::uint32_t body = 0;
+    ObjectIndex object = 0;
+    friend auto operator<=>(const ObjectRef&, const ObjectRef&) = default;
+};
+
+/// A connection between two objects that are no neighbors on a lattice: of skins that stick together (adhesion, glue) or have
+/// grown together (healing). It pushes and pulls, and ends when its tension exceeds its tolerance force.
+struct Joint {
+    ObjectRef first; ///< the lower one
+    ObjectRef second;
+    double nominalLength = 0; ///< l [m]
+    double stiffness = 0;     ///< k [N/m]
+    double damping = 0;       ///< b [N s/m]
+    double friction = 0;      ///< u of eq 7 while it is pressed; healed ones have none
+    double tolerance = 0;     ///< t [N]; may be infinite
+    double yieldStrain = 0;   ///< beyond it l flows; infinite: never
+    double flowTime = 0;      ///< [s]
+    double ductility = 0;     ///< sum of flow after which it ends when stretched; infinite: never
+    double plasticStrain = 0; ///< sum of its flow
+};
+
+/// All joints of a scene, sorted by their objects.
+class Joints {
+public:
+    struct Report {
+        double energy = 0;        ///< stored [J]
+        double frictionPower = 0; ///< <= 0 [W]
+        double plastic = 0;       ///< flowed off since the last call [J]
+        double fracture = 0;      ///< of joints that ended [J]
+        std::size_t ended = 0;
+    };
+
+    /// Adds joints, but none between objects that have one. Their order does not matter.
+    void add(std::vector<Joint> joints);
+
+    bool connects(const ObjectRef& a, const ObjectRef& b) const;
+    const std::vector<Joint>& all() const { return m_joints; }
+    std::uint64_t version() const { return m_version; } ///< grows whenever joints come or go
+
+    /// Flow, ends of overloaded joints, then forces added to the states of the bodies.
+    Report computeForces(std::span<ObjectState* const> bodies, double dt);
+
+    /// Adds the stiffness of its joints to every object of a body [N/m].
+    void addStiffness(std::uint32_t body, std::vector<double>& stiffness) const;
+
+private:
+    std::vector<Joint> m_joints;
+    std::uint64_t m_version = 0;
+};
+
+} // namespace knead

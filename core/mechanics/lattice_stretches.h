@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/aggregate/lattice.h"
+
+#include <algorithm>
+
+namespace knead {
+
+/// Calls run(object, neighbor, lower, count) for every stretch of connections of direction `d` that starts in [begin, end).
+/// `lower` is where the stretch's parameters are: at the object.
+template <typename Run>
+void forEachForward(const Lattice& lattice, std::size_t d, std::size_t begin, std::size_t end, Run run)
+{
+    const auto& segments = lattice.segments[d];
+    auto segment =
+        std::partition_point(segments.begin(), segments.end(), [&](const auto& s) { return s.end <= begin; });
+    for (; segment != segments.end() && segment->begin < end; ++segment) {
+        const std::size_t first = std::max<std::size_t>(segment->begin, begin);
+        const std::size_t last = std::min<std::size_t>(segment->end, end);
+        run(first, first + static_cast<std::size_t>(segment->offset), first, last - first);
+    }
+}
+
+/// The same for the connections that end in [begin, end); `lower` is at the neighbor.
+template <typename Run>
+void forEachBackward(const Lattice& lattice, std::size_t d, std::size_t begin, std::size_t end, Run run)
+{
+    const auto& segments = lattice.segments[d];
+    const auto shift = [](const auto& s, ObjectIndex i) { return i + static_cast<std::size_t>(s.offset); };
+    auto segment =
+        std::partition_point(segments.begin(), segments.end(), [&](const auto& s) { return shift(s, s.end) <= begin; });
+    for (; segment != segments.end() && shift(*segment, segment->begin) < end; ++segment) {
+        const std::size_t first = std::max(shift(*segment, segment->begin), begin);
+        const std::size_t last = std::min(shift(*segment, segment->end), end);
+        const std::size_t lower = first - static_cast<std::size_t>(segment->offset);
+        run(first, lower, lower, last - first);
+    }
+}
+
+} // namespace knead

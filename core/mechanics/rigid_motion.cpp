@@ -1,0 +1,125 @@
+#include "core/mechanics/rigid_motion.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+// A body of one object, or of objects in a row, must not divide by zero when it is turned.
+constexpr double leastInertiaShare = 1e-6;
+
+} // namespace
+
+RigidMotion::RigidMotion(const ObjectState& state, const Vec3& velocity, const Vec3& angularVelocity)
+    : m_velocity(velocity)
+    , m_angularVelocity(angularVelocity)
+{
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        m_mass += state.mass[i];
+        m_center += state.mass[i] * state.position.at(i);
+    }
+    m_center /= m_mass;
+    m_arms.resize(state.size());
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        const Vec3 arm = state.position.at(i) - m_center;
+        m_arms.set(i, arm);
+        m_radius = std::max(m_radius, arm.norm());
+        m_inertia += state.mass[i] * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+    }
+    m_inertia += leastInertiaShare * (m_inertia.trace() + 1e-12 * m_mass) * Mat3::Identity();
+    m_angularMomentum = m_inertia * m_angularVelocity;
+    m_velocityBefore = m_velocity;
+    m_angularVelocityBefore = m_angularVelocity;
+    m_angularMomentumBefore = m_angularMomentum;
+}
+
+Mat3 RigidMotion::inverseInertia() const
+{
+    const Mat3 turn = m_rotation.toRotationMatrix();
+    return turn * m_inertia.inverse() * turn.transpose();
+}
+
+double RigidMotion::advance(ObjectState& state, const Vec3& gravity, double dt)
+{
+    Vec3 force = m_mass * gravity;
+    Vec3 torque = Vec3::Zero();
+    Vec3 braking = Vec3::Zero();
+    Vec3 brakingTorque = Vec3::Zero();
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        const Vec3 arm = state.position.at(i) - m_center;
+        force += state.force.at(i) + state.damping.at(i);
+        torque += arm.cross(state.force.at(i) + state.damping.at(i));
+        braking += state.damping.at(i);
+        brakingTorque += arm.cross(state.damping.at(i));
+    }
+    m_velocityBefore = m_velocity;
+    m_angularVelocityBefore = m_angularVelocity;
+    m_angularMomentumBefore = m_angularMomentum;
+    m_velocity += dt / m_mass * force;
+    m_angularMomentum += dt * torque;
+    m_angularVelocity = inverseInertia() * m_angularMomentum;
+    m_center += dt * m_velocity;
+    // The turn at the middle of the step, so that a free top keeps its energy to second order.
+    const auto turned = [&](const Vec3& spin, double time) {
+        const double angle = spin.norm() * time;
+        return angle > 0 ? (Quaternion(Eigen::AngleAxisd(angle, spin.normalized())) * m_rotation).normalized()
+                         : m_rotation;
+    };
+    const Quaternion before = m_rotation;
+    m_rotation = turned(m_angularVelocity, dt / 2);
+    m_angularVelocity = inverseInertia() * m_angularMomentum;
+    m_rotation = before;
+    m_rotation = turned(m_angularVelocity, dt);
+    m_angularVelocity = inverseInertia() * m_angularMomentum;
+    place(state);
+    return 0.5 * dt *
+           (braking.dot(m_velocity + m_velocityBefore) +
+            brakingTorque.dot(m_angularVelocity + m_angularVelocityBefore));
+}
+
+void RigidMotion::place(ObjectState& state) const
+{
+    const Mat3 turn = m_rotation.toRotationMatrix();
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        const Vec3 arm = turn * m_arms.at(i);
+        state.position.set(i, m_center + arm);
+        state.velocity.set(i, m_velocity + m_angularVelocity.cross(arm));
+    }
+}
+
+double RigidMotion::conservedKinetic() const
+{
+    return 0.5 * (m_mass * m_velocityBefore.dot(m_velocity) + 0.5 * (m_angularVelocityBefore.dot(m_angularMomentum) +
+                                                                     m_angularVelocity.dot(m_angularMomentumBefore)));
+}
+
+double RigidMotion::kinetic() const
+{
+    const Vec3 velocity = 0.5 * (m_velocity + m_velocityBefore);
+    return 0.5 *
+           (m_mass * velocity.squaredNorm() +
+            0.25 * (m_angularVelocity + m_angularVelocityBefore).dot(m_angularMomentum + m_angularMomentumBefore));
+}
+
+double RigidMotion::largestSpeed() const
+{
+    return m_velocity.norm() + m_angularVelocity.norm() * m_radius;
+}
+
+RigidMotion rigidMotionOf(const ObjectState& state)
+{
+    const RigidMotion still(state, Vec3::Zero(), Vec3::Zero());
+    Vec3 momentum = Vec3::Zero();
+    Vec3 angularMomentum = Vec3::Zero();
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        momentum += state.mass[i] * state.velocity.at(i);
+        angularMomentum += (state.position.at(i) - still.center()).cross(state.mass[i] * state.velocity.at(i));
+    }
+    return {state, momentum / still.mass(), still.inverseInertia() * angularMomentum};
+}
+
+} // namespace knead

@@ -1,0 +1,26 @@
+#include "core/mechanics/rigid_surface.h"
+
+#include <limits>
+
+namespace knead {
+
+SurfacePoint RigidSurface::nearest(const Vec3& place) const
+{
+    if (isFloor)
+        return {place.z() - pose.position.z(), Vec3::UnitZ()};
+    SurfacePoint point = surfaceOf(shape, pose.toLocal(place));
+    point.normal = pose.rotation * point.normal;
+    return point;
+}
+
+Box RigidSurface::reach(double margin) const
+{
+    if (isFloor) {
+        const double infinite = std::numeric_limits<double>::max();
+        return {Vec3(-infinite, -infinite, -infinite), Vec3(infinite, infinite, pose.position.z() + margin)};
+    }
+    const Vec3 extent = pose.rotation.toRotationMatrix().cwiseAbs() * (0.5 * shape.size) + Vec3::Constant(margin);
+    return {pose.position - extent, pose.position + extent};
+}
+
+} // namespace knead

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/mechanics/tool_shape.h"
+
+namespace knead {
+
+/// A rigid thing that objects may touch: a manipulator, or everything below a horizontal floor.
+struct RigidSurface {
+    bool isFloor = false;
+    ToolShape shape;                     ///< of a manipulator
+    Pose pose;                           ///< of its center; of a floor only the height counts
+    Vec3 velocity = Vec3::Zero();        ///< of the center [m/s]
+    Vec3 angularVelocity = Vec3::Zero(); ///< [rad/s]
+    double friction = 0;
+
+    SurfacePoint nearest(const Vec3& place) const;
+    Vec3 velocityAt(const Vec3& place) const { return velocity + angularVelocity.cross(place - pose.position); }
+    Box reach(double margin) const; ///< where objects may touch it
+};
+
+/// What the objects do to a rigid surface.
+struct SurfaceLoad {
+    Vec3 force = Vec3::Zero();  ///< on the surface [N]
+    Vec3 torque = Vec3::Zero(); ///< about its center [N m]
+    double power = 0;           ///< of the surface on the material [W]
+};
+
+} // namespace knead

@@ -1,0 +1,190 @@
+// What goes wrong is found, named and undone.
+#include "core/integration/time_step.h"
+#include "core/simulation/simulation_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace knead {
+
+namespace {
+
+// The state is kept for going back this often [steps]; copying it costs about a step.
+constexpr std::uint64_t checkpointInterval = 256;
+// The stable step depends on the shape, so it is found again this often [steps].
+constexpr std::uint64_t timeStepInterval = 256;
+// A speed of objects that no sensible motion reaches: this many times the speed of sound, plus free fall from far up [m/s].
+constexpr double runawaySoundSpeeds = 20;
+constexpr double runawaySpeed = 30;
+// With more contacts on an object at a time than the time step allows for, the step is found again with some to spare.
+constexpr double crowdingReserve = 1.5;
+// A chosen time step may be this much above the largest stable one: that is bounded from above, not known.
+constexpr double stableStepTolerance = 1.25;
+
+/// Sets of connected things; each is known by one of its members.
+class DisjointSets {
+public:
+    explicit DisjointSets(std::size_t size)
+        : m_parent(size)
+    {
+        std::iota(m_parent.begin(), m_parent.end(), std::size_t{0});
+    }
+    std::size_t find(std::size_t item)
+    {
+        while (m_parent[item] != item)
+            item = m_parent[item] = m_parent[m_parent[item]];
+        return item;
+    }
+    void join(std::size_t a, std::size_t b) { m_parent[find(a)] = find(b); }
+    std::size_t count()
+    {
+        std::size_t roots = 0;
+        for (std::size_t i = 0; i < m_parent.size(); ++i)
+            roots += m_parent[i] == i ? 1 : 0;
+        return roots;
+    }
+
+private:
+    std::vector<std::size_t> m_parent;
+};
+
+} // namespace
+
+void Simulation::State::stop(const std::string& cause)
+{
+    std::ostringstream text;
+    text << "The simulation was stopped at " << time << " s: " << cause << " It went back to " << lastGood.time
+         << " s.";
+    goBack(lastGood);
+    health = {false, text.str()};
+}
+
+/// Two looks in a row must agree, since a sharp tool may turn a spot inside out for a moment.
+std::string Simulation::State::squashedBody()
+{
+    std::string name;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (runs[b]->deforms() && runs[b]->connections.countInverted(runs[b]->state) > 0)
+            name = bodies[b].name.empty() ? "the body" : "\"" + bodies[b].name + "\"";
+    const bool again = wasSquashed;
+    wasSquashed = !name.empty();
+    return again ? name : "";
+}
+
+void Simulation::State::checkHealth()
+{
+    double limit = runawaySpeed;
+    for (const auto& run : runs)
+        limit =
+            std::max(limit, runawaySpeed + runawaySoundSpeeds * run->materials.largest([](const Material& material) {
+                return material.soundSpeed();
+            }));
+    const double speed = largestTravel / timeStep;
+    std::ostringstream cause;
+    if (!std::isfinite(speed)) {
+        cause << "a position is no longer a number. Make the tools slower or the material softer, then reset.";
+    } else if (speed > limit) {
+        cause << "objects moved at " << speed << " m/s. Make the tools slower, raise the damping ratio, then reset.";
+    } else if (step % checkpointInterval == 0) {
+        if (const std::string name = squashedBody(); !name.empty())
+            cause << "material of " << name
+                  << " was squashed flat or turned inside out. Press less far, raise Poisson's ratio or the yield "
+                     "stress, or fill the part with a smaller spacing, then reset.";
+        else if (!wasSquashed)
+            lastGood = checkpoint();
+    }
+    if (cause.str().empty()) {
+        const bool crowded = contactReport.crowding > crowding;
+        if (crowded)
+            crowding = crowdingReserve * contactReport.crowding;
+        if (crowded || step % timeStepInterval == 0)
+            updateTimeStep();
+        if (wantedTimeStep && *wantedTimeStep > stableStepTolerance * stableStep)
+            cause << "the chosen time step of " << *wantedTimeStep << " s is longer than the stable one of "
+                  << stableStep << " s. Choose a shorter one, or a softer or more damped material.";
+    }
+    if (!cause.str().empty())
+        stop(cause.str());
+}
+
+Checkpoint Simulation::State::checkpoint() const
+{
+    Checkpoint moment{.step = step,
+                      .time = time,
+                      .energy = energy,
+                      .startEnergy = startEnergy,
+                      .bodies = {},
+                      .toolPoses = {},
+                      .annealings = annealings,
+                      .contacts = std::make_shared<const Contacts>(*contacts)};
+    for (const auto& run : runs)
+        moment.bodies.push_back({.position = run->state.position,
+                                 .velocity = run->state.velocity,
+                                 .changes = run->connections.changes(),
+                                 .rigid = run->rigid,
+                                 .kind = run->kind});
+    for (const auto& tool : tools)
+        moment.toolPoses.push_back(tool ? tool->manipulator.pose : Pose{});
+    return moment;
+}
+
+void Simulation::State::goBack(const Checkpoint& moment)
+{
+    step = moment.step;
+    time = moment.time;
+    energy = moment.energy;
+    startEnergy = moment.startEnergy;
+    annealings = moment.annealings;
+    for (std::size_t b = 0; b < runs.size(); ++b) {
+        BodyRun& run = *runs[b];
+        run.state.position = moment.bodies[b].position;
+        run.state.velocity = moment.bodies[b].velocity;
+        run.connections.restore(moment.bodies[b].changes);
+        run.rigid = moment.bodies[b].rigid;
+        run.kind = moment.bodies[b].kind;
+        bodies[b].kind = run.kind;
+    }
+    for (std::size_t t = 0; t < std::min(tools.size(), moment.toolPoses.size()); ++t)
+        if (tools[t])
+            tools[t]->manipulator.pose = moment.toolPoses[t];
+    largestTravel = 0;
+    newlyBroken = false;
+    wasSquashed = false;
+    componentsVersion = ~std::uint64_t{0};
+    *contacts = *moment.contacts;
+    contacts->invalidate();
+    contactReport = {};
+}
+
+std::size_t Simulation::State::components()
+{
+    std::uint64_t version = contacts->joints().version();
+    for (const auto& run : runs)
+        version += run->connections.changes().broken.size() + (run->deforms() ? 0 : std::uint64_t{1} << 40);
+    if (version == componentsVersion)
+        return knownComponents;
+    std::vector<std::size_t> first{0};
+    for (const auto& run : runs)
+        first.push_back(first.back() + run->state.size());
+    DisjointSets sets(first.back());
+    for (std::size_t b = 0; b < runs.size(); ++b)
+        for (ObjectIndex i = 0; i < runs[b]->state.size(); ++i) {
+            if (!runs[b]->deforms()) {
+                sets.join(first[b] + i, first[b]);
+                continue;
+            }
+            runs[b]->connections.forEachConnection(i, [&](ObjectIndex neighbor, const ConnectionId& connection) {
+                if (connection.lower == i)
+                    sets.join(first[b] + i, first[b] + neighbor);
+            });
+        }
+    for (const Joint& joint : contacts->joints().all())
+        sets.join(first[joint.first.body] + joint.first.object, first[joint.second.body] + joint.second.object);
+    componentsVersion = version;
+    knownComponents = sets.count();
+    return knownComponents;
+}
+
+} // namespace knead

@@ -1,0 +1,244 @@
+// How a simulation begins: masses, fixtures, the time step, the state at the start.
+#include "core/integration/time_step.h"
+#include "core/simulation/simulation_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace knead {
+
+namespace {
+
+// Of scenes in which nothing deforms [s].
+constexpr double rigidTimeStep = 1e-4;
+
+void require(bool holds, const std::string& sentence)
+{
+    if (!holds)
+        throw std::runtime_error(sentence);
+}
+
+bool usableTimeStep(const std::optional<double>& step)
+{
+    return !step || (*step >= 1e-9 && *step <= 1);
+}
+
+} // namespace
+
+BodyRun::BodyRun(const Body& body)
+    : materials(body.material, body.aggregate->size())
+    , state(objectsAtRest(*body.aggregate))
+    , connections(body.aggregate, materials)
+    , kind(body.kind)
+{
+    for (const MaterialRegion& region : body.regions)
+        materials.set(region.objects, region.material);
+    connections.setStructuralFriction(body.structuralFriction);
+    connections.updateMaterials();
+}
+
+std::vector<std::string> bodyProblems(const Body& body)
+{
+    if (!body.aggregate || body.aggregate->size() == 0)
+        return {"It holds no objects. Fill it with a smaller spacing."};
+    std::vector<std::string> problems = materialProblems(body.material);
+    for (const MaterialRegion& region : body.regions) {
+        for (const std::string& problem : materialProblems(region.material))
+            problems.push_back("Region \"" + region.name + "\": " + problem);
+        if (std::any_of(region.objects.begin(), region.objects.end(),
+                        [&](ObjectIndex object) { return object >= body.aggregate->size(); }))
+            problems.push_back("Region \"" + region.name + "\" names an object that does not exist.");
+    }
+    if (!body.velocity.allFinite() || !body.angularVelocity.allFinite())
+        problems.emplace_back("Its velocity at the start must be finite numbers.");
+    if (!(body.structuralFriction >= 0 && body.structuralFriction <= 2))
+        problems.emplace_back("Its structural friction must lie between 0 and 2.");
+    return problems;
+}
+
+std::vector<std::uint8_t> marksOf(const std::vector<ObjectIndex>& objects, std::size_t count)
+{
+    if (objects.empty())
+        return {};
+    std::vector<std::uint8_t> marks(count, 0);
+    for (const ObjectIndex object : objects)
+        if (object < count)
+            marks[object] = 1;
+    return marks;
+}
+
+Simulation::State::State(Scene scene)
+    : bodies(std::move(scene.bodies))
+    , gravity(scene.gravity)
+    , floorHeight(scene.floorHeight)
+    , floorFriction(scene.floorFriction)
+    , integrator(scene.integrator)
+    , vicinity(scene.vicinity)
+    , wantedTimeStep(scene.timeStep)
+    , massScalingTimeStep(scene.massScalingTimeStep)
+{
+    for (const Body& body : bodies)
+        if (const auto problems = bodyProblems(body); !problems.empty())
+            throw std::runtime_error("Body \"" + body.name + "\": " + problems.front());
+    require(gravity.allFinite(), "Gravity must be finite numbers.");
+    require(!floorHeight || std::isfinite(*floorHeight), "The height of the floor must be a finite number.");
+    require(floorFriction >= 0 && floorFriction <= 2, "The friction of the floor must lie between 0 and 2.");
+    require(usableTimeStep(wantedTimeStep), "The time step must lie between 1e-9 and 1 s.");
+    require(usableTimeStep(massScalingTimeStep), "The time step of mass scaling must lie between 1e-9 and 1 s.");
+    for (const Manipulator& manipulator : scene.manipulators) {
+        if (const auto problems = manipulatorProblems(manipulator); !problems.empty())
+            throw std::runtime_error(problems.front());
+        tools.emplace_back(manipulator);
+    }
+    for (const Body& body : bodies)
+        runs.push_back(std::make_unique<BodyRun>(body));
+    for (Fixture& fixture : scene.fixtures) {
+        require(fixture.body < bodies.size(), "Fixture \"" + fixture.name + "\" names a body that does not exist.");
+        fixtures.emplace_back(std::move(fixture));
+    }
+    setMasses();
+    placeAtStart();
+}
+
+void Simulation::State::setMasses()
+{
+    addedMass = 0;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        BodyRun& run = *runs[b];
+        const std::vector<double>& volume = bodies[b].aggregate->volume;
+        run.freeMass.resize(volume.size());
+        for (ObjectIndex i = 0; i < volume.size(); ++i)
+            run.state.mass[i] = run.materials.of(i).density * volume[i];
+        if (massScalingTimeStep && run.deforms())
+            scaleMasses(run);
+        for (std::size_t i = 0; i < volume.size(); ++i)
+            run.freeMass[i] = 1 / run.state.mass[i];
+    }
+    holdFixtures();
+}
+
+/// Objects whose own bound on the frequency is above the one that the wanted step allows get heavier.
+void Simulation::State::scaleMasses(BodyRun& run)
+{
+    const double frequency = frequencyForTimeStep(*massScalingTimeStep / timeStepShare, run.connections.dampingTime());
+    std::vector<double> added(run.state.size());
+    for (ObjectIndex i = 0; i < added.size(); ++i)
+        added[i] = run.connections.contactStiffness(i);
+    const std::vector<double> stiffness = run.connections.stiffnessBounds(run.state, added);
+    for (std::size_t i = 0; i < stiffness.size(); ++i) {
+        const double needed = stiffness[i] / (frequency * frequency);
+        if (needed <= run.state.mass[i])
+            continue;
+        addedMass += needed - run.state.mass[i];
+        run.state.mass[i] = needed;
+    }
+}
+
+void Simulation::State::holdFixtures()
+{
+    for (auto& run : runs) {
+        run->state.inverseMass = run->freeMass;
+        run->anchored = run->kind == BodyKind::glue;
+        if (run->anchored)
+            std::fill(run->state.inverseMass.begin(), run->state.inverseMass.end(), 0.0);
+    }
+    for (const auto& fixture : fixtures) {
+        if (!fixture)
+            continue;
+        BodyRun& run = *runs[fixture->body];
+        for (const ObjectIndex object : fixture->objects) {
+            if (object >= run.state.size())
+                continue;
+            run.state.inverseMass[object] = 0;
+            run.state.velocity.set(object, Vec3::Zero());
+            run.anchored = true;
+        }
+    }
+    for (auto& run : runs) {
+        if (run->deforms())
+            continue;
+        if (run->anchored) { // held anywhere, a rigid body is held everywhere
+            run->rigid.reset();
+            std::fill(run->state.inverseMass.begin(), run->state.inverseMass.end(), 0.0);
+            for (std::size_t i = 0; i < run->state.size(); ++i)
+                run->state.velocity.set(i, Vec3::Zero());
+        } else if (!run->rigid) {
+            run->rigid = rigidMotionOf(run->state);
+        }
+    }
+}
+
+void Simulation::State::updateTimeStep()
+{
+    stableStep = std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (BodyId b = 0; b < runs.size(); ++b) {
+        if (!runs[b]->deforms())
+            continue;
+        StructuralConnections& connections = runs[b]->connections;
+        const double frequency = connections.largestFrequency(runs[b]->state, contacts->addedStiffness(b, crowding));
+        largest = std::max(largest, frequency);
+        stableStep = std::min(stableStep, integrator == Integrator::forwardEuler
+                                              ? stableForwardEulerStep(frequency, connections.dampingTime())
+                                              : stableTimeStep(frequency, connections.dampingTime()));
+    }
+    if (largest == 0)
+        stableStep = rigidTimeStep / timeStepShare;
+    contacts->updateParameters(largest);
+    timeStep = wantedTimeStep.value_or(timeStepShare * stableStep);
+}
+
+void Simulation::State::placeAtStart()
+{
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        BodyRun& run = *runs[b];
+        run.state.position = objectsAtRest(*bodies[b].aggregate).position;
+        run.connections.restore({});
+        run.kind = bodies[b].kind;
+        run.rigid.reset();
+        Vec3 center = Vec3::Zero();
+        double mass = 0;
+        for (std::size_t i = 0; i < run.state.size(); ++i) {
+            center += run.state.mass[i] * run.state.position.at(i);
+            mass += run.state.mass[i];
+        }
+        center /= mass;
+        for (std::size_t i = 0; i < run.state.size(); ++i)
+            run.state.velocity.set(i, bodies[b].velocity +
+                                          bodies[b].angularVelocity.cross(run.state.position.at(i) - center));
+        for (VectorArray* array : {&run.state.force, &run.state.damping})
+            for (auto* component : {&array->x, &array->y, &array->z})
+                std::fill(component->begin(), component->end(), 0.0);
+    }
+    for (auto& tool : tools)
+        if (tool)
+            tool = ToolRun(tool->start);
+    holdFixtures();
+    std::vector<Contacts::BodyView> views;
+    for (auto& run : runs)
+        views.push_back({&run->state, &run->connections, &run->materials, run->kind});
+    contacts = std::make_unique<Contacts>(std::move(views), vicinity);
+    contactReport = {};
+    annealings.clear();
+    recording.clear();
+    step = 0;
+    time = 0;
+    crowding = 1;
+    largestTravel = 0;
+    surfaceTravel = 0;
+    newlyBroken = false;
+    wasSquashed = false;
+    health = {};
+    energy = {};
+    startEnergy = 0;
+    updateTimeStep();
+    startEnergy = storedEnergy().imbalance;
+    lastGood = checkpoint();
+    if (integrator == Integrator::forwardEuler && stableStep <= 0)
+        throw std::runtime_error(
+            "Forward Euler is not stable without damping: raise the damping ratio, or use semi-implicit Euler.");
+}
+
+} // namespace knead
