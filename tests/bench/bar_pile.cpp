@@ -1,6 +1,6 @@
 #include "bench/bar_pile.h"
 
-#include "core/aggregate/fill.h"
+#include "core/aggregate/published_fill.h"
 #include "support/shapes.h"
 
 #include <algorithm>
@@ -131,7 +131,7 @@ Pose moved(const Pose& pose, const Vec3& velocity, const Vec3& spin, double dt)
 } // namespace
 
 BarPile::BarPile(std::size_t bars, std::uint64_t seed)
-    : m_aggregate(std::make_shared<const Aggregate>(fill(shapes::box(a * Vec3(4, 4, 16)), {.spacing = a})))
+    : m_aggregate(std::make_shared<const Aggregate>(fillAsPublished(shapes::box(a * Vec3(5, 5, 17)), a)))
     , m_materials(Material{}, m_aggregate->size())
 {
     Random random(seed);

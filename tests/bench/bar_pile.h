@@ -11,8 +11,8 @@
 
 namespace knead {
 
-/// The test data of the paper's experiment: copies of an aggregate of 425 objects, a bar of 5 x 5 x 17, in irregular poses
-/// and with differing velocities. The bars were dropped from above one by one until they touched: a loose pile, about as
+/// The test data of the paper's experiment: copies of an aggregate of 425 objects, a bar of 5 x 5 x 17 with connections to
+/// all 26 neighbors, in irregular poses and with differing velocities. The bars were dropped from above one by one until they touched: a loose pile, about as
 /// high as its footprint is wide, whose volume grows with the number of bars.
 class BarPile {
 public:

@@ -121,9 +121,10 @@ private:
     std::ostringstream m_out;
 };
 
-double decadeBelow(double value)
+/// The power of ten at or below a value.
+int decadeBelow(double value)
 {
-    return std::pow(10.0, std::floor(std::log10(value)));
+    return static_cast<int>(std::floor(std::log10(value)));
 }
 
 /// From 1, 2 or 5 times a power of ten below all values to a power of ten above them.
@@ -136,14 +137,15 @@ Axis verticalAxis(const GrowthPlot& plot)
             low = std::min(low, point.y);
             high = std::max(high, point.y);
         }
-    const double decade = decadeBelow(low);
+    const double decade = std::pow(10.0, decadeBelow(low));
     const double factor = low > 5 * decade ? 5 : low > 2 * decade ? 2 : 1;
-    return {factor * decade, 10 * decadeBelow(high), bottom, top};
+    return {factor * decade, std::pow(10.0, decadeBelow(high) + 1), bottom, top};
 }
 
 void drawAxes(Drawing& drawing, const GrowthPlot& plot, const Axis& x, const Axis& y)
 {
-    for (double power = decadeBelow(y.low); power < 1.5 * y.high; power *= 10) {
+    for (int decade = decadeBelow(y.low); decade <= decadeBelow(1.5 * y.high); ++decade) {
+        const double power = std::pow(10.0, decade);
         for (int digit = 2; digit < 10; ++digit)
             if (power * digit >= y.low && power * digit < y.high)
                 drawing.line(left - 4, y.at(power * digit), left, y.at(power * digit), "#222", 0.8);

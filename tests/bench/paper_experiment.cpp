@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 namespace {
@@ -64,14 +65,13 @@ double now()
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Brute force is timed less often where it takes seconds.
-std::size_t timings(VicinityMethod method, std::size_t objects)
+/// Steps of each pile that are timed. Brute force is timed less often where it takes seconds.
+std::size_t timedSteps(VicinityMethod method, std::size_t objects)
 {
-    constexpr double affordable = 6e9; // n^2 over all timings
+    constexpr double affordable = 1e9; // n^2 over the steps of a pile
     const double square = static_cast<double>(objects) * static_cast<double>(objects);
-    const std::size_t all = piles * stepsPerPile;
-    if (method != VicinityMethod::bruteForce || affordable > all * square)
-        return all;
+    if (method != VicinityMethod::bruteForce || affordable > stepsPerPile * square)
+        return stepsPerPile;
     return std::max<std::size_t>(1, static_cast<std::size_t>(affordable / square));
 }
 
@@ -126,17 +126,22 @@ public:
     }
 
     /// @throws std::runtime_error, in a sentence, when back-ends disagree
-    void run(PaperReport& report)
+    void run(std::uint64_t seed)
     {
-        for (std::size_t seed = 1; seed <= piles; ++seed) {
-            BarPile pile(m_bars, seed);
-            report.connectionsPerAggregate = pile.connectionsPerBar();
-            for (std::size_t i = 0; i < stepsPerPile; ++i)
-                step(pile);
-        }
-        for (const VicinityMethod method : vicinityMethods)
-            report.measurements.push_back(m_backEnds[method].sums.mean(method, objects()));
+        BarPile pile(m_bars, seed);
+        m_connections = pile.connectionsPerBar();
+        for (std::size_t i = 0; i < stepsPerPile; ++i)
+            step(pile, i);
     }
+
+    void addTo(PaperReport& report) const
+    {
+        report.connectionsPerAggregate = m_connections;
+        for (const VicinityMethod method : vicinityMethods)
+            report.measurements.push_back(m_backEnds.at(method).sums.mean(method, objects()));
+    }
+
+    std::size_t objects() const { return m_bars * BarPile::objectsPerBar; }
 
 private:
     struct BackEnd {
@@ -144,10 +149,8 @@ private:
         Sums sums;
     };
 
-    std::size_t objects() const { return m_bars * BarPile::objectsPerBar; }
-
     /// The calculation cycle of the paper with the motion given: rigid, so that the scene stays what it is.
-    void step(BarPile& pile)
+    void step(BarPile& pile, std::size_t index)
     {
         double start = now();
         pile.computeForces();
@@ -155,24 +158,23 @@ private:
         const auto spheres = pile.spheres();
         const double otherTime = now() - start;
         std::optional<std::size_t> expected;
-        for (const VicinityMethod method : vicinityMethods) {
-            auto& [vicinity, sums] = m_backEnds[method];
-            if (sums.steps >= timings(method, objects()))
+        for (auto& [method, backEnd] : m_backEnds) {
+            if (index >= timedSteps(method, objects()))
                 continue;
             start = now();
-            vicinity->build(spheres, BarPile::margin);
-            const std::size_t found = vicinity->pairs().size();
-            sums.add(now() - start, otherTime, vicinity->statistics(), found);
+            backEnd.vicinity->build(spheres, BarPile::margin);
+            const std::size_t found = backEnd.vicinity->pairs().size();
+            backEnd.sums.add(now() - start, otherTime, backEnd.vicinity->statistics(), found);
             if (expected.value_or(found) != found)
-                throw std::runtime_error("The back-ends disagree: " + std::string(nameOf(method)) + " found " +
-                                         std::to_string(found) + " pairs among " + std::to_string(objects()) +
-                                         " objects, " + std::string(nameOf(vicinityMethods[0])) + " found " +
-                                         std::to_string(*expected) + ".");
+                throw std::runtime_error("The back-ends disagree: of " + std::to_string(objects()) + " objects, " +
+                                         std::string(nameOf(method)) + " found " + std::to_string(found) +
+                                         " pairs, others " + std::to_string(*expected) + ".");
             expected = found;
         }
     }
 
     std::size_t m_bars;
+    std::size_t m_connections = 0;
     std::map<VicinityMethod, BackEnd> m_backEnds;
 };
 
@@ -188,17 +190,30 @@ void write(const std::filesystem::path& file, const std::string& content)
         throw std::runtime_error(file.string() + " could not be written.");
 }
 
+/// Pile by pile, not number by number: a machine that is slow for a while then slows all numbers alike.
+PaperReport measure(std::size_t largest)
+{
+    std::vector<Experiment> experiments;
+    for (std::size_t bars = 1; bars * BarPile::objectsPerBar <= largest; bars *= 2)
+        experiments.emplace_back(bars);
+    for (std::size_t pile = 1; pile <= piles; ++pile) {
+        std::cerr << "Pile " << pile << " of " << piles << "\n";
+        for (Experiment& experiment : experiments)
+            experiment.run(pile);
+    }
+    PaperReport report;
+    for (const Experiment& experiment : experiments)
+        experiment.addTo(report);
+    return report;
+}
+
 void runAll(const Options& options)
 {
-    PaperReport report;
-    std::cout << "Every number of objects in " << piles << " piles, " << stepsPerPile
+    const PaperReport report = measure(options.largest);
+    std::cout << "\nEvery number of objects in " << piles << " piles, " << stepsPerPile
               << " steps of each; fewer steps for brute force where it takes long.\n"
-              << "In every step all back-ends must find the same number of pairs.\n\n";
-    printHeader(std::cout);
-    for (std::size_t bars = 1; bars * BarPile::objectsPerBar <= options.largest; bars *= 2) {
-        Experiment(bars).run(report);
-        printRows(std::cout, report, bars * BarPile::objectsPerBar);
-    }
+              << "In every step all back-ends found the same number of pairs.\n\n";
+    printMeasurements(std::cout, report);
     printGrowth(std::cout, report);
     const std::filesystem::path figure = options.out / "growth.svg";
     write(figure, figureOf(report));

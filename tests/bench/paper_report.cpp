@@ -119,28 +119,18 @@ std::vector<PaperGrowth> growthOf(const PaperReport& report)
     return result;
 }
 
-void printHeader(std::ostream& out)
+void printMeasurements(std::ostream& out, const PaperReport& report)
 {
     out << text("%7s  %-16s %12s %18s %14s %9s %9s %6s  %s\n", "", "", "vicinity", "whole system", "sphere tests", "",
                 "", "", "f(2n)/f(n)");
     out << text("%7s  %-16s %12s %18s %14s %9s %9s %6s  %6s %6s\n", "n", "back-end", "[ms/step]", "[ms/step]",
                 "per step", "pairs", "spanning", "depth", "time", "tests");
-}
-
-void printRows(std::ostream& out, const PaperReport& report, std::size_t objects)
-{
-    for (const VicinityMethod method : vicinityMethods) {
-        const PaperMeasurement* m = report.find(method, objects);
-        if (m == nullptr)
-            continue;
-        const std::string uncertainty = m->steps > 1 ? text("+- %-6.2g", 1e3 * m->systemUncertainty) : "";
-        out << text("%7zu  %-16s %12.3f %9.3f %-9s%14.0f %9.0f %9.0f %6d  %6s %6s\n", objects, name(method).c_str(),
-                    1e3 * m->vicinity, 1e3 * m->system, uncertainty.c_str(), m->sphereTests, m->pairs,
-                    m->spanningObjects, m->depth,
-                    factorOrDash(growth(report, method, objects, &PaperMeasurement::system)).c_str(),
-                    factorOrDash(growth(report, method, objects, &PaperMeasurement::sphereTests)).c_str());
-    }
-    out << std::flush;
+    for (const PaperMeasurement& m : report.measurements)
+        out << text("%7zu  %-16s %12.3f %9.3f +- %-5.2g %14.0f %9.0f %9.0f %6d  %6s %6s\n", m.objects,
+                    name(m.method).c_str(), 1e3 * m.vicinity, 1e3 * m.system, 1e3 * m.systemUncertainty, m.sphereTests,
+                    m.pairs, m.spanningObjects, m.depth,
+                    factorOrDash(growth(report, m.method, m.objects, &PaperMeasurement::system)).c_str(),
+                    factorOrDash(growth(report, m.method, m.objects, &PaperMeasurement::sphereTests)).c_str());
 }
 
 void printGrowth(std::ostream& out, const PaperReport& report)

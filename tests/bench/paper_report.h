@@ -44,9 +44,8 @@ struct PaperGrowth {
 };
 std::vector<PaperGrowth> growthOf(const PaperReport& report);
 
-/// The measurements of one number of objects as lines of a table, growth against half of it included.
-void printHeader(std::ostream& out);
-void printRows(std::ostream& out, const PaperReport& report, std::size_t objects);
+/// All measurements as a table, growth against half the number of objects included.
+void printMeasurements(std::ostream& out, const PaperReport& report);
 
 void printGrowth(std::ostream& out, const PaperReport& report);
 

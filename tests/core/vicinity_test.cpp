@@ -198,10 +198,11 @@ private slots:
     {
         QTest::addColumn<Spheres>("spheres");
         Spheres scattered;
-        for (int cluster = 0; cluster < 100; ++cluster)
-            for (const VicinitySphere& sphere : moved(randomSpheres(1000, {1, 1, 1}, 0.1),
-                                                      {4.0 * (cluster % 10), 4.0 * (cluster / 10), 0.1 * cluster}))
-                scattered.push_back(sphere);
+        for (int row = 0; row < 10; ++row)
+            for (int column = 0; column < 10; ++column)
+                for (const VicinitySphere& sphere :
+                     moved(randomSpheres(1000, {1, 1, 1}, 0.1), {4.0 * column, 4.0 * row, 0.1 * (column + 10 * row)}))
+                    scattered.push_back(sphere);
         QTest::newRow("scattered clusters") << scattered;
         QTest::newRow("one body") << turnedLattice(47, 0.1, 0.07);
         QTest::newRow("a cloud") << randomSpheres(100'000, {2, 2, 2}, 0.03);

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "support/scenes.h"
+
+#include <cmath>
+
+/// Scenes in which material flows, breaks, sticks and heals.
+namespace knead::scenes {
+
+/// As a potter's clay, a little softer than the bundled one.
+inline Material clay()
+{
+    Material material;
+    material.density = 1700;
+    material.youngsModulus = 5e5;
+    material.poissonRatio = 0.45;
+    material.dampingRatio = 0.1;
+    material.yieldStress = 5.2e3; // deviatoric yield strain of a connection 1 %
+    material.relaxationTime = 0.002;
+    return material;
+}
+
+/// A block on a floor with a plate above it that goes down by a share of its height, waits, and goes up again.
+struct Press {
+    double share = 0.3;
+    double pressTime = 0.4;   ///< [s]
+    double waitTime = 0.1;    ///< [s]
+    double releaseTime = 0.1; ///< [s]
+    double friction = 1;
+};
+
+inline Scene pressedBlock(const Body& block, double height, const Press& press)
+{
+    Scene scene;
+    scene.bodies.push_back(block);
+    scene.floorHeight = -height / 2;
+    scene.floorFriction = press.friction;
+    Manipulator plate{.name = "plate", .size = {3 * height, 3 * height, height / 2}};
+    plate.kind = ToolKind::plate;
+    plate.friction = press.friction;
+    plate.speedLimit = 10;
+    const double top = height / 2 + height / 4;
+    const auto at = [&](double time, double down) {
+        return KeyFrame{time, {Vec3(0, 0, top - down), Quaternion::Identity()}};
+    };
+    const double down = press.share * height;
+    plate.pose.position = Vec3(0, 0, top);
+    plate.motion = FollowKeyFrames{{at(0, 0), at(press.pressTime, down), at(press.pressTime + press.waitTime, down),
+                                    at(press.pressTime + press.waitTime + press.releaseTime, -0.1 * height)}};
+    scene.manipulators.push_back(plate);
+    return scene;
+}
+
+/// Volume of a block of cells from the places of its objects, by the mean edges of every cell.
+inline double blockVolume(const Aggregate& aggregate, const std::vector<Vec3>& places)
+{
+    double volume = 0;
+    for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
+        Vec3 corner[8];
+        bool whole = true;
+        for (int c = 0; c < 8; ++c) {
+            Lattice::Node node = aggregate.lattice.nodes[i];
+            for (int axis = 0; axis < 3; ++axis)
+                node[static_cast<std::size_t>(axis)] += c >> axis & 1;
+            const ObjectIndex object = aggregate.lattice.find(node);
+            whole = whole && object < aggregate.size();
+            if (whole)
+                corner[c] = places[object];
+        }
+        if (!whole)
+            continue;
+        const Vec3 u = corner[1] + corner[3] + corner[5] + corner[7] - corner[0] - corner[2] - corner[4] - corner[6];
+        const Vec3 v = corner[2] + corner[3] + corner[6] + corner[7] - corner[0] - corner[1] - corner[4] - corner[5];
+        const Vec3 w = corner[4] + corner[5] + corner[6] + corner[7] - corner[0] - corner[1] - corner[2] - corner[3];
+        volume += std::abs(u.cross(v).dot(w)) / 64;
+    }
+    return volume;
+}
+
+/// Energy that passed through a simulation, to judge an imbalance by [J].
+inline double turnover(const EnergyLedger& energy, double kineticAtStart = 0)
+{
+    return std::max({std::abs(energy.toolWork), energy.dissipated(), energy.kinetic + energy.elastic, kineticAtStart});
+}
+
+} // namespace knead::scenes
