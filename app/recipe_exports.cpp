@@ -42,14 +42,9 @@ std::vector<MeshBody> deformedBodies(const RecipeScene& ready, const Snapshot& s
 
 MeshBody toolBody(const ToolState& tool)
 {
-    MeshBody body{tool.name, toolColor, {}};
-    // Corner i lies on the positive side of x, y, z where bits 0, 1, 2 of i are set.
-    for (unsigned i = 0; i < 8; ++i) {
-        const Vec3 sides((i & 1U) != 0 ? 0.5 : -0.5, (i & 2U) != 0 ? 0.5 : -0.5, (i & 4U) != 0 ? 0.5 : -0.5);
-        body.mesh.vertices.push_back(tool.pose.toWorld(sides.cwiseProduct(tool.size)));
-    }
-    body.mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                           {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    MeshBody body{tool.name, toolColor, meshOf({tool.kind, tool.size, tool.part})};
+    for (Vec3& vertex : body.mesh.vertices)
+        vertex = tool.pose.toWorld(vertex);
     return body;
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
 
 namespace knead {
@@ -80,7 +81,13 @@ public:
         report.wall = m_wall;
         report.stateHash = m_simulation.stateHash();
         report.energy = m_latest->energy;
+        report.broken = m_latest->broken;
+        report.joints = m_latest->joints;
+        report.components = m_latest->components;
+        report.addedMass = m_latest->addedMass;
         report.tools = m_tools;
+        report.warnings = m_ready.warnings;
+        report.warnings.insert(report.warnings.end(), m_warnings.begin(), m_warnings.end());
         return report;
     }
 
@@ -96,8 +103,22 @@ private:
 
     void post(const ChangeMaterial& change)
     {
+        for (BodyObjects& at : objectsWithin(m_ready, change.body, change.box, "events"))
+            carryOut(SetMaterial{at.body, change.material.on(m_ready.scene.bodies[at.body].material),
+                                 std::move(at.objects)});
+    }
+
+    void post(const RenormalizeBodies& wanted)
+    {
+        for (BodyObjects& at : objectsWithin(m_ready, wanted.body, wanted.box, "events"))
+            if (!wanted.body.empty() || m_simulation.bodies()[at.body].kind == BodyKind::deformable)
+                carryOut(Renormalize{at.body, std::move(at.objects), wanted.duration});
+    }
+
+    void post(const ChangeBodyKind& change)
+    {
         for (const BodyId body : bodiesNamed(change.body, m_ready.parts, "events"))
-            m_simulation.post(SetMaterial{body, change.material.on(m_ready.scene.bodies[body].material)});
+            carryOut(SetBodyKind{body, change.kind});
     }
 
     void post(const ReleaseFixture& release)
@@ -105,17 +126,27 @@ private:
         for (std::size_t i = 0; i < m_recipe.fixtures.size(); ++i)
             if (m_recipe.fixtures[i].name == release.fixture)
                 for (const FixtureId id : m_ready.fixtureIds[i])
-                    m_simulation.post(RemoveFixture{id});
+                    carryOut(RemoveFixture{id});
     }
 
     void post(const TakeManipulatorAway& away)
     {
         for (std::size_t i = 0; i < m_recipe.manipulators.size(); ++i)
             if (m_recipe.manipulators[i].name == away.manipulator)
-                m_simulation.post(RemoveManipulator{static_cast<ToolId>(i)});
+                carryOut(RemoveManipulator{static_cast<ToolId>(i)});
     }
 
-    void post(const ChangeGravity& change) { m_simulation.post(SetGravity{change.gravity}); }
+    void post(const ChangeGravity& change) { carryOut(SetGravity{change.gravity}); }
+
+    /// A command that makes no sense changes nothing; the person gets to know why.
+    void carryOut(Command command)
+    {
+        m_simulation.post(std::move(command));
+        m_simulation.applyCommands();
+        takeSnapshot();
+        if (!m_latest->notice.empty())
+            m_warnings.push_back("at " + fixed(m_latest->time, 3) + " s: " + m_latest->notice);
+    }
 
     void checkHealth() const
     {
@@ -151,16 +182,25 @@ private:
     Simulation m_simulation;
     SnapshotPointer m_latest;
     std::vector<ToolState> m_tools;
+    std::vector<std::string> m_warnings;
     std::size_t m_nextEvent = 0;
     double m_wall = 0;
 };
 
-/// Names are checked before the first step, not when the event is due.
-void checkEventBodies(const Recipe& recipe, const RecipeScene& ready)
+/// Names and boxes are checked before the first step, not when the event is due.
+void checkEvents(const Recipe& recipe, const RecipeScene& ready)
 {
-    for (const RecipeEvent& event : recipe.events)
-        if (const auto* change = std::get_if<ChangeMaterial>(&event.action))
-            bodiesNamed(change->body, ready.parts, "events");
+    for (std::size_t i = 0; i < recipe.events.size(); ++i) {
+        const std::string place =
+            std::filesystem::path(recipe.file).filename().string() + ": events[" + std::to_string(i) + "]";
+        const RecipeAction& action = recipe.events[i].action;
+        if (const auto* change = std::get_if<ChangeMaterial>(&action))
+            objectsWithin(ready, change->body, change->box, place);
+        if (const auto* wanted = std::get_if<RenormalizeBodies>(&action))
+            objectsWithin(ready, wanted->body, wanted->box, place);
+        if (const auto* change = std::get_if<ChangeBodyKind>(&action))
+            bodiesNamed(change->body, ready.parts, place);
+    }
 }
 
 } // namespace
@@ -169,7 +209,7 @@ RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskC
 {
     TaskPortion preparing(control, 0, sceneEnd);
     const RecipeScene ready = buildScene(recipe, preparing);
-    checkEventBodies(recipe, ready);
+    checkEvents(recipe, ready);
     prepareFolders(recipe.exports, outputFolder);
 
     Runner runner(recipe, ready);
@@ -178,7 +218,6 @@ RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskC
     TaskPortion writing(control, stepsEnd, 1);
     RunReport report = runner.takeReport();
     report.files = writeExports(recipe.exports, outputFolder, ready, runner.latest(), writing);
-    report.warnings = ready.warnings;
     return report;
 }
 

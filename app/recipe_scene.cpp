@@ -1,7 +1,7 @@
 #include "app/recipe_scene.h"
 
 #include "core/aggregate/fill.h"
-#include "io/importer.h"
+#include "core/aggregate/published_fill.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -24,64 +24,27 @@ std::string fileName(const std::string& path)
     throw UnusableInput(fileName(recipe.file) + ": " + saying);
 }
 
-TriangleMesh joined(const std::vector<Part>& parts)
-{
-    TriangleMesh all;
-    for (const Part& part : parts) {
-        const auto first = static_cast<std::uint32_t>(all.vertices.size());
-        all.vertices.insert(all.vertices.end(), part.mesh.vertices.begin(), part.mesh.vertices.end());
-        for (const TriangleMesh::Triangle& t : part.mesh.triangles)
-            all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-    }
-    return all;
-}
-
 double spacingFor(const RecipeResolution& resolution, const std::vector<Part>& parts)
 {
     using Kind = RecipeResolution::Kind;
     switch (resolution.kind) {
     case Kind::CellsAcross:
-        return spacingForCellsAcross(joined(parts), resolution.value);
+        return spacingForCellsAcross(joinedMesh(parts), resolution.value);
     case Kind::Objects:
-        return spacingForObjectCount(joined(parts), resolution.value);
+        return spacingForObjectCount(joinedMesh(parts), resolution.value);
     case Kind::Spacing:
         break;
     }
     return resolution.value;
 }
 
-Model import(const Recipe& recipe, TaskControl& control)
-{
-    try {
-        return importFile(recipe.part, {}, control);
-    } catch (const Cancelled&) {
-        throw;
-    } catch (const std::runtime_error& error) {
-        throw UnusableInput(error.what());
-    }
-}
-
-void importParts(const Recipe& recipe, RecipeScene& result, TaskControl& control)
-{
-    Model model = import(recipe, control);
-    result.warnings = std::move(model.warnings);
-    for (Part& part : model.parts) {
-        result.warnings.insert(result.warnings.end(), part.warnings.begin(), part.warnings.end());
-        if (part.canBeFilled())
-            result.parts.push_back(std::move(part));
-        else
-            result.warnings.push_back("\"" + part.name + "\" is not closed and is left out.");
-    }
-    if (result.parts.empty())
-        throw UnusableInput(fileName(recipe.part) +
-                            ": no closed body found. Close the surfaces in the CAD program and export again.");
-}
-
 /// The filling knows no names; in an assembly they matter.
-Aggregate fillPart(const Part& part, const FillOptions& options, TaskControl& control)
+Aggregate fillPart(const Part& part, Arrangement arrangement, double spacing, TaskControl& control)
 {
     try {
-        return fill(part.mesh, options, control);
+        if (arrangement == Arrangement::published)
+            return fillAsPublished(part.mesh, spacing);
+        return fill(part.mesh, {.spacing = spacing}, control);
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
@@ -91,14 +54,16 @@ Aggregate fillPart(const Part& part, const FillOptions& options, TaskControl& co
 
 void fillParts(const Recipe& recipe, RecipeScene& result, TaskControl& control)
 {
-    const FillOptions options{.spacing = spacingFor(recipe.resolution, result.parts)};
+    const double spacing = spacingFor(recipe.resolution, result.parts);
     const auto count = static_cast<double>(result.parts.size());
     for (std::size_t i = 0; i < result.parts.size(); ++i) {
         TaskPortion portion(control, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
         const Part& part = result.parts[i];
-        auto aggregate = std::make_shared<const Aggregate>(fillPart(part, options, portion));
-        result.scene.bodies.push_back(
-            {.name = part.name, .aggregate = std::move(aggregate), .material = recipe.material});
+        auto aggregate = std::make_shared<const Aggregate>(fillPart(part, recipe.arrangement, spacing, portion));
+        result.scene.bodies.push_back({.name = part.name,
+                                       .aggregate = std::move(aggregate),
+                                       .material = recipe.material,
+                                       .structuralFriction = recipe.structuralFriction});
     }
 }
 
@@ -109,41 +74,97 @@ void assignBodyMaterials(const Recipe& recipe, RecipeScene& result)
             result.scene.bodies[body].material = material;
 }
 
-std::vector<ObjectIndex> objectsAtFaces(const Recipe& recipe, const RecipeFixture& fixture, const Part& part,
+void startBodies(const Recipe& recipe, RecipeScene& result)
+{
+    for (const RecipeBody& start : recipe.bodies)
+        for (const BodyId id : bodiesNamed(start.name, result.parts, fileName(recipe.file) + ": bodies")) {
+            Body& body = result.scene.bodies[id];
+            body.kind = start.kind;
+            body.velocity = start.velocity;
+            body.angularVelocity = start.angularVelocity;
+        }
+}
+
+/// A region of a recipe, as sentences name it.
+struct NamedRegion {
+    std::string what; ///< "fixture", "region"
+    const RecipeRegion& region;
+
+    std::string saying() const { return "the " + what + " \"" + region.name + "\""; }
+};
+
+std::vector<ObjectIndex> objectsAtFaces(const Recipe& recipe, const NamedRegion& named, const Part& part,
                                         const Aggregate& aggregate)
 {
     const std::string quoted = "\"" + part.name + "\"";
     if (part.faces.empty())
-        refuse(recipe, "the fixture \"" + fixture.name + "\" names faces, but " + quoted +
-                           " is a mesh without CAD faces; use box_mm.");
-    for (const std::uint32_t face : fixture.faces)
+        refuse(recipe, named.saying() + " names faces, but " + quoted + " is a mesh without CAD faces; use box_mm.");
+    for (const std::uint32_t face : named.region.faces)
         if (face >= part.faces.size())
-            refuse(recipe, "the fixture \"" + fixture.name + "\" names the face " + std::to_string(face) + ", but " +
-                               quoted + " has faces 0 to " + std::to_string(part.faces.size() - 1) + ".");
-    return objectsAtFaces(aggregate, part.mesh, fixture.faces);
+            refuse(recipe, named.saying() + " names the face " + std::to_string(face) + ", but " + quoted +
+                               " has faces 0 to " + std::to_string(part.faces.size() - 1) + ".");
+    return objectsAtFaces(aggregate, part.mesh, named.region.faces);
+}
+
+/// The objects of a region in every body that has some there.
+std::vector<BodyObjects> objectsOf(const Recipe& recipe, const NamedRegion& named, const RecipeScene& ready)
+{
+    const RecipeRegion& region = named.region;
+    const std::string place = fileName(recipe.file) + ": " + named.saying();
+    if (region.box)
+        return objectsWithin(ready, region.body, region.box, place);
+    const std::vector<BodyId> bodies = bodiesNamed(region.body, ready.parts, place);
+    if (bodies.size() > 1)
+        refuse(recipe, named.saying() + " names faces of one body among several; add the key body.");
+    const BodyId body = bodies.front();
+    std::vector<ObjectIndex> objects =
+        objectsAtFaces(recipe, named, ready.parts[body], *ready.scene.bodies[body].aggregate);
+    if (objects.empty())
+        refuse(recipe, named.saying() + " holds nothing: no object lies there.");
+    return {{body, std::move(objects)}};
+}
+
+void addRegion(const Recipe& recipe, const RecipeMaterialRegion& region, RecipeScene& result)
+{
+    for (BodyObjects& at : objectsOf(recipe, {"region", region}, result)) {
+        Body& body = result.scene.bodies[at.body];
+        body.regions.push_back({region.name, std::move(at.objects), region.material.on(body.material)});
+    }
 }
 
 /// Adds one fixture of the scene for every body it holds.
 std::vector<FixtureId> addFixture(const Recipe& recipe, const RecipeFixture& fixture, RecipeScene& result)
 {
-    const std::string place = fileName(recipe.file) + ": the fixture \"" + fixture.name + "\"";
-    const std::vector<BodyId> bodies = bodiesNamed(fixture.body, result.parts, place);
-    if (!fixture.box && bodies.size() > 1)
-        refuse(recipe, "the fixture \"" + fixture.name + "\" names faces of one body among several; add the key body.");
-
     std::vector<FixtureId> ids;
-    for (const BodyId body : bodies) {
-        const Aggregate& aggregate = *result.scene.bodies[body].aggregate;
-        std::vector<ObjectIndex> objects = fixture.box ? objectsInBox(aggregate, *fixture.box)
-                                                       : objectsAtFaces(recipe, fixture, result.parts[body], aggregate);
-        if (objects.empty())
-            continue;
+    for (BodyObjects& at : objectsOf(recipe, {"fixture", fixture}, result)) {
         ids.push_back(static_cast<FixtureId>(result.scene.fixtures.size()));
-        result.scene.fixtures.push_back({fixture.name, body, std::move(objects)});
+        result.scene.fixtures.push_back({fixture.name, at.body, std::move(at.objects)});
     }
-    if (ids.empty())
-        refuse(recipe, "the fixture \"" + fixture.name + "\" holds nothing: no object lies there.");
     return ids;
+}
+
+void addManipulators(const Recipe& recipe, const std::vector<std::shared_ptr<const ToolPart>>& parts,
+                     RecipeScene& result)
+{
+    for (std::size_t i = 0; i < recipe.manipulators.size(); ++i) {
+        Manipulator manipulator = recipe.manipulators[i];
+        manipulator.part = parts[i];
+        manipulator.size = fittingSize(manipulator.kind, manipulator.size, parts[i].get());
+        result.scene.manipulators.push_back(std::move(manipulator));
+    }
+}
+
+void setWorld(const Recipe& recipe, Scene& scene)
+{
+    scene.gravity = recipe.gravity;
+    if (recipe.floor) {
+        scene.floorHeight = recipe.floor->height;
+        scene.floorFriction = recipe.floor->friction;
+    }
+    scene.integrator = recipe.integrator;
+    scene.vicinity = recipe.vicinity;
+    scene.timeStep = recipe.timeStep;
+    scene.massScalingTimeStep = recipe.massScalingTimeStep;
 }
 
 } // namespace
@@ -162,23 +183,40 @@ std::vector<BodyId> bodiesNamed(const std::string& name, const std::vector<Part>
     return bodies;
 }
 
+std::vector<BodyObjects> objectsWithin(const RecipeScene& ready, const std::string& body, const std::optional<Box>& box,
+                                       const std::string& place)
+{
+    std::vector<BodyObjects> found;
+    for (const BodyId id : bodiesNamed(body, ready.parts, place)) {
+        std::vector<ObjectIndex> objects;
+        if (box)
+            objects = objectsInBox(*ready.scene.bodies[id].aggregate, *box);
+        if (!box || !objects.empty())
+            found.push_back({id, std::move(objects)});
+    }
+    if (found.empty())
+        throw UnusableInput(place + " holds nothing: no object lies there.");
+    return found;
+}
+
 RecipeScene buildScene(const Recipe& recipe, TaskControl& control)
 {
-    RecipeScene result;
     TaskPortion importing(control, 0, importShare);
-    importParts(recipe, result, importing);
+    RecipeParts parts = importParts(recipe, importing);
+    RecipeScene result;
+    result.parts = std::move(parts.bodies);
+    result.warnings = std::move(parts.warnings);
     TaskPortion filling(control, importShare, 1);
     fillParts(recipe, result, filling);
 
     assignBodyMaterials(recipe, result);
+    startBodies(recipe, result);
+    for (const RecipeMaterialRegion& region : recipe.regions)
+        addRegion(recipe, region, result);
     for (const RecipeFixture& fixture : recipe.fixtures)
         result.fixtureIds.push_back(addFixture(recipe, fixture, result));
-    result.scene.manipulators = recipe.manipulators;
-    result.scene.gravity = recipe.gravity;
-    if (recipe.floor) {
-        result.scene.floorHeight = recipe.floor->height;
-        result.scene.floorFriction = recipe.floor->friction;
-    }
+    addManipulators(recipe, parts.toolParts, result);
+    setWorld(recipe, result.scene);
     return result;
 }
 

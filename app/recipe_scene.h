@@ -1,20 +1,13 @@
 #pragma once
 
-#include "core/model/part.h"
+#include "app/recipe_parts.h"
 #include "core/simulation/scene.h"
-#include "core/task/task_control.h"
-#include "io/recipe.h"
 
-#include <stdexcept>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace knead {
-
-/// A part that cannot be read, or a recipe that does not fit it: no such body, no such face, an empty fixture.
-struct UnusableInput : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 /// A recipe made ready to run.
 struct RecipeScene {
@@ -24,12 +17,24 @@ struct RecipeScene {
     std::vector<std::string> warnings;              ///< sentences: of the import, and parts left out
 };
 
-/// Imports the part and fills every closed body of it.
+/// Imports the parts and fills every closed body of it.
 /// @throws UnusableInput, and std::runtime_error when the filling fails, each in a sentence. @throws Cancelled
 RecipeScene buildScene(const Recipe& recipe, TaskControl& control);
 
 /// Bodies that a name in a recipe means: those whose name or path in the assembly it is; all for an empty name.
 /// @throws UnusableInput when there is none
 std::vector<BodyId> bodiesNamed(const std::string& name, const std::vector<Part>& parts, const std::string& place);
+
+/// Objects of a body.
+struct BodyObjects {
+    BodyId body = 0;
+    std::vector<ObjectIndex> objects;
+};
+
+/// What a box takes of the bodies that a name means, leaving out bodies with nothing in it; whole bodies, without
+/// objects, when there is no box.
+/// @throws UnusableInput when there is no such body, or nothing in the box
+std::vector<BodyObjects> objectsWithin(const RecipeScene& ready, const std::string& body, const std::optional<Box>& box,
+                                       const std::string& place);
 
 } // namespace knead

@@ -2,29 +2,17 @@
 
 #include "io/json_reader.h"
 #include "io/recipe_sections.h"
+#include "io/recipe_values.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace knead {
 
-namespace fs = std::filesystem;
-
 namespace {
 
-constexpr double longestDuration = 3600; // [s]; a longer run is a mistyped number
-
-std::string readPartPath(const JsonNode& part, const std::string& recipePath)
-{
-    part.allowOnly({"file"});
-    const JsonNode file = part.at("file");
-    const fs::path path = fs::path(recipePath).parent_path() / file.text();
-    std::error_code error;
-    if (!fs::is_regular_file(path, error))
-        file.fail("names a file that does not exist: " + path.lexically_normal().string() +
-                  ". The path is taken from the folder of the recipe.");
-    return path.lexically_normal().string();
-}
+constexpr double longestDuration = 3600;  // [s]; a longer run is a mistyped number
+constexpr double shortestTimeStep = 1e-9; // [s]
+constexpr double longestTimeStep = 1;     // [s]
 
 RecipeResolution readResolution(const JsonNode& root)
 {
@@ -68,26 +56,17 @@ void checkNameIsNew(const JsonNode& node, const std::vector<Named>& others, cons
         node.at("name").fail("is used twice: \"" + name + "\".");
 }
 
-std::vector<RecipeFixture> readFixtures(const JsonNode& node)
+/// A list whose items have names, each used once.
+template <class Read>
+auto readNamed(const JsonNode& node, Read read)
 {
-    std::vector<RecipeFixture> fixtures;
+    std::vector<decltype(read(node))> all;
     for (const JsonNode& item : node.items()) {
-        RecipeFixture fixture = readRecipeFixture(item);
-        checkNameIsNew(item, fixtures, fixture.name);
-        fixtures.push_back(std::move(fixture));
+        auto one = read(item);
+        checkNameIsNew(item, all, one.name);
+        all.push_back(std::move(one));
     }
-    return fixtures;
-}
-
-std::vector<Manipulator> readManipulators(const JsonNode& node)
-{
-    std::vector<Manipulator> manipulators;
-    for (const JsonNode& item : node.items()) {
-        Manipulator manipulator = readRecipeManipulator(item);
-        checkNameIsNew(item, manipulators, manipulator.name);
-        manipulators.push_back(std::move(manipulator));
-    }
-    return manipulators;
+    return all;
 }
 
 std::vector<RecipeExport> readExports(const JsonNode& node)
@@ -101,6 +80,68 @@ std::vector<RecipeExport> readExports(const JsonNode& node)
         exports.push_back(std::move(wanted));
     }
     return exports;
+}
+
+Choices<VicinityMethod> vicinityChoices()
+{
+    Choices<VicinityMethod> choices;
+    for (const VicinityMethod method : vicinityMethods)
+        choices.emplace_back(nameOf(method), method);
+    return choices;
+}
+
+std::optional<double> readTimeStep(const JsonNode& root, const char* key)
+{
+    const auto node = root.find(key);
+    return node ? std::optional(node->number(shortestTimeStep, longestTimeStep)) : std::nullopt;
+}
+
+/// How the scene is calculated.
+void readMethod(const JsonNode& root, Recipe& recipe)
+{
+    if (const auto node = root.find("integrator"))
+        recipe.integrator = readChoice<Integrator>(*node, {{"semi-implicit-euler", Integrator::semiImplicitEuler},
+                                                           {"forward-euler", Integrator::forwardEuler}});
+    if (const auto node = root.find("vicinity"))
+        recipe.vicinity = readChoice(*node, vicinityChoices());
+    recipe.timeStep = readTimeStep(root, "time_step_s");
+    recipe.massScalingTimeStep = readTimeStep(root, "mass_scaling_time_step_s");
+}
+
+/// Where the objects are: parts and how they are filled.
+void readParts(const JsonNode& root, Recipe& recipe)
+{
+    const JsonNode part = root.at("part");
+    part.allowOnly({"file"});
+    recipe.part = readFilePath(part.at("file"), recipe.file);
+    if (const auto node = root.find("extra_parts"))
+        for (const JsonNode& item : node->items())
+            recipe.extraParts.push_back(readRecipeExtraPart(item, recipe.file));
+    recipe.resolution = readResolution(root);
+    if (const auto node = root.find("arrangement"))
+        recipe.arrangement = readChoice<Arrangement>(
+            *node, {{"cut-cells", Arrangement::cutCells}, {"published", Arrangement::published}});
+    if (recipe.arrangement == Arrangement::published && recipe.resolution.kind != RecipeResolution::Kind::Spacing)
+        root.at("arrangement").fail("is \"published\", which needs spacing_mm.");
+}
+
+/// What the bodies are made of, how they begin and what holds them.
+void readBodies(const JsonNode& root, const std::vector<MaterialPreset>& presets, Recipe& recipe)
+{
+    if (const auto node = root.find("material"))
+        recipe.material = readRecipeMaterial(*node, presets).on(Material{});
+    if (const auto node = root.find("body_materials"))
+        recipe.bodyMaterials = readBodyMaterials(*node, recipe.material, presets);
+    if (const auto node = root.find("regions"))
+        recipe.regions =
+            readNamed(*node, [&](const JsonNode& item) { return readRecipeMaterialRegion(item, presets); });
+    if (const auto node = root.find("bodies"))
+        for (const std::string& name : node->keys())
+            recipe.bodies.push_back(readRecipeBody(node->at(name), name));
+    if (const auto node = root.find("structural_friction"))
+        recipe.structuralFriction = node->number(0, 2);
+    if (const auto node = root.find("fixtures"))
+        recipe.fixtures = readNamed(*node, readRecipeFixture);
 }
 
 /// Finds the names an event refers to in the sections they come from.
@@ -149,25 +190,24 @@ bool RecipeExport::isPicture() const
 Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets)
 {
     const JsonNode root = JsonNode::readFile(path);
-    root.allowOnly({"version", "part", "spacing_mm", "cells_across", "objects", "material", "body_materials",
-                    "fixtures", "manipulators", "gravity_m_s2", "floor", "duration_s", "events", "exports"});
+    root.allowOnly({"version",        "part",         "extra_parts",  "spacing_mm",
+                    "cells_across",   "objects",      "arrangement",  "material",
+                    "body_materials", "regions",      "bodies",       "structural_friction",
+                    "fixtures",       "manipulators", "gravity_m_s2", "floor",
+                    "integrator",     "vicinity",     "time_step_s",  "mass_scaling_time_step_s",
+                    "duration_s",     "events",       "exports"});
     root.at("version").integer(1, 1);
 
     Recipe recipe;
     recipe.file = path;
-    recipe.part = readPartPath(root.at("part"), path);
-    recipe.resolution = readResolution(root);
+    readParts(root, recipe);
+    readMethod(root, recipe);
     recipe.duration = root.at("duration_s").positive();
     if (recipe.duration > longestDuration)
         root.at("duration_s").failExpecting("must be at most 3600 s");
-    if (const auto node = root.find("material"))
-        recipe.material = readRecipeMaterial(*node, presets).on(Material{});
-    if (const auto node = root.find("body_materials"))
-        recipe.bodyMaterials = readBodyMaterials(*node, recipe.material, presets);
-    if (const auto node = root.find("fixtures"))
-        recipe.fixtures = readFixtures(*node);
+    readBodies(root, presets, recipe);
     if (const auto node = root.find("manipulators"))
-        recipe.manipulators = readManipulators(*node);
+        recipe.manipulators = readNamed(*node, [&](const JsonNode& item) { return readRecipeManipulator(item, path); });
     if (const auto node = root.find("gravity_m_s2"))
         recipe.gravity = readVector(*node, strongestGravity);
     if (const auto node = root.find("floor"))

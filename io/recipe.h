@@ -3,6 +3,7 @@
 #include "core/aggregate/material.h"
 #include "core/geometry/vec3.h"
 #include "core/mechanics/manipulator.h"
+#include "core/simulation/scene.h"
 
 #include <cstdint>
 #include <optional>
@@ -33,12 +34,38 @@ struct RecipeMaterial {
     Material on(const Material& base) const;
 };
 
-/// A region held in place: CAD faces or everything in a box.
-struct RecipeFixture {
+/// Another part than the first one, placed in the world.
+struct RecipeExtraPart {
+    std::string file; ///< ready to open
+    std::string name; ///< of its body, or the first step of the path of its bodies; empty: as in the file
+    Pose pose;        ///< of the origin of the file
+};
+
+/// How a body takes part and how it starts.
+struct RecipeBody {
+    std::string name;
+    BodyKind kind = BodyKind::deformable;
+    Vec3 velocity = Vec3::Zero();        ///< [m/s]
+    Vec3 angularVelocity = Vec3::Zero(); ///< about the center of mass [rad/s]
+};
+
+/// A region of bodies: at CAD faces or everything in a box.
+struct RecipeRegion {
     std::string name;
     std::string body;                 ///< empty: the only one for faces, every one for a box
     std::vector<std::uint32_t> faces; ///< indices into Part::faces
     std::optional<Box> box;           ///< [m]
+};
+
+using RecipeFixture = RecipeRegion; ///< held in place
+
+/// A region made of something else than its body.
+struct RecipeMaterialRegion : RecipeRegion {
+    RecipeMaterial material; ///< on top of that of the body
+};
+
+struct RecipeManipulator : Manipulator {
+    std::string partFile; ///< for ToolKind::part; its part and size are known when it is opened
 };
 
 struct RecipeFloor {
@@ -49,7 +76,17 @@ struct RecipeFloor {
 /// Things that can happen at a time of the run.
 struct ChangeMaterial {
     std::string body;        ///< empty: every one
+    std::optional<Box> box;  ///< only the objects that began in here [m]
     RecipeMaterial material; ///< on top of what the body started with
+};
+struct RenormalizeBodies {
+    std::string body;       ///< empty: every one
+    std::optional<Box> box; ///< only the objects that began in here [m]
+    double duration = 0;    ///< [s]; 0: at once
+};
+struct ChangeBodyKind {
+    std::string body;
+    BodyKind kind = BodyKind::deformable;
 };
 struct ReleaseFixture {
     std::string fixture;
@@ -60,7 +97,8 @@ struct TakeManipulatorAway {
 struct ChangeGravity {
     Vec3 gravity = Vec3::Zero(); ///< [m/s^2]
 };
-using RecipeAction = std::variant<ChangeMaterial, ReleaseFixture, TakeManipulatorAway, ChangeGravity>;
+using RecipeAction =
+    std::variant<ChangeMaterial, RenormalizeBodies, ChangeBodyKind, ReleaseFixture, TakeManipulatorAway, ChangeGravity>;
 
 struct RecipeEvent {
     double time = 0; ///< [s]
@@ -79,19 +117,34 @@ struct RecipeExport {
     bool isPicture() const;
 };
 
+/// How bodies are filled with objects.
+enum class Arrangement {
+    cutCells,  ///< fill()
+    published, ///< fillAsPublished(), to repeat published scenes
+};
+
 /// A session that runs without a window: a part, its material, tools with their motions, events and exports. SI units.
 struct Recipe {
     std::string file; ///< where it was read from
     std::string part; ///< path of the CAD or mesh file, ready to open
+    std::vector<RecipeExtraPart> extraParts;
     RecipeResolution resolution;
+    Arrangement arrangement = Arrangement::cutCells;
     Material material;                                           ///< of every body that has none of its own
     std::vector<std::pair<std::string, Material>> bodyMaterials; ///< body name and its material
+    std::vector<RecipeMaterialRegion> regions;
+    std::vector<RecipeBody> bodies; ///< those that differ from a deformable body at rest
+    double structuralFriction = 0;  ///< within every body
     std::vector<RecipeFixture> fixtures;
-    std::vector<Manipulator> manipulators; ///< motions are HoldStill or FollowKeyFrames
-    Vec3 gravity = Vec3::Zero();           ///< [m/s^2]
+    std::vector<RecipeManipulator> manipulators; ///< motions are HoldStill or FollowKeyFrames
+    Vec3 gravity = Vec3::Zero();                 ///< [m/s^2]
     std::optional<RecipeFloor> floor;
-    double duration = 0;             ///< simulated [s]
-    std::vector<RecipeEvent> events; ///< ascending times
+    Integrator integrator = Integrator::semiImplicitEuler;
+    VicinityMethod vicinity = VicinityMethod::uniformGrid;
+    std::optional<double> timeStep;            ///< [s]
+    std::optional<double> massScalingTimeStep; ///< [s]
+    double duration = 0;                       ///< simulated [s]
+    std::vector<RecipeEvent> events;           ///< ascending times
     std::vector<RecipeExport> exports;
 };
 

@@ -50,6 +50,10 @@ void printJson(const RunReport& report)
     nlohmann::ordered_json json{
         {"objects", report.objects},
         {"connections", report.connections},
+        {"broken", report.broken},
+        {"joints", report.joints},
+        {"components", report.components},
+        {"added_mass", report.addedMass},
         {"steps", report.steps},
         {"time_step_s", report.timeStep},
         {"simulated_s", report.simulated},
@@ -73,8 +77,19 @@ void printJson(const RunReport& report)
     for (const ToolState& tool : report.tools)
         json["tools"].push_back({{"name", tool.name},
                                  {"force_n", {tool.force.x(), tool.force.y(), tool.force.z()}},
-                                 {"peak_force_n", tool.peakForce}});
+                                 {"peak_force_n", tool.peakForce},
+                                 {"torque_nm", {tool.torque.x(), tool.torque.y(), tool.torque.z()}}});
     std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+}
+
+/// What is worth a line only when it happened.
+void printDamage(const RunReport& report)
+{
+    if (report.broken > 0 || report.joints > 0 || report.components != report.bodies)
+        std::printf("%zu connections broke, %zu joints hold, %zu %s of material\n", report.broken, report.joints,
+                    report.components, report.components == 1 ? "piece" : "pieces");
+    if (report.addedMass > 0)
+        std::printf("mass scaling added %.3g %% of the mass\n", 100 * report.addedMass);
 }
 
 void printSummary(const RunReport& report)
@@ -85,6 +100,7 @@ void printSummary(const RunReport& report)
                 report.ratio(), static_cast<unsigned long long>(report.steps), 1000 * report.timeStep);
     std::printf("energy: elastic %.3g J, kinetic %.3g J, work of the tools %.3g J, dissipated %.3g J\n",
                 report.energy.elastic, report.energy.kinetic, report.energy.toolWork, report.energy.dissipated());
+    printDamage(report);
     for (const ToolState& tool : report.tools)
         std::printf("tool %s: force (%.3g, %.3g, %.3g) N, peak %.3g N\n", tool.name.c_str(), tool.force.x(),
                     tool.force.y(), tool.force.z(), tool.peakForce);

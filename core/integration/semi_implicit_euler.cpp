@@ -60,6 +60,16 @@ StepReport semiImplicitEuler(ObjectState& state, const Vec3& gravity, double dt)
     return total;
 }
 
+void kick(ObjectState& state, const Vec3& gravity, double dt)
+{
+    forEachBlock(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (state.inverseMass[i] > 0)
+                state.velocity.add(i,
+                                   dt * (state.inverseMass[i] * (state.force.at(i) + state.damping.at(i)) + gravity));
+    });
+}
+
 double dampShape(ObjectState& state, double rate, double dt, bool anchored)
 {
     Vec3 velocity = Vec3::Zero();

@@ -14,6 +14,10 @@ struct StepReport {
 /// Objects with inverse mass 0 stay where they are. Several threads; same bits for any number.
 StepReport semiImplicitEuler(ObjectState& state, const Vec3& gravity, double dt);
 
+/// Adds dt times the present acceleration to the velocities. Velocities of the semi-implicit scheme belong to half a step before
+/// the positions; when the step changes from one length to another, half the difference is missing.
+void kick(ObjectState& state, const Vec3& gravity, double dt);
+
 /// Relaxes velocities towards the body's best-fit rigid motion (towards rest when `anchored`) by the factor 1 - exp(-rate dt).
 /// Keeps linear and angular momentum of a free body. @return energy taken out [J]
 double dampShape(ObjectState& state, double rate, double dt, bool anchored);

@@ -10,10 +10,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// A lattice pulled along its axis first breaks at 0.95 and bears at most 1.10 of the stress at which every connection along
-// the pull is at its strain sigma / E. Half way between, so that the peak lies near what a tensile test calls strength.
-constexpr double strengthOfLattice = 1.05;
-
 ConnectionLaw lawOf(const Material& m, double spacing)
 {
     ConnectionLaw law;
@@ -24,7 +20,9 @@ ConnectionLaw lawOf(const Material& m, double spacing)
     law.yieldStrain = m.yields() ? strainPerStress * m.yieldStress : infinite;
     law.hardening = strainPerStress * m.hardening;
     law.flowTime = m.relaxationTime;
-    law.breakingStrain = m.tensileStrength > 0 ? m.tensileStrength / (strengthOfLattice * m.youngsModulus) : infinite;
+    // Uniform tension along the lattice strains the connections along it by sigma / E; the first of them to break take the
+    // others across the same plane with them.
+    law.breakingStrain = m.tensileStrength > 0 ? m.tensileStrength / m.youngsModulus : infinite;
     law.ductility = m.yields() && m.elongationAtBreak > 0 ? m.elongationAtBreak : infinite;
     return law;
 }

@@ -16,8 +16,16 @@ constexpr double healedWeight = 0.5;
 
 } // namespace
 
-/// Each contact bears adhesion times a^2, the skin that belongs to an object.
-void Contacts::joinIfSticky(ContactPair& pair)
+double Contacts::skinOf(const ObjectRef& object) const
+{
+    const Aggregate& aggregate = m_bodies[object.body].connections->aggregate();
+    const double a = aggregate.lattice.spacing;
+    return std::min(2 * aggregate.volume[object.object] / a, a * a);
+}
+
+/// Each contact bears adhesion times the lesser of the skins that belong to its objects. Its nominal length is such that it
+/// begins with the energy that the contact has.
+void Contacts::joinIfSticky(ContactPair& pair, double distance, double energy)
 {
     const ObjectRef& a = m_objects[pair.objects.first].ref;
     const ObjectRef& b = m_objects[pair.objects.second].ref;
@@ -27,14 +35,13 @@ void Contacts::joinIfSticky(ContactPair& pair)
             adhesion = materialOf(object).adhesion;
     if (adhesion <= 0)
         return;
-    const double spacing = std::min(spacingOf(a), spacingOf(b));
     m_newJoints.push_back({.first = a,
                            .second = b,
-                           .nominalLength = pair.nominalLength,
+                           .nominalLength = distance + std::sqrt(2 * energy / pair.parameters.stiffness),
                            .stiffness = pair.parameters.stiffness,
                            .damping = pair.parameters.damping,
                            .friction = pair.parameters.friction,
-                           .tolerance = adhesion * spacing * spacing,
+                           .tolerance = adhesion * std::min(skinOf(a), skinOf(b)),
                            .yieldStrain = std::numeric_limits<double>::infinity(),
                            .flowTime = 0,
                            .ductility = std::numeric_limits<double>::infinity()});
@@ -60,8 +67,8 @@ Joint Contacts::healed(const ObjectRef& a, const ObjectRef& b) const
             .ductility = law.ductility};
 }
 
-/// Pressed together for the longer of the two healing times, sliding less than a spacing in it.
-void Contacts::healIfPressed(ContactPair& pair, const ContactState& state, double dt)
+/// Pressed together for the longer of the two healing times, sliding less than a spacing in it. @return whether they healed
+bool Contacts::healIfPressed(ContactPair& pair, const ContactState& state, double dt)
 {
     const ContactObject& first = m_objects[pair.objects.first];
     const ContactObject& second = m_objects[pair.objects.second];
@@ -71,13 +78,13 @@ void Contacts::healIfPressed(ContactPair& pair, const ContactState& state, doubl
                          m_bodies[first.ref.body].kind == BodyKind::deformable &&
                          m_bodies[second.ref.body].kind == BodyKind::deformable;
     if (!canHeal)
-        return;
+        return false;
     const double time = std::max(one.healingTime, other.healingTime);
     const double normalSpeed = state.relativeVelocity.dot(state.normal);
     const double slide = (state.relativeVelocity - normalSpeed * state.normal).norm();
     pair.pressed = slide * time < spacingOf(first.ref) ? pair.pressed + dt : 0;
     if (pair.pressed < time)
-        return;
+        return false;
     m_newJoints.push_back(healed(first.ref, second.ref));
     const double reach = healingReach * std::min(spacingOf(first.ref), spacingOf(second.ref));
     const auto joinAround = [&](const ContactObject& center, const ContactObject& opposite) {
@@ -95,6 +102,7 @@ void Contacts::healIfPressed(ContactPair& pair, const ContactState& state, doubl
     };
     joinAround(first, second);
     joinAround(second, first);
+    return true;
 }
 
 void Contacts::makeNewJoints()

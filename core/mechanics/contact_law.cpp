@@ -20,12 +20,17 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
     if (state.overlap <= 0)
         return result;
     const double overlap = std::min(state.overlap, parameters.largestOverlap);
-    const double spring = parameters.stiffness * overlap;
+    const bool begins = overlap < parameters.onset;
+    const double begun = begins ? overlap * overlap / (2 * parameters.onset) : overlap - parameters.onset / 2;
+    const double spring = parameters.stiffness * begun;
     const double normalSpeed = state.relativeVelocity.dot(state.normal);
     const double normalForce = std::max(0.0, spring - parameters.damping * normalSpeed);
     result.spring = spring * state.normal;
     result.damping = (normalForce - spring) * state.normal;
-    result.energy = 0.5 * spring * overlap + spring * (state.overlap - overlap);
+    const double stored = begins
+                              ? spring * overlap / 3
+                              : 0.5 * parameters.stiffness * (begun * begun + parameters.onset * parameters.onset / 12);
+    result.energy = stored + spring * (state.overlap - overlap);
 
     const Vec3 slide = state.relativeVelocity - normalSpeed * state.normal;
     if (const double speed = slide.norm(); speed > 0) {
@@ -44,6 +49,7 @@ ContactParameters combine(const ContactParameters& a, const ContactParameters& b
             .damping = harmonicMean(a.damping, b.damping),
             .friction = std::sqrt(a.friction * b.friction),
             .reducedMass = harmonicMean(a.reducedMass, b.reducedMass) / 2,
+            .onset = std::min(a.onset, b.onset),
             .largestOverlap = std::min(a.largestOverlap, b.largestOverlap)};
 }
 

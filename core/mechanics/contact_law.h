@@ -10,6 +10,8 @@ struct ContactParameters {
     double damping = 0;     ///< b [N s/m]
     double friction = 0;    ///< u, Coulomb
     double reducedMass = 0; ///< of the two objects; an object's own mass against a tool [kg]
+    double onset = 0;       ///< overlap over which the stiffness rises from 0 to k: flat faces that meet all at once
+                            ///< within a step would jolt the scheme [m]
     double largestOverlap =
         0; ///< beyond it the spring force stays what it is there, so that a tool placed inside a body
            ///< pushes it out instead of shooting it away [m]

@@ -14,9 +14,13 @@ constexpr std::uint32_t none = 0xffffffffU;
 
 // Candidates are listed this far ahead, in spacings: more means fewer lists, but longer ones.
 constexpr double marginShare = 0.5;
-constexpr double smallestRadiusShare = 0.25;
-constexpr double crackRadiusShare = 0.5; // neighbors on both sides of a crack just touch
+// Radii of objects that meet each other, in spacings.
+constexpr double smallestRadius = 0.5;
+constexpr double largestRadius = 1.5;
+// Rounding must not take part of the next layer of objects.
+constexpr double belowLayer = 1 - 1e-6;
 constexpr double largestOverlapShare = 2;
+constexpr double onsetShare = 0.03;
 
 // Contacts of rigid bodies may reach this share of what the deformable ones' time step allows.
 constexpr double rigidShare = 0.1;
@@ -38,31 +42,59 @@ Contacts::Contacts(std::vector<BodyView> bodies, VicinityMethod method)
     , m_vicinity(makeVicinity(method))
 {
     for (std::uint32_t b = 0; b < m_bodies.size(); ++b) {
-        const Aggregate& aggregate = m_bodies[b].connections->aggregate();
-        const double a = aggregate.lattice.spacing;
-        m_margin = std::max(m_margin, marginShare * a);
-        m_indexOf.emplace_back(aggregate.size(), none);
-        for (ObjectIndex i = 0; i < aggregate.size(); ++i)
-            if (aggregate.depth[i] < a * (1 - 1e-6)) // one layer; rounding must not take part of the next
-                addObject(b, i, false);
+        m_margin = std::max(m_margin, marginShare * m_bodies[b].connections->aggregate().lattice.spacing);
+        m_indexOf.emplace_back(m_bodies[b].connections->aggregate().size(), none);
+        addSkin(b);
         findSlits(b);
     }
     updateParameters(0);
-    keepDistances({});
+    keepDistances();
 }
 
-void Contacts::addObject(std::uint32_t body, ObjectIndex object, bool loose)
+void Contacts::addObject(const ContactObject& object)
+{
+    m_indexOf[object.ref.body][object.ref.object] = static_cast<std::uint32_t>(m_objects.size());
+    m_objects.push_back(object);
+}
+
+void Contacts::addSkin(std::uint32_t body)
 {
     const Aggregate& aggregate = m_bodies[body].connections->aggregate();
     const double a = aggregate.lattice.spacing;
-    const double depth = aggregate.depth[object];
-    const double largest = loose ? crackRadiusShare * a : a;
-    m_indexOf[body][object] = static_cast<std::uint32_t>(m_objects.size());
-    m_objects.push_back({.ref = {body, object},
-                         .reach = std::clamp(depth, -a, largest),
-                         .radius = std::clamp(depth, smallestRadiusShare * a, largest),
-                         .loose = loose,
-                         .parameters = {}});
+    const auto isDeep = [&](ObjectIndex i) { return aggregate.depth[i] >= smallestRadius * belowLayer * a; };
+    const auto isThin = [&](ObjectIndex i) { // no deeper object around
+        for (const Lattice::Node& step : Lattice::directions)
+            for (const std::int32_t way : {-1, 1}) {
+                Lattice::Node node = aggregate.lattice.nodes[i];
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    node[axis] += way * step[axis];
+                if (const ObjectIndex other = aggregate.lattice.find(node); other < aggregate.size() && isDeep(other))
+                    return false;
+            }
+        return true;
+    };
+    for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
+        const double depth = aggregate.depth[i];
+        if (depth >= largestRadius * belowLayer * a)
+            continue;
+        ContactObject object{.ref = {body, i}, .reach = std::max(depth, -a), .parameters = {}};
+        object.meetsSurfaces = depth < a * belowLayer;
+        object.radius = isDeep(i) ? depth : isThin(i) ? smallestRadius * a : 0;
+        if (object.meetsSurfaces || object.radius > 0)
+            addObject(object);
+    }
+}
+
+/// The end of a broken connection: from now on it may touch things on its own.
+void Contacts::loosen(std::uint32_t body, ObjectIndex object)
+{
+    const double a = m_bodies[body].connections->aggregate().lattice.spacing;
+    if (m_indexOf[body][object] == none)
+        addObject({.ref = {body, object}, .reach = smallestRadius * a, .parameters = {}});
+    ContactObject& contact = m_objects[m_indexOf[body][object]];
+    contact.meetsSurfaces = true;
+    contact.loose = true;
+    contact.radius = smallestRadius * a;
 }
 
 /// Objects within two nodes of each other with no way of at most two connections between them face each other across a
@@ -76,7 +108,7 @@ void Contacts::findSlits(std::uint32_t body)
     forEachBlock(m_objects.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const ContactObject& object = m_objects[i];
-            if (object.ref.body != body)
+            if (object.ref.body != body || object.radius == 0)
                 continue;
             // Along the axes is enough: what faces across a slit of any slope has such a pair nearby.
             for (std::size_t axis = 0; axis < 3; ++axis)
@@ -109,6 +141,7 @@ void Contacts::updateParameters(double frequency)
                              .damping = 2 * material.dampingRatio * std::sqrt(stiffness * own),
                              .friction = material.friction,
                              .reducedMass = body.kind == BodyKind::glue ? immovableMass : own,
+                             .onset = onsetShare * spacingOf(object.ref),
                              .largestOverlap = largestOverlapShare * spacingOf(object.ref)};
     }
     m_valid = false;
@@ -148,8 +181,12 @@ bool Contacts::areNeighbors(const ContactObject& a, const ContactObject& b) cons
 std::vector<Contacts::ContactPair> Contacts::findPairs(double margin)
 {
     std::vector<VicinitySphere> spheres;
-    spheres.reserve(m_objects.size());
-    for (const ContactObject& object : m_objects) {
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < m_objects.size(); ++i) {
+        const ContactObject& object = m_objects[i];
+        if (object.radius == 0)
+            continue;
+        indices.push_back(i);
         const BodyView& body = m_bodies[object.ref.body];
         VicinitySphere sphere{.center = placeOf(object), .radius = object.radius, .group = object.ref.body};
         if (body.kind == BodyKind::deformable) {
@@ -160,7 +197,8 @@ std::vector<Contacts::ContactPair> Contacts::findPairs(double margin)
     }
     m_vicinity->build(spheres, margin);
     std::vector<ContactPair> pairs;
-    for (const VicinityPair& pair : m_vicinity->pairs()) {
+    for (const VicinityPair& found : m_vicinity->pairs()) {
+        const VicinityPair pair{indices[found.first], indices[found.second]};
         const ContactObject& first = m_objects[pair.first];
         const ContactObject& second = m_objects[pair.second];
         const bool bothGlue =
@@ -176,18 +214,28 @@ std::vector<Contacts::ContactPair> Contacts::findPairs(double margin)
     return pairs;
 }
 
-void Contacts::keepDistances(const std::vector<ContactPair>& known)
+double Contacts::lengthOf(const ContactPair& pair) const
 {
-    std::vector<ContactPair> all = known;
-    for (ContactPair& pair : findPairs(0)) {
-        if (findPair(all, pair.objects) != all.end() ||
-            findPair(m_keptDistances, pair.objects) != m_keptDistances.end())
-            continue;
-        pair.nominalLength = (placeOf(m_objects[pair.objects.first]) - placeOf(m_objects[pair.objects.second])).norm();
-        m_keptDistances.push_back(pair);
-        std::inplace_merge(m_keptDistances.begin(), m_keptDistances.end() - 1, m_keptDistances.end(),
-                           [](const ContactPair& a, const ContactPair& b) { return a.objects < b.objects; });
+    return (placeOf(m_objects[pair.objects.first]) - placeOf(m_objects[pair.objects.second])).norm();
+}
+
+/// Pairs that overlap now get a nominal length that leaves their force as it is: that of the contact they had, else their
+/// distance.
+void Contacts::keepDistances()
+{
+    std::vector<ContactPair> overlapping = findPairs(0);
+    for (ContactPair& pair : overlapping) {
+        const double distance = lengthOf(pair);
+        const auto known = findPair(m_pairs, pair.objects);
+        const bool touched = known != m_pairs.end() && distance < known->nominalLength;
+        pair.nominalLength = touched ? known->nominalLength : distance;
     }
+    // Those that do not overlap now may have kept a distance before.
+    std::vector<ContactPair> all;
+    std::set_union(overlapping.begin(), overlapping.end(), m_keptDistances.begin(), m_keptDistances.end(),
+                   std::back_inserter(all),
+                   [](const ContactPair& a, const ContactPair& b) { return a.objects < b.objects; });
+    m_keptDistances = std::move(all);
 }
 
 void Contacts::connectionsBroke()
@@ -195,28 +243,22 @@ void Contacts::connectionsBroke()
     bool any = false;
     for (std::uint32_t b = 0; b < m_bodies.size(); ++b) {
         const std::vector<ConnectionId>& broken = m_bodies[b].connections->changes().broken;
-        const Lattice& lattice = m_bodies[b].connections->aggregate().lattice;
         for (; m_brokenSeen[b] < broken.size(); ++m_brokenSeen[b]) {
             const ConnectionId& connection = broken[m_brokenSeen[b]];
-            Lattice::Node upper = lattice.nodes[connection.lower];
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                upper[axis] += Lattice::directions[connection.direction][axis];
-            for (const ObjectIndex end : {connection.lower, lattice.find(upper)}) {
-                if (m_indexOf[b][end] == none)
-                    addObject(b, end, true);
-                m_objects[m_indexOf[b][end]].loose = true;
-            }
+            for (const ObjectIndex end : m_bodies[b].connections->endsOf(connection))
+                loosen(b, end);
             any = true;
         }
     }
     if (!any)
         return;
     updateParameters(0);
-    keepDistances(m_pairs);
+    keepDistances();
 }
 
 void Contacts::rebuild(std::span<const RigidSurface> surfaces)
 {
+    connectionsBroke(); // or pairs that may touch since then would begin with an overlap
     std::vector<ContactPair> before = std::move(m_pairs);
     m_pairs = findPairs(m_margin);
     auto old = before.begin();
@@ -238,7 +280,8 @@ void Contacts::rebuild(std::span<const RigidSurface> surfaces)
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
         const Box box = surfaces[s].reach(largestReach + m_margin);
         for (std::uint32_t i = 0; i < m_objects.size(); ++i)
-            if (m_bodies[m_objects[i].ref.body].kind != BodyKind::glue && box.contains(placeOf(m_objects[i])))
+            if (m_objects[i].meetsSurfaces && m_bodies[m_objects[i].ref.body].kind != BodyKind::glue &&
+                box.contains(placeOf(m_objects[i])))
                 m_nearSurface[s].push_back(i);
     }
     m_travel = 0;
@@ -283,8 +326,11 @@ void Contacts::pushApart(ContactPair& pair, double dt, Report& report)
     ++report.count;
     m_touching[pair.objects.first] += 2 * pair.parameters.stiffness;
     m_touching[pair.objects.second] += 2 * pair.parameters.stiffness;
-    joinIfSticky(pair);
-    healIfPressed(pair, state, dt);
+    joinIfSticky(pair, distance, result.energy);
+    if (healIfPressed(pair, state, dt)) { // what was pressed in stays: the joint begins without stress
+        report.energy -= result.energy;
+        report.plastic += result.energy;
+    }
 }
 
 void Contacts::pushOff(std::uint32_t index, const RigidSurface& surface, double dt, SurfaceLoad& load, Report& report)

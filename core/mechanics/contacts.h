@@ -25,10 +25,11 @@ enum class BodyKind : std::uint8_t {
 /// Contact connections: found by the vicinity calculation between objects near the skin, of one body or two, and between
 /// those and rigid surfaces. They exist while the ends touch.
 ///
-/// The radius of an object in contact is its depth below the skin, so that contact begins when the skins meet and flat faces
-/// are flat. Against rigid surfaces it may be negative (an object outside the skin, by the cut cells) and is limited to
-/// one spacing either way; between objects it is at least a quarter of the spacing. Ends of broken connections take part with
-/// half a spacing.
+/// The radius of an object in contact is its depth below the skin, so that contact begins when the skins meet.
+/// Rigid surfaces are felt by the objects less than a spacing deep; there the radius may be negative (an object outside the
+/// skin, by the cut cells), and flat faces are flat. Objects feel each other when they are half to one and a half spacings
+/// deep: so large, spheres a spacing apart let nothing through between them. Sheets too thin to have such objects, and the
+/// ends of broken connections, take part with half a spacing.
 ///
 /// Within a body, objects that are joined by one or two connections do not touch each other.
 ///
@@ -89,9 +90,10 @@ public:
 private:
     struct ContactObject {
         ObjectRef ref;
-        double reach;  ///< radius against rigid surfaces [m]
-        double radius; ///< against other objects [m]
-        bool loose;    ///< has lost connections, or faces its own body across a slit
+        double reach = 0;  ///< radius against rigid surfaces [m]
+        double radius = 0; ///< against other objects [m]; 0: does not meet them
+        bool meetsSurfaces = false;
+        bool loose = false; ///< has lost connections, or faces its own body across a slit
         ContactParameters parameters;
     };
     struct ContactPair {
@@ -102,12 +104,15 @@ private:
         ContactParameters parameters;
     };
 
-    void addObject(std::uint32_t body, ObjectIndex object, bool loose);
+    void addSkin(std::uint32_t body);
+    void addObject(const ContactObject& object);
+    void loosen(std::uint32_t body, ObjectIndex object);
     void findSlits(std::uint32_t body);
     void rebuild(std::span<const RigidSurface> surfaces);
     std::vector<ContactPair> findPairs(double margin);
     bool areNeighbors(const ContactObject& a, const ContactObject& b) const;
-    void keepDistances(const std::vector<ContactPair>& known);
+    void keepDistances();
+    double lengthOf(const ContactPair& pair) const;
     ContactParameters between(const ContactObject& a, const ContactObject& b) const;
     ObjectState& stateOf(const ContactObject& object) const { return *m_bodies[object.ref.body].state; }
     Vec3 placeOf(const ContactObject& object) const { return stateOf(object).position.at(object.ref.object); }
@@ -121,8 +126,9 @@ private:
     }
     void pushApart(ContactPair& pair, double dt, Report& report);
     void pushOff(std::uint32_t index, const RigidSurface& surface, double dt, SurfaceLoad& load, Report& report);
-    void joinIfSticky(ContactPair& pair);
-    void healIfPressed(ContactPair& pair, const ContactState& state, double dt);
+    void joinIfSticky(ContactPair& pair, double distance, double energy);
+    double skinOf(const ObjectRef& object) const; ///< share of the body's surface [m^2]
+    bool healIfPressed(ContactPair& pair, const ContactState& state, double dt);
     void makeNewJoints();
     Joint healed(const ObjectRef& a, const ObjectRef& b) const;
 

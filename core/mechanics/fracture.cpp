@@ -5,6 +5,7 @@
 #include "core/task/parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace knead {
@@ -13,11 +14,37 @@ namespace {
 
 constexpr std::size_t chunkSize = 256;
 
+// Next to a broken connection the stress is concentrated, more than the lattice resolves: connections that cross the same
+// plane break at this share of their strain. It makes a body break where it begins to, at the force at which it begins to.
+constexpr double strengthBesideCrack = 0.3;
+
+/// For each direction, forward and then backward, those within less than 60 degrees of it.
+std::array<std::uint32_t, 2 * Lattice::directionCount> directionsBeside()
+{
+    constexpr std::size_t count = Lattice::directionCount;
+    const auto direction = [](std::size_t q) -> Vec3 {
+        const Lattice::Node& o = Lattice::directions[q % count];
+        return (q < count ? 1 : -1) * Vec3(o[0], o[1], o[2]).normalized();
+    };
+    std::array<std::uint32_t, 2 * count> beside{};
+    for (std::size_t q = 0; q < 2 * count; ++q)
+        for (std::size_t p = 0; p < 2 * count; ++p)
+            if (direction(p).dot(direction(q)) > 0.51)
+                beside[q] |= std::uint32_t{1} << p;
+    return beside;
+}
+
 Vec3 latticeStep(const ConnectionId& connection, ObjectIndex from)
 {
     const Lattice::Node& o = Lattice::directions[connection.direction];
     const Vec3 step(o[0], o[1], o[2]);
     return connection.lower == from ? step : Vec3(-step);
+}
+
+/// Where an object was a time `back` ago.
+Vec3 placeBefore(const ObjectState& state, std::size_t object, double back)
+{
+    return state.position.at(object) - back * state.velocity.at(object);
 }
 
 } // namespace
@@ -28,16 +55,38 @@ struct StructuralConnections::Shape {
     Mat3 reference = Mat3::Zero();
 };
 
-StructuralConnections::Shape StructuralConnections::shapeAround(const ObjectState& state, ObjectIndex object) const
+StructuralConnections::Shape StructuralConnections::shapeAround(const ObjectState& state, ObjectIndex object,
+                                                                double back) const
 {
     Shape shape;
     forEachConnection(object, [&](ObjectIndex neighbor, const ConnectionId& connection) {
         const double k = m_stiffness[connection.direction][connection.lower];
         const Vec3 step = latticeStep(connection, object);
-        shape.moment += k * (state.position.at(neighbor) - state.position.at(object)) * step.transpose();
+        shape.moment += k * (placeBefore(state, neighbor, back) - placeBefore(state, object, back)) * step.transpose();
         shape.reference += k * step * step.transpose();
     });
     return shape;
+}
+
+void StructuralConnections::markBroken(const ConnectionId& connection)
+{
+    m_brokenAround.resize(m_aggregate->size(), 0);
+    const auto [lower, upper] = endsOf(connection);
+    m_brokenAround[lower] |= std::uint32_t{1} << connection.direction;
+    m_brokenAround[upper] |= std::uint32_t{1} << (Lattice::directionCount + connection.direction);
+    // What has begun to break apart bears no hydrostatic tension any more.
+    m_bulk[lower] = 0;
+    m_bulk[upper] = 0;
+}
+
+void StructuralConnections::weakenBesideCracks(std::size_t d, std::size_t lower, std::size_t upper, std::size_t count,
+                                               double* limit) const
+{
+    static const auto beside = directionsBeside();
+    for (std::size_t c = 0; c < count; ++c)
+        if (((m_brokenAround[lower + c] & beside[d]) |
+             (m_brokenAround[upper + c] & beside[Lattice::directionCount + d])) != 0)
+            limit[c] *= strengthBesideCrack;
 }
 
 void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t begin, std::size_t end,
@@ -58,6 +107,8 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
                     const std::size_t count = std::min(chunkSize, i + n - s);
                     m_laws.fill(&ConnectionLaw::breakingStrain, s, s + j - i, count, limit);
                     m_laws.fill(&ConnectionLaw::ductility, s, s + j - i, count, ductility);
+                    if (!m_brokenAround.empty())
+                        weakenBesideCracks(d, s, s + j - i, count, limit);
                     // A connection that has flowed as far as it can breaks as soon as it is stretched again.
                     for (std::size_t c = 0; c < count && !plastic.empty(); ++c)
                         if (plastic[s + c] > ductility[c])
@@ -84,7 +135,8 @@ std::vector<ConnectionId> StructuralConnections::overloaded(const ObjectState& s
     return all;
 }
 
-double StructuralConnections::energyAround(const ObjectState& state, const std::vector<ObjectIndex>& objects) const
+double StructuralConnections::energyAround(const ObjectState& state, const std::vector<ObjectIndex>& objects,
+                                           double back) const
 {
     double sum = 0;
     for (const ObjectIndex i : objects) {
@@ -94,7 +146,7 @@ double StructuralConnections::energyAround(const ObjectState& state, const std::
         const auto& k = m_inverseShape;
         inverse << k[0][i], k[3][i], k[4][i], k[3][i], k[1][i], k[5][i], k[4][i], k[5][i], k[2][i];
         const double determinant =
-            (shapeAround(state, i).moment * inverse / m_aggregate->lattice.spacing).determinant();
+            (shapeAround(state, i, back).moment * inverse / m_aggregate->lattice.spacing).determinant();
         const double floor = kernels::smallestVolumeRatio;
         const double theta = std::log(std::max(determinant, floor)) + std::min(determinant / floor - 1, 0.0) -
                              m_changes.restDilatation[i];
@@ -103,33 +155,33 @@ double StructuralConnections::energyAround(const ObjectState& state, const std::
     return sum;
 }
 
-double StructuralConnections::breakAll(const ObjectState& state, const std::vector<ConnectionId>& connections)
+double StructuralConnections::breakAll(const ObjectState& state, const std::vector<ConnectionId>& connections,
+                                       double step)
 {
-    std::vector<ObjectIndex> ends;
+    std::vector<ObjectIndex> objects;
     for (const ConnectionId& connection : connections)
-        forEachConnection(connection.lower, [&](ObjectIndex neighbor, const ConnectionId& other) {
-            if (other == connection)
-                ends.insert(ends.end(), {connection.lower, neighbor});
-        });
-    double released = 0;
-    std::vector<ObjectIndex> objects = ends;
+        for (const ObjectIndex end : endsOf(connection))
+            objects.push_back(end);
     std::sort(objects.begin(), objects.end());
     objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
-    released += energyAround(state, objects);
-    for (std::size_t c = 0; c < connections.size(); ++c) {
-        const ConnectionId& connection = connections[c];
+    // In the semi-implicit scheme the force of a connection has acted up to half a step ago: what it had then is set free.
+    const double back = step / 2;
+    double released = energyAround(state, objects, back);
+    for (const ConnectionId& connection : connections) {
         double& k = m_stiffness[connection.direction][connection.lower];
-        const double length = (state.position.at(ends[2 * c + 1]) - state.position.at(ends[2 * c])).norm();
+        const auto [lower, upper] = endsOf(connection);
+        const double length = (placeBefore(state, upper, back) - placeBefore(state, lower, back)).norm();
         const double stretch = length - nominalLength(connection);
         released += 0.5 * k * stretch * stretch;
         k = 0;
         m_changes.broken.push_back(connection);
+        markBroken(connection);
     }
     m_count -= connections.size();
     for (const ObjectIndex object : objects)
         setInverseShape(object, shapeAround(state, object).reference);
     m_thetaIsPresent = false;
-    return released - energyAround(state, objects);
+    return released - energyAround(state, objects, back);
 }
 
 } // namespace knead

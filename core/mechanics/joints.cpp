@@ -69,17 +69,16 @@ Joints::Report Joints::computeForces(std::span<ObjectState* const> bodies, doubl
         const double length = across.norm();
         report.plastic += flow(joint, length, dt);
         const double stretch = length - joint.nominalLength;
-        const double energy = 0.5 * joint.stiffness * stretch * stretch;
+        const Vec3 n = length > 0 ? Vec3(across / length) : Vec3::Zero();
+        const Vec3 velocity = b.velocity.at(joint.second.object) - a.velocity.at(joint.first.object);
         const bool worn = joint.plasticStrain > joint.ductility && stretch > 0;
         if (worn || joint.stiffness * stretch > joint.tolerance) {
-            report.fracture += energy;
+            // Its force has acted up to half a step ago: what it had then is set free.
+            const double before = stretch - 0.5 * dt * velocity.dot(n);
+            report.fracture += 0.5 * joint.stiffness * before * before;
             return true;
         }
-        report.energy += energy;
-        if (length == 0)
-            return false;
-        const Vec3 n = across / length;
-        const Vec3 velocity = b.velocity.at(joint.second.object) - a.velocity.at(joint.first.object);
+        report.energy += 0.5 * joint.stiffness * stretch * stretch;
         const double normalSpeed = velocity.dot(n);
         const Vec3 pull = joint.stiffness * stretch * n;
         Vec3 brake = joint.damping * normalSpeed * n;

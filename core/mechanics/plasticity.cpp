@@ -53,7 +53,7 @@ double StructuralConnections::flowBlock(const ObjectState& state, std::size_t be
     return std::accumulate(dissipated.begin(), dissipated.end(), 0.0);
 }
 
-StructuralConnections::FlowReport StructuralConnections::flowAndBreak(const ObjectState& state, double dt)
+StructuralConnections::FlowReport StructuralConnections::flowAndBreak(const ObjectState& state, double dt, double step)
 {
     FlowReport report;
     if (m_laws.anyYields()) {
@@ -67,7 +67,7 @@ StructuralConnections::FlowReport StructuralConnections::flowAndBreak(const Obje
     }
     if (m_laws.anyBreaks())
         if (const std::vector<ConnectionId> broken = overloaded(state); !broken.empty()) {
-            report.fracture = breakAll(state, broken);
+            report.fracture = breakAll(state, broken, step);
             report.broken = broken.size();
         }
     return report;

@@ -151,6 +151,17 @@ void StructuralConnections::findInverseShapes()
         m_bulk[i] = bulkModulus(m_materials->of(i)) * m_aggregate->volume[i];
         setInverseShape(i, shape[i]);
     }
+    m_brokenAround.clear();
+    for (const ConnectionId& broken : m_changes.broken)
+        markBroken(broken);
+}
+
+std::array<ObjectIndex, 2> StructuralConnections::endsOf(const ConnectionId& connection) const
+{
+    const auto& segments = m_aggregate->lattice.segments[connection.direction];
+    const auto segment = std::partition_point(segments.begin(), segments.end(),
+                                              [&](const auto& s) { return s.end <= connection.lower; });
+    return {connection.lower, connection.lower + static_cast<ObjectIndex>(segment->offset)};
 }
 
 void StructuralConnections::setInverseShape(ObjectIndex object, const Mat3& shape)

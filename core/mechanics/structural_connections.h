@@ -64,12 +64,14 @@ public:
     void computeForces(ObjectState& state, double dt = 0);
 
     /// Plastic flow of nominal lengths over a time dt, and breaking of connections that bear too much, at present positions.
+    /// @param dt since the last flow [s]
+    /// @param step of the integrator [s]: velocities lag half of it behind, and so does the energy that a connection had
     struct FlowReport {
         double plastic = 0;  ///< energy that flowed off [J]
         double fracture = 0; ///< energy of connections that broke [J]
         std::size_t broken = 0;
     };
-    FlowReport flowAndBreak(const ObjectState& state, double dt);
+    FlowReport flowAndBreak(const ObjectState& state, double dt, double step);
 
     /// Whether flowAndBreak() can do anything with the present materials.
     bool flowsOrBreaks() const { return m_laws.anyYields() || m_laws.anyBreaks(); }
@@ -106,6 +108,9 @@ public:
     std::size_t count() const { return m_count; }                      ///< connections of stiffness > 0
     double dampingTime() const { return m_laws.largestDampingTime(); } ///< largest b / k [s]
 
+    /// The two objects of a connection that was made, the lower one first.
+    std::array<ObjectIndex, 2> endsOf(const ConnectionId& connection) const;
+
     /// Calls visit(neighbor, connection) for the live connections of an object, forward and backward by direction.
     template <typename Visit>
     void forEachConnection(ObjectIndex object, Visit&& visit) const;
@@ -134,11 +139,14 @@ private:
     void makeLengthsOwn();
     double flowBlock(const ObjectState& state, std::size_t begin, std::size_t end, double dt);
     std::vector<ConnectionId> overloaded(const ObjectState& state) const;
+    void markBroken(const ConnectionId& connection);
+    void weakenBesideCracks(std::size_t d, std::size_t lower, std::size_t upper, std::size_t count,
+                            double* limit) const;
     void findOverloaded(const ObjectState& state, std::size_t begin, std::size_t end,
                         std::vector<ConnectionId>& found) const;
-    double breakAll(const ObjectState& state, const std::vector<ConnectionId>& connections);
-    double energyAround(const ObjectState& state, const std::vector<ObjectIndex>& objects) const;
-    Shape shapeAround(const ObjectState& state, ObjectIndex object) const;
+    double breakAll(const ObjectState& state, const std::vector<ConnectionId>& connections, double step);
+    double energyAround(const ObjectState& state, const std::vector<ObjectIndex>& objects, double back) const;
+    Shape shapeAround(const ObjectState& state, ObjectIndex object, double back = 0) const;
     std::vector<double> bondBounds(const ObjectState& state, const std::vector<double>& added) const;
     double iteratedFrequency(ObjectState& state, const std::vector<double>& added);
 
@@ -148,7 +156,9 @@ private:
     DirectionArray m_stiffness; ///< k [N/m] at the lower object; 0 = no connection
     Changes m_changes;
     std::size_t m_count = 0;
-    std::size_t m_blockSize = 0; ///< objects per block
+    std::size_t m_blockSize = 0;               ///< objects per block
+    std::vector<std::uint32_t> m_brokenAround; ///< per object: bit d for a broken forward connection, bit
+                                               ///< directionCount + d for a backward one; empty: none broken
     double m_structuralFriction = 0;
     bool m_hasBulk = false;
     std::vector<double> m_bulk;                        ///< (lambda - mu) V [J]; 0 where surroundings are too thin

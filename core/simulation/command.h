@@ -66,9 +66,14 @@ struct RemoveFixture {
     FixtureId fixture = 0;
 };
 
+struct MoveFixture {
+    FixtureId fixture = 0;
+    Vec3 velocity = Vec3::Zero(); ///< [m/s], up to 100
+};
+
 using Command =
     std::variant<SetMaterial, SetBodyKind, Renormalize, SetGravity, SetFloor, AddManipulator, RemoveManipulator,
-                 SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, AddFixture, RemoveFixture>;
+                 SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, AddFixture, RemoveFixture, MoveFixture>;
 
 /// A command and the step before which it took effect.
 struct RecordedCommand {

@@ -36,11 +36,12 @@ enum class Integrator : std::uint8_t {
     forwardEuler,      ///< as published: gains energy unless damped
 };
 
-/// Objects of a body that are held in place.
+/// Objects of a body that are held: in place, or by a grip that moves.
 struct Fixture {
     std::string name;
     BodyId body = 0;
     std::vector<ObjectIndex> objects; ///< within the body, ascending
+    Vec3 velocity = Vec3::Zero();     ///< a grip that moves pulls the material along [m/s]
 };
 
 /// Everything a simulation starts from.

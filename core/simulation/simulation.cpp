@@ -66,7 +66,7 @@ void Simulation::State::changeConnections()
         for (auto& run : runs) {
             if (!run->deforms() || !run->connections.flowsOrBreaks())
                 continue;
-            const auto report = run->connections.flowAndBreak(run->state, timeStep * flowInterval);
+            const auto report = run->connections.flowAndBreak(run->state, timeStep * flowInterval, timeStep);
             energy.plastic += report.plastic;
             energy.fracture += report.fracture;
             newlyBroken = newlyBroken || report.broken > 0;
@@ -123,12 +123,32 @@ void Simulation::State::computeForces()
         ++tool->stepsInSum;
         tool->peakForce = std::max(tool->peakForce, load.force.norm());
     }
+    loadFixtures();
+}
+
+/// What the objects of a fixture lack for moving on evenly is what the fixture gives.
+void Simulation::State::loadFixtures()
+{
+    fixtureForces.assign(fixtures.size(), Vec3::Zero());
+    for (FixtureId id = 0; id < fixtures.size(); ++id) {
+        if (!fixtures[id])
+            continue;
+        const ObjectState& state = runs[fixtures[id]->body]->state;
+        for (const ObjectIndex object : fixtures[id]->objects)
+            if (object < state.size())
+                fixtureForces[id] += state.force.at(object) + state.damping.at(object) + state.mass[object] * gravity;
+        energy.toolWork -= fixtureForces[id].dot(fixtures[id]->velocity) * timeStep;
+    }
 }
 
 void Simulation::State::integrate()
 {
+    const bool leaps = integrator == Integrator::semiImplicitEuler;
+    const double change = leaps && lastStep > 0 ? 0.5 * (lastStep - timeStep) : 0;
     double largestSpeed = 0;
     for (auto& run : runs) {
+        if (change != 0 && run->deforms())
+            kick(run->state, gravity, change);
         StepReport report;
         if (run->rigid) {
             report.dampingWork = run->rigid->advance(run->state, gravity, timeStep);
@@ -145,6 +165,8 @@ void Simulation::State::integrate()
         energy.viscous -= report.dampingWork;
     }
     largestTravel = largestSpeed * timeStep;
+    lastKick = timeStep + change;
+    lastStep = timeStep;
     time += timeStep;
     ++step;
 }

@@ -114,6 +114,8 @@ public:
     {
         if (command.fixture.body >= m_state.bodies.size())
             throw std::runtime_error("Fixture \"" + command.fixture.name + "\" names a body that does not exist.");
+        if (!(command.fixture.velocity.norm() <= 100))
+            throw std::runtime_error("A fixture must not move faster than 100 m/s.");
         keepingAccounts([&] {
             m_state.fixtures.emplace_back(command.fixture);
             m_state.holdFixtures();
@@ -125,6 +127,17 @@ public:
             throw std::runtime_error("There is no fixture number " + std::to_string(command.fixture) + ".");
         m_state.fixtures[command.fixture].reset();
         m_state.holdFixtures();
+    }
+    void operator()(const MoveFixture& command) const
+    {
+        if (command.fixture >= m_state.fixtures.size() || !m_state.fixtures[command.fixture])
+            throw std::runtime_error("There is no fixture number " + std::to_string(command.fixture) + ".");
+        if (!(command.velocity.norm() <= 100))
+            throw std::runtime_error("A fixture must not move faster than 100 m/s.");
+        keepingAccounts([&] {
+            m_state.fixtures[command.fixture]->velocity = command.velocity;
+            m_state.holdFixtures();
+        });
     }
 
 private:

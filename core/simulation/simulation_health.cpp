@@ -81,7 +81,7 @@ void Simulation::State::checkHealth()
             std::max(limit, runawaySpeed + runawaySoundSpeeds * run->materials.largest([](const Material& material) {
                 return material.soundSpeed();
             }));
-    const double speed = largestTravel / timeStep;
+    const double speed = largestTravel / lastStep;
     std::ostringstream cause;
     if (!std::isfinite(speed)) {
         cause << "a position is no longer a number. Make the tools slower or the material softer, then reset.";
@@ -150,6 +150,8 @@ void Simulation::State::goBack(const Checkpoint& moment)
         if (tools[t])
             tools[t]->manipulator.pose = moment.toolPoses[t];
     largestTravel = 0;
+    lastStep = 0; // forces of that moment are not kept; the next step begins like the first
+    lastKick = 0;
     newlyBroken = false;
     wasSquashed = false;
     componentsVersion = ~std::uint64_t{0};

@@ -11,6 +11,8 @@ namespace knead {
 
 namespace {
 
+constexpr double fastestFixture = 100; // [m/s]
+
 // Of scenes in which nothing deforms [s].
 constexpr double rigidTimeStep = 1e-4;
 
@@ -152,7 +154,7 @@ void Simulation::State::holdFixtures()
             if (object >= run.state.size())
                 continue;
             run.state.inverseMass[object] = 0;
-            run.state.velocity.set(object, Vec3::Zero());
+            run.state.velocity.set(object, fixture->velocity);
             run.anchored = true;
         }
     }
@@ -225,6 +227,8 @@ void Simulation::State::placeAtStart()
     recording.clear();
     step = 0;
     time = 0;
+    lastStep = 0;
+    lastKick = 0;
     crowding = 1;
     largestTravel = 0;
     surfaceTravel = 0;

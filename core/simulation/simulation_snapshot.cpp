@@ -56,12 +56,11 @@ EnergyLedger Simulation::State::storedEnergy()
     // error. Forward Euler has both at the same time.
     EnergyLedger stored = energy;
     stored.contact = contactReport.energy;
-    const double back = step > 0 ? timeStep : 0;
     const bool sameTime = integrator == Integrator::forwardEuler;
     double conserved = 0;
     for (auto& run : runs) {
         if (run->rigid) {
-            const Vec3 center = run->rigid->center() - back * run->rigid->velocity();
+            const Vec3 center = run->rigid->center() - lastStep * run->rigid->velocity();
             conserved += run->rigid->conservedKinetic();
             stored.kinetic += run->rigid->kinetic();
             stored.gravity -= run->rigid->mass() * gravity.dot(center);
@@ -72,8 +71,8 @@ EnergyLedger Simulation::State::storedEnergy()
             const double mass = earlier.mass[i];
             const Vec3 force = earlier.force.at(i) + earlier.damping.at(i) + mass * gravity;
             const Vec3 after = earlier.velocity.at(i);
-            const Vec3 before = after - back * earlier.inverseMass[i] * force;
-            earlier.position.add(i, -back * (sameTime ? before : after));
+            const Vec3 before = after - lastKick * earlier.inverseMass[i] * force;
+            earlier.position.add(i, -lastStep * (sameTime ? before : after));
             stored.kinetic +=
                 sameTime ? 0.5 * mass * before.squaredNorm() : 0.125 * mass * (before + after).squaredNorm();
             stored.gravity -= mass * gravity.dot(earlier.position.at(i));
@@ -129,6 +128,7 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
         if (state.fixtures[id]) {
             shot->fixtures.push_back(*state.fixtures[id]);
             shot->fixtureIds.push_back(id);
+            shot->fixtureForces.push_back(id < state.fixtureForces.size() ? state.fixtureForces[id] : Vec3::Zero());
         }
     return shot;
 }

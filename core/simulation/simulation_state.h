@@ -91,6 +91,7 @@ struct Simulation::State {
 
     void carryOut(const Command& command);
     void holdFixtures();
+    void loadFixtures();
     void setMasses();
     void scaleMasses(BodyRun& run);
     void updateTimeStep();
@@ -116,6 +117,7 @@ struct Simulation::State {
     std::vector<std::unique_ptr<BodyRun>> runs; ///< per body; addresses stay
     std::vector<std::optional<ToolRun>> tools;
     std::vector<std::optional<Fixture>> fixtures;
+    std::vector<Vec3> fixtureForces; ///< per fixture: of the material on it in the last step [N]
     std::vector<Annealing> annealings;
     std::unique_ptr<Contacts> contacts;
     Contacts::Report contactReport;
@@ -125,6 +127,8 @@ struct Simulation::State {
     std::uint64_t step = 0;
     double time = 0;
     double timeStep = 0;
+    double lastStep = 0;      ///< by which positions moved last [s]; 0 at the start
+    double lastKick = 0;      ///< by which velocities were changed last [s]
     double stableStep = 0;    ///< largest stable one at the last look [s]
     double crowding = 1;      ///< contacts at a time that the time step allows an object
     double largestTravel = 0; ///< of any object in the last step [m]

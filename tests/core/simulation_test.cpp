@@ -271,7 +271,7 @@ private slots:
         }
         const double reached = 1 - (high - low) / (4 * spacing);
         const double expected = 2e5 * reached * width * width;
-        QVERIFY(reached > 0.75 * strain); // contacts give way a little
+        QVERIFY2(reached > 0.6 * strain, qPrintable(QString::number(reached / strain))); // contacts give way a little
         QVERIFY2(std::abs(shot->tools[0].force.z() / expected - 1) < 0.03,
                  qPrintable(QString::number(shot->tools[0].force.z() / expected)));
     }
@@ -380,8 +380,7 @@ private slots:
         const double gap = scenes::meanPosition(*end, 1).x() - scenes::meanPosition(*end, 0).x();
         QVERIFY2(gap > 5.5 * spacing, qPrintable(QString::number(gap / spacing)));
         QVERIFY(end->energy.kinetic < start->energy.kinetic);
-        // Flat faces meet all at once, somewhere within a step; that is worth a percent here.
-        QVERIFY2(std::abs(end->energy.imbalance) < 1.5e-2 * start->energy.kinetic,
+        QVERIFY2(std::abs(end->energy.imbalance) < 5e-3 * start->energy.kinetic,
                  qPrintable(QString::number(end->energy.imbalance / start->energy.kinetic)));
     }
 

@@ -36,7 +36,18 @@ std::string oneMaterial(const std::string& keys)
 }
 
 const std::string complete = R"("id": "mud", "name": "Mud", "source": "a ditch", "density_kg_m3": 1500,
-    "youngs_modulus_pa": 2e4, "poisson_ratio": 0.4, "damping_ratio": 0.2, "shape_damping_per_s": 5)";
+    "youngs_modulus_pa": 2e4, "poisson_ratio": 0.4, "damping_ratio": 0.2, "shape_damping_per_s": 5,
+    "yield_stress_pa": 300, "hardening_pa": 40, "relaxation_time_s": 0.1, "tensile_strength_pa": 800,
+    "elongation_at_break": 2, "adhesion_pa": 50, "healing_time_s": 6)";
+
+const MaterialPreset& bundled(const std::string& id)
+{
+    static const auto presets = readMaterials(KNEAD_RESOURCES "/materials/materials.json");
+    const auto found = std::find_if(presets.begin(), presets.end(), [&](const auto& p) { return p.id == id; });
+    if (found == presets.end())
+        throw std::runtime_error(id);
+    return *found;
+}
 
 } // namespace
 
@@ -64,10 +75,39 @@ private slots:
 
     void steelCarriesSoundAtFiveKilometersPerSecond()
     {
-        const auto presets = readMaterials(KNEAD_RESOURCES "/materials/materials.json");
-        const auto steel = std::find_if(presets.begin(), presets.end(), [](const auto& p) { return p.id == "steel"; });
-        QVERIFY(steel != presets.end());
-        QVERIFY(std::abs(steel->material.soundSpeed() - 5170) < 50);
+        QVERIFY(std::abs(bundled("steel").material.soundSpeed() - 5170) < 50);
+    }
+
+    void theJellyOfThePaperOnlyWobbles()
+    {
+        const Material& jelly = bundled("soft-jelly").material;
+        QVERIFY(!jelly.yields() && !jelly.breaks() && !jelly.heals());
+        QCOMPARE(jelly.adhesion, 0.0);
+    }
+
+    void claysFlowAndHealAndEverythingHardBreaks()
+    {
+        for (const char* id : {"modeling-clay", "plasticine"}) {
+            const Material& clay = bundled(id).material;
+            QVERIFY2(clay.yields() && clay.heals() && clay.adhesion > 0, id);
+        }
+        for (const char* id : {"wax", "abs", "wood-along-grain", "aluminum", "glass", "steel", "rigid-foam"})
+            QVERIFY2(bundled(id).material.breaks(), id);
+        QVERIFY2(!bundled("glass").material.yields(), "glass is brittle");
+    }
+
+    void elasticLimitsAreThoseOfRealMaterials()
+    {
+        for (const MaterialPreset& preset : readMaterials(KNEAD_RESOURCES "/materials/materials.json")) {
+            const Material& m = preset.material;
+            const double yieldStrain = m.yieldStress / m.youngsModulus;
+            QVERIFY2(!m.yields() || (yieldStrain > 1e-3 && yieldStrain < 0.05), preset.id.c_str());
+            QVERIFY2(!m.yields() || m.elongationAtBreak > 0, preset.id.c_str());
+            // What is to flow before it breaks must reach its yield stress first.
+            QVERIFY2(m.tensileStrength == 0 || m.yieldStress < m.tensileStrength, preset.id.c_str());
+            const bool isRubbery = m.youngsModulus < 1e7 && !m.yields();
+            QVERIFY2(m.tensileStrength / m.youngsModulus < (isRubbery ? 10 : 0.25), preset.id.c_str());
+        }
     }
 
     void numbersAreTakenAsWritten()
@@ -81,6 +121,13 @@ private slots:
         QCOMPARE(presets[0].material.youngsModulus, 2e4);
         QCOMPARE(presets[0].material.poissonRatio, 0.4);
         QCOMPARE(presets[0].material.friction, 0.7);
+        QCOMPARE(presets[0].material.yieldStress, 300.0);
+        QCOMPARE(presets[0].material.hardening, 40.0);
+        QCOMPARE(presets[0].material.relaxationTime, 0.1);
+        QCOMPARE(presets[0].material.tensileStrength, 800.0);
+        QCOMPARE(presets[0].material.elongationAtBreak, 2.0);
+        QCOMPARE(presets[0].material.adhesion, 50.0);
+        QCOMPARE(presets[0].material.healingTime, 6.0);
     }
 
     void missingNumberIsNamed()

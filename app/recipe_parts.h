@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/mechanics/tool_shape.h"
+#include "core/model/part.h"
+#include "core/task/task_control.h"
+#include "io/recipe.h"
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace knead {
+
+/// A part that cannot be read, or a recipe that does not fit it: no such body, no such face, an empty fixture.
+struct UnusableInput : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Everything that a recipe opens.
+struct RecipeParts {
+    std::vector<Part> bodies;                               ///< closed ones, extra parts after those of the part
+    std::vector<std::shared_ptr<const ToolPart>> toolParts; ///< per manipulator; none for other kinds than part
+    std::vector<std::string> warnings;                      ///< sentences: of the import, and parts left out
+};
+
+/// Imports the part, the extra parts at their places, and the parts that manipulators are.
+/// @throws UnusableInput, in a sentence. @throws Cancelled
+RecipeParts importParts(const Recipe& recipe, TaskControl& control);
+
+/// All surfaces as one.
+TriangleMesh joinedMesh(const std::vector<Part>& parts);
+
+} // namespace knead

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/geometry/vec3.h"
+#include "io/json_reader.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace knead {
+
+// What the sections of a recipe have in common. All readers throw as readRecipe() does.
+
+constexpr double millimeter = 1e-3; ///< [m]
+constexpr double farAway = 1e6;     ///< [mm]; a kilometer is no workbench
+
+/// Words of a recipe with what they mean, in the order of messages.
+template <class Choice>
+using Choices = std::vector<std::pair<std::string, Choice>>;
+
+template <class Items, class NameOf>
+std::string listed(const Items& items, NameOf nameOf)
+{
+    std::string text;
+    for (const auto& item : items)
+        text += (text.empty() ? "" : ", ") + nameOf(item);
+    return text;
+}
+
+template <class Choice>
+Choice readChoice(const JsonNode& node, const Choices<Choice>& choices)
+{
+    for (const auto& [word, choice] : choices)
+        if (node.isString() && node.text() == word)
+            return choice;
+    node.failExpecting("must be one of " + listed(choices, [](const auto& named) { return named.first; }));
+}
+
+/// Three numbers, none larger than `limit` in size.
+Vec3 readVector(const JsonNode& node, double limit);
+
+/// Three coordinates in millimeters [m].
+Vec3 readPlace(const JsonNode& node);
+
+/// `[x0, y0, z0, x1, y1, z1]` in millimeters [m].
+Box readBox(const JsonNode& node);
+
+/// Three angles in degrees: turns about the fixed axes x, y and z, in this order.
+Quaternion readRotation(const JsonNode& node);
+
+/// Numbers greater than 0 in millimeters [m].
+std::vector<double> readLengths(const JsonNode& node, std::size_t count);
+
+/// A file that exists, seen from the folder of the recipe; ready to open.
+std::string readFilePath(const JsonNode& node, const std::string& recipePath);
+
+/// "stl" for "out/Bar.STL"; empty without an ending.
+std::string lowerCaseEnding(const std::string& file);
+
+} // namespace knead
