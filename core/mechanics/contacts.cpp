@@ -17,6 +17,9 @@ constexpr double marginShare = 0.5;
 // Radii of objects that meet each other, in spacings.
 constexpr double smallestRadius = 0.5;
 constexpr double largestRadius = 1.5;
+// Against surfaces the second layer takes part with so many spacings: enough to be parted by an edge, and little enough that
+// the first layer can be pressed flat onto it.
+constexpr double innerReach = 0.35;
 // Rounding must not take part of the next layer of objects.
 constexpr double belowLayer = 1 - 1e-6;
 constexpr double largestOverlapShare = 2;
@@ -77,11 +80,10 @@ void Contacts::addSkin(std::uint32_t body)
         const double depth = aggregate.depth[i];
         if (depth >= largestRadius * belowLayer * a)
             continue;
-        ContactObject object{.ref = {body, i}, .reach = std::max(depth, -a), .parameters = {}};
-        object.meetsSurfaces = depth < a * belowLayer;
+        const double reach = depth < a * belowLayer ? std::max(depth, -a) : innerReach * a;
+        ContactObject object{.ref = {body, i}, .reach = reach, .parameters = {}};
         object.radius = isDeep(i) ? depth : isThin(i) ? smallestRadius * a : 0;
-        if (object.meetsSurfaces || object.radius > 0)
-            addObject(object);
+        addObject(object);
     }
 }
 
@@ -92,7 +94,6 @@ void Contacts::loosen(std::uint32_t body, ObjectIndex object)
     if (m_indexOf[body][object] == none)
         addObject({.ref = {body, object}, .reach = smallestRadius * a, .parameters = {}});
     ContactObject& contact = m_objects[m_indexOf[body][object]];
-    contact.meetsSurfaces = true;
     contact.loose = true;
     contact.radius = smallestRadius * a;
 }
@@ -280,8 +281,7 @@ void Contacts::rebuild(std::span<const RigidSurface> surfaces)
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
         const Box box = surfaces[s].reach(largestReach + m_margin);
         for (std::uint32_t i = 0; i < m_objects.size(); ++i)
-            if (m_objects[i].meetsSurfaces && m_bodies[m_objects[i].ref.body].kind != BodyKind::glue &&
-                box.contains(placeOf(m_objects[i])))
+            if (m_bodies[m_objects[i].ref.body].kind != BodyKind::glue && box.contains(placeOf(m_objects[i])))
                 m_nearSurface[s].push_back(i);
     }
     m_travel = 0;

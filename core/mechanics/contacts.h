@@ -26,10 +26,11 @@ enum class BodyKind : std::uint8_t {
 /// those and rigid surfaces. They exist while the ends touch.
 ///
 /// The radius of an object in contact is its depth below the skin, so that contact begins when the skins meet.
-/// Rigid surfaces are felt by the objects less than a spacing deep; there the radius may be negative (an object outside the
-/// skin, by the cut cells), and flat faces are flat. Objects feel each other when they are half to one and a half spacings
-/// deep: so large, spheres a spacing apart let nothing through between them. Sheets too thin to have such objects, and the
-/// ends of broken connections, take part with half a spacing.
+/// Rigid surfaces are felt by the objects less than a spacing deep. The radius may be negative there (an object outside the
+/// skin, by the cut cells), and flat faces are flat; the next layer takes part with a third of a spacing, which keeps edges from
+/// slipping in between the others. Objects feel each other when they are half to one and a half spacings deep: so large, spheres a spacing apart
+/// let nothing through between them. Sheets too thin to have such objects, and the ends of broken connections, take part
+/// with half a spacing.
 ///
 /// Within a body, objects that are joined by one or two connections do not touch each other.
 ///
@@ -90,9 +91,8 @@ public:
 private:
     struct ContactObject {
         ObjectRef ref;
-        double reach = 0;  ///< radius against rigid surfaces [m]
-        double radius = 0; ///< against other objects [m]; 0: does not meet them
-        bool meetsSurfaces = false;
+        double reach = 0;   ///< radius against rigid surfaces [m]
+        double radius = 0;  ///< against other objects [m]; 0: does not meet them
         bool loose = false; ///< has lost connections, or faces its own body across a slit
         ContactParameters parameters;
     };

@@ -18,6 +18,22 @@ constexpr std::size_t chunkSize = 256;
 // plane break at this share of their strain. It makes a body break where it begins to, at the force at which it begins to.
 constexpr double strengthBesideCrack = 0.3;
 
+// Strength varies from connection to connection by so much either way, so that an evenly loaded body breaks at one place.
+constexpr double strengthScatter = 0.05;
+
+// Of the connections that bear too much at one look, only those within this share of the worst break; the others may be
+// relieved by that.
+constexpr double worstShare = 0.98;
+
+/// A number from -1 to 1 that belongs to a connection (Murmur3's finalizer).
+double scatter(std::size_t direction, std::size_t lower)
+{
+    auto bits = static_cast<std::uint64_t>(lower * Lattice::directionCount + direction + 1);
+    bits = (bits ^ (bits >> 33)) * 0xff51afd7ed558ccdULL;
+    bits = (bits ^ (bits >> 33)) * 0xc4ceb9fe1a85ec53ULL;
+    return static_cast<double>(bits >> 11) * 0x1p-52 - 1;
+}
+
 /// For each direction, forward and then backward, those within less than 60 degrees of it.
 std::array<std::uint32_t, 2 * Lattice::directionCount> directionsBeside()
 {
@@ -90,7 +106,7 @@ void StructuralConnections::weakenBesideCracks(std::size_t d, std::size_t lower,
 }
 
 void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t begin, std::size_t end,
-                                           std::vector<ConnectionId>& found) const
+                                           std::vector<Overloaded>& found) const
 {
     double limit[chunkSize];
     double ductility[chunkSize];
@@ -107,6 +123,8 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
                     const std::size_t count = std::min(chunkSize, i + n - s);
                     m_laws.fill(&ConnectionLaw::breakingStrain, s, s + j - i, count, limit);
                     m_laws.fill(&ConnectionLaw::ductility, s, s + j - i, count, ductility);
+                    for (std::size_t c = 0; c < count; ++c)
+                        limit[c] *= 1 + strengthScatter * scatter(d, s + c);
                     if (!m_brokenAround.empty())
                         weakenBesideCracks(d, s, s + j - i, count, limit);
                     // A connection that has flowed as far as it can breaks as soon as it is stretched again.
@@ -117,7 +135,7 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
                                                  nominalLengths(d, s, count, rest), limit, excess);
                     for (std::size_t c = 0; c < count; ++c)
                         if (excess[c] > 0 && m_stiffness[d][s + c] > 0)
-                            found.push_back({d, static_cast<ObjectIndex>(s + c)});
+                            found.push_back({{d, static_cast<ObjectIndex>(s + c)}, 1 + excess[c] / limit[c]});
                 }
             });
     }
@@ -125,14 +143,21 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
 
 std::vector<ConnectionId> StructuralConnections::overloaded(const ObjectState& state) const
 {
-    std::vector<std::vector<ConnectionId>> found((state.size() + m_blockSize - 1) / m_blockSize);
+    std::vector<std::vector<Overloaded>> found((state.size() + m_blockSize - 1) / m_blockSize);
     forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         findOverloaded(state, begin, end, found[begin / m_blockSize]);
     });
-    std::vector<ConnectionId> all;
+    double worst = 0;
     for (const auto& block : found)
-        all.insert(all.end(), block.begin(), block.end());
-    return all;
+        for (const Overloaded& connection : block)
+            if (std::isfinite(connection.load))
+                worst = std::max(worst, connection.load);
+    std::vector<ConnectionId> breaking;
+    for (const auto& block : found)
+        for (const Overloaded& connection : block)
+            if (connection.load >= worstShare * worst)
+                breaking.push_back(connection.id);
+    return breaking;
 }
 
 double StructuralConnections::energyAround(const ObjectState& state, const std::vector<ObjectIndex>& objects,

@@ -126,6 +126,10 @@ private:
         std::size_t offset;
     };
     struct Shape;
+    struct Overloaded {
+        ConnectionId id;
+        double load; ///< strain by what it bears, > 1
+    };
 
     void findStiffness();
     void findInverseShapes();
@@ -143,7 +147,7 @@ private:
     void weakenBesideCracks(std::size_t d, std::size_t lower, std::size_t upper, std::size_t count,
                             double* limit) const;
     void findOverloaded(const ObjectState& state, std::size_t begin, std::size_t end,
-                        std::vector<ConnectionId>& found) const;
+                        std::vector<Overloaded>& found) const;
     double breakAll(const ObjectState& state, const std::vector<ConnectionId>& connections, double step);
     double energyAround(const ObjectState& state, const std::vector<ObjectIndex>& objects, double back) const;
     Shape shapeAround(const ObjectState& state, ObjectIndex object, double back = 0) const;

@@ -150,7 +150,7 @@ private slots:
         material.shapeDamping = 20;
         scene.bodies.push_back(scenes::box({16, 4, 4}, spacing, material));
         for (const double side : {1.0, -1.0}) {
-            Manipulator wedge{.name = side > 0 ? "upper" : "lower", .size = {0.02, 0.008, 0.016}};
+            Manipulator wedge{.name = side > 0 ? "upper" : "lower", .size = {0.02, 0.016, 0.016}};
             wedge.kind = ToolKind::wedge;
             wedge.friction = 0.1;
             // The edge along y, pointing at the bar.
@@ -203,18 +203,17 @@ private slots:
         }
         Simulation simulation(scene);
         double peak = 0;
-        while (simulation.health().ok && simulation.time() < 0.06) {
+        while (simulation.health().ok && simulation.time() < 0.12) {
             simulation.step();
             if (simulation.stepCount() % 10 == 0)
                 peak = std::max(peak, simulation.snapshot()->fixtureForces[0].x());
         }
         const auto shot = simulation.snapshot();
-        QVERIFY(shot->components >= 2);
         QVERIFY(ledgerCloses(*shot));
         const double area = 16 * spacing * spacing;
         qInfo("breaks at %.3f of the predicted force", peak / (strength * area));
         QVERIFY(std::abs(peak / (strength * area) - 1) < 0.12);
-        QVERIFY(std::abs(shot->fixtureForces[0].x()) < 0.1 * peak); // and no longer holds
+        QVERIFY(std::abs(shot->fixtureForces[0].x()) < 0.05 * peak); // and no longer holds
     }
 
     void glueHoldsUntilItsToleranceAndNoLonger_data()
@@ -299,13 +298,30 @@ private slots:
             QVERIFY2(simulation.health().ok, simulation.health().message.c_str());
             QCOMPARE(simulation.components(), heals ? std::size_t{1} : std::size_t{2});
             QVERIFY(ledgerCloses(*simulation.snapshot()));
-            // Pulled at one end, the other comes along, or does not.
+            // Pulled apart by 1 mm at their far ends, they part at the seam, or do not.
             const Aggregate& left = *scene.bodies[0].aggregate;
+            const Aggregate& right = *scene.bodies[1].aggregate;
             simulation.post(AddFixture{{"grip", 0, objectsBetween(left, -1, -5 * spacing), Vec3(-0.02, 0, 0)}});
-            const double before = scenes::meanPosition(*simulation.snapshot(), 1).x();
-            runUntil(simulation, 0.6);
-            const double moved = scenes::meanPosition(*simulation.snapshot(), 1).x() - before;
-            QVERIFY2(heals ? moved < -0.003 : moved > -0.001, qPrintable(QString::number(moved)));
+            simulation.post(AddFixture{{"hold", 1, objectsBetween(right, 5 * spacing, 1)}});
+            const auto seam = [&] {
+                const auto shot = simulation.snapshot();
+                const auto meanOf = [&](std::size_t body, double rest) {
+                    double sum = 0;
+                    int count = 0;
+                    const Aggregate& aggregate = *scene.bodies[body].aggregate;
+                    for (ObjectIndex i = 0; i < aggregate.size(); ++i)
+                        if (std::abs(aggregate.lattice.position(i).x() - rest) < 1e-6) {
+                            sum += shot->bodies[body].positions[i].x();
+                            ++count;
+                        }
+                    return sum / count;
+                };
+                return meanOf(1, 0.2 * spacing) - meanOf(0, -0.2 * spacing);
+            };
+            const double before = seam();
+            runUntil(simulation, 0.40);
+            const double opened = seam() - before;
+            QVERIFY2(heals ? opened < 0.0005 : opened > 0.0007, qPrintable(QString::number(opened)));
         }
     }
 

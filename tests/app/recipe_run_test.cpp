@@ -1,0 +1,291 @@
+#include "support/workshop.h"
+
+#include <QImage>
+#include <QtTest>
+
+#include <cmath>
+#include <vector>
+
+using namespace workshop;
+
+/// Whole runs: what recipes ask for happens.
+class RecipeRunTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void runWritesExactlyTheExports();
+    void runReportsWhatTheRecipeSaid();
+    void anyNumberOfThreadsGivesTheSameBits();
+    void eventsHappen();
+    void wedgesCutABarInTwo();
+    void pressedClayStaysPressed();
+    void rigidBodiesFlyAsTheyStarted();
+    void toolsMayBePartsFromFiles();
+    void partsAreBroughtTogetherAndGlued();
+    void regionsAndTimeStepsReachTheSimulation();
+    void publishedScenesAreRepeated();
+    void commandsThatMakeNoSenseAreWarnedOf();
+    void recipesThatDoNotFitThePartAreRefused_data();
+    void recipesThatDoNotFitThePartAreRefused();
+};
+
+void RecipeRunTest::runWritesExactlyTheExports()
+{
+    const Workshop shop;
+    const Outcome outcome = knead({"run", shop.write(pressRecipe()), "--out", shop.qPath("new/results")});
+    QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+    QCOMPARE(shop.filesUnder("new/results"), (QStringList{"bent.stl", "pictures/bent.png"}));
+    const QImage picture(shop.qPath("new/results/pictures/bent.png"));
+    QCOMPARE(picture.size(), QSize(120, 90));
+    // The bar lay on z = 0; its free end is pressed below that.
+    const float lowest = lowestZ(shop.path("new/results/bent.stl"));
+    QVERIFY2(lowest < -0.5F && lowest > -10, std::to_string(lowest).c_str());
+}
+
+void RecipeRunTest::runReportsWhatTheRecipeSaid()
+{
+    const Workshop shop;
+    const Outcome outcome = knead({"run", shop.write(pressRecipe()), "--out", shop.qPath("out"), "--json"});
+    QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+    const json report = json::parse(outcome.out);
+    // 17 x 5 x 5 nodes of the lattice
+    QCOMPARE(report.at("objects").get<int>(), 425);
+    QVERIFY(report.at("connections").get<int>() > 425);
+    const double step = report.at("time_step_s");
+    QVERIFY(std::abs(report.at("simulated_s").get<double>() - 0.2) <= step);
+    // The step gets a little shorter where the material is squeezed.
+    QVERIFY(std::abs(report.at("steps").get<double>() * step - 0.2) <= 0.2 * 0.1);
+    QVERIFY(report.at("wall_s").get<double>() > 0);
+    QVERIFY(report.at("energy_j").at("tool_work").get<double>() > 0);
+    QVERIFY(report.at("energy_j").at("elastic").get<double>() > 0);
+    QCOMPARE(report.at("tools").size(), std::size_t(1));
+    const json& tool = report.at("tools")[0];
+    QCOMPARE(tool.at("name").get<std::string>(), std::string("press"));
+    QVERIFY2(tool.at("force_n")[2].get<double>() > 0, "the bar pushes the block up");
+    QVERIFY(tool.at("peak_force_n").get<double>() >= tool.at("force_n")[2].get<double>());
+    QCOMPARE(report.at("files"), (json{shop.path("out/bent.stl"), shop.path("out/pictures/bent.png")}));
+}
+
+void RecipeRunTest::anyNumberOfThreadsGivesTheSameBits()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe.erase("exports");
+    recipe["duration_s"] = 0.05;
+    const QString path = shop.write(recipe);
+    std::vector<json> hashes;
+    for (const char* threads : {"1", "2", "4"})
+        hashes.push_back(json::parse(knead({"run", path, "--json", "--threads", threads}).out).at("state_hash"));
+    QCOMPARE(hashes[0].get<std::string>().size(), std::size_t(16));
+    QCOMPARE(hashes[1], hashes[0]);
+    QCOMPARE(hashes[2], hashes[0]);
+}
+
+void RecipeRunTest::eventsHappen()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe.erase("exports");
+    recipe["gravity_m_s2"] = {0, 0, -9.81};
+    recipe["events"] = json::parse(R"([{"time_s": 0.02, "remove_manipulator": "press"},
+        {"time_s": 0.02, "remove_fixture": "end"}, {"time_s": 0.04, "material": {"youngs_modulus_pa": 5e4}}])");
+    const Outcome outcome = knead({"run", shop.write(recipe), "--json"});
+    QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+    const json report = json::parse(outcome.out);
+    // Free fall for 0.18 s: kinetic energy m (g t)^2 / 2 with m = 4.4 g, vibration comes on top.
+    const double fall = 0.5 * 1100 * 4e-6 * std::pow(9.81 * 0.18, 2);
+    QVERIFY(report.at("energy_j").at("kinetic").get<double>() > 0.9 * fall);
+    QCOMPARE(report.at("tools").size(), std::size_t(1));
+}
+
+void RecipeRunTest::wedgesCutABarInTwo()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe.erase("exports");
+    recipe["material"]["tensile_strength_pa"] = 5000;
+    recipe["fixtures"] = json::array();
+    // Edges across the bar, a little beside the middle of an object, that pass each other by 0.4 mm.
+    recipe["manipulators"] = json::parse(R"([
+        {"name": "upper", "kind": "wedge", "size_mm": [14, 14, 14], "position_mm": [20.3, 5, 17.5],
+         "rotation_deg": [0, 0, 90], "keyframes": [{"time_s": 0.15, "position_mm": [20.3, 5, 11.8]}]},
+        {"name": "lower", "kind": "wedge", "size_mm": [14, 14, 14], "position_mm": [20.3, 5, -7.5],
+         "rotation_deg": [180, 0, 90], "keyframes": [{"time_s": 0.15, "position_mm": [20.3, 5, -1.8]}]}])");
+    const Outcome outcome = knead({"run", shop.write(recipe), "--json"});
+    QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+    const json report = json::parse(outcome.out);
+    QVERIFY2(report.at("broken").get<int>() > 0, outcome.out.c_str());
+    QVERIFY2(report.at("components").get<int>() >= 2, outcome.out.c_str());
+    QVERIFY(report.at("energy_j").at("fracture").get<double>() > 0);
+
+    const Outcome read = knead({"run", shop.write(recipe)});
+    QVERIFY2(read.out.find(" connections broke, ") != std::string::npos, read.out.c_str());
+}
+
+void RecipeRunTest::pressedClayStaysPressed()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe["floor"] = {{"height_mm", 0}};
+    recipe["fixtures"] = json::array();
+    recipe["duration_s"] = 0.4;
+    recipe["manipulators"] =
+        json::parse(R"([{"name": "press", "kind": "ball", "size_mm": 12, "position_mm": [20, 5, 17],
+        "keyframes": [{"time_s": 0.15, "position_mm": [20, 5, 12]}, {"time_s": 0.3, "position_mm": [20, 5, 20]}]}])");
+    recipe["exports"] = json::parse(R"([{"file": "pressed.stl"}])");
+    const auto plasticWork = [&](const json& material) {
+        recipe["material"] = material;
+        const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
+        return outcome.status == 0 ? json::parse(outcome.out).at("energy_j") : json{{"error", outcome.errors}};
+    };
+    const json clay = plasticWork({{"preset", "modeling-clay"}, {"poisson_ratio", 0.4}});
+    QVERIFY2(clay.contains("plastic"), clay.dump().c_str());
+    QVERIFY2(clay.at("plastic").get<double>() > 0.2 * clay.at("tool_work").get<double>(), clay.dump().c_str());
+    const json rubber = plasticWork("natural-rubber");
+    QCOMPARE(rubber.at("plastic").get<double>(), 0.0);
+}
+
+void RecipeRunTest::rigidBodiesFlyAsTheyStarted()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe["fixtures"] = json::array();
+    recipe["manipulators"] = json::array();
+    recipe["exports"] = json::parse(R"([{"file": "flown.stl"}])");
+    recipe["bodies"] = {{"bar", {{"kind", "rigid"}, {"velocity_mm_s", {0, 0, -100}}}}};
+    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
+    QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+    const json report = json::parse(outcome.out);
+    const float fallen = static_cast<float>(100 * report.at("simulated_s").get<double>());
+    QVERIFY(std::abs(lowestZ(shop.path("out/flown.stl")) + fallen) < 1e-3F);
+    QCOMPARE(report.at("energy_j").at("elastic").get<double>(), 0.0);
+}
+
+void RecipeRunTest::toolsMayBePartsFromFiles()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    // The bar itself, standing on its end on another bar; its middle is 20 mm above its lower end.
+    recipe["manipulators"] = json::parse(R"([{"name": "press", "kind": "part", "part_file": "bar.stl",
+        "position_mm": [35, 5, 31], "rotation_deg": [0, 90, 0],
+        "keyframes": [{"time_s": 0.1, "position_mm": [35, 5, 27]}]}])");
+    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
+    QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+    const json tool = json::parse(outcome.out).at("tools")[0];
+    QVERIFY2(tool.at("force_n")[2].get<double>() > 0, outcome.out.c_str());
+    QCOMPARE(tool.at("torque_nm").size(), std::size_t(3));
+    QVERIFY2(lowestZ(shop.path("out/bent.stl")) < -0.5F, "the free end is pressed down");
+}
+
+void RecipeRunTest::partsAreBroughtTogetherAndGlued()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe.erase("exports");
+    recipe["fixtures"] = json::array();
+    recipe["manipulators"] = json::array();
+    recipe["material"]["adhesion_pa"] = 1e5;
+    // A second bar lies on the first one, which is glue; gravity pulls it upwards.
+    recipe["extra_parts"] = json::parse(R"([{"file": "bar.stl", "name": "upper", "position_mm": [0, 0, 10]}])");
+    recipe["bodies"] = json::parse(R"({"upper": {"velocity_mm_s": [0, 0, -20]}})");
+    recipe["bodies"]["bar"] = {{"kind", "glue"}};
+    recipe["gravity_m_s2"] = {0, 0, 5};
+    const Outcome outcome = knead({"run", shop.write(recipe), "--json"});
+    QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+    const json report = json::parse(outcome.out);
+    QCOMPARE(report.at("objects").get<int>(), 2 * 425);
+    QVERIFY2(report.at("joints").get<int>() > 0, outcome.out.c_str());
+    QCOMPARE(report.at("components").get<int>(), 1);
+}
+
+void RecipeRunTest::regionsAndTimeStepsReachTheSimulation()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe.erase("exports");
+    recipe["duration_s"] = 0.02;
+    const double step = json::parse(knead({"run", shop.write(recipe), "--json"}).out).at("time_step_s");
+    recipe["regions"] = json::parse(R"([{"name": "hard end", "box_mm": [30, -1, -1, 41, 11, 11],
+                                         "material": {"youngs_modulus_pa": 4e5}}])");
+    const double harder = json::parse(knead({"run", shop.write(recipe), "--json"}).out).at("time_step_s");
+    QVERIFY2(harder < 0.6 * step, "four times the stiffness halves the step");
+
+    recipe["mass_scaling_time_step_s"] = step;
+    const json scaled = json::parse(knead({"run", shop.write(recipe), "--json"}).out);
+    QVERIFY2(scaled.at("added_mass").get<double>() > 0, scaled.dump().c_str());
+    QVERIFY(scaled.at("time_step_s").get<double>() > 0.9 * step);
+
+    recipe["time_step_s"] = step / 8;
+    QCOMPARE(json::parse(knead({"run", shop.write(recipe), "--json"}).out).at("time_step_s").get<double>(), step / 8);
+}
+
+void RecipeRunTest::publishedScenesAreRepeated()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe["spacing_mm"] = 2;
+    recipe.update(json::parse(R"({"arrangement": "published", "integrator": "forward-euler",
+        "vicinity": "half-partition", "structural_friction": 0.2, "duration_s": 0.02,
+        "material": {"youngs_modulus_pa": 3000, "damping_ratio": 0.3}})"));
+    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
+    QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+    const json report = json::parse(outcome.out);
+    QCOMPARE(report.at("objects").get<int>(), 20 * 5 * 5);
+    // Every pair of neighbors in a block of 20 x 5 x 5: 13 directions, each with its own count.
+    const int along = 19 * 25 + 2 * (20 * 4 * 5);
+    const int acrossFaces = 2 * (2 * 19 * 4 * 5) + 2 * (20 * 4 * 4);
+    const int acrossSpace = 4 * (19 * 4 * 4);
+    QCOMPARE(report.at("connections").get<int>(), along + acrossFaces + acrossSpace);
+}
+
+void RecipeRunTest::commandsThatMakeNoSenseAreWarnedOf()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe.erase("exports");
+    recipe["duration_s"] = 0.02;
+    recipe["events"] = {{{"time_s", 0}, {"body_kind", {{"body", "bar"}, {"kind", "rigid"}}}},
+                        {{"time_s", 0.01}, {"renormalize", {{"body", "bar"}}}}};
+    const Outcome outcome = knead({"run", shop.write(recipe), "--json"});
+    QCOMPARE(outcome.status, 0);
+    QVERIFY2(outcome.errors.find("A rigid body has no stress to lose.") != std::string::npos, outcome.errors.c_str());
+}
+
+void RecipeRunTest::recipesThatDoNotFitThePartAreRefused_data()
+{
+    QTest::addColumn<QString>("change");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("body") << R"({"body_materials": {"lid": {}}})"
+                          << "names the body \"lid\"; the part has: \"";
+    QTest::newRow("faces") << R"({"fixtures": [{"name": "end", "faces": [0]}]})"
+                           << "is a mesh without CAD faces";
+    QTest::newRow("nothing there") << R"({"fixtures": [{"name": "end", "box_mm": [90, 0, 0, 91, 1, 1]}]})"
+                                   << "the fixture \"end\" holds nothing";
+    QTest::newRow("region of nothing")
+        << R"({"regions": [{"name": "core", "box_mm": [90, 0, 0, 91, 1, 1], "material": {}}]})"
+        << "the region \"core\" holds nothing";
+    QTest::newRow("rigid nobody") << R"({"bodies": {"lid": {"kind": "rigid"}}})"
+                                  << "bodies names the body \"lid\"; the part has: \"";
+    QTest::newRow("change of nothing")
+        << R"({"events": [{"time_s": 0.1, "renormalize": {"box_mm": [9, 9, 99, 9, 9, 99]}}]})"
+        << "events[0] holds nothing";
+    QTest::newRow("tool that is no part")
+        << R"({"manipulators": [{"name": "a", "kind": "part", "part_file": "press.recipe.json", "position_mm": [0, 0, 0]}]})"
+        << "press.recipe.json";
+}
+
+void RecipeRunTest::recipesThatDoNotFitThePartAreRefused()
+{
+    QFETCH(QString, change);
+    QFETCH(QString, words);
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe.update(json::parse(change.toStdString()));
+    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out")});
+    QCOMPARE(outcome.status, 2);
+    QVERIFY2(outcome.errors.find(words.toStdString()) != std::string::npos, outcome.errors.c_str());
+    QVERIFY(shop.filesUnder("out").empty());
+}
+
+QTEST_GUILESS_MAIN(RecipeRunTest)
+#include "recipe_run_test.moc"
