@@ -1,5 +1,6 @@
 #include "ui/actions.h"
 
+#include "ui/document/tool_kinds.h"
 #include "ui/theme.h"
 
 #include <QAction>
@@ -42,6 +43,24 @@ QAction* make(QWidget* window, const Look& look)
     return action;
 }
 
+/// "addBlock", "addBall" ...; parts come from files.
+QList<QAction*> makeToolActions(QWidget* window)
+{
+    QList<QAction*> actions;
+    for (const ToolKindLook& look : toolKindLooks()) {
+        if (look.kind == ToolKind::part)
+            continue;
+        const QByteArray name = QByteArray("add") + look.name;
+        const QByteArray tip = "Put a " + QByteArray(look.name).toLower() + " above the part to push it with";
+        const QList<QKeySequence> keys =
+            look.kind == ToolKind::box ? QList<QKeySequence>{Qt::Key_B} : QList<QKeySequence>{};
+        QAction* action = make(window, {name, look.name, look.icon, keys, tip});
+        action->setData(static_cast<int>(look.kind));
+        actions.append(action);
+    }
+    return actions;
+}
+
 } // namespace
 
 Actions::Actions(QWidget* window)
@@ -54,11 +73,17 @@ Actions::Actions(QWidget* window)
     , reset(make(window, {"reset", "Reset", "reset", {Qt::Key_Backspace, QKeySequence("Ctrl+R")}, "Back to the start"}))
     , gravity(make(window, {"gravity", "Gravity", "gravity", {Qt::Key_G}, "Let everything weigh something", true}))
     , floor(make(window, {"floor", "Floor", "floor", {}, "Put a floor under the part", true, true}))
-    , addBlock(make(window,
-                    {"addBlock", "Add block", "add-block", {Qt::Key_B}, "Put a block above the part to push it with"}))
+    , addTool(makeToolActions(window))
+    , renormalize(
+          make(window, {"renormalize",
+                        "Re-normalize",
+                        "renormalize",
+                        {Qt::Key_N},
+                        "The selected body, or every one, takes its present shape for its own: stress is gone, the "
+                        "shape stays"}))
     , fixFaces(make(
           window, {"fixFaces", "Fix faces", "fix", {Qt::Key_X}, "Click faces of the part to hold them in place", true}))
-    , remove(make(window, {"remove", "Remove", "delete", {Qt::Key_Delete}, "Remove the selected block or fixture"}))
+    , remove(make(window, {"remove", "Remove", "delete", {Qt::Key_Delete}, "Remove the selected tool or fixture"}))
     , cancel(make(window, {"cancel", "Cancel", "close", {Qt::Key_Escape}, "Stop what is being done"}))
     , fit(make(window, {"fit", "Fit", "fit", {Qt::Key_F}, "Show everything"}))
     , front(make(window, {"viewFront", "Front", nullptr, {Qt::Key_1}}))
@@ -89,8 +114,10 @@ Actions::Actions(QWidget* window)
 void Actions::setDocumentOpen(bool isOpen)
 {
     for (QAction* action :
-         {exportMeshes, play, step, reset,  gravity,   floor,       addBlock, fixFaces,   remove, fit,  front, back,
-          right,        left, top,  bottom, isometric, perspective, objects,  allObjects, edges,  grid, hide})
+         {exportMeshes, play, step, reset,  gravity,   floor,       renormalize, fixFaces,   remove, fit,  front, back,
+          right,        left, top,  bottom, isometric, perspective, objects,     allObjects, edges,  grid, hide})
+        action->setEnabled(isOpen);
+    for (QAction* action : addTool)
         action->setEnabled(isOpen);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QList>
+
 class QAction;
 class QActionGroup;
 class QObject;
@@ -22,7 +24,8 @@ struct Actions {
     QAction* gravity;
     QAction* floor;
 
-    QAction* addBlock;
+    QList<QAction*> addTool; ///< one per form, in the order of toolKindLooks()
+    QAction* renormalize;
     QAction* fixFaces;
     QAction* remove;
     QAction* cancel;

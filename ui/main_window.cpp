@@ -15,6 +15,7 @@
 #include <QCloseEvent>
 #include <QFileInfo>
 #include <QLabel>
+#include <QMenu>
 #include <QMimeData>
 #include <QSettings>
 #include <QSignalBlocker>
@@ -91,10 +92,12 @@ void MainWindow::connectSimulationActions()
     connect(m_actions->reset, &QAction::triggered, &m_document, &Document::reset);
     connect(m_actions->gravity, &QAction::toggled, this, &MainWindow::setGravity);
     connect(m_actions->floor, &QAction::toggled, this, &MainWindow::setFloor);
-    connect(m_actions->addBlock, &QAction::triggered, this, [this] {
-        m_document.addBlock();
-        m_viewport->setFocus(); // the arrow keys shall drive it
-    });
+    connect(m_actions->renormalize, &QAction::triggered, &m_document, &Document::renormalize);
+    for (QAction* action : m_actions->addTool)
+        connect(action, &QAction::triggered, this, [this, action] {
+            m_document.addTool(static_cast<ToolKind>(action->data().toInt()));
+            m_viewport->setFocus(); // the arrow keys shall drive it
+        });
     connect(m_actions->fixFaces, &QAction::toggled, m_viewport, &ViewportWidget::setFixing);
     connect(m_actions->fixFaces, &QAction::toggled, this, &MainWindow::showHint);
     connect(m_actions->remove, &QAction::triggered, &m_document, &Document::removeSelected);
@@ -228,6 +231,7 @@ void MainWindow::contentChanged()
     setWindowTitle(tr("%1 - Knead").arg(name));
     m_pages->setCurrentWidget(m_viewport);
     m_actions->setDocumentOpen(true);
+    m_addTool->setEnabled(true);
     m_actions->fixFaces->setChecked(false);
     showSurroundings();
     m_readings->setVisible(true);

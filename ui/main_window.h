@@ -10,6 +10,7 @@
 #include <memory>
 
 class QLabel;
+class QMenu;
 class QStackedWidget;
 
 namespace knead {
@@ -92,6 +93,7 @@ private:
     QStackedWidget* m_properties = nullptr;
     MaterialPanel* m_material = nullptr;
     LogPanel* m_log = nullptr;
+    QMenu* m_addTool = nullptr;
     QLabel* m_hint = nullptr;
     StatusReadings* m_readings = nullptr;
     TaskReading* m_taskReading = nullptr;

@@ -70,13 +70,14 @@ void MainWindow::showControls()
     box->setTextFormat(Qt::RichText);
     box->setText(
         tr("<table cellpadding=3>"
-           "<tr><td><b>Left button</b></td><td>select; drag a block</td></tr>"
+           "<tr><td><b>Left button</b></td><td>select; drag a tool</td></tr>"
            "<tr><td><b>Middle button</b></td><td>orbit; with Shift or Ctrl pan</td></tr>"
            "<tr><td><b>Wheel</b></td><td>zoom to the cursor</td></tr>"
-           "<tr><td><b>Arrows, PgUp, PgDn</b></td><td>drive the selected block; Shift is slower</td></tr>"
+           "<tr><td><b>Arrows, PgUp, PgDn</b></td><td>drive the selected tool; Shift is slower</td></tr>"
            "<tr><td><b>Space, . , Backspace</b></td><td>play or pause, one step, reset</td></tr>"
            "<tr><td><b>B, X, Del</b></td><td>add a block, fix faces, remove</td></tr>"
-           "<tr><td><b>G, O, H, E</b></td><td>gravity, objects, hide body, edges</td></tr>"
+           "<tr><td><b>G, N</b></td><td>gravity, re-normalize</td></tr>"
+           "<tr><td><b>O, H, E</b></td><td>objects, hide body, edges</td></tr>"
            "<tr><td><b>1, 3, 7, 0</b></td><td>front, right, top, isometric; Ctrl: from the other side</td></tr>"
            "<tr><td><b>5, F</b></td><td>perspective or parallel, fit</td></tr>"
            "<tr><td><b>Esc</b></td><td>cancel</td></tr></table>"));

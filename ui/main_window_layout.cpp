@@ -20,6 +20,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace knead {
@@ -105,10 +106,15 @@ void MainWindow::makeMenus()
     QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
     simulation->addActions({a.play, a.step, a.reset});
     simulation->addSeparator();
-    simulation->addActions({a.gravity, a.floor});
+    simulation->addActions({a.gravity, a.floor, a.renormalize});
 
     QMenu* tools = menuBar()->addMenu(tr("&Tools"));
-    tools->addActions({a.addBlock, a.fixFaces, a.remove});
+    m_addTool = tools->addMenu(icon("add-block"), tr("Add tool"));
+    m_addTool->setObjectName("addTool");
+    m_addTool->addActions(a.addTool);
+    m_addTool->setEnabled(false);
+    m_addTool->menuAction()->setToolTip(tr("Put a tool above the part to push it with"));
+    tools->addActions({a.fixFaces, a.remove});
 
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addActions({a.fit, a.isometric, a.front, a.back, a.right, a.left, a.top, a.bottom});
@@ -136,9 +142,10 @@ void MainWindow::makeToolBar()
     bar->addSeparator();
     bar->addActions({a.play, a.step, a.reset});
     bar->addSeparator();
-    bar->addActions({a.addBlock, a.fixFaces});
+    bar->addActions({m_addTool->menuAction(), a.fixFaces});
+    qobject_cast<QToolButton*>(bar->widgetForAction(m_addTool->menuAction()))->setPopupMode(QToolButton::InstantPopup);
     bar->addSeparator();
-    bar->addActions({a.gravity, a.floor});
+    bar->addActions({a.gravity, a.floor, a.renormalize});
     bar->addSeparator();
     bar->addActions({a.objects, a.fit});
 }

@@ -26,6 +26,7 @@ constexpr Unit rates[] = {{"1/s", 1, true}, {"Hz", 1, false}};
 constexpr Unit speeds[] = {{"mm/s", 1e-3, true}, {"m/s", 1, false}, {"cm/s", 1e-2, false}};
 constexpr Unit forces[] = {{"mN", 1e-3, true}, {"N", 1, true}, {"kN", 1e3, true}, {"MN", 1e6, true}};
 constexpr Unit volumes[] = {{"mm³", 1e-9, true}, {"cm³", 1e-6, true}, {"m³", 1, false}};
+constexpr Unit times[] = {{"ms", 1e-3, true}, {"s", 1, true}, {"min", 60, false}};
 constexpr Unit numbers[] = {{"", 1, true}};
 
 std::span<const Unit> unitsOf(Quantity quantity)
@@ -45,6 +46,8 @@ std::span<const Unit> unitsOf(Quantity quantity)
         return forces;
     case Quantity::Volume:
         return volumes;
+    case Quantity::Time:
+        return times;
     case Quantity::Number:
         break;
     }
@@ -54,7 +57,8 @@ std::span<const Unit> unitsOf(Quantity quantity)
 /// The unit zero is shown in: the plain one, not the smallest.
 const Unit& unitOfZero(Quantity quantity)
 {
-    return quantity == Quantity::Force ? forces[1] : unitsOf(quantity).front();
+    const bool startsSmall = quantity == Quantity::Force || quantity == Quantity::Time;
+    return unitsOf(quantity)[startsSmall ? 1 : 0];
 }
 
 /// The largest displayed unit that leaves at least one unit, the smallest one otherwise.
@@ -101,6 +105,8 @@ Quantity quantityOfUnit(const std::string& unit)
         return Quantity::Length;
     if (unit == "m/s")
         return Quantity::Speed;
+    if (unit == "s")
+        return Quantity::Time;
     if (unit == "N")
         return Quantity::Force;
     return Quantity::Number;

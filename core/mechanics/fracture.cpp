@@ -175,7 +175,8 @@ double StructuralConnections::energyAround(const ObjectState& state, const std::
         const double floor = kernels::smallestVolumeRatio;
         const double theta = std::log(std::max(determinant, floor)) + std::min(determinant / floor - 1, 0.0) -
                              m_changes.restDilatation[i];
-        sum += 0.5 * m_bulk[i] * theta * theta;
+        const double strain = kernels::volumetricStrain(m_bulk[i], theta, m_changes.restDilatation[i]);
+        sum += 0.5 * m_bulk[i] * strain * strain;
     }
     return sum;
 }

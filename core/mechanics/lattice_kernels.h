@@ -44,6 +44,18 @@ inline constexpr double smallestVolumeRatio = 0.1;
 /// ln det F of surroundings that are flat; less when they are inside out.
 inline constexpr double flatDilatation = -3.302585092994046;
 
+/// The strain g that a volumetric energy 1/2 B g^2 is made of: theta, the logarithm of the volume ratio. Where B is negative
+/// (Poisson's ratio below 1/4) and volume is lost, theta / (1 - theta), which is the same for small strains and cannot
+/// outweigh the connections when material is squashed; it stays what it is once that is flat.
+inline double volumetricStrain(double bulk, double theta, double restDilatation)
+{
+    if (bulk >= 0 || theta >= 0)
+        return theta;
+    const double flat = flatDilatation - restDilatation;
+    const double least = theta < flat ? flat : theta;
+    return least / (1 - least);
+}
+
 /// Arrays of a stretch of connections that flow. Strains are ln(L / l) less a third of the dilatation at the two ends.
 struct FlowArguments {
     ConstVectors self;

@@ -128,7 +128,11 @@ void volumetricStress(std::size_t count, const StressArguments& arguments)
         const double below = determinant < smallestVolumeRatio ? determinant / smallestVolumeRatio - 1 : 0;
         const double dilatation = naturalLogarithm(ratio) + below - rest[i];
         theta[i] = dilatation;
-        const double p = bulk[i] * dilatation * inverseSpacing / ratio;
+        // See volumetricStrain(): g g' / ratio, g' = 1 / (1 - theta)^2 where g = theta / (1 - theta).
+        const bool softens = bulk[i] < 0 && dilatation < 0;
+        const double damped = softens ? 1 / (1 - dilatation) : 1;
+        const double slope = softens && determinant < 0 ? 0 : damped * damped * damped;
+        const double p = bulk[i] * dilatation * slope * inverseSpacing / ratio;
         s00[i] = p * (c00 * kuu[i] + c01 * kuv[i] + c02 * kuw[i]);
         s10[i] = p * (c10 * kuu[i] + c11 * kuv[i] + c12 * kuw[i]);
         s20[i] = p * (c20 * kuu[i] + c21 * kuv[i] + c22 * kuw[i]);

@@ -76,6 +76,16 @@ Pose yieldTo(const Vec3& force, const Manipulator& manipulator, const Pose& next
     return way.norm() > manipulator.speedLimit * dt ? goTowards(manipulator, next, dt) : next;
 }
 
+namespace {
+
+/// Within what a workbench may be; false for what is no number.
+bool isNear(const Vec3& place)
+{
+    return place.norm() <= 1e4;
+}
+
+} // namespace
+
 std::vector<std::string> manipulatorProblems(const Manipulator& manipulator)
 {
     std::vector<std::string> problems;
@@ -91,9 +101,9 @@ std::vector<std::string> manipulatorProblems(const Manipulator& manipulator)
     require(!((fittingSize(manipulator.kind, manipulator.size, manipulator.part.get()) - manipulator.size).norm() >
               1e-9 * manipulator.size.norm()),
             "its measures do not fit together: a ball has one, a cylinder a diameter and a length.");
-    require(manipulator.pose.position.allFinite() && manipulator.pose.rotation.coeffs().allFinite() &&
+    require(isNear(manipulator.pose.position) && manipulator.pose.rotation.coeffs().allFinite() &&
                 std::abs(manipulator.pose.rotation.norm() - 1) < 1e-6,
-            "its place must be finite numbers.");
+            "its place must be numbers, within 10 km.");
     require(within(manipulator.friction, 0, 2), "friction must lie between 0 and 2.");
     require(within(manipulator.speedLimit, 1e-6, 100), "the speed limit must lie between 0.001 mm/s and 100 m/s.");
     require(manipulator.forceLimit > 0, "the force limit must be greater than 0 N.");
@@ -105,17 +115,17 @@ std::vector<std::string> manipulatorProblems(const Manipulator& manipulator)
                 "the times of key frames must ascend.");
         require(std::all_of(follow->frames.begin(), follow->frames.end(),
                             [](const KeyFrame& f) {
-                                return std::isfinite(f.time) && f.pose.position.allFinite() &&
+                                return std::isfinite(f.time) && isNear(f.pose.position) &&
                                        f.pose.rotation.coeffs().allFinite();
                             }),
-                "key frames must be finite numbers.");
+                "key frames must be numbers, within 10 km.");
     }
     if (const auto* drive = std::get_if<DriveAt>(&manipulator.motion))
-        require(drive->velocity.allFinite() && drive->angularVelocity.allFinite(),
-                "its speed must be a finite number.");
+        require(drive->velocity.norm() <= 1e4 && drive->angularVelocity.norm() <= 1e5,
+                "it must not go faster than 10000 m/s or 100000 rad/s.");
     if (const auto* goTo = std::get_if<GoTo>(&manipulator.motion))
-        require(goTo->target.position.allFinite() && goTo->target.rotation.coeffs().allFinite(),
-                "its target must be finite numbers.");
+        require(isNear(goTo->target.position) && goTo->target.rotation.coeffs().allFinite(),
+                "its target must be numbers, within 10 km.");
     return problems;
 }
 

@@ -98,10 +98,11 @@ double StructuralConnections::renormalize(const ObjectState& state, const std::v
     for (std::size_t i = 0; i < state.size(); ++i) {
         if (!takesPart(i))
             continue;
-        const double before = m_theta[i];
-        m_theta[i] -= share * before;
-        m_changes.restDilatation[i] += share * before;
-        released += 0.5 * m_bulk[i] * (before * before - m_theta[i] * m_theta[i]);
+        const double relaxed = share * m_theta[i];
+        released += volumetricEnergy(i);
+        m_theta[i] -= relaxed;
+        m_changes.restDilatation[i] += relaxed;
+        released -= volumetricEnergy(i);
     }
     return released;
 }

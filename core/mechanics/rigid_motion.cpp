@@ -43,24 +43,44 @@ Mat3 RigidMotion::inverseInertia() const
     return turn * m_inertia.inverse() * turn.transpose();
 }
 
-double RigidMotion::advance(ObjectState& state, const Vec3& gravity, double dt)
-{
-    Vec3 force = m_mass * gravity;
-    Vec3 torque = Vec3::Zero();
+/// What the forces on the objects are together.
+struct RigidMotion::Load {
+    Vec3 force = Vec3::Zero();
+    Vec3 torque = Vec3::Zero(); ///< about the center
     Vec3 braking = Vec3::Zero();
     Vec3 brakingTorque = Vec3::Zero();
+};
+
+RigidMotion::Load RigidMotion::loadOf(const ObjectState& state, const Vec3& gravity) const
+{
+    Load load;
+    load.force = m_mass * gravity;
     for (std::size_t i = 0; i < state.size(); ++i) {
         const Vec3 arm = state.position.at(i) - m_center;
-        force += state.force.at(i) + state.damping.at(i);
-        torque += arm.cross(state.force.at(i) + state.damping.at(i));
-        braking += state.damping.at(i);
-        brakingTorque += arm.cross(state.damping.at(i));
+        load.force += state.force.at(i) + state.damping.at(i);
+        load.torque += arm.cross(state.force.at(i) + state.damping.at(i));
+        load.braking += state.damping.at(i);
+        load.brakingTorque += arm.cross(state.damping.at(i));
     }
+    return load;
+}
+
+void RigidMotion::kick(const ObjectState& state, const Vec3& gravity, double dt)
+{
+    const Load load = loadOf(state, gravity);
+    m_velocity += dt / m_mass * load.force;
+    m_angularMomentum += dt * load.torque;
+    m_angularVelocity = inverseInertia() * m_angularMomentum;
+}
+
+double RigidMotion::advance(ObjectState& state, const Vec3& gravity, double dt)
+{
+    const Load load = loadOf(state, gravity);
     m_velocityBefore = m_velocity;
     m_angularVelocityBefore = m_angularVelocity;
     m_angularMomentumBefore = m_angularMomentum;
-    m_velocity += dt / m_mass * force;
-    m_angularMomentum += dt * torque;
+    m_velocity += dt / m_mass * load.force;
+    m_angularMomentum += dt * load.torque;
     m_angularVelocity = inverseInertia() * m_angularMomentum;
     m_center += dt * m_velocity;
     // The turn at the middle of the step, so that a free top keeps its energy to second order.
@@ -77,8 +97,8 @@ double RigidMotion::advance(ObjectState& state, const Vec3& gravity, double dt)
     m_angularVelocity = inverseInertia() * m_angularMomentum;
     place(state);
     return 0.5 * dt *
-           (braking.dot(m_velocity + m_velocityBefore) +
-            brakingTorque.dot(m_angularVelocity + m_angularVelocityBefore));
+           (load.braking.dot(m_velocity + m_velocityBefore) +
+            load.brakingTorque.dot(m_angularVelocity + m_angularVelocityBefore));
 }
 
 void RigidMotion::place(ObjectState& state) const

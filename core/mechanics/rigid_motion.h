@@ -16,6 +16,9 @@ public:
     /// Positions and velocities of the objects follow. @return work of state.damping [J]
     double advance(ObjectState& state, const Vec3& gravity, double dt);
 
+    /// Adds the momentum that present forces give in a time dt, see kick() of the semi-implicit scheme.
+    void kick(const ObjectState& state, const Vec3& gravity, double dt);
+
     /// Kinetic energy of the products of velocities before and after the last step [J].
     double conservedKinetic() const;
     double kinetic() const; ///< of their means [J]
@@ -29,6 +32,8 @@ public:
     double largestSpeed() const;                                      ///< of any of its points [m/s]
 
 private:
+    struct Load;
+    Load loadOf(const ObjectState& state, const Vec3& gravity) const;
     void place(ObjectState& state) const;
 
     VectorArray m_arms; ///< objects from the center, at the start [m]

@@ -17,9 +17,9 @@ namespace {
 // Connections computed at a time: their forces stay in the first-level cache until both ends have taken them.
 constexpr std::size_t chunkSize = 256;
 
-// Stiffness of a contact in units of mu V / a^2. 3 keeps a tool from sinking visibly into soft material
-// (overlap / a about 0.4 p / E) and adds a quarter to the stiffness of a surface object.
-constexpr double contactShare = 3;
+// Stiffness of a contact in units of mu V / a^2. 6 keeps a tool from sinking visibly into soft material
+// (overlap / a about 0.4 p / E) and adds a half to the stiffness of a surface object, a tenth to the number of steps.
+constexpr double contactShare = 6;
 
 // Surroundings whose connections lie this near to a plane say nothing about volume.
 constexpr double flattestShape = 0.01;
@@ -311,8 +311,14 @@ double StructuralConnections::energy(const ObjectState& state)
         return sum;
     computeStress(state);
     for (std::size_t i = 0; i < state.size(); ++i)
-        sum += 0.5 * m_bulk[i] * m_theta[i] * m_theta[i];
+        sum += volumetricEnergy(i);
     return sum;
+}
+
+double StructuralConnections::volumetricEnergy(std::size_t object) const
+{
+    const double strain = kernels::volumetricStrain(m_bulk[object], m_theta[object], m_changes.restDilatation[object]);
+    return 0.5 * m_bulk[object] * strain * strain;
 }
 
 std::size_t StructuralConnections::countInverted(const ObjectState& state)

@@ -115,7 +115,7 @@ public:
     template <typename Visit>
     void forEachConnection(ObjectIndex object, Visit&& visit) const;
 
-    /// Stiffness for contacts of an object [N/m]: as much as adds a quarter or so to omega^2. 0 <= k <= 3 mu a.
+    /// Stiffness for contacts of an object [N/m]: as much as adds a half or so to omega^2. 0 <= k <= 6 mu a.
     double contactStiffness(ObjectIndex object) const;
 
 private:
@@ -136,6 +136,7 @@ private:
     void setInverseShape(ObjectIndex object, const Mat3& shape);
     bool needsStress() const { return m_hasBulk || m_laws.anyYields(); }
     void computeStress(const ObjectState& state);
+    double volumetricEnergy(std::size_t object) const; ///< at the dilatation computed last [J]
     void addForcesOfBlock(ObjectState& state, std::size_t begin, std::size_t end, double dt);
     void addForcesOfChunk(ObjectState& state, std::size_t d, const Chunk& chunk, std::size_t begin, std::size_t end,
                           double dt) const;

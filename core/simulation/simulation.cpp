@@ -147,7 +147,9 @@ void Simulation::State::integrate()
     const double change = leaps && lastStep > 0 ? 0.5 * (lastStep - timeStep) : 0;
     double largestSpeed = 0;
     for (auto& run : runs) {
-        if (change != 0 && run->deforms())
+        if (change != 0 && run->rigid)
+            run->rigid->kick(run->state, gravity, change);
+        else if (change != 0 && run->deforms())
             kick(run->state, gravity, change);
         StepReport report;
         if (run->rigid) {

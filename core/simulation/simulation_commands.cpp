@@ -58,14 +58,14 @@ public:
     }
     void operator()(const SetGravity& command) const
     {
-        if (!command.gravity.allFinite())
-            throw std::runtime_error("Gravity must be finite numbers.");
+        if (!(command.gravity.norm() <= 1e4))
+            throw std::runtime_error("Gravity must not be stronger than 10000 m/s^2.");
         keepingAccounts([&] { m_state.gravity = command.gravity; });
     }
     void operator()(const SetFloor& command) const
     {
-        if (command.height && !std::isfinite(*command.height))
-            throw std::runtime_error("The height of the floor must be a finite number.");
+        if (command.height && !(std::abs(*command.height) <= 1e4))
+            throw std::runtime_error("The height of the floor must lie between -10 and 10 km.");
         if (!(command.friction >= 0 && command.friction <= 2))
             throw std::runtime_error("The friction of the floor must lie between 0 and 2.");
         m_state.floorHeight = command.height;

@@ -11,7 +11,11 @@ namespace knead {
 
 namespace {
 
-constexpr double fastestFixture = 100; // [m/s]
+constexpr double fastestFixture = 100;   // [m/s]
+constexpr double fastestBody = 1e3;      // [m/s]
+constexpr double fastestSpin = 1e5;      // [rad/s]
+constexpr double strongestGravity = 1e4; // [m/s^2]
+constexpr double farthestFloor = 1e4;    // [m]
 
 // Of scenes in which nothing deforms [s].
 constexpr double rigidTimeStep = 1e-4;
@@ -53,8 +57,8 @@ std::vector<std::string> bodyProblems(const Body& body)
                         [&](ObjectIndex object) { return object >= body.aggregate->size(); }))
             problems.push_back("Region \"" + region.name + "\" names an object that does not exist.");
     }
-    if (!body.velocity.allFinite() || !body.angularVelocity.allFinite())
-        problems.emplace_back("Its velocity at the start must be finite numbers.");
+    if (!(body.velocity.norm() <= fastestBody) || !(body.angularVelocity.norm() <= fastestSpin))
+        problems.emplace_back("It must not start faster than 1000 m/s or 100000 rad/s.");
     if (!(body.structuralFriction >= 0 && body.structuralFriction <= 2))
         problems.emplace_back("Its structural friction must lie between 0 and 2.");
     return problems;
@@ -84,8 +88,9 @@ Simulation::State::State(Scene scene)
     for (const Body& body : bodies)
         if (const auto problems = bodyProblems(body); !problems.empty())
             throw std::runtime_error("Body \"" + body.name + "\": " + problems.front());
-    require(gravity.allFinite(), "Gravity must be finite numbers.");
-    require(!floorHeight || std::isfinite(*floorHeight), "The height of the floor must be a finite number.");
+    require(gravity.norm() <= strongestGravity, "Gravity must not be stronger than 10000 m/s^2.");
+    require(!floorHeight || std::abs(*floorHeight) <= farthestFloor,
+            "The height of the floor must lie between -10 and 10 km.");
     require(floorFriction >= 0 && floorFriction <= 2, "The friction of the floor must lie between 0 and 2.");
     require(usableTimeStep(wantedTimeStep), "The time step must lie between 1e-9 and 1 s.");
     require(usableTimeStep(massScalingTimeStep), "The time step of mass scaling must lie between 1e-9 and 1 s.");
@@ -98,6 +103,8 @@ Simulation::State::State(Scene scene)
         runs.push_back(std::make_unique<BodyRun>(body));
     for (Fixture& fixture : scene.fixtures) {
         require(fixture.body < bodies.size(), "Fixture \"" + fixture.name + "\" names a body that does not exist.");
+        require(fixture.velocity.norm() <= fastestFixture,
+                "Fixture \"" + fixture.name + "\" must not move faster than 100 m/s.");
         fixtures.emplace_back(std::move(fixture));
     }
     setMasses();

@@ -325,6 +325,107 @@ private slots:
         QVERIFY(std::abs((snapshot().tools[0].pose.position - start).dot(view.camera().towardsEye())) < 1e-9);
     }
 
+    void everyFormOfToolsCanBeAddedAndStaysWhatItIs()
+    {
+        openExample("bracket.step");
+        const std::pair<const char*, ToolKind> forms[] = {{"addBlock", ToolKind::box},
+                                                          {"addBall", ToolKind::ball},
+                                                          {"addCylinder", ToolKind::cylinder},
+                                                          {"addWedge", ToolKind::wedge},
+                                                          {"addPlate", ToolKind::plate}};
+        std::size_t count = 0;
+        for (const auto& [name, kind] : forms) {
+            action(name)->trigger();
+            ++count;
+            QTRY_COMPARE(snapshot().tools.size(), count);
+            QCOMPARE(snapshot().tools.back().kind, kind);
+            const Vec3 away(0.05 * static_cast<double>(count) - 0.15, 0, 0);
+            const ToolState tool = snapshot().tools.back();
+            document().post(PlaceManipulator{tool.id, {tool.pose.position + away, tool.pose.rotation}});
+            QTRY_COMPARE(document().selection().id, tool.id);
+            // A field that is typed into changes nothing but its number.
+            auto* field = find<QuantityField>("toolFriction");
+            QTRY_VERIFY(field->isVisible());
+            field->setFocus();
+            field->selectAll();
+            QTest::keyClicks(field, "0.7");
+            QTest::keyClick(field, Qt::Key_Return);
+            QTRY_COMPARE(snapshot().tools.back().friction, 0.7);
+            QCOMPARE(snapshot().tools.back().kind, kind);
+            QCOMPARE(snapshot().tools.back().size, tool.size);
+        }
+        m_window->viewport().setFocus();
+        QTest::keyClick(m_window.get(), Qt::Key_F);
+        QTest::qWait(600);
+        picture("tools");
+    }
+
+    void aToolTakesAnotherForm()
+    {
+        openExample("bar.step");
+        QTest::keyClick(m_window.get(), Qt::Key_B);
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
+        auto* choice = find<QComboBox>("toolKind");
+        QCOMPARE(choice->currentText(), QString("Block"));
+        QVERIFY(find<QWidget>("toolSizeZ")->isVisible());
+        choice->setCurrentText("Ball");
+        emit choice->activated(choice->currentIndex());
+        QTRY_COMPARE(snapshot().tools[0].kind, ToolKind::ball);
+        QTRY_VERIFY(!find<QWidget>("toolSizeZ")->isVisible());
+        QVERIFY(find<QWidget>("toolSizeX")->isVisible());
+        auto* diameter = find<QuantityField>("toolSizeX");
+        diameter->setFocus();
+        diameter->selectAll();
+        QTest::keyClicks(diameter, "30 mm");
+        QTest::keyClick(diameter, Qt::Key_Return);
+        QTRY_COMPARE(snapshot().tools[0].size, Vec3(0.03, 0.03, 0.03));
+        QCOMPARE(snapshot().tools[0].kind, ToolKind::ball);
+        picture("ball");
+    }
+
+    void renormalizedMaterialHasNoStress()
+    {
+        openExample("bar.step");
+        document().post(SetGravity{Vec3(0, 0, -9.81)});
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.1, patience);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing);
+        QVERIFY(snapshot().energy.elastic > 0);
+        const double stored = snapshot().energy.elastic;
+        QTest::keyClick(m_window.get(), Qt::Key_N);
+        QTest::keyClick(m_window.get(), Qt::Key_Period);
+        QTRY_VERIFY(snapshot().energy.elastic < 0.01 * stored);
+    }
+
+    void aBodyBecomesRigidAndStaysSoWhenFilledAnew()
+    {
+        openExample("bar.step");
+        auto* kind = find<QComboBox>("bodyKind");
+        QCOMPARE(kind->currentText(), QString("Deformable"));
+        kind->setCurrentText("Rigid");
+        emit kind->activated(kind->currentIndex());
+        QTRY_COMPARE(snapshot().bodies[0].kind, BodyKind::rigid);
+        QCOMPARE(kind->currentText(), QString("Rigid"));
+        m_window->refill(document().size() / 12);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        QCOMPARE(snapshot().bodies[0].kind, BodyKind::rigid);
+    }
+
+    void statusSaysWhenMaterialIsBroken()
+    {
+        openExample("bar.step");
+        QVERIFY(!find<QLabel>("brokenCount")->isVisible());
+        QVERIFY(!find<QLabel>("pieceCount")->isVisible());
+        document().post(SetGravity{Vec3(0, 0, -9.81)});
+        document().post(SetMaterial{0, {.youngsModulus = 1e4, .tensileStrength = 1}});
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>("brokenCount")->isVisible(), patience);
+        QVERIFY(find<QLabel>("brokenCount")->text().contains("broken"));
+        QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>("pieceCount")->text().contains("pieces"), patience);
+        picture("broken");
+    }
+
     void viewKeysTurnTheView()
     {
         openExample("bar.step");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/aggregate/published_fill.h"
 #include "support/scenes.h"
 
 #include <cmath>
@@ -81,6 +82,32 @@ inline double blockVolume(const Aggregate& aggregate, const std::vector<Vec3>& p
 inline double turnover(const EnergyLedger& energy, double kineticAtStart = 0)
 {
     return std::max({std::abs(energy.toolWork), energy.dissipated(), energy.kinetic + energy.elastic, kineticAtStart});
+}
+
+/// The bar of the paper: 5 x 5 x 17 spheres with 26 neighbors, structural friction, forward Euler and the half-partition; it
+/// lies on a floor while a block is pushed against it.
+inline Scene publishedBar()
+{
+    constexpr double a = 2e-3;
+    Material jelly;
+    jelly.density = 1000;
+    jelly.youngsModulus = 300;
+    jelly.dampingRatio = 0.3;
+    Scene scene;
+    scene.bodies.push_back(
+        {.name = "bar",
+         .aggregate = std::make_shared<const Aggregate>(fillAsPublished(shapes::box(a * Vec3(17, 5, 5)), a)),
+         .material = jelly});
+    scene.bodies[0].structuralFriction = 0.2;
+    scene.integrator = Integrator::forwardEuler;
+    scene.vicinity = VicinityMethod::halfPartition;
+    scene.gravity = Vec3(0, 0, -0.5);
+    scene.floorHeight = -2.5 * a;
+    Manipulator block{.name = "block", .size = {0.006, 0.02, 0.02}};
+    block.pose.position = Vec3(0, 0.017, 0);
+    block.motion = DriveAt{Vec3(0, -0.05, 0), Vec3::Zero()};
+    scene.manipulators.push_back(block);
+    return scene;
 }
 
 } // namespace knead::scenes

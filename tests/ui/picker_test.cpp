@@ -129,6 +129,42 @@ private slots:
         QVERIFY(!pickBox({Vec3(-5, 4, 3), Vec3::UnitX()}, Vec3(2, 2, 2), pose));
     }
 
+    void toolsAreMetOnTheirOwnForm()
+    {
+        const Pose pose{Vec3(1, 2, 3), Quaternion(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()))};
+        const Vec3 size(2, 2, 2);
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> number(-1.5, 1.5);
+        int hits = 0;
+        for (int i = 0; i < 300; ++i) {
+            const Vec3 target = pose.position + Vec3(number(random), number(random), number(random));
+            const Vec3 direction = Vec3(number(random), number(random), number(random)).normalized();
+            const Ray ray{target - 10 * direction, direction};
+            // Of a ball: from the quadratic equation.
+            const Vec3 offset = ray.origin - pose.position;
+            const double half = offset.dot(direction);
+            const double discriminant = half * half - offset.squaredNorm() + 1;
+            const std::optional<double> ball = pickTool(ray, {ToolKind::ball, size}, pose);
+            if (std::abs(discriminant) > 1e-2)
+                QCOMPARE(ball.has_value(), discriminant > 0);
+            if (ball && discriminant > 1e-2)
+                QVERIFY(std::abs(*ball - (-half - std::sqrt(discriminant))) < 1e-2);
+            // Of the others: the place lies on the surface, and nothing before it.
+            for (const ToolKind kind : {ToolKind::cylinder, ToolKind::wedge}) {
+                const ToolShape shape{kind, size};
+                const auto gap = [&](double distance) {
+                    return surfaceOf(shape, pose.toLocal(ray.origin + distance * direction)).distance;
+                };
+                const std::optional<double> found = pickTool(ray, shape, pose);
+                hits += found ? 1 : 0;
+                QVERIFY(!found || std::abs(gap(*found)) < 1e-3);
+                for (double distance = 0; distance < found.value_or(20) - 1e-2; distance += 0.05)
+                    QVERIFY(gap(distance) > -1e-9);
+            }
+        }
+        QVERIFY(hits > 100);
+    }
+
     void shadingIsSmoothInsideFacesAndSharpBetween()
     {
         const Drawn drawn(10);

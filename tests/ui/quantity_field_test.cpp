@@ -47,6 +47,27 @@ private slots:
         QCOMPARE(m_field->text(), QString("3.5 MPa"));
     }
 
+    void aZeroThatMeansSomethingIsSaidInWords()
+    {
+        m_field->setRange(0, 1e12);
+        m_field->setZeroText("never breaks");
+        QCOMPARE(m_field->text(), QString("1.2 MPa"));
+        m_field->setValue(0);
+        QCOMPARE(m_field->text(), QString());
+        QCOMPARE(m_field->placeholderText(), QString("never breaks"));
+        m_field->setValue(2e6);
+        QCOMPARE(m_field->text(), QString("2 MPa"));
+        // An emptied field is a 0.
+        QSignalSpy commits(m_field, &QuantityField::committed);
+        m_field->setFocus();
+        m_field->selectAll();
+        QTest::keyClick(m_field, Qt::Key_Delete);
+        QTest::keyClick(m_field, Qt::Key_Return);
+        QCOMPARE(commits.size(), 1);
+        QCOMPARE(m_field->value(), 0.0);
+        QVERIFY(!m_field->hasProblem());
+    }
+
     void escapeRestores()
     {
         QSignalSpy commits(m_field, &QuantityField::committed);

@@ -28,6 +28,9 @@ private slots:
         row(0.0667, Quantity::Speed, "66.7 mm/s");
         row(0.25, Quantity::Number, "0.25");
         row(2, Quantity::Rate, "2 1/s");
+        row(0.05, Quantity::Time, "50 ms");
+        row(0, Quantity::Time, "0 s");
+        row(90, Quantity::Time, "90 s");
     }
 
     void unitsKeepNumbersShort()
@@ -59,6 +62,8 @@ private slots:
         row("12", Quantity::Length, 0.001, 0.012);
         row("1.2 cm", Quantity::Length, 0.001, 0.012);
         row("1 in", Quantity::Length, 0.001, 0.0254);
+        row("2 min", Quantity::Time, 1, 120);
+        row("3", Quantity::Time, 0.05, 0.003); // the field shows milliseconds
         row(".5", Quantity::Number, 0, 0.5);
         row("-,5", Quantity::Number, 0, -0.5);
         row("3 1/s", Quantity::Rate, 0, 3);

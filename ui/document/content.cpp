@@ -181,8 +181,10 @@ PreparedContent prepareRefill(std::shared_ptr<const Model> model, double spacing
     Content content = fillContent(std::move(model), spacing, filling);
     control.report(preparedShare, "preparing the simulation");
     Scene scene = restScene(content);
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         scene.bodies[b].material = now.materials[b];
+        scene.bodies[b].kind = now.bodies[b].kind;
+    }
     for (const ToolState& tool : now.tools)
         scene.manipulators.push_back({.name = tool.name,
                                       .size = tool.size,
@@ -190,7 +192,9 @@ PreparedContent prepareRefill(std::shared_ptr<const Model> model, double spacing
                                       .friction = tool.friction,
                                       .speedLimit = tool.speedLimit,
                                       .forceLimit = tool.forceLimit,
-                                      .motion = HoldStill{}});
+                                      .motion = HoldStill{},
+                                      .kind = tool.kind,
+                                      .part = tool.part});
     scene.gravity = now.gravity;
     scene.floorHeight = now.floorHeight;
     Simulation simulation(std::move(scene));

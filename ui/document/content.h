@@ -49,7 +49,7 @@ struct PreparedContent {
 PreparedContent prepareFile(const Services& services, const std::string& path, const Material& material,
                             TaskControl& control);
 
-/// Fills a model again with another spacing [m]; materials, tools, gravity and floor stay as in `now`. Runs on a task
+/// Fills a model again with another spacing [m]; materials, kinds of bodies, tools, gravity and floor stay as in `now`. Runs on a task
 /// thread.
 /// @throws as prepareFile
 PreparedContent prepareRefill(std::shared_ptr<const Model> model, double spacing, const Snapshot& now,

@@ -1,5 +1,7 @@
 #include "ui/document/document.h"
 
+#include "ui/document/tool_kinds.h"
+
 #include <QTimer>
 
 #include <algorithm>
@@ -13,8 +15,9 @@ namespace {
 
 constexpr double fastestDisplay = 0.016; // [s]
 constexpr double slowestDisplay = 0.1;   // [s]
-constexpr double crossingTime = 1.5;     // a block crosses the part in this time [s]
-// A new block stalls at this strain of the stiffest material under its face: enough to bend and dent, not to crush.
+constexpr double blockShare = 0.25;      // size of a new block, in sizes of the part
+constexpr double crossingTime = 1.5;     // a tool crosses the part in this time [s]
+// A new tool stalls at this strain of the stiffest material under its face: enough to bend and dent, not to crush.
 constexpr double stallStrain = 0.25;
 
 } // namespace
@@ -34,7 +37,7 @@ void Document::open(PreparedContent prepared)
 {
     m_fixtures.clear();
     start(std::move(prepared));
-    m_nextBlock = 1;
+    m_toolCount.clear();
     m_selection = {Selection::Kind::Body, 0};
     emit changed(Change::Content);
     emit changed(Change::Selection);
@@ -152,25 +155,36 @@ void Document::removeSelected()
     }
 }
 
-void Document::addBlock()
+void Document::addTool(ToolKind kind)
 {
     if (isEmpty())
         return;
-    Manipulator block;
-    block.name = "Block " + std::to_string(m_nextBlock++);
-    block.size = Vec3::Constant(size() / 4);
-    block.pose.position = placeAbove(block.size);
-    block.speedLimit = size() / crossingTime;
+    const ToolKindLook& look = lookOf(kind);
+    Manipulator tool;
+    tool.name = look.name + std::string(" ") + std::to_string(++m_toolCount[kind]);
+    tool.kind = kind;
+    tool.size = size() * blockShare * look.proportions;
+    tool.pose.position = placeAbove(tool.size);
+    tool.speedLimit = size() / crossingTime;
     double stiffest = 0;
     for (const Material& material : m_frame->snapshot->materials)
         stiffest = std::max(stiffest, material.youngsModulus);
-    block.forceLimit = stallStrain * stiffest * block.size.x() * block.size.y();
-    m_toolToSelect = block.name;
-    post(AddManipulator{std::move(block)});
+    tool.forceLimit = stallStrain * stiffest * tool.size.x() * tool.size.y();
+    m_toolToSelect = tool.name;
+    post(AddManipulator{std::move(tool)});
 }
 
-/// Just above what lies under the middle of the bodies, other blocks included.
-Vec3 Document::placeAbove(const Vec3& blockSize) const
+void Document::renormalize()
+{
+    for (BodyId body = 0; body < m_content.bodies.size(); ++body) {
+        const bool isMeant = m_selection.kind != Selection::Kind::Body || m_selection.id == body;
+        if (isMeant && m_frame->snapshot->bodies[body].kind == BodyKind::deformable)
+            post(Renormalize{.body = body});
+    }
+}
+
+/// Just above what lies under the middle of the bodies, other tools included.
+Vec3 Document::placeAbove(const Vec3& toolSize) const
 {
     Box box;
     for (const auto& body : m_frame->bodies)
@@ -179,7 +193,7 @@ Vec3 Document::placeAbove(const Vec3& blockSize) const
     const Vec3 center = box.center();
     double top = std::numeric_limits<double>::lowest();
     const auto raise = [&](const Vec3& place, const Vec3& margin) {
-        const Vec3 reach = blockSize / 2 + margin;
+        const Vec3 reach = toolSize / 2 + margin;
         if (std::abs(place.x() - center.x()) <= reach.x() && std::abs(place.y() - center.y()) <= reach.y())
             top = std::max(top, place.z() + margin.z());
     };
@@ -190,7 +204,7 @@ Vec3 Document::placeAbove(const Vec3& blockSize) const
         raise(tool.pose.position, tool.size / 2);
     if (top < box.min().z()) // nothing there, as in a ring
         top = box.max().z();
-    return {center.x(), center.y(), top + m_content.spacing + blockSize.z() / 2};
+    return {center.x(), center.y(), top + m_content.spacing + toolSize.z() / 2};
 }
 
 void Document::selectNewTool()

@@ -6,6 +6,7 @@
 
 #include <QObject>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,8 +59,10 @@ public:
     /// Removes the selected tool or fixture.
     void removeSelected();
 
-    /// Adds a block above the bodies and selects it once it is there.
-    void addBlock();
+    /// Adds a tool above the bodies and selects it once it is there.
+    void addTool(ToolKind kind);
+    /// The selected body, or every one, takes its present shape for its own. Rigid bodies have nothing to lose by it.
+    void renormalize();
     const ToolState* tool(ToolId tool) const;
     /// Longest side of the bodies at rest [m].
     double size() const;
@@ -78,7 +81,7 @@ private:
     void start(PreparedContent prepared);
     void poll();
     void accept(const FramePointer& frame, std::uint64_t generation);
-    Vec3 placeAbove(const Vec3& blockSize) const;
+    Vec3 placeAbove(const Vec3& toolSize) const;
     void selectNewTool();
     void dropLostSelection();
     void postFixtures();
@@ -86,8 +89,8 @@ private:
 
     Content m_content;
     FaceFixtures m_fixtures;
-    int m_nextBlock = 1;
-    std::string m_toolToSelect; ///< posted, not yet in a snapshot
+    std::map<ToolKind, int> m_toolCount; ///< added so far, for their names
+    std::string m_toolToSelect;          ///< posted, not yet in a snapshot
     Selection m_selection;
     std::uint64_t m_generation = 0; ///< of the content; frames of an earlier one are dropped
     SnapshotPointer m_seen;

@@ -11,6 +11,35 @@
 
 namespace knead {
 
+namespace {
+
+/// Numbers of a material that belong together.
+struct Group {
+    const char* name;
+    std::vector<double Material::*> values;
+};
+
+const std::vector<Group>& groups()
+{
+    static const std::vector<Group> all{
+        {"Elastic",
+         {&Material::density, &Material::youngsModulus, &Material::poissonRatio, &Material::dampingRatio,
+          &Material::shapeDamping}},
+        {"Flow", {&Material::yieldStress, &Material::hardening, &Material::relaxationTime}},
+        {"Strength", {&Material::tensileStrength, &Material::elongationAtBreak}},
+        {"Surface", {&Material::friction, &Material::adhesion, &Material::healingTime}},
+    };
+    return all;
+}
+
+const MaterialField& fieldOf(double Material::*value)
+{
+    const auto& fields = materialFields();
+    return *std::find_if(fields.begin(), fields.end(), [value](const MaterialField& f) { return f.value == value; });
+}
+
+} // namespace
+
 MaterialPanel::MaterialPanel(Document& document, std::vector<MaterialPreset> presets, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
@@ -18,12 +47,13 @@ MaterialPanel::MaterialPanel(Document& document, std::vector<MaterialPreset> pre
 {
     setObjectName("materialPanel");
     makeForm(this);
+    makeBodyRows();
     makeMaterialRows();
     makeFillingRows();
     connect(&document, &Document::changed, this, &MaterialPanel::documentChanged);
 }
 
-void MaterialPanel::makeMaterialRows()
+void MaterialPanel::makeBodyRows()
 {
     auto* form = qobject_cast<QFormLayout*>(layout());
     m_name = makeHeading({}, this);
@@ -34,6 +64,18 @@ void MaterialPanel::makeMaterialRows()
     form->addRow(m_name);
     form->addRow(m_facts);
 
+    m_kind = new QComboBox(this);
+    m_kind->setObjectName("bodyKind");
+    m_kind->addItems({tr("Deformable"), tr("Rigid"), tr("Glue")}); // in the order of BodyKind
+    m_kind->setItemData(1, tr("Keeps its shape and moves as a whole"), Qt::ToolTipRole);
+    m_kind->setItemData(2, tr("Keeps shape and place; its adhesion holds what touches it"), Qt::ToolTipRole);
+    connect(m_kind, &QComboBox::activated, this, &MaterialPanel::chooseKind);
+    form->addRow(tr("Body"), m_kind);
+}
+
+void MaterialPanel::makeMaterialRows()
+{
+    auto* form = qobject_cast<QFormLayout*>(layout());
     m_preset = new QComboBox(this);
     m_preset->setObjectName("materialPreset");
     m_preset->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -47,13 +89,18 @@ void MaterialPanel::makeMaterialRows()
     connect(m_preset, &QComboBox::activated, this, &MaterialPanel::choosePreset);
     form->addRow(tr("Material"), m_preset);
 
-    for (const MaterialField& row : materialFields()) {
-        QuantityField* field = makeField(quantityOfUnit(row.unit), QString::fromLatin1(row.key), this);
-        field->setRange(row.minimum, row.maximum);
-        connect(field, &QuantityField::committed, this,
-                [this, value = row.value](double number) { commit(value, number); });
-        form->addRow(tr(row.name), field);
-        m_fields.push_back(field);
+    for (const Group& group : groups()) {
+        form->addRow(makeHeading(tr(group.name), this));
+        for (double Material::*value : group.values) {
+            const MaterialField& row = fieldOf(value);
+            QuantityField* field = makeField(quantityOfUnit(row.unit), QString::fromLatin1(row.key), this);
+            field->setRange(row.minimum, row.maximum);
+            if (*row.zero != '\0')
+                field->setZeroText(tr(row.zero));
+            connect(field, &QuantityField::committed, this, [this, value](double number) { commit(value, number); });
+            form->addRow(tr(row.name), field);
+            m_fields.emplace_back(value, field);
+        }
     }
 }
 
@@ -116,12 +163,13 @@ void MaterialPanel::showBody()
     const Selection& selection = m_document.selection();
     m_body = selection.kind == Selection::Kind::Body ? selection.id : 0;
     m_isPosted = false;
+    m_postedKind.reset();
     const ContentBody& body = *m_document.content().bodies[m_body];
     m_name->setText(QString::fromStdString(body.name));
     m_facts->setText(tr("%1 objects, %2 connections\n%3 of material")
                          .arg(formatCount(body.aggregate->size()), formatCount(body.aggregate->connectionCount()),
                               formatQuantity(body.aggregate->meshVolume, Quantity::Volume)));
-    for (QuantityField* field : m_fields)
+    for (const auto& [value, field] : m_fields)
         field->restore();
     showMaterial();
 }
@@ -130,14 +178,18 @@ void MaterialPanel::showBody()
 void MaterialPanel::showMaterial()
 {
     const Snapshot& now = *m_document.frame()->snapshot;
+    const BodyKind kind = now.bodies[m_body].kind;
+    if (!m_postedKind || *m_postedKind == kind || !now.health.ok) {
+        m_postedKind.reset();
+        m_kind->setCurrentIndex(static_cast<int>(kind));
+    }
     const Material& material = now.materials[m_body];
     if (m_isPosted && material != m_material && now.health.ok)
         return;
     m_isPosted = false;
     m_material = material;
-    const auto& rows = materialFields();
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        m_fields[i]->setValue(material.*rows[i].value);
+    for (const auto& [value, field] : m_fields)
+        field->setValue(material.*value);
     const auto preset = std::find_if(m_presets.begin(), m_presets.end(),
                                      [&](const MaterialPreset& p) { return p.material == material; });
     m_preset->setCurrentIndex(preset == m_presets.end() ? -1 : static_cast<int>(preset - m_presets.begin()));
@@ -146,9 +198,15 @@ void MaterialPanel::showMaterial()
 void MaterialPanel::choosePreset(int index)
 {
     m_material = m_presets[static_cast<std::size_t>(index)].material;
-    for (QuantityField* field : m_fields)
+    for (const auto& [value, field] : m_fields)
         field->restore();
     post();
+}
+
+void MaterialPanel::chooseKind(int index)
+{
+    m_postedKind = static_cast<BodyKind>(index);
+    m_document.post(SetBodyKind{m_body, *m_postedKind});
 }
 
 void MaterialPanel::commit(double Material::*value, double number)

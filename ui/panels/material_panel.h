@@ -4,6 +4,10 @@
 
 #include <QWidget>
 
+#include <optional>
+#include <utility>
+#include <vector>
+
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -24,6 +28,7 @@ signals:
     void refillRequested(double spacing);
 
 private:
+    void makeBodyRows();
     void makeMaterialRows();
     void makeFillingRows();
     void documentChanged(Document::Change what);
@@ -31,6 +36,7 @@ private:
     void showMaterial();
     void showSpacing(double spacing);
     void choosePreset(int index);
+    void chooseKind(int index);
     void commit(double Material::*value, double number);
     void post();
     double cellsAcross(double spacing) const;
@@ -42,8 +48,10 @@ private:
     bool m_isPosted = false; ///< until a snapshot shows it
     QLabel* m_name = nullptr;
     QLabel* m_facts = nullptr;
+    QComboBox* m_kind = nullptr;
+    std::optional<BodyKind> m_postedKind; ///< until a snapshot shows it
     QComboBox* m_preset = nullptr;
-    std::vector<QuantityField*> m_fields; ///< in the order of materialFields()
+    std::vector<std::pair<double Material::*, QuantityField*>> m_fields;
     QuantityField* m_spacing = nullptr;
     QuantityField* m_cells = nullptr;
     QPushButton* m_refill = nullptr;

@@ -1,5 +1,6 @@
 #include "ui/panels/model_tree.h"
 
+#include "ui/document/tool_kinds.h"
 #include "ui/theme.h"
 
 #include <QFileInfo>
@@ -146,16 +147,17 @@ void ModelTree::addPart(std::size_t part, const QString& name, QTreeWidgetItem* 
 
 void ModelTree::listTools()
 {
-    std::vector<std::pair<ToolId, std::string>> tools;
+    std::vector<ListedTool> tools;
     for (const ToolState& tool : m_document.frame()->snapshot->tools)
-        tools.emplace_back(tool.id, tool.name);
+        tools.push_back({tool.id, tool.name, tool.kind});
     m_tools->setHidden(tools.empty());
     if (tools == m_listedTools)
         return;
     m_listedTools = tools;
     clearChildren(m_tools);
-    for (const auto& [id, name] : tools)
-        markItem(makeItem(m_tools, QString::fromStdString(name), icon("block")), {Selection::Kind::Tool, id});
+    for (const ListedTool& tool : tools)
+        markItem(makeItem(m_tools, QString::fromStdString(tool.name), icon(lookOf(tool.kind).icon)),
+                 {Selection::Kind::Tool, tool.id});
     m_tools->setExpanded(true);
     showSelection();
 }

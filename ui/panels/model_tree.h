@@ -23,6 +23,13 @@ signals:
     void hiddenChanged(const std::set<knead::BodyId>& hidden);
 
 private:
+    struct ListedTool {
+        ToolId id;
+        std::string name;
+        ToolKind kind;
+        friend bool operator==(const ListedTool&, const ListedTool&) = default;
+    };
+
     void documentChanged(Document::Change what);
     void build();
     void addParts(const PartNode& node, QTreeWidgetItem* parent);
@@ -37,7 +44,7 @@ private:
     Document& m_document;
     QTreeWidgetItem* m_tools = nullptr;
     QTreeWidgetItem* m_fixtures = nullptr;
-    std::vector<std::pair<ToolId, std::string>> m_listedTools;
+    std::vector<ListedTool> m_listedTools;
     bool m_isUpdating = false;
 };
 

@@ -20,11 +20,24 @@ void QuantityField::setRange(double minimum, double maximum)
     m_maximum = maximum;
 }
 
+void QuantityField::setZeroText(const QString& text)
+{
+    m_zeroText = text;
+    setPlaceholderText(text);
+    restore();
+}
+
+/// Nothing for a 0 that has words, which the placeholder says.
+QString QuantityField::shown() const
+{
+    return m_value == 0 && !m_zeroText.isEmpty() ? QString() : formatQuantity(m_value, m_quantity);
+}
+
 void QuantityField::setValue(double value)
 {
     m_value = value;
     if (!isModified() && !m_isBeingEdited)
-        setText(formatQuantity(value, m_quantity));
+        setText(shown());
 }
 
 QSize QuantityField::sizeHint() const
@@ -88,7 +101,8 @@ void QuantityField::commit()
 {
     if (!isModified())
         return;
-    const std::optional<double> read = parseQuantity(text(), m_quantity, m_value);
+    const bool isEmptied = text().trimmed().isEmpty() && !m_zeroText.isEmpty();
+    const std::optional<double> read = isEmptied ? 0 : parseQuantity(text(), m_quantity, m_value);
     if (!read) {
         showProblem(tr("\"%1\" is not a number here; the value is still %2. Esc restores it.")
                         .arg(text(), formatQuantity(m_value, m_quantity)));
@@ -108,7 +122,7 @@ void QuantityField::commit()
 void QuantityField::restore()
 {
     m_isBeingEdited = false;
-    setText(formatQuantity(m_value, m_quantity)); // clears isModified()
+    setText(shown()); // clears isModified()
     showProblem({});
 }
 

@@ -17,7 +17,9 @@ public:
     explicit QuantityField(Quantity quantity, QWidget* parent = nullptr);
 
     void setRange(double minimum, double maximum); ///< SI, both ends allowed
-    double value() const { return m_value; }       ///< SI
+    /// What 0 means, in words: shown in its place. An emptied field then is 0.
+    void setZeroText(const QString& text);
+    double value() const { return m_value; } ///< SI
     bool hasProblem() const { return !m_problem.isEmpty(); }
 
     /// Shows a value without emitting. From a click into the field to Enter, Esc or leaving it, text and selection are left
@@ -42,11 +44,13 @@ protected:
 private:
     void commit();
     void showProblem(const QString& problem);
+    QString shown() const;
 
     Quantity m_quantity;
     double m_value = 0;
     double m_minimum = -std::numeric_limits<double>::infinity();
     double m_maximum = std::numeric_limits<double>::infinity();
+    QString m_zeroText;
     QString m_problem;
     bool m_isBeingEdited = false;
 };

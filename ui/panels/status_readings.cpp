@@ -45,6 +45,8 @@ StatusReadings::StatusReadings(QWidget* parent)
     m_objects = add("objectCount", tr("Spheres the bodies are made of"));
     m_connections = add("connectionCount", tr("Structural connections between objects"));
     m_contacts = add("contactCount", tr("Contact connections now"));
+    m_broken = add("brokenCount", tr("Structural connections that broke so far"));
+    m_pieces = add("pieceCount", tr("Connected pieces of material"));
     add("units", tr("Units of what is shown"))->setText("mm, N, MPa");
 }
 
@@ -69,6 +71,10 @@ void StatusReadings::show(const Snapshot& snapshot)
     m_objects->setText(tr("%1 objects").arg(formatCount(snapshot.objects)));
     m_connections->setText(tr("%1 connections").arg(formatCount(snapshot.connections)));
     m_contacts->setText(tr("%1 contacts").arg(formatCount(snapshot.contacts)));
+    m_broken->setText(tr("%1 broken").arg(formatCount(snapshot.broken)));
+    m_broken->setVisible(snapshot.broken > 0);
+    m_pieces->setText(snapshot.components == 1 ? tr("1 piece") : tr("%1 pieces").arg(formatCount(snapshot.components)));
+    m_pieces->setVisible(snapshot.components != snapshot.bodies.size());
 }
 
 TaskReading::TaskReading(QWidget* parent)

@@ -28,6 +28,8 @@ private:
     QLabel* m_objects;
     QLabel* m_connections;
     QLabel* m_contacts;
+    QLabel* m_broken;
+    QLabel* m_pieces;
     QLabel* m_steps;
 };
 

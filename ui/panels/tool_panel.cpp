@@ -1,16 +1,36 @@
 #include "ui/panels/tool_panel.h"
 
+#include "ui/document/tool_kinds.h"
 #include "ui/panels/form.h"
 #include "ui/theme.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QStandardItemModel>
+
+#include <algorithm>
 
 namespace knead {
 
 namespace {
 
 constexpr const char* axisNames[] = {"X", "Y", "Z"};
+constexpr double plateThinness = 8; // a plate made of something thicker is this much thinner than wide
+
+int indexOf(ToolKind kind)
+{
+    return static_cast<int>(&lookOf(kind) - toolKindLooks().data());
+}
+
+QComboBox* makeKindChoice(QWidget* parent)
+{
+    auto* choice = new QComboBox(parent);
+    choice->setObjectName("toolKind");
+    for (const ToolKindLook& look : toolKindLooks())
+        choice->addItem(icon(look.icon), QObject::tr(look.name));
+    return choice;
+}
 
 } // namespace
 
@@ -18,6 +38,7 @@ ToolPanel::ToolPanel(Document& document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_name(makeHeading({}, this))
+    , m_kind(makeKindChoice(this))
     , m_speed(makeField(Quantity::Speed, "toolSpeed", this))
     , m_forceLimit(makeField(Quantity::Force, "toolForceLimit", this))
     , m_friction(makeField(Quantity::Number, "toolFriction", this))
@@ -30,6 +51,8 @@ ToolPanel::ToolPanel(Document& document, QWidget* parent)
     form->addRow(tr("Force"), m_force);
     form->addRow(tr("Largest so far"), m_peak);
     m_force->setProperty("role", "heading");
+    connect(m_kind, &QComboBox::activated, this, &ToolPanel::chooseKind);
+    form->addRow(tr("Form"), m_kind);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         m_position[axis] = makeField(Quantity::Length, QStringLiteral("toolPosition%1").arg(axisNames[axis]), this);
         connect(m_position[axis], &QuantityField::committed, this, &ToolPanel::place);
@@ -44,7 +67,7 @@ ToolPanel::ToolPanel(Document& document, QWidget* parent)
     m_speed->setRange(1e-6, 100);
     m_speed->setStatusTip(tr("Arrow keys and PgUp/PgDn drive at this speed; dragging is never faster"));
     m_forceLimit->setRange(1e-9, 1e12);
-    m_forceLimit->setStatusTip(tr("The block stalls rather than push harder"));
+    m_forceLimit->setStatusTip(tr("The tool stalls rather than push harder"));
     m_friction->setRange(0, 2);
     connect(m_speed, &QuantityField::committed, this, &ToolPanel::reshape);
     connect(m_forceLimit, &QuantityField::committed, this, &ToolPanel::reshape);
@@ -53,7 +76,7 @@ ToolPanel::ToolPanel(Document& document, QWidget* parent)
     form->addRow(tr("Force limit"), m_forceLimit);
     form->addRow(tr("Friction"), m_friction);
 
-    auto* remove = new QPushButton(icon("delete"), tr("Remove block"), this);
+    auto* remove = new QPushButton(icon("delete"), tr("Remove tool"), this);
     remove->setObjectName("removeTool");
     connect(remove, &QPushButton::clicked, this, [this] { m_document.removeSelected(); });
     form->addRow(QString(), remove);
@@ -83,6 +106,7 @@ void ToolPanel::showTool()
     if (tool == nullptr)
         return;
     m_name->setText(QString::fromStdString(tool->name));
+    showKind(*tool);
     m_force->setText(formatReading(tool->force.norm(), Quantity::Force));
     m_peak->setText(formatReading(tool->peakForce, Quantity::Force));
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -95,7 +119,29 @@ void ToolPanel::showTool()
     m_friction->setValue(tool->friction);
 }
 
-/// While paused the block is put there; while running it goes there.
+/// Only the measures that the form has can be typed.
+void ToolPanel::showKind(const ToolState& tool)
+{
+    // Only what came from a file can be a part.
+    qobject_cast<QStandardItemModel*>(m_kind->model())->item(indexOf(ToolKind::part))->setEnabled(tool.part != nullptr);
+    if (m_shownKind == tool.kind)
+        return;
+    m_shownKind = tool.kind;
+    m_kind->setCurrentIndex(indexOf(tool.kind));
+    auto* form = qobject_cast<QFormLayout*>(layout());
+    const auto& measures = lookOf(tool.kind).measures;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto measure = std::find_if(measures.begin(), measures.end(),
+                                          [axis](const ToolMeasure& m) { return m.axis == static_cast<int>(axis); });
+        const bool isMeasured = measure != measures.end();
+        m_size[axis]->setVisible(isMeasured);
+        form->labelForField(m_size[axis])->setVisible(isMeasured);
+        if (isMeasured)
+            qobject_cast<QLabel*>(form->labelForField(m_size[axis]))->setText(tr(measure->name));
+    }
+}
+
+/// While paused the tool is put there; while running it goes there.
 void ToolPanel::place()
 {
     const ToolState* tool = m_document.tool(m_tool);
@@ -110,10 +156,30 @@ void ToolPanel::place()
         m_document.post(PlaceManipulator{m_tool, pose});
 }
 
+void ToolPanel::chooseKind(int index)
+{
+    const ToolState* tool = m_document.tool(m_tool);
+    if (tool == nullptr)
+        return;
+    const ToolKind kind = toolKindLooks()[static_cast<std::size_t>(index)].kind;
+    Vec3 size = tool->size;
+    if (kind == ToolKind::plate)
+        size.z() = std::min(size.z(), size.head<2>().maxCoeff() / plateThinness);
+    if (tool->kind == ToolKind::plate)
+        size.z() = size.head<2>().maxCoeff();
+    m_shownKind.reset(); // what the simulation has is shown again, also when it refuses
+    m_document.post(ReshapeManipulator{m_tool, fittingSize(kind, size, tool->part.get()), tool->friction,
+                                       tool->speedLimit, tool->forceLimit, kind, tool->part});
+}
+
 void ToolPanel::reshape()
 {
+    const ToolState* tool = m_document.tool(m_tool);
+    if (tool == nullptr)
+        return;
     const Vec3 size(m_size[0]->value(), m_size[1]->value(), m_size[2]->value());
-    m_document.post(ReshapeManipulator{m_tool, size, m_friction->value(), m_speed->value(), m_forceLimit->value()});
+    m_document.post(ReshapeManipulator{m_tool, fittingSize(tool->kind, size, tool->part.get()), m_friction->value(),
+                                       m_speed->value(), m_forceLimit->value(), tool->kind, tool->part});
 }
 
 } // namespace knead

@@ -5,14 +5,17 @@
 #include <QWidget>
 
 #include <array>
+#include <optional>
 
+class QComboBox;
+class QFormLayout;
 class QLabel;
 
 namespace knead {
 
 class QuantityField;
 
-/// The selected block: where it is, how large, how fast, and what it feels.
+/// The selected tool: its form, where it is, how large, how fast, and what it feels.
 class ToolPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -21,12 +24,16 @@ public:
 private:
     void documentChanged(Document::Change what);
     void showTool();
+    void showKind(const ToolState& tool);
     void place();
+    void chooseKind(int index);
     void reshape();
 
     Document& m_document;
     ToolId m_tool = 0;
     QLabel* m_name;
+    QComboBox* m_kind;
+    std::optional<ToolKind> m_shownKind; ///< whose measures have rows
     std::array<QuantityField*, 3> m_position{};
     std::array<QuantityField*, 3> m_size{};
     QuantityField* m_speed;

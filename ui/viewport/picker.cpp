@@ -147,4 +147,23 @@ std::optional<double> pickBox(const Ray& ray, const Vec3& size, const Pose& pose
     return enter(local, -size / 2, size / 2, std::numeric_limits<double>::max());
 }
 
+/// Goes on by the distance to the surface, which no step can pass, until it is there.
+std::optional<double> pickTool(const Ray& ray, const ToolShape& shape, const Pose& pose)
+{
+    constexpr int mostSteps = 500;
+    constexpr double closeness = 1e-4; // in sizes of the tool
+    const double size = shape.size.norm();
+    const std::optional<double> box = pickBox(ray, shape.size, pose);
+    if (!box || shape.kind == ToolKind::box || shape.kind == ToolKind::plate)
+        return box;
+    double distance = *box;
+    for (int step = 0; step < mostSteps && distance < *box + size; ++step) {
+        const double gap = surfaceOf(shape, pose.toLocal(ray.origin + distance * ray.direction)).distance;
+        if (gap < closeness * size)
+            return distance;
+        distance += gap;
+    }
+    return std::nullopt;
+}
+
 } // namespace knead

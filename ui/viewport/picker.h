@@ -47,6 +47,9 @@ private:
     std::vector<Node> m_nodes; ///< parents before children
 };
 
+/// Distance along the ray to a tool [m]; empty when it misses.
+std::optional<double> pickTool(const Ray& ray, const ToolShape& shape, const Pose& pose);
+
 /// Distance along the ray to a box [m]; empty when it misses.
 std::optional<double> pickBox(const Ray& ray, const Vec3& size, const Pose& pose);
 

@@ -42,7 +42,8 @@ PickHit ScenePicker::pick(const Ray& ray, bool skipsTools)
     if (skipsTools)
         return hit;
     for (const ToolState& tool : m_frame->snapshot->tools)
-        if (const auto distance = pickBox(ray, tool.size, tool.pose); distance && *distance < nearest) {
+        if (const auto distance = pickTool(ray, {tool.kind, tool.size, tool.part}, tool.pose);
+            distance && *distance < nearest) {
             nearest = *distance;
             hit = {PickHit::Kind::Tool, tool.id, 0, 0, ray.origin + nearest * ray.direction};
         }

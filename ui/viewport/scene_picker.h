@@ -30,7 +30,7 @@ public:
     /// The document shows another content.
     void forget();
 
-    /// The nearest thing. @param skipsTools looks through blocks at the bodies
+    /// The nearest thing. @param skipsTools looks through tools at the bodies
     PickHit pick(const Ray& ray, bool skipsTools = false);
 
 private:

@@ -1,11 +1,17 @@
 #include "ui/viewport/tool_actor.h"
 
+#include "ui/viewport/picker.h"
+
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
-#include <vtkCubeSource.h>
+#include <vtkCellArray.h>
+#include <vtkFeatureEdges.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -18,6 +24,7 @@ namespace {
 
 constexpr double smallestForceShown = 1e-9; // [N]
 constexpr double shortestArrow = 0.25;      // of the longest
+constexpr double edgeAngle = 30;            // [degrees]; rounder than this is drawn without a line
 constexpr double thinnestArrow = 0.4;       // of the thickest
 
 /// x -> rotation * scale * x + position
@@ -32,26 +39,56 @@ void place(vtkActor* actor, const Mat3& rotation, const Vec3& scale, const Vec3&
     actor->SetUserMatrix(matrix);
 }
 
-/// Where a ray from the center leaves the block.
+/// Where the surface lies in a direction from the center: found from outside, as a hollow part has nothing in its middle.
 double exitDistance(const ToolState& tool, const Vec3& direction)
 {
-    const Vec3 local = (tool.pose.rotation.conjugate() * direction).cwiseAbs();
-    return (tool.size / 2).cwiseQuotient(local.cwiseMax(1e-12)).minCoeff();
+    const double outside = tool.size.norm();
+    const Ray inwards{tool.pose.position + outside * direction, -direction};
+    return outside - pickTool(inwards, {tool.kind, tool.size, tool.part}, tool.pose).value_or(outside);
+}
+
+void fill(vtkPolyData* data, const TriangleMesh& mesh)
+{
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const Vec3& vertex : mesh.vertices)
+        points->InsertNextPoint(vertex.data());
+    vtkNew<vtkCellArray> triangles;
+    for (const TriangleMesh::Triangle& t : mesh.triangles)
+        triangles->InsertNextCell({t[0], t[1], t[2]});
+    data->SetPoints(points);
+    data->SetPolys(triangles);
 }
 
 } // namespace
 
 struct ToolActor::Parts {
     vtkSmartPointer<vtkRenderer> renderer;
-    vtkNew<vtkCubeSource> cube;
+    vtkNew<vtkPolyData> surface;
+    vtkNew<vtkPolyDataNormals> shading;
+    vtkNew<vtkFeatureEdges> outline;
     vtkNew<vtkArrowSource> arrow;
-    vtkNew<vtkPolyDataMapper> cubeMapper;
+    vtkNew<vtkPolyDataMapper> surfaceMapper;
+    vtkNew<vtkPolyDataMapper> outlineMapper;
     vtkNew<vtkPolyDataMapper> arrowMapper;
-    vtkNew<vtkActor> cubeActor;
+    vtkNew<vtkActor> surfaceActor;
     vtkNew<vtkActor> outlineActor;
     vtkNew<vtkActor> arrowActor;
+    ToolShape shape{.size = Vec3::Zero()}; ///< as drawn
     Vec3 label = Vec3::Zero();
+
+    void draw(const ToolShape& wanted);
 };
+
+/// The surface is made anew only when the tool has another form.
+void ToolActor::Parts::draw(const ToolShape& wanted)
+{
+    if (wanted.kind == shape.kind && wanted.size == shape.size && wanted.part == shape.part)
+        return;
+    shape = wanted;
+    fill(surface, meshOf(wanted));
+    surface->Modified();
+}
 
 ToolActor::ToolActor(vtkRenderer* renderer)
     : m_parts(std::make_unique<Parts>())
@@ -63,36 +100,42 @@ ToolActor::ToolActor(vtkRenderer* renderer)
     p.arrow->SetShaftRadius(0.045);
     p.arrow->SetTipResolution(32);
     p.arrow->SetShaftResolution(32);
-    p.cubeMapper->SetInputConnection(p.cube->GetOutputPort());
+    p.shading->SetInputData(p.surface);
+    p.shading->SetFeatureAngle(edgeAngle);
+    p.surfaceMapper->SetInputConnection(p.shading->GetOutputPort());
+    p.outline->SetInputData(p.surface);
+    p.outline->SetFeatureAngle(edgeAngle);
+    p.outline->ColoringOff();
+    p.outlineMapper->SetInputConnection(p.outline->GetOutputPort());
     p.arrowMapper->SetInputConnection(p.arrow->GetOutputPort());
-    p.cubeActor->SetMapper(p.cubeMapper);
-    p.outlineActor->SetMapper(p.cubeMapper);
-    p.outlineActor->GetProperty()->SetRepresentationToWireframe();
+    p.surfaceActor->SetMapper(p.surfaceMapper);
+    p.outlineActor->SetMapper(p.outlineMapper);
     p.arrowActor->SetMapper(p.arrowMapper);
-    // A little translucent: the dent under the block is what a person wants to see.
-    p.cubeActor->GetProperty()->SetOpacity(0.82);
-    p.cubeActor->GetProperty()->BackfaceCullingOn();
-    p.cubeActor->GetProperty()->SetAmbient(0.4);
-    p.cubeActor->GetProperty()->SetDiffuse(0.65);
-    p.cubeMapper->SetResolveCoincidentTopologyToPolygonOffset();
-    p.cubeMapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
+    // A little translucent: the dent under the tool is what a person wants to see.
+    p.surfaceActor->GetProperty()->SetOpacity(0.82);
+    p.surfaceActor->GetProperty()->BackfaceCullingOn();
+    p.surfaceActor->GetProperty()->SetAmbient(0.4);
+    p.surfaceActor->GetProperty()->SetDiffuse(0.65);
+    p.surfaceMapper->SetResolveCoincidentTopologyToPolygonOffset();
+    p.surfaceMapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
     p.outlineActor->GetProperty()->LightingOff();
     p.arrowActor->GetProperty()->SetAmbient(0.35);
-    for (vtkActor* actor : {p.cubeActor.Get(), p.outlineActor.Get(), p.arrowActor.Get()})
+    for (vtkActor* actor : {p.surfaceActor.Get(), p.outlineActor.Get(), p.arrowActor.Get()})
         renderer->AddActor(actor);
 }
 
 ToolActor::~ToolActor()
 {
-    for (vtkActor* actor : {m_parts->cubeActor.Get(), m_parts->outlineActor.Get(), m_parts->arrowActor.Get()})
+    for (vtkActor* actor : {m_parts->surfaceActor.Get(), m_parts->outlineActor.Get(), m_parts->arrowActor.Get()})
         m_parts->renderer->RemoveActor(actor);
 }
 
 void ToolActor::show(const ToolState& tool, double longestArrow)
 {
     const Mat3 rotation = tool.pose.rotation.toRotationMatrix();
-    place(m_parts->cubeActor, rotation, tool.size, tool.pose.position);
-    place(m_parts->outlineActor, rotation, tool.size, tool.pose.position);
+    m_parts->draw({tool.kind, tool.size, tool.part});
+    place(m_parts->surfaceActor, rotation, Vec3::Ones(), tool.pose.position);
+    place(m_parts->outlineActor, rotation, Vec3::Ones(), tool.pose.position);
 
     const double force = tool.force.norm();
     const bool hasForce = force > smallestForceShown;
@@ -115,7 +158,7 @@ void ToolActor::setStyle(const SceneStyle& style, bool selected, bool hovered)
 {
     const Color& fill = selected || hovered ? style.selectedTool : style.tool;
     const Color& line = selected ? style.selectedEdge : style.edge;
-    m_parts->cubeActor->GetProperty()->SetColor(fill.r, fill.g, fill.b);
+    m_parts->surfaceActor->GetProperty()->SetColor(fill.r, fill.g, fill.b);
     m_parts->outlineActor->GetProperty()->SetColor(line.r, line.g, line.b);
     m_parts->outlineActor->GetProperty()->SetLineWidth(selected ? 2.5F : 1.2F);
     m_parts->arrowActor->GetProperty()->SetColor(style.force.r, style.force.g, style.force.b);

@@ -9,7 +9,7 @@ class vtkRenderer;
 
 namespace knead {
 
-/// Draws a block and the force of the material on it.
+/// Draws a tool and the force of the material on it.
 class ToolActor {
 public:
     explicit ToolActor(vtkRenderer* renderer);
@@ -21,7 +21,7 @@ public:
     void show(const ToolState& tool, double longestArrow);
     void setStyle(const SceneStyle& style, bool selected, bool hovered);
 
-    /// Tip of the arrow, where its number belongs; the top of the block without a force [m].
+    /// Tip of the arrow, where its number belongs; the top of the tool without a force [m].
     Vec3 labelPlace() const;
 
 private:
