@@ -23,7 +23,8 @@ Simulation pressedBlock(std::int64_t cells, double poisson)
     scene.floorHeight = -half;
     Manipulator tool{.name = "press", .size = {half, half, 0.01}};
     tool.pose.position.z() = half + 0.004;
-    tool.motion = DriveAt{{0, 0, -0.05}, Vec3::Zero()};
+    // Pressed in by a tenth of the height and held there, for as many steps as it takes.
+    tool.motion = GoTo{{Vec3(0, 0, 0.8 * half + 0.004), Quaternion::Identity()}};
     scene.manipulators.push_back(tool);
     return Simulation(std::move(scene));
 }

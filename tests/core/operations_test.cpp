@@ -149,6 +149,9 @@ private slots:
         material.tensileStrength = 5e4;
         material.shapeDamping = 20;
         scene.bodies.push_back(scenes::box({16, 4, 4}, spacing, material));
+        const Aggregate& bar = *scene.bodies[0].aggregate;
+        scene.fixtures.push_back({"left end", 0, objectsBetween(bar, -1, -7.9 * spacing)});
+        scene.fixtures.push_back({"right end", 0, objectsBetween(bar, 7.9 * spacing, 1)});
         for (const double side : {1.0, -1.0}) {
             Manipulator wedge{.name = side > 0 ? "upper" : "lower", .size = {0.02, 0.016, 0.016}};
             wedge.kind = ToolKind::wedge;
