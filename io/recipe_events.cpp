@@ -20,17 +20,16 @@ const std::vector<std::string>& actionKeys()
 /// The one key that says what happens.
 std::string actionOf(const JsonNode& node)
 {
-    std::string action;
+    std::vector<std::string> found;
     for (const std::string& key : actionKeys())
-        if (node.find(key)) {
-            if (!action.empty())
-                node.fail("must have only one of the keys " + action + " and " + key + ".");
-            action = key;
-        }
-    if (action.empty())
+        if (node.find(key))
+            found.push_back(key);
+    if (found.size() > 1)
+        node.fail("must have only one of the keys " + found[0] + " and " + found[1] + ".");
+    if (found.empty())
         node.fail("must have exactly one of the keys " + listed(actionKeys(), [](const auto& key) { return key; }) +
                   ".");
-    return action;
+    return found.front();
 }
 
 std::string readOptionalText(const JsonNode& node, const std::string& key)

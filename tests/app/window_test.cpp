@@ -1,21 +1,14 @@
-#include "app/gui.h"
 #include "core/geometry/mass_properties.h"
 #include "io/importer.h"
-#include "ui/main_window.h"
-#include "ui/panels/banner.h"
+#include "support/window_on_test.h"
 #include "ui/panels/log_panel.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/run_window.h"
-#include "ui/viewport/viewport_widget.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QComboBox>
-#include <QDir>
 #include <QDropEvent>
 #include <QLabel>
 #include <QMimeData>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -27,8 +20,6 @@
 using namespace knead;
 
 namespace {
-
-constexpr int patience = 60'000; // [ms], for machines that do much else
 
 double largestMove(const Frame& from, const Frame& to)
 {
@@ -42,70 +33,15 @@ double largestMove(const Frame& from, const Frame& to)
 } // namespace
 
 /// The window as a person uses it: files through the window's own way, everything else through keys and mouse.
-class WindowTest : public QObject {
+class WindowTest : public QObject, WindowOnTest {
     Q_OBJECT
-
-    Services m_services;
-    std::unique_ptr<MainWindow> m_window;
-
-    Document& document() { return m_window->document(); }
-    const Snapshot& snapshot() { return *document().frame()->snapshot; }
-    QAction* action(const char* name) { return m_window->findChild<QAction*>(name); }
-    template <class Widget>
-    Widget* find(const char* name)
-    {
-        return m_window->findChild<Widget*>(name);
-    }
-
-    QString example(const char* name) { return QDir(QString::fromStdString(m_services.examplesFolder)).filePath(name); }
-
-    void show(const Services& services)
-    {
-        m_window = std::make_unique<MainWindow>(services);
-        m_window->resize(1280, 800);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        m_window->activateWindow(); // there may be no window manager that does it
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    }
-
-    /// Opens an example, filled coarsely so that it runs briskly on any machine.
-    void openExample(const char* name, double cells = 16)
-    {
-        m_window->open(example(name));
-        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
-        QVERIFY2(!document().isEmpty(), qPrintable(m_window->banner().sentence()));
-        m_window->refill(document().size() / cells);
-        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
-        QTest::qWait(300); // the view turns to fit
-    }
-
-    /// Left-clicks the view where a place is seen.
-    void click(const Vec3& place)
-    {
-        const std::optional<QPointF> position = m_window->viewport().widgetPosition(place);
-        QVERIFY(position.has_value());
-        QTest::mouseMove(&m_window->viewport(), position->toPoint());
-        QTest::mouseClick(&m_window->viewport(), Qt::LeftButton, {}, position->toPoint());
-    }
-
-    /// A picture for people, when they ask for it.
-    void picture(const char* name)
-    {
-        const QString folder = qEnvironmentVariable("KNEAD_PICTURES");
-        if (!folder.isEmpty())
-            m_window->grab().save(QDir(folder).filePath(QString(name) + ".png"));
-    }
 
 private slots:
     void initTestCase()
     {
-        if (QGuiApplication::platformName() == "offscreen")
+        if (!hasDisplay())
             QSKIP("The view needs a display: run this test under xvfb-run.");
-        QStandardPaths::setTestModeEnabled(true);
-        QApplication::setOrganizationName("knead-test");
-        QApplication::setApplicationName("window-test");
-        m_services = fileServices();
+        prepare();
     }
 
     void init() { show(m_services); }
@@ -267,21 +203,6 @@ private slots:
         QVERIFY(answers > 10);
     }
 
-    void typedStiffnessReachesTheSimulation()
-    {
-        openExample("bar.step");
-        QTest::keyClick(m_window.get(), Qt::Key_Space);
-        QTRY_VERIFY(snapshot().playing);
-        auto* field = find<QuantityField>("youngs_modulus_pa");
-        field->setFocus();
-        field->selectAll();
-        QTest::keyClicks(field, "0,25 MPa");
-        QTest::keyClick(field, Qt::Key_Return);
-        QTRY_COMPARE(snapshot().materials[0].youngsModulus, 2.5e5);
-        QCOMPARE(field->text(), QString("250 kPa"));
-        QTRY_COMPARE(find<QComboBox>("materialPreset")->currentIndex(), -1);
-    }
-
     void pickedFacesAreHeldAndFreedAgain()
     {
         openExample("bar.step");
@@ -303,127 +224,6 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_Delete);
         QTRY_VERIFY(snapshot().fixtures.empty());
         QVERIFY(document().fixtures().list().empty());
-    }
-
-    void aBlockIsDraggedWithTheMouse()
-    {
-        openExample("bar.step");
-        QTest::keyClick(m_window.get(), Qt::Key_B);
-        QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
-        QTest::keyClick(m_window.get(), Qt::Key_F);
-        QTest::qWait(500);
-        const Vec3 start = snapshot().tools[0].pose.position;
-        ViewportWidget& view = m_window->viewport();
-        const QPoint from = view.widgetPosition(start)->toPoint();
-        QTest::mouseMove(&view, from);
-        QTest::mousePress(&view, Qt::LeftButton, {}, from);
-        QTest::mouseMove(&view, from + QPoint(40, 0));
-        QTest::mouseMove(&view, from + QPoint(80, 0));
-        QTRY_VERIFY((snapshot().tools[0].pose.position - start).dot(view.camera().right()) > 0.05 * document().size());
-        QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(80, 0));
-        // In the plane of the camera: neither nearer nor further.
-        QVERIFY(std::abs((snapshot().tools[0].pose.position - start).dot(view.camera().towardsEye())) < 1e-9);
-    }
-
-    void everyFormOfToolsCanBeAddedAndStaysWhatItIs()
-    {
-        openExample("bracket.step");
-        const std::pair<const char*, ToolKind> forms[] = {{"addBlock", ToolKind::box},
-                                                          {"addBall", ToolKind::ball},
-                                                          {"addCylinder", ToolKind::cylinder},
-                                                          {"addWedge", ToolKind::wedge},
-                                                          {"addPlate", ToolKind::plate}};
-        std::size_t count = 0;
-        for (const auto& [name, kind] : forms) {
-            action(name)->trigger();
-            ++count;
-            QTRY_COMPARE(snapshot().tools.size(), count);
-            QCOMPARE(snapshot().tools.back().kind, kind);
-            const Vec3 away(0.05 * static_cast<double>(count) - 0.15, 0, 0);
-            const ToolState tool = snapshot().tools.back();
-            document().post(PlaceManipulator{tool.id, {tool.pose.position + away, tool.pose.rotation}});
-            QTRY_COMPARE(document().selection().id, tool.id);
-            // A field that is typed into changes nothing but its number.
-            auto* field = find<QuantityField>("toolFriction");
-            QTRY_VERIFY(field->isVisible());
-            field->setFocus();
-            field->selectAll();
-            QTest::keyClicks(field, "0.7");
-            QTest::keyClick(field, Qt::Key_Return);
-            QTRY_COMPARE(snapshot().tools.back().friction, 0.7);
-            QCOMPARE(snapshot().tools.back().kind, kind);
-            QCOMPARE(snapshot().tools.back().size, tool.size);
-        }
-        m_window->viewport().setFocus();
-        QTest::keyClick(m_window.get(), Qt::Key_F);
-        QTest::qWait(600);
-        picture("tools");
-    }
-
-    void aToolTakesAnotherForm()
-    {
-        openExample("bar.step");
-        QTest::keyClick(m_window.get(), Qt::Key_B);
-        QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
-        auto* choice = find<QComboBox>("toolKind");
-        QCOMPARE(choice->currentText(), QString("Block"));
-        QVERIFY(find<QWidget>("toolSizeZ")->isVisible());
-        choice->setCurrentText("Ball");
-        emit choice->activated(choice->currentIndex());
-        QTRY_COMPARE(snapshot().tools[0].kind, ToolKind::ball);
-        QTRY_VERIFY(!find<QWidget>("toolSizeZ")->isVisible());
-        QVERIFY(find<QWidget>("toolSizeX")->isVisible());
-        auto* diameter = find<QuantityField>("toolSizeX");
-        diameter->setFocus();
-        diameter->selectAll();
-        QTest::keyClicks(diameter, "30 mm");
-        QTest::keyClick(diameter, Qt::Key_Return);
-        QTRY_COMPARE(snapshot().tools[0].size, Vec3(0.03, 0.03, 0.03));
-        QCOMPARE(snapshot().tools[0].kind, ToolKind::ball);
-        picture("ball");
-    }
-
-    void renormalizedMaterialHasNoStress()
-    {
-        openExample("bar.step");
-        document().post(SetGravity{Vec3(0, 0, -9.81)});
-        QTest::keyClick(m_window.get(), Qt::Key_Space);
-        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.1, patience);
-        QTest::keyClick(m_window.get(), Qt::Key_Space);
-        QTRY_VERIFY(!snapshot().playing);
-        QVERIFY(snapshot().energy.elastic > 0);
-        const double stored = snapshot().energy.elastic;
-        QTest::keyClick(m_window.get(), Qt::Key_N);
-        QTest::keyClick(m_window.get(), Qt::Key_Period);
-        QTRY_VERIFY(snapshot().energy.elastic < 0.01 * stored);
-    }
-
-    void aBodyBecomesRigidAndStaysSoWhenFilledAnew()
-    {
-        openExample("bar.step");
-        auto* kind = find<QComboBox>("bodyKind");
-        QCOMPARE(kind->currentText(), QString("Deformable"));
-        kind->setCurrentText("Rigid");
-        emit kind->activated(kind->currentIndex());
-        QTRY_COMPARE(snapshot().bodies[0].kind, BodyKind::rigid);
-        QCOMPARE(kind->currentText(), QString("Rigid"));
-        m_window->refill(document().size() / 12);
-        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
-        QCOMPARE(snapshot().bodies[0].kind, BodyKind::rigid);
-    }
-
-    void statusSaysWhenMaterialIsBroken()
-    {
-        openExample("bar.step");
-        QVERIFY(!find<QLabel>("brokenCount")->isVisible());
-        QVERIFY(!find<QLabel>("pieceCount")->isVisible());
-        document().post(SetGravity{Vec3(0, 0, -9.81)});
-        document().post(SetMaterial{0, {.youngsModulus = 1e4, .tensileStrength = 1}});
-        QTest::keyClick(m_window.get(), Qt::Key_Space);
-        QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>("brokenCount")->isVisible(), patience);
-        QVERIFY(find<QLabel>("brokenCount")->text().contains("broken"));
-        QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>("pieceCount")->text().contains("pieces"), patience);
-        picture("broken");
     }
 
     void viewKeysTurnTheView()

@@ -1,8 +1,23 @@
 #include "ui/panels/form.h"
 
+#include <QComboBox>
 #include <QLabel>
+#include <QWheelEvent>
 
 namespace knead {
+
+namespace {
+
+/// The wheel scrolls the panel; a material is not to change on the way.
+class Choice final : public QComboBox {
+public:
+    using QComboBox::QComboBox;
+
+protected:
+    void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+};
+
+} // namespace
 
 QFormLayout* makeForm(QWidget* owner)
 {
@@ -30,6 +45,13 @@ QLabel* makeReading(const QString& name, QWidget* parent)
     label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     return label;
+}
+
+QComboBox* makeChoice(const QString& name, QWidget* parent)
+{
+    auto* choice = new Choice(parent);
+    choice->setObjectName(name);
+    return choice;
 }
 
 QuantityField* makeField(Quantity quantity, const QString& name, QWidget* parent)

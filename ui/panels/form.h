@@ -5,6 +5,7 @@
 #include <QFormLayout>
 #include <QString>
 
+class QComboBox;
 class QLabel;
 
 namespace knead {
@@ -13,6 +14,8 @@ namespace knead {
 QFormLayout* makeForm(QWidget* owner);
 QLabel* makeHeading(const QString& text, QWidget* parent);
 QLabel* makeReading(const QString& name, QWidget* parent); ///< a value that is shown, not typed
+/// Scrolling over it does not choose.
+QComboBox* makeChoice(const QString& name, QWidget* parent);
 QuantityField* makeField(Quantity quantity, const QString& name, QWidget* parent);
 
 } // namespace knead

@@ -64,8 +64,7 @@ void MaterialPanel::makeBodyRows()
     form->addRow(m_name);
     form->addRow(m_facts);
 
-    m_kind = new QComboBox(this);
-    m_kind->setObjectName("bodyKind");
+    m_kind = makeChoice("bodyKind", this);
     m_kind->addItems({tr("Deformable"), tr("Rigid"), tr("Glue")}); // in the order of BodyKind
     m_kind->setItemData(1, tr("Keeps its shape and moves as a whole"), Qt::ToolTipRole);
     m_kind->setItemData(2, tr("Keeps shape and place; its adhesion holds what touches it"), Qt::ToolTipRole);
@@ -76,8 +75,7 @@ void MaterialPanel::makeBodyRows()
 void MaterialPanel::makeMaterialRows()
 {
     auto* form = qobject_cast<QFormLayout*>(layout());
-    m_preset = new QComboBox(this);
-    m_preset->setObjectName("materialPreset");
+    m_preset = makeChoice("materialPreset", this);
     m_preset->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_preset->setMinimumContentsLength(10);
     m_preset->setMaxVisibleItems(20);

@@ -25,8 +25,7 @@ int indexOf(ToolKind kind)
 
 QComboBox* makeKindChoice(QWidget* parent)
 {
-    auto* choice = new QComboBox(parent);
-    choice->setObjectName("toolKind");
+    QComboBox* choice = makeChoice("toolKind", parent);
     for (const ToolKindLook& look : toolKindLooks())
         choice->addItem(icon(look.icon), QObject::tr(look.name));
     return choice;

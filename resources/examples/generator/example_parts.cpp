@@ -120,6 +120,20 @@ std::vector<ExampleBody> makeBar()
     return {{"Bar", box(0, 0, 0, 160, 20, 20), 0.86, 0.36, 0.22}};
 }
 
+std::vector<ExampleBody> makePaperBar()
+{
+    return {{"Paper bar", box(0, 0, 0, 10, 10, 34), 0.55, 0.62, 0.38}};
+}
+
+std::vector<ExampleBody> makeLump()
+{
+    return {{"Lump",
+             unified(rounded(
+                 box(0, 0, 0, 60, 40, 24), 5,
+                 [](const gp_Pnt& p, const gp_Dir& d) { return isParallel(d, gp_Dir(0, 0, 1)) || isNear(p.Z(), 24); })),
+             0.66, 0.47, 0.38}};
+}
+
 std::vector<ExampleBody> makeBracket()
 {
     constexpr double width = 50;  // along y

@@ -14,11 +14,17 @@ struct ExampleBody {
     double blue = 0;
 };
 
-/// The bar of the paper's experiments: 160 x 20 x 20 mm, to bend, twist and stretch.
+/// A bar of 160 x 20 x 20 mm, to bend, twist and stretch.
 std::vector<ExampleBody> makeBar();
 
 /// An angle bracket with holes and rounded corners, and the bushing in its upper hole.
 std::vector<ExampleBody> makeBracket();
+
+/// A lump of 60 x 40 x 24 mm with rounded edges, flat below.
+std::vector<ExampleBody> makeLump();
+
+/// The bar of the published scenes, 10 x 10 x 34 mm: 5 x 5 x 17 objects of 2 mm.
+std::vector<ExampleBody> makePaperBar();
 
 /// A curved grip that stands upright, with a swelling for the palm, and the metal ferrule below it.
 std::vector<ExampleBody> makeHandle();

@@ -35,6 +35,8 @@ int main(int argc, char** argv)
         writeExample(argv[1], "bar", makeBar());
         writeExample(argv[1], "bracket", makeBracket());
         writeExample(argv[1], "handle", makeHandle());
+        writeExample(argv[1], "lump", makeLump());
+        writeExample(argv[1], "paper-bar", makePaperBar());
         return 0;
     } catch (const Standard_Failure& failure) {
         std::cerr << "knead_make_examples: " << failure.GetMessageString() << '\n';

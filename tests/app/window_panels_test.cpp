@@ -1,0 +1,211 @@
+#include "support/window_on_test.h"
+#include "ui/panels/quantity_field.h"
+#include "ui/run_window.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QWheelEvent>
+#include <QtTest>
+
+#include <cmath>
+
+using namespace knead;
+
+/// Tools and materials as a person changes them in the window.
+class WindowPanelsTest : public QObject, WindowOnTest {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        if (!hasDisplay())
+            QSKIP("The view needs a display: run this test under xvfb-run.");
+        prepare();
+    }
+
+    void init() { show(m_services); }
+
+    void cleanup() { m_window.reset(); }
+
+    void everyFormOfToolsCanBeAddedAndStaysWhatItIs()
+    {
+        openExample("bracket.step");
+        const std::pair<const char*, ToolKind> forms[] = {{"addBlock", ToolKind::box},
+                                                          {"addBall", ToolKind::ball},
+                                                          {"addCylinder", ToolKind::cylinder},
+                                                          {"addWedge", ToolKind::wedge},
+                                                          {"addPlate", ToolKind::plate}};
+        std::size_t count = 0;
+        for (const auto& [name, kind] : forms) {
+            action(name)->trigger();
+            ++count;
+            QTRY_COMPARE(snapshot().tools.size(), count);
+            QCOMPARE(snapshot().tools.back().kind, kind);
+            const Vec3 away(0.05 * static_cast<double>(count) - 0.15, 0, 0);
+            const ToolState tool = snapshot().tools.back();
+            document().post(PlaceManipulator{tool.id, {tool.pose.position + away, tool.pose.rotation}});
+            QTRY_COMPARE(document().selection().id, tool.id);
+            // A field that is typed into changes nothing but its number.
+            auto* field = find<QuantityField>("toolFriction");
+            QTRY_VERIFY(field->isVisible());
+            field->setFocus();
+            field->selectAll();
+            QTest::keyClicks(field, "0.7");
+            QTest::keyClick(field, Qt::Key_Return);
+            QTRY_COMPARE(snapshot().tools.back().friction, 0.7);
+            QCOMPARE(snapshot().tools.back().kind, kind);
+            QCOMPARE(snapshot().tools.back().size, tool.size);
+        }
+        m_window->viewport().setFocus();
+        QTest::keyClick(m_window.get(), Qt::Key_F);
+        QTest::qWait(600);
+        picture("tools");
+    }
+
+    void aToolTakesAnotherForm()
+    {
+        openExample("bar.step");
+        QTest::keyClick(m_window.get(), Qt::Key_B);
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
+        auto* choice = find<QComboBox>("toolKind");
+        QCOMPARE(choice->currentText(), QString("Block"));
+        QVERIFY(find<QWidget>("toolSizeZ")->isVisible());
+        choice->setCurrentText("Ball");
+        emit choice->activated(choice->currentIndex());
+        QTRY_COMPARE(snapshot().tools[0].kind, ToolKind::ball);
+        QTRY_VERIFY(!find<QWidget>("toolSizeZ")->isVisible());
+        QVERIFY(find<QWidget>("toolSizeX")->isVisible());
+        auto* diameter = find<QuantityField>("toolSizeX");
+        diameter->setFocus();
+        diameter->selectAll();
+        QTest::keyClicks(diameter, "30 mm");
+        QTest::keyClick(diameter, Qt::Key_Return);
+        QTRY_COMPARE(snapshot().tools[0].size, Vec3(0.03, 0.03, 0.03));
+        QCOMPARE(snapshot().tools[0].kind, ToolKind::ball);
+        picture("ball");
+    }
+
+    void aMaterialSaysHowItFlowsAndBreaks()
+    {
+        openExample("bar.step");
+        auto* preset = find<QComboBox>("materialPreset");
+        const auto choose = [&](const QString& name) {
+            preset->setCurrentText(name);
+            emit preset->activated(preset->currentIndex());
+        };
+        choose("Steel");
+        QTRY_COMPARE(find<QuantityField>("yield_stress_pa")->text(), QString("250 MPa"));
+        QCOMPARE(find<QuantityField>("healing_time_s")->text(), QString());
+        QCOMPARE(find<QuantityField>("healing_time_s")->placeholderText(), QString("does not heal"));
+        choose("Modeling clay");
+        QTRY_COMPARE(find<QuantityField>("healing_time_s")->text(), QString("300 ms"));
+        QCOMPARE(snapshot().materials[0].yieldStress, 1e4);
+        auto* last = find<QWidget>("refill");
+        qobject_cast<QScrollArea*>(find<QStackedWidget>("properties")->currentWidget())->ensureWidgetVisible(last);
+        QTest::qWait(100);
+        QVERIFY2(!last->visibleRegion().isEmpty(), "the panel scrolls to its end");
+        picture("material");
+    }
+
+    void scrollingThePanelChangesNoMaterial()
+    {
+        openExample("bar.step");
+        auto* preset = find<QComboBox>("materialPreset");
+        const QPointF middle = QRectF(preset->rect()).center();
+        QWheelEvent wheel(middle, preset->mapToGlobal(middle), {}, {0, -240}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        const int chosen = preset->currentIndex();
+        QApplication::sendEvent(preset, &wheel);
+        QVERIFY(chosen >= 0);
+        QCOMPARE(preset->currentIndex(), chosen);
+    }
+
+    void renormalizedMaterialHasNoStress()
+    {
+        openExample("bar.step");
+        document().post(SetGravity{Vec3(0, 0, -9.81)});
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.1, patience);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing);
+        QVERIFY(snapshot().energy.elastic > 0);
+        const double stored = snapshot().energy.elastic;
+        QTest::keyClick(m_window.get(), Qt::Key_N);
+        QTest::keyClick(m_window.get(), Qt::Key_Period);
+        QTRY_VERIFY(snapshot().energy.elastic < 0.01 * stored);
+    }
+
+    void aBodyBecomesRigidAndStaysSoWhenFilledAnew()
+    {
+        openExample("bar.step");
+        auto* kind = find<QComboBox>("bodyKind");
+        QCOMPARE(kind->currentText(), QString("Deformable"));
+        kind->setCurrentText("Rigid");
+        emit kind->activated(kind->currentIndex());
+        QTRY_COMPARE(snapshot().bodies[0].kind, BodyKind::rigid);
+        QCOMPARE(kind->currentText(), QString("Rigid"));
+        m_window->refill(document().size() / 12);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        QCOMPARE(snapshot().bodies[0].kind, BodyKind::rigid);
+    }
+
+    void statusSaysWhenMaterialIsBroken()
+    {
+        openExample("bar.step");
+        QVERIFY(!find<QLabel>("brokenCount")->isVisible());
+        QVERIFY(!find<QLabel>("pieceCount")->isVisible());
+        document().post(SetGravity{Vec3(0, 0, -9.81)});
+        document().post(SetMaterial{0, {.youngsModulus = 1e4, .tensileStrength = 1}});
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>("brokenCount")->isVisible(), patience);
+        QVERIFY(find<QLabel>("brokenCount")->text().contains("broken"));
+        QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>("pieceCount")->text().contains("pieces"), patience);
+        picture("broken");
+    }
+
+    void typedStiffnessReachesTheSimulation()
+    {
+        openExample("bar.step");
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(snapshot().playing);
+        auto* field = find<QuantityField>("youngs_modulus_pa");
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, "0,25 MPa");
+        QTest::keyClick(field, Qt::Key_Return);
+        QTRY_COMPARE(snapshot().materials[0].youngsModulus, 2.5e5);
+        QCOMPARE(field->text(), QString("250 kPa"));
+        QTRY_COMPARE(find<QComboBox>("materialPreset")->currentIndex(), -1);
+    }
+
+    void aBlockIsDraggedWithTheMouse()
+    {
+        openExample("bar.step");
+        QTest::keyClick(m_window.get(), Qt::Key_B);
+        QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
+        QTest::keyClick(m_window.get(), Qt::Key_F);
+        QTest::qWait(500);
+        const Vec3 start = snapshot().tools[0].pose.position;
+        ViewportWidget& view = m_window->viewport();
+        const QPoint from = view.widgetPosition(start)->toPoint();
+        QTest::mouseMove(&view, from);
+        QTest::mousePress(&view, Qt::LeftButton, {}, from);
+        QTest::mouseMove(&view, from + QPoint(40, 0));
+        QTest::mouseMove(&view, from + QPoint(80, 0));
+        QTRY_VERIFY((snapshot().tools[0].pose.position - start).dot(view.camera().right()) > 0.05 * document().size());
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(80, 0));
+        // In the plane of the camera: neither nearer nor further.
+        QVERIFY(std::abs((snapshot().tools[0].pose.position - start).dot(view.camera().towardsEye())) < 1e-9);
+    }
+};
+
+int main(int argc, char** argv)
+{
+    prepareGraphics();
+    QApplication application(argc, argv);
+    WindowPanelsTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "window_panels_test.moc"

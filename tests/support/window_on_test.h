@@ -1,0 +1,87 @@
+#pragma once
+
+#include "app/gui.h"
+#include "ui/main_window.h"
+#include "ui/panels/banner.h"
+#include "ui/viewport/viewport_widget.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QStandardPaths>
+#include <QtTest>
+
+#include <memory>
+
+namespace knead {
+
+constexpr int patience = 60'000; // [ms], for machines that do much else
+
+/// A window with helpers for tests that use it as a person does.
+class WindowOnTest {
+protected:
+    Services m_services;
+    std::unique_ptr<MainWindow> m_window;
+
+    Document& document() { return m_window->document(); }
+    const Snapshot& snapshot() { return *document().frame()->snapshot; }
+    QAction* action(const char* name) { return m_window->findChild<QAction*>(name); }
+    template <class Widget>
+    Widget* find(const char* name)
+    {
+        return m_window->findChild<Widget*>(name);
+    }
+
+    QString example(const char* name) { return QDir(QString::fromStdString(m_services.examplesFolder)).filePath(name); }
+
+    void show(const Services& services)
+    {
+        m_window = std::make_unique<MainWindow>(services);
+        m_window->resize(1280, 800);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->activateWindow(); // there may be no window manager that does it
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    }
+
+    /// Opens an example, filled coarsely so that it runs briskly on any machine.
+    void openExample(const char* name, double cells = 16)
+    {
+        m_window->open(example(name));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        QVERIFY2(!document().isEmpty(), qPrintable(m_window->banner().sentence()));
+        m_window->refill(document().size() / cells);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        QTest::qWait(300); // the view turns to fit
+    }
+
+    /// Left-clicks the view where a place is seen.
+    void click(const Vec3& place)
+    {
+        const std::optional<QPointF> position = m_window->viewport().widgetPosition(place);
+        QVERIFY(position.has_value());
+        QTest::mouseMove(&m_window->viewport(), position->toPoint());
+        QTest::mouseClick(&m_window->viewport(), Qt::LeftButton, {}, position->toPoint());
+    }
+
+    /// A picture for people, when they ask for it.
+    void picture(const char* name)
+    {
+        const QString folder = qEnvironmentVariable("KNEAD_PICTURES");
+        if (!folder.isEmpty())
+            m_window->grab().save(QDir(folder).filePath(QString(name) + ".png"));
+    }
+
+    static bool hasDisplay() { return QGuiApplication::platformName() != "offscreen"; }
+
+    /// Settings of its own, so that those of a person stay as they are.
+    void prepare()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QApplication::setOrganizationName("knead-test");
+        QApplication::setApplicationName("window-test");
+        m_services = fileServices();
+    }
+};
+
+} // namespace knead
