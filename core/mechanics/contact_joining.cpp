@@ -64,7 +64,8 @@ Joint Contacts::healed(const ObjectRef& a, const ObjectRef& b) const
             .tolerance = stiffness * length * law.breakingStrain,
             .yieldStrain = law.yieldStrain,
             .flowTime = law.flowTime,
-            .ductility = law.ductility};
+            .ductility = law.ductility,
+            .healed = true};
 }
 
 /// Pressed together for the longer of the two healing times, sliding less than a spacing in it. @return whether they healed
@@ -74,7 +75,7 @@ bool Contacts::healIfPressed(ContactPair& pair, const ContactState& state, doubl
     const ContactObject& second = m_objects[pair.objects.second];
     const Material& one = materialOf(first.ref);
     const Material& other = materialOf(second.ref);
-    const bool canHeal = one.heals() && other.heals() && !pair.joined &&
+    const bool canHeal = one.heals() && other.heals() && !pair.healed &&
                          m_bodies[first.ref.body].kind == BodyKind::deformable &&
                          m_bodies[second.ref.body].kind == BodyKind::deformable;
     if (!canHeal)
@@ -112,7 +113,14 @@ void Contacts::makeNewJoints()
     m_joints.add(std::move(m_newJoints));
     m_newJoints.clear();
     for (ContactPair& pair : m_pairs)
-        pair.joined = m_joints.connects(m_objects[pair.objects.first].ref, m_objects[pair.objects.second].ref);
+        noteJoint(pair);
+}
+
+void Contacts::noteJoint(ContactPair& pair) const
+{
+    const Joint* joint = m_joints.find(m_objects[pair.objects.first].ref, m_objects[pair.objects.second].ref);
+    pair.joined = joint != nullptr;
+    pair.healed = joint != nullptr && joint->healed;
 }
 
 } // namespace knead

@@ -23,6 +23,8 @@ constexpr double innerReach = 0.35;
 // Rounding must not take part of the next layer of objects.
 constexpr double belowLayer = 1 - 1e-6;
 constexpr double largestOverlapShare = 2;
+// An object that is pressed against others touches several at a time; they share what one contact is worth.
+constexpr double pairShare = 0.25;
 constexpr double onsetShare = 0.03;
 
 // Contacts of rigid bodies may reach this share of what the deformable ones' time step allows.
@@ -157,6 +159,8 @@ void Contacts::setKind(std::uint32_t body, BodyKind kind)
 ContactParameters Contacts::between(const ContactObject& a, const ContactObject& b) const
 {
     ContactParameters parameters = combine(a.parameters, b.parameters);
+    parameters.stiffness *= pairShare;
+    parameters.damping *= std::sqrt(pairShare);
     for (const ContactObject* object : {&a, &b})
         if (m_bodies[object->ref.body].kind == BodyKind::glue)
             parameters.friction = object->parameters.friction;
@@ -206,10 +210,9 @@ std::vector<Contacts::ContactPair> Contacts::findPairs(double margin)
             m_bodies[first.ref.body].kind == BodyKind::glue && m_bodies[second.ref.body].kind == BodyKind::glue;
         if (bothGlue || (first.ref.body == second.ref.body && areNeighbors(first, second)))
             continue;
-        pairs.push_back({.objects = pair,
-                         .nominalLength = first.radius + second.radius,
-                         .joined = m_joints.connects(first.ref, second.ref),
-                         .parameters = between(first, second)});
+        pairs.push_back(
+            {.objects = pair, .nominalLength = first.radius + second.radius, .parameters = between(first, second)});
+        noteJoint(pairs.back());
     }
     m_statistics = m_vicinity->statistics();
     return pairs;
@@ -300,7 +303,7 @@ void Contacts::updateVicinity(std::span<const RigidSurface> surfaces, double tra
 
 void Contacts::pushApart(ContactPair& pair, double dt, Report& report)
 {
-    if (pair.joined)
+    if (pair.healed)
         return;
     const ContactObject& first = m_objects[pair.objects.first];
     const ContactObject& second = m_objects[pair.objects.second];
@@ -316,6 +319,15 @@ void Contacts::pushApart(ContactPair& pair, double dt, Report& report)
     const ContactState state{.overlap = pair.nominalLength - distance,
                              .normal = between / distance,
                              .relativeVelocity = a.velocity.at(first.ref.object) - b.velocity.at(second.ref.object)};
+    if (pair.joined) { // its joint pushes; pressed for long enough, it heals
+        const Joint* sticking = m_joints.find(first.ref, second.ref);
+        if (healIfPressed(pair, state, dt) && sticking != nullptr) {
+            const double stretch = distance - sticking->nominalLength;
+            report.plastic += 0.5 * sticking->stiffness * stretch * stretch;
+            report.energy -= 0.5 * sticking->stiffness * stretch * stretch;
+        }
+        return;
+    }
     const ContactResult result = contactForce(state, pair.parameters, dt);
     a.force.add(first.ref.object, result.spring);
     a.damping.add(first.ref.object, result.damping);

@@ -100,7 +100,8 @@ private:
         VicinityPair objects;
         double nominalLength = 0; ///< [m]
         double pressed = 0;       ///< for how long now [s]
-        bool joined = false;
+        bool joined = false;      ///< by a joint, which then acts in its place
+        bool healed = false;      ///< and that joint is a healed one
         ContactParameters parameters;
     };
 
@@ -130,6 +131,7 @@ private:
     double skinOf(const ObjectRef& object) const; ///< share of the body's surface [m^2]
     bool healIfPressed(ContactPair& pair, const ContactState& state, double dt);
     void makeNewJoints();
+    void noteJoint(ContactPair& pair) const;
     Joint healed(const ObjectRef& a, const ObjectRef& b) const;
 
     std::vector<BodyView> m_bodies;

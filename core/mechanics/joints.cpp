@@ -45,18 +45,26 @@ void Joints::add(std::vector<Joint> joints)
     std::vector<Joint> merged;
     merged.reserve(m_joints.size() + joints.size());
     std::merge(m_joints.begin(), m_joints.end(), joints.begin(), joints.end(), std::back_inserter(merged), inOrder);
-    // Of two between the same objects the older one comes first and stays.
-    merged.erase(std::unique(merged.begin(), merged.end(), sameObjects), merged.end());
+    // Of several between the same objects the older one comes first and stays, unless a later one is healed.
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < merged.size(); ++i) {
+        if (i == 0 || !sameObjects(merged[kept - 1], merged[i]))
+            merged[kept++] = merged[i];
+        else if (merged[i].healed && !merged[kept - 1].healed)
+            merged[kept - 1] = merged[i];
+    }
+    merged.resize(kept);
     m_joints = std::move(merged);
     ++m_version;
 }
 
-bool Joints::connects(const ObjectRef& a, const ObjectRef& b) const
+const Joint* Joints::find(const ObjectRef& a, const ObjectRef& b) const
 {
     Joint wanted;
     wanted.first = std::min(a, b);
     wanted.second = std::max(a, b);
-    return std::binary_search(m_joints.begin(), m_joints.end(), wanted, inOrder);
+    const auto found = std::lower_bound(m_joints.begin(), m_joints.end(), wanted, inOrder);
+    return found != m_joints.end() && sameObjects(*found, wanted) ? &*found : nullptr;
 }
 
 Joints::Report Joints::computeForces(std::span<ObjectState* const> bodies, double dt)

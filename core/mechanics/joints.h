@@ -29,6 +29,7 @@ struct Joint {
     double flowTime = 0;      ///< [s]
     double ductility = 0;     ///< sum of flow after which it ends when stretched; infinite: never
     double plasticStrain = 0; ///< sum of its flow
+    bool healed = false;      ///< grown together, not only sticking
 };
 
 /// All joints of a scene, sorted by their objects.
@@ -42,10 +43,12 @@ public:
         std::size_t ended = 0;
     };
 
-    /// Adds joints, but none between objects that have one. Their order does not matter.
+    /// Adds joints. Between objects that have one, only a healed joint takes the place of one that merely sticks. Their order
+    /// does not matter.
     void add(std::vector<Joint> joints);
 
-    bool connects(const ObjectRef& a, const ObjectRef& b) const;
+    const Joint* find(const ObjectRef& a, const ObjectRef& b) const; ///< null when there is none
+    bool connects(const ObjectRef& a, const ObjectRef& b) const { return find(a, b) != nullptr; }
     const std::vector<Joint>& all() const { return m_joints; }
     std::uint64_t version() const { return m_version; } ///< grows whenever joints come or go
 
