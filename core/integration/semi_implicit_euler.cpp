@@ -53,8 +53,9 @@ StepReport semiImplicitEuler(ObjectState& state, const Vec3& gravity, double dt)
     });
     StepReport total;
     for (const StepReport& report : reports) {
-        if (!(report.largestSpeed <= total.largestSpeed))
-            total.largestSpeed = report.largestSpeed;
+        const bool isNumber = std::isfinite(report.largestSpeed);
+        total.largestSpeed =
+            isNumber ? std::max(total.largestSpeed, report.largestSpeed) : std::numeric_limits<double>::infinity();
         total.dampingWork += report.dampingWork;
     }
     return total;
@@ -92,6 +93,15 @@ double dampShape(ObjectState& state, double rate, double dt, bool anchored)
             momentum += state.mass[i] * r.cross(state.velocity.at(i));
         }
         spin = inertia.ldlt().solve(momentum);
+    }
+    if (anchored) {
+        double held = 0;
+        for (std::size_t i = 0; i < state.size(); ++i)
+            if (state.inverseMass[i] == 0) {
+                velocity += state.velocity.at(i);
+                held += 1;
+            }
+        velocity /= std::max(held, 1.0);
     }
     const double share = 1 - std::exp(-rate * dt);
     double lost = 0;

@@ -18,7 +18,7 @@ StepReport semiImplicitEuler(ObjectState& state, const Vec3& gravity, double dt)
 /// the positions; when the step changes from one length to another, half the difference is missing.
 void kick(ObjectState& state, const Vec3& gravity, double dt);
 
-/// Relaxes velocities towards the body's best-fit rigid motion (towards rest when `anchored`) by the factor 1 - exp(-rate dt).
+/// Relaxes velocities towards the body's best-fit rigid motion (towards the mean velocity of what is held when `anchored`) by the factor 1 - exp(-rate dt).
 /// Keeps linear and angular momentum of a free body. @return energy taken out [J]
 double dampShape(ObjectState& state, double rate, double dt, bool anchored);
 

@@ -13,7 +13,8 @@ double frequencyForTimeStep(double timeStep, double dampingTime);
 
 /// Largest stable time step of the forward Euler scheme for all modes up to a frequency, damped in proportion to their
 /// stiffness [s]: b / k for slow modes, less for overdamped ones. 0 without damping: then no step is stable.
-double stableForwardEulerStep(double frequency, double dampingTime);
+/// @param leastDampingTime, dampingTime bounds of b / k over all modes [s]
+double stableForwardEulerStep(double frequency, double leastDampingTime, double dampingTime);
 
 /// Share of the stable step that is used. The rest is for what the linear analysis leaves out: stiffening under large
 /// compression or stretch, and more than one contact on an object.

@@ -67,15 +67,22 @@ std::vector<double> StructuralConnections::stiffnessBounds(const ObjectState& st
 double StructuralConnections::iteratedFrequency(ObjectState& state, const std::vector<double>& added)
 {
     const std::size_t count = state.size();
+    // Any vector has a share in all modes; the golden ratio's multiples are spread evenly. A little of it is mixed into the
+    // mode found last, so that another one that has become faster since is found in time.
     const bool known = m_mode.size() == count;
-    if (!known) { // any vector with a share in all modes; the golden ratio's multiples are spread evenly
-        m_mode.resize(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto spread = [&](double factor) {
-                return std::fmod(static_cast<double>(i + 1) * factor, 1.0) - 0.5;
-            };
-            m_mode.set(i, {spread(0.6180339887), spread(0.7548776662), spread(0.5698402910)});
-        }
+    double size = 1;
+    if (known) {
+        for (std::size_t i = 0; i < count; ++i)
+            size = std::max(size, m_mode.at(i).cwiseAbs().maxCoeff());
+    } else {
+        m_mode = {};
+        for (auto* component : {&m_mode.x, &m_mode.y, &m_mode.z})
+            component->assign(count, 0);
+    }
+    constexpr double freshShare = 0.1;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto spread = [&](double factor) { return std::fmod(static_cast<double>(i + 1) * factor, 1.0) - 0.5; };
+        m_mode.add(i, freshShare * size * Vec3(spread(0.6180339887), spread(0.7548776662), spread(0.5698402910)));
     }
     ObjectState probe = state;
     std::fill(probe.velocity.x.begin(), probe.velocity.x.end(), 0.0);
@@ -89,7 +96,7 @@ double StructuralConnections::iteratedFrequency(ObjectState& state, const std::v
         return probe.force;
     };
     double squared = 0;
-    const int iterations = known ? 6 : 40;
+    const int iterations = known ? 8 : 40;
     for (int iteration = 0; iteration < iterations; ++iteration) {
         double largest = 0;
         for (std::size_t i = 0; i < count; ++i)
@@ -116,6 +123,15 @@ double StructuralConnections::iteratedFrequency(ObjectState& state, const std::v
         contact = std::max(contact, added[i] / state.mass[i]);
     constexpr double margin = 1.1; // 40 iterations come within a few percent from below
     return std::sqrt(margin * margin * squared + contact);
+}
+
+double StructuralConnections::leastDampingTime() const
+{
+    // Of compression waves, of stiffness lambda + 2 mu, only the connections' share 3 mu is damped.
+    const double stiffening = m_materials->largest([](const Material& material) {
+        return (material.lameLambda() + 2 * material.shearModulus()) / (3 * material.shearModulus());
+    });
+    return m_laws.leastDampingTime() / std::max(1.0, stiffening);
 }
 
 double StructuralConnections::largestFrequency(ObjectState& state, const std::vector<double>& added)

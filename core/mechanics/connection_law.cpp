@@ -85,6 +85,14 @@ double ConnectionLaws::largestDampingTime() const
     return largest;
 }
 
+double ConnectionLaws::leastDampingTime() const
+{
+    double least = infinite;
+    for (const ConnectionLaw& law : m_laws)
+        least = std::min(least, law.dampingTime);
+    return least;
+}
+
 bool ConnectionLaws::anyYields() const
 {
     return std::any_of(m_laws.begin(), m_laws.end(), [](const ConnectionLaw& l) { return l.yieldStrain < infinite; });

@@ -39,6 +39,7 @@ public:
               double* values) const;
 
     double largestDampingTime() const; ///< [s]
+    double leastDampingTime() const;   ///< [s]
     bool anyYields() const;
     bool anyBreaks() const;
 

@@ -153,6 +153,7 @@ void Contacts::updateParameters(double frequency)
 void Contacts::setKind(std::uint32_t body, BodyKind kind)
 {
     m_bodies[body].kind = kind;
+    findSlits(body);
     updateParameters(0);
 }
 
@@ -270,8 +271,11 @@ void Contacts::rebuild(std::span<const RigidSurface> surfaces)
     for (ContactPair& pair : m_pairs) { // all lists are sorted
         while (kept != m_keptDistances.end() && kept->objects < pair.objects)
             ++kept;
+        // Radii may have become smaller since: what is apart now meets again where its spheres do.
         if (kept != m_keptDistances.end() && kept->objects == pair.objects)
-            pair.nominalLength = kept->nominalLength;
+            pair.nominalLength = lengthOf(pair) < pair.nominalLength
+                                     ? kept->nominalLength
+                                     : std::min(kept->nominalLength, pair.nominalLength);
         while (old != before.end() && old->objects < pair.objects)
             ++old;
         if (old != before.end() && old->objects == pair.objects)
@@ -320,11 +324,10 @@ void Contacts::pushApart(ContactPair& pair, double dt, Report& report)
                              .normal = between / distance,
                              .relativeVelocity = a.velocity.at(first.ref.object) - b.velocity.at(second.ref.object)};
     if (pair.joined) { // its joint pushes; pressed for long enough, it heals
-        const Joint* sticking = m_joints.find(first.ref, second.ref);
-        if (healIfPressed(pair, state, dt) && sticking != nullptr) {
-            const double stretch = distance - sticking->nominalLength;
-            report.plastic += 0.5 * sticking->stiffness * stretch * stretch;
-            report.energy -= 0.5 * sticking->stiffness * stretch * stretch;
+        if (healIfPressed(pair, state, dt)) {
+            const double stretch = distance - m_joints.find(first.ref, second.ref)->nominalLength;
+            report.plastic += 0.5 * pair.parameters.stiffness * stretch * stretch;
+            report.energy -= 0.5 * pair.parameters.stiffness * stretch * stretch;
         }
         return;
     }
@@ -389,8 +392,8 @@ Contacts::Report Contacts::computeForces(std::span<const RigidSurface> surfaces,
         report.fracture += joints.fracture;
         if (joints.ended > 0)
             for (ContactPair& pair : m_pairs)
-                pair.joined = pair.joined &&
-                              m_joints.connects(m_objects[pair.objects.first].ref, m_objects[pair.objects.second].ref);
+                if (pair.joined)
+                    noteJoint(pair);
     }
     for (ContactPair& pair : m_pairs)
         pushApart(pair, dt, report);

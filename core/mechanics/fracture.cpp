@@ -207,7 +207,7 @@ double StructuralConnections::breakAll(const ObjectState& state, const std::vect
     for (const ObjectIndex object : objects)
         setInverseShape(object, shapeAround(state, object).reference);
     m_thetaIsPresent = false;
-    return released - energyAround(state, objects, back);
+    return released; // the volumetric energy of the ends is all set free
 }
 
 } // namespace knead

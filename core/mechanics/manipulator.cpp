@@ -84,6 +84,11 @@ bool isNear(const Vec3& place)
     return place.norm() <= 1e4;
 }
 
+bool isTurn(const Quaternion& rotation)
+{
+    return std::abs(rotation.norm() - 1) < 1e-6;
+}
+
 } // namespace
 
 std::vector<std::string> manipulatorProblems(const Manipulator& manipulator)
@@ -101,8 +106,7 @@ std::vector<std::string> manipulatorProblems(const Manipulator& manipulator)
     require(!((fittingSize(manipulator.kind, manipulator.size, manipulator.part.get()) - manipulator.size).norm() >
               1e-9 * manipulator.size.norm()),
             "its measures do not fit together: a ball has one, a cylinder a diameter and a length.");
-    require(isNear(manipulator.pose.position) && manipulator.pose.rotation.coeffs().allFinite() &&
-                std::abs(manipulator.pose.rotation.norm() - 1) < 1e-6,
+    require(isNear(manipulator.pose.position) && isTurn(manipulator.pose.rotation),
             "its place must be numbers, within 10 km.");
     require(within(manipulator.friction, 0, 2), "friction must lie between 0 and 2.");
     require(within(manipulator.speedLimit, 1e-6, 100), "the speed limit must lie between 0.001 mm/s and 100 m/s.");
@@ -115,8 +119,7 @@ std::vector<std::string> manipulatorProblems(const Manipulator& manipulator)
                 "the times of key frames must ascend.");
         require(std::all_of(follow->frames.begin(), follow->frames.end(),
                             [](const KeyFrame& f) {
-                                return std::isfinite(f.time) && isNear(f.pose.position) &&
-                                       f.pose.rotation.coeffs().allFinite();
+                                return std::isfinite(f.time) && isNear(f.pose.position) && isTurn(f.pose.rotation);
                             }),
                 "key frames must be numbers, within 10 km.");
     }
@@ -124,7 +127,7 @@ std::vector<std::string> manipulatorProblems(const Manipulator& manipulator)
         require(drive->velocity.norm() <= 1e4 && drive->angularVelocity.norm() <= 1e5,
                 "it must not go faster than 10000 m/s or 100000 rad/s.");
     if (const auto* goTo = std::get_if<GoTo>(&manipulator.motion))
-        require(isNear(goTo->target.position) && goTo->target.rotation.coeffs().allFinite(),
+        require(isNear(goTo->target.position) && isTurn(goTo->target.rotation),
                 "its target must be numbers, within 10 km.");
     return problems;
 }

@@ -134,6 +134,7 @@ void StructuralConnections::findInverseShapes()
     for (auto& component : m_stress)
         component.assign(count, 0);
     m_bulk.resize(count);
+    m_flat.clear();
     m_theta.assign(count, 0);
     m_thetaIsPresent = false;
     std::vector<Mat3> shape(count, Mat3::Zero());
@@ -171,8 +172,10 @@ void StructuralConnections::setInverseShape(ObjectIndex object, const Mat3& shap
     Mat3 inverse = Mat3::Zero();
     if (solver.eigenvalues()[0] > flattestShape * solver.eigenvalues()[2])
         inverse = shape.inverse();
-    else
+    else {
         m_bulk[object] = 0;
+        m_flat.push_back(object);
+    }
     const double components[] = {inverse(0, 0), inverse(1, 1), inverse(2, 2),
                                  inverse(0, 1), inverse(0, 2), inverse(1, 2)};
     for (std::size_t c = 0; c < 6; ++c)
@@ -217,6 +220,8 @@ void StructuralConnections::computeStress(const ObjectState& state)
                                          {shape, inverseShape, &m_bulk[begin], &m_changes.restDilatation[begin],
                                           lattice.spacing, stress, &m_theta[begin]});
     });
+    for (const ObjectIndex object : m_flat)
+        m_theta[object] = 0;
     m_thetaIsPresent = true;
 }
 
@@ -309,9 +314,14 @@ double StructuralConnections::energy(const ObjectState& state)
                        });
     if (!m_hasBulk)
         return sum;
+    // Looking must not change what happens next: flow goes by the dilatation of the last forces.
+    const std::vector<double> theta = m_theta;
+    const bool isPresent = m_thetaIsPresent;
     computeStress(state);
     for (std::size_t i = 0; i < state.size(); ++i)
         sum += volumetricEnergy(i);
+    m_theta = theta;
+    m_thetaIsPresent = isPresent;
     return sum;
 }
 

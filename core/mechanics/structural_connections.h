@@ -88,7 +88,7 @@ public:
     /// Elastic energy at present positions, volumetric part included [J].
     double energy(const ObjectState& state);
 
-    /// Largest angular frequency of the body about its present shape from above [rad/s], with a stiffness added to every
+    /// Largest angular frequency of the body about its present shape [rad/s], with a stiffness added to every
     /// object (of contacts on it). At Poisson's ratio 1/4 and below it is the bound of bounds per object,
     /// omega^2 <= max 2 lambda_max(K_ii) / m_i; above, where that would cost a factor in the time step, a power iteration
     /// with a margin. The iteration starts from the mode found last time.
@@ -107,6 +107,9 @@ public:
     double nominalLength(const ConnectionId& connection) const;        ///< l [m]
     std::size_t count() const { return m_count; }                      ///< connections of stiffness > 0
     double dampingTime() const { return m_laws.largestDampingTime(); } ///< largest b / k [s]
+
+    /// Least b / k of any motion of the body: the volumetric term is not damped [s].
+    double leastDampingTime() const;
 
     /// The two objects of a connection that was made, the lower one first.
     std::array<ObjectIndex, 2> endsOf(const ConnectionId& connection) const;
@@ -167,6 +170,7 @@ private:
     double m_structuralFriction = 0;
     bool m_hasBulk = false;
     std::vector<double> m_bulk;                        ///< (lambda - mu) V [J]; 0 where surroundings are too thin
+    std::vector<ObjectIndex> m_flat;                   ///< those: they have no dilatation
     std::array<std::vector<double>, 6> m_inverseShape; ///< (sum k o o^T)^-1 in lattice axes: uu vv ww uv uw vw [m/N]
     std::array<std::vector<double>, 9> m_stress;       ///< see kernels::StressArguments
     std::vector<double> m_theta;                       ///< ln det F less its rest value

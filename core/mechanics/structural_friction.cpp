@@ -8,7 +8,8 @@ namespace knead {
 
 namespace {
 
-constexpr double largestBraking = 0.5; // of what would stop the slide within the step
+// Of what would stop the slide within the step; an object has up to 26 connections that brake it together.
+constexpr double largestBraking = 0.5 / 13;
 
 Vec3 at(const kernels::ConstVectors& v, std::size_t i)
 {

@@ -36,6 +36,8 @@ class ToolPart {
 public:
     /// Moves the part so that the middle of its box is the origin. @throws std::runtime_error when it is empty.
     explicit ToolPart(TriangleMesh mesh);
+    ToolPart(const ToolPart&) = delete; // the distances hold on to the mesh
+    ToolPart& operator=(const ToolPart&) = delete;
 
     const TriangleMesh& mesh() const { return m_mesh; }
     const Vec3& size() const { return m_size; }     ///< of its box [m]

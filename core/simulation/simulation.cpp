@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace knead {
 
@@ -134,10 +135,15 @@ void Simulation::State::loadFixtures()
         if (!fixtures[id])
             continue;
         const ObjectState& state = runs[fixtures[id]->body]->state;
-        for (const ObjectIndex object : fixtures[id]->objects)
-            if (object < state.size())
-                fixtureForces[id] += state.force.at(object) + state.damping.at(object) + state.mass[object] * gravity;
-        energy.toolWork -= fixtureForces[id].dot(fixtures[id]->velocity) * timeStep;
+        for (const ObjectIndex object : fixtures[id]->objects) {
+            if (object >= state.size())
+                continue;
+            const Vec3 force = state.force.at(object) + state.damping.at(object) + state.mass[object] * gravity;
+            fixtureForces[id] += force;
+            // Of two grips on one object the later one moves it; a rigid body is not moved by any.
+            if (state.velocity.at(object) == fixtures[id]->velocity)
+                energy.toolWork -= force.dot(fixtures[id]->velocity) * timeStep;
+        }
     }
 }
 
@@ -162,8 +168,8 @@ void Simulation::State::integrate()
                 rate > 0 && step % shapeDampingInterval == 0)
                 energy.viscous += dampShape(run->state, rate, timeStep * shapeDampingInterval, run->anchored);
         }
-        if (!(report.largestSpeed <= largestSpeed))
-            largestSpeed = report.largestSpeed;
+        const bool isNumber = std::isfinite(report.largestSpeed);
+        largestSpeed = isNumber ? std::max(largestSpeed, report.largestSpeed) : std::numeric_limits<double>::infinity();
         energy.viscous -= report.dampingWork;
     }
     largestTravel = largestSpeed * timeStep;

@@ -20,6 +20,12 @@ public:
         BodyRun& run = body(command.body);
         if (const auto problems = materialProblems(command.material); !problems.empty())
             throw std::runtime_error(problems.front());
+        MaterialMap changed = run.materials;
+        if (command.objects.empty())
+            changed.setOwn(command.material);
+        else
+            changed.set(command.objects, command.material);
+        m_state.requireDamping(changed);
         keepingAccounts([&] {
             if (command.objects.empty()) {
                 run.materials.setOwn(command.material);
@@ -28,6 +34,7 @@ public:
                 run.materials.set(command.objects, command.material);
             }
             run.connections.updateMaterials();
+            run.rigid.reset(); // its mass is another; it goes on with the velocities of its objects
             m_state.setMasses();
             m_state.updateTimeStep();
         });
@@ -47,14 +54,14 @@ public:
         for (const ObjectIndex object : command.objects)
             if (object >= run.state.size())
                 throw std::runtime_error("There is no object number " + std::to_string(object) + ".");
-        // At once means at the next occasion: at the start of the coming step.
-        const double duration = command.duration;
-        m_state.annealings.push_back({.body = command.body,
-                                      .marks = marksOf(command.objects, run.state.size()),
-                                      .rate = duration > 0 ? relaxationsPerAnnealing / duration : 0,
-                                      .end = m_state.time + duration});
-        if (duration == 0)
-            m_state.anneal();
+        std::vector<std::uint8_t> marks = marksOf(command.objects, run.state.size());
+        if (command.duration > 0)
+            m_state.annealings.push_back({.body = command.body,
+                                          .marks = std::move(marks),
+                                          .rate = relaxationsPerAnnealing / command.duration,
+                                          .end = m_state.time + command.duration});
+        else
+            m_state.energy.plastic += run.connections.renormalize(run.state, marks, 1);
     }
     void operator()(const SetGravity& command) const
     {
@@ -193,7 +200,7 @@ void Simulation::State::setKind(BodyId body, BodyKind kind)
     run.kind = kind;
     run.rigid.reset();
     std::erase_if(annealings, [&](const Annealing& annealing) { return annealing.body == body; });
-    holdFixtures();
+    setMasses();
     contacts->setKind(body, kind);
     updateTimeStep();
 }

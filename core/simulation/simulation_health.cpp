@@ -144,7 +144,6 @@ void Simulation::State::goBack(const Checkpoint& moment)
         run.connections.restore(moment.bodies[b].changes);
         run.rigid = moment.bodies[b].rigid;
         run.kind = moment.bodies[b].kind;
-        bodies[b].kind = run.kind;
     }
     for (std::size_t t = 0; t < std::min(tools.size(), moment.toolPoses.size()); ++t)
         if (tools[t])
@@ -163,8 +162,8 @@ void Simulation::State::goBack(const Checkpoint& moment)
 std::size_t Simulation::State::components()
 {
     std::uint64_t version = contacts->joints().version();
-    for (const auto& run : runs)
-        version += run->connections.changes().broken.size() + (run->deforms() ? 0 : std::uint64_t{1} << 40);
+    for (std::size_t b = 0; b < runs.size(); ++b)
+        version = 31 * version + runs[b]->connections.changes().broken.size() * 2 + (runs[b]->deforms() ? 0 : 1);
     if (version == componentsVersion)
         return knownComponents;
     std::vector<std::size_t> first{0};

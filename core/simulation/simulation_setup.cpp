@@ -109,6 +109,16 @@ Simulation::State::State(Scene scene)
     }
     setMasses();
     placeAtStart();
+    for (const auto& run : runs)
+        requireDamping(run->materials);
+}
+
+/// Forward Euler is not stable without.
+void Simulation::State::requireDamping(const MaterialMap& materials) const
+{
+    const double least = -materials.largest([](const Material& material) { return -material.dampingRatio; });
+    require(integrator != Integrator::forwardEuler || least > 0,
+            "Forward Euler is not stable without damping: raise the damping ratio, or use semi-implicit Euler.");
 }
 
 void Simulation::State::setMasses()
@@ -190,12 +200,13 @@ void Simulation::State::updateTimeStep()
         const double frequency = connections.largestFrequency(runs[b]->state, contacts->addedStiffness(b, crowding));
         largest = std::max(largest, frequency);
         stableStep = std::min(stableStep, integrator == Integrator::forwardEuler
-                                              ? stableForwardEulerStep(frequency, connections.dampingTime())
+                                              ? stableForwardEulerStep(frequency, connections.leastDampingTime(),
+                                                                       connections.dampingTime())
                                               : stableTimeStep(frequency, connections.dampingTime()));
     }
     if (largest == 0)
         stableStep = rigidTimeStep / timeStepShare;
-    contacts->updateParameters(largest);
+    contacts->updateParameters(largest > 0 ? largest : 1 / rigidTimeStep);
     timeStep = wantedTimeStep.value_or(timeStepShare * stableStep);
 }
 
@@ -247,9 +258,6 @@ void Simulation::State::placeAtStart()
     updateTimeStep();
     startEnergy = storedEnergy().imbalance;
     lastGood = checkpoint();
-    if (integrator == Integrator::forwardEuler && stableStep <= 0)
-        throw std::runtime_error(
-            "Forward Euler is not stable without damping: raise the damping ratio, or use semi-implicit Euler.");
 }
 
 } // namespace knead

@@ -94,6 +94,7 @@ struct Simulation::State {
     void loadFixtures();
     void setMasses();
     void scaleMasses(BodyRun& run);
+    void requireDamping(const MaterialMap& materials) const;
     void updateTimeStep();
     void placeAtStart();
     void setKind(BodyId body, BodyKind kind);

@@ -76,6 +76,53 @@ private slots:
         QCOMPARE(hash(4), expected);
     }
 
+    void lookingDoesNotChangeTheRun()
+    {
+        const auto hash = [](int lookEvery) {
+            Simulation simulation(kneadedClay());
+            for (int step = 1; step <= 120; ++step) {
+                simulation.step();
+                if (step % lookEvery == 0)
+                    simulation.snapshot();
+            }
+            return simulation.stateHash();
+        };
+        QCOMPARE(hash(3), hash(1000));
+    }
+
+    void aRigidBodyOfHeavierMaterialIsHarderToMove()
+    {
+        for (const double density : {1000.0, 8000.0}) {
+            Scene scene;
+            Material light;
+            light.density = 1000;
+            scene.bodies.push_back(scenes::box({4, 4, 4}, spacing, light));
+            scene.bodies[0].kind = BodyKind::rigid;
+            scene.bodies[0].velocity = Vec3(0.1, 0, 0);
+            Simulation simulation(scene);
+            Material material = light;
+            material.density = density;
+            simulation.post(SetMaterial{.body = 0, .material = material});
+            runUntil(simulation, 0.01);
+            const double mass = density * 64 * std::pow(spacing, 3);
+            QVERIFY(std::abs(simulation.snapshot()->momentum.x() / (0.1 * mass) - 1) < 1e-9);
+            QVERIFY(std::abs(simulation.snapshot()->energy.kinetic / (0.005 * mass) - 1) < 1e-9);
+        }
+    }
+
+    void dampingCannotBeTakenAwayFromForwardEuler()
+    {
+        Simulation simulation(scenes::publishedBar());
+        Material undamped = simulation.bodies()[0].material;
+        undamped.dampingRatio = 0;
+        simulation.post(SetMaterial{.body = 0, .material = undamped});
+        simulation.step();
+        QVERIFY(!simulation.snapshot()->notice.empty());
+        simulation.reset();
+        simulation.step();
+        QVERIFY(simulation.health().ok);
+    }
+
     void sameBitsForEveryVicinityMethod()
     {
         std::uint64_t expected = 0;
