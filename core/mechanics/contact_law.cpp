@@ -38,7 +38,8 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
         const double stopping = share * parameters.reducedMass * speed / dt;
         const double friction = std::min(parameters.friction * normalForce, stopping);
         result.damping -= friction / speed * slide;
-        result.frictionPower = -friction * speed;
+        // Over the step the slide loses what friction takes from it.
+        result.frictionPower = -friction * (speed - 0.5 * dt * friction / parameters.reducedMass);
     }
     return result;
 }

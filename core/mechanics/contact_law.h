@@ -29,7 +29,7 @@ struct ContactResult {
     Vec3 spring = Vec3::Zero();  ///< conservative part of the force [N]
     Vec3 damping = Vec3::Zero(); ///< of damper and friction [N]; what it does on the relative motion is lost
     double energy = 0;           ///< stored in the spring [J]
-    double frictionPower = 0;    ///< of friction on the relative motion, <= 0 [W]
+    double frictionPower = 0;    ///< of friction on the mean relative motion of the step, <= 0 [W]
 
     Vec3 force() const { return spring + damping; }
 };

@@ -96,7 +96,7 @@ Joints::Report Joints::computeForces(std::span<ObjectState* const> bodies, doubl
                                        (a.mass[joint.first.object] + b.mass[joint.second.object]);
             const double friction = std::min(joint.friction * (pull + brake).norm(), 0.5 * reducedMass * speed / dt);
             brake += friction / speed * slide;
-            report.frictionPower -= friction * speed;
+            report.frictionPower -= friction * (speed - 0.5 * dt * friction / reducedMass);
         }
         a.force.add(joint.first.object, pull);
         a.damping.add(joint.first.object, brake);

@@ -245,6 +245,43 @@ private slots:
         QVERIFY(within(measured.youngsModulus, 1, 0.015, "tension"));
     }
 
+    void aLoadedBarSettlesWhereStaticsPutsIt_data()
+    {
+        QTest::addColumn<double>("ratio");
+        QTest::newRow("0.25") << 0.25;
+        QTest::newRow("0.40") << 0.40;
+    }
+    void aLoadedBarSettlesWhereStaticsPutsIt()
+    {
+        // The dynamics of a bar under its weight ends in the equilibrium that conjugate gradients find for it.
+        QFETCH(double, ratio);
+        Material material;
+        material.youngsModulus = 1e6;
+        material.poissonRatio = ratio;
+        material.dampingRatio = 0.1;
+        material.shapeDamping = 80;
+        const Vec3 gravity(0, 0, -0.05); // small: the equilibrium is that of linear theory
+        const Scene scene = scenes::cantilever({16, 4, 4}, spacing, material, gravity);
+        const Aggregate& aggregate = *scene.bodies[0].aggregate;
+        StaticBody statics(scene.bodies[0].aggregate, material);
+        for (ObjectIndex i = 0; i < aggregate.size(); ++i)
+            statics.loads.push_back(material.density * aggregate.volume[i] * gravity);
+        for (const ObjectIndex object : scene.fixtures[0].objects)
+            statics.prescribe(object, Vec3::Zero());
+        statics.solve(1e-10);
+        Simulation simulation(scene);
+        while (simulation.time() < 0.6)
+            simulation.step();
+        const auto shot = simulation.snapshot();
+        double lowest = 0;
+        double difference = 0;
+        for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
+            lowest = std::min(lowest, statics.displacement(i).z());
+            difference = std::max(difference, (shot->bodies[0].displacements[i] - statics.displacement(i)).norm());
+        }
+        QVERIFY2(difference < 1e-3 * std::abs(lowest), qPrintable(QString::number(difference / std::abs(lowest))));
+    }
+
     void uniformStrainIsExactAlongTheLatticeAndWithinThreePercentAcross() // V10
     {
         for (const bool tilted : {false, true}) {
