@@ -37,9 +37,8 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
         constexpr double share = 0.5;
         const double stopping = share * parameters.reducedMass * speed / dt;
         const double friction = std::min(parameters.friction * normalForce, stopping);
-        result.damping -= friction / speed * slide;
-        // Over the step the slide loses what friction takes from it.
-        result.frictionPower = -friction * (speed - 0.5 * dt * friction / parameters.reducedMass);
+        result.friction = -friction / speed * slide;
+        result.damping += result.friction;
     }
     return result;
 }

@@ -26,10 +26,10 @@ struct ContactState {
 
 /// What a contact does to object o; the opposite end gets the opposite.
 struct ContactResult {
-    Vec3 spring = Vec3::Zero();  ///< conservative part of the force [N]
-    Vec3 damping = Vec3::Zero(); ///< of damper and friction [N]; what it does on the relative motion is lost
-    double energy = 0;           ///< stored in the spring [J]
-    double frictionPower = 0;    ///< of friction on the mean relative motion of the step, <= 0 [W]
+    Vec3 spring = Vec3::Zero();   ///< conservative part of the force [N]
+    Vec3 damping = Vec3::Zero();  ///< of damper and friction [N]; what it does on the relative motion is lost
+    Vec3 friction = Vec3::Zero(); ///< the part of damping that is friction [N]
+    double energy = 0;            ///< stored in the spring [J]
 
     Vec3 force() const { return spring + damping; }
 };

@@ -337,7 +337,10 @@ void Contacts::pushApart(ContactPair& pair, double dt, Report& report)
     b.force.add(second.ref.object, -result.spring);
     b.damping.add(second.ref.object, -result.damping);
     report.energy += result.energy;
-    report.frictionPower += result.frictionPower;
+    if (!result.friction.isZero(0)) {
+        report.frictions.push_back({first.ref, result.friction, Vec3::Zero()});
+        report.frictions.push_back({second.ref, -result.friction, Vec3::Zero()});
+    }
     ++report.count;
     m_touching[pair.objects.first] += 2 * pair.parameters.stiffness;
     m_touching[pair.objects.second] += 2 * pair.parameters.stiffness;
@@ -371,7 +374,8 @@ void Contacts::pushOff(std::uint32_t index, const RigidSurface& surface, double 
     load.power += result.force().dot(surfaceVelocity);
     report.energy += result.energy;
     report.brakingPower -= result.damping.dot(surfaceVelocity);
-    report.frictionPower += result.frictionPower;
+    if (!result.friction.isZero(0))
+        report.frictions.push_back({object.ref, result.friction, surfaceVelocity});
     ++report.count;
     m_touching[index] += parameters.stiffness;
 }
@@ -387,7 +391,7 @@ Contacts::Report Contacts::computeForces(std::span<const RigidSurface> surfaces,
             states.push_back(body.state);
         const Joints::Report joints = m_joints.computeForces(states, dt);
         report.energy += joints.energy;
-        report.frictionPower += joints.frictionPower;
+        report.jointFrictionPower += joints.frictionPower;
         report.plastic += joints.plastic;
         report.fracture += joints.fracture;
         if (joints.ended > 0)

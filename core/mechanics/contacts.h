@@ -67,15 +67,23 @@ public:
     /// Forces a new list at the next updateVicinity(): surfaces were added or removed, or the state was replaced.
     void invalidate() { m_valid = false; }
 
+    /// Friction on an object, to see what it does once the object has moved.
+    struct Friction {
+        ObjectRef object;
+        Vec3 force;    ///< [N]
+        Vec3 velocity; ///< of the surface it rubs on; 0 where the opposite object has its own entry [m/s]
+    };
+
     struct Report {
         std::vector<SurfaceLoad> loads; ///< per surface
         double energy = 0;              ///< stored in contacts and joints [J]
         double brakingPower = 0;        ///< of dampers and friction on the rigid surfaces [W]
-        double frictionPower = 0;       ///< of friction on relative motion [W]
-        double plastic = 0;             ///< flowed off in joints [J]
-        double fracture = 0;            ///< of joints that ended [J]
-        std::size_t count = 0;          ///< contacts that touch
-        double crowding = 0;            ///< largest stiffness of all contacts of an object by that of one
+        std::vector<Friction> frictions;
+        double jointFrictionPower = 0; ///< of friction in joints on relative motion [W]
+        double plastic = 0;            ///< flowed off in joints [J]
+        double fracture = 0;           ///< of joints that ended [J]
+        std::size_t count = 0;         ///< contacts that touch
+        double crowding = 0;           ///< largest stiffness of all contacts of an object by that of one
     };
 
     /// Adds contact and joint forces to the states of the bodies; makes and ends joints.

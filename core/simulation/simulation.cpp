@@ -108,8 +108,8 @@ void Simulation::State::computeForces()
     }
     contactReport = contacts->computeForces(surfaces(), timeStep);
     energy.viscous -= contactReport.brakingPower * timeStep;
-    energy.viscous += contactReport.frictionPower * timeStep; // it is among the braking forces, and is told apart here
-    energy.friction -= contactReport.frictionPower * timeStep;
+    energy.viscous += contactReport.jointFrictionPower * timeStep;
+    energy.friction -= contactReport.jointFrictionPower * timeStep;
     energy.plastic += contactReport.plastic;
     energy.fracture += contactReport.fracture;
     std::size_t surface = 0;
@@ -147,6 +147,23 @@ void Simulation::State::loadFixtures()
     }
 }
 
+/// Friction is among the braking forces; its share of their work follows from the mean velocities of the step.
+void Simulation::State::tellFrictionApart()
+{
+    double lost = 0;
+    for (const Contacts::Friction& friction : contactReport.frictions) {
+        const BodyRun& run = *runs[friction.object.body];
+        const ObjectIndex i = friction.object.object;
+        Vec3 velocity = run.state.velocity.at(i);
+        if (run.deforms() && run.state.inverseMass[i] > 0)
+            velocity -= 0.5 * timeStep *
+                        (run.state.inverseMass[i] * (run.state.force.at(i) + run.state.damping.at(i)) + gravity);
+        lost -= friction.force.dot(velocity - friction.velocity) * timeStep;
+    }
+    energy.friction += lost;
+    energy.viscous -= lost;
+}
+
 void Simulation::State::integrate()
 {
     const bool leaps = integrator == Integrator::semiImplicitEuler;
@@ -172,6 +189,7 @@ void Simulation::State::integrate()
         largestSpeed = isNumber ? std::max(largestSpeed, report.largestSpeed) : std::numeric_limits<double>::infinity();
         energy.viscous -= report.dampingWork;
     }
+    tellFrictionApart();
     largestTravel = largestSpeed * timeStep;
     lastKick = timeStep + change;
     lastStep = timeStep;

@@ -92,6 +92,7 @@ struct Simulation::State {
     void carryOut(const Command& command);
     void holdFixtures();
     void loadFixtures();
+    void tellFrictionApart();
     void setMasses();
     void scaleMasses(BodyRun& run);
     void requireDamping(const MaterialMap& materials) const;
