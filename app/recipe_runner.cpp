@@ -76,7 +76,8 @@ public:
         report.objects = m_latest->objects;
         report.connections = m_latest->connections;
         report.steps = m_latest->step;
-        report.timeStep = m_latest->timeStep;
+        report.timeStep =
+            m_latest->step > 0 ? m_latest->time / static_cast<double>(m_latest->step) : m_latest->timeStep;
         report.simulated = m_latest->time;
         report.wall = m_wall;
         report.stateHash = m_simulation.stateHash();

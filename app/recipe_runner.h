@@ -20,7 +20,7 @@ struct RunReport {
     std::size_t components = 0;  ///< connected pieces of material at the end
     double addedMass = 0;        ///< by mass scaling, as a share of all mass
     std::uint64_t steps = 0;
-    double timeStep = 0;         ///< at the end [s]
+    double timeStep = 0;         ///< mean [s]
     double simulated = 0;        ///< [s]
     double wall = 0;             ///< taken by the steps [s]
     std::uint64_t stateHash = 0; ///< equal for equal histories, whatever the number of threads

@@ -30,7 +30,7 @@ struct ConnectionId {
 /// theta = ln det F, F the least-squares deformation gradient over the object's connections. It is absent at 1/4.
 ///
 /// Nominal lengths change by plastic flow and re-normalization, connections are taken away by fracture; all of that is
-/// `ConnectionChanges`, and going back to an earlier moment means putting earlier changes back.
+/// `Changes`, and going back to an earlier moment means putting earlier changes back.
 ///
 /// Objects are worked on in blocks that depend on the lattice only. A block computes every connection with an end in it and
 /// writes to its own objects alone, so no two threads write to one place and the bits do not depend on their number;
