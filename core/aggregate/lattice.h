@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/aggregate/lattice_directions.h"
 #include "core/geometry/vec3.h"
 
 #include <array>
@@ -18,23 +19,9 @@ using ObjectIndex = std::uint32_t;
 struct Lattice {
     using Node = std::array<std::int32_t, 3>;
 
-    /// The forward halves of the neighbors, each the higher of its pair: 3 along the axes, 6 across face diagonals, which
-    /// make the 18 neighbors of every filled part; and 4 along body diagonals, which only the published arrangement has.
-    static constexpr int directionCount = 13;
+    static constexpr int directionCount = latticeDirectionCount;
     static constexpr int isotropicCount = 9; ///< the first ones: of the 18 neighbors
-    static constexpr std::array<Node, directionCount> directions{{{1, 0, 0},
-                                                                  {0, 1, 0},
-                                                                  {0, 0, 1},
-                                                                  {1, 1, 0},
-                                                                  {1, -1, 0},
-                                                                  {1, 0, 1},
-                                                                  {1, 0, -1},
-                                                                  {0, 1, 1},
-                                                                  {0, 1, -1},
-                                                                  {1, 1, 1},
-                                                                  {1, 1, -1},
-                                                                  {1, -1, 1},
-                                                                  {1, -1, -1}}};
+    static constexpr const auto& directions = latticeDirections;
 
     /// A stretch of objects whose neighbor in one direction is `offset` further on.
     /// Objects inside it that have no such neighbor carry a connection of weight 0; begin + offset .. end + offset exist.

@@ -39,14 +39,12 @@ StepReport semiImplicitEuler(ObjectState& state, const Vec3& gravity, double dt)
     forEachBlock(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
         std::array<double, kernels::sumLanes> work{};
         StepReport& report = reports[begin / blockSize];
-        for (const auto component : {&VectorArray::x, &VectorArray::y, &VectorArray::z}) {
-            const double pull = component == &VectorArray::x   ? gravity.x()
-                                : component == &VectorArray::y ? gravity.y()
-                                                               : gravity.z();
-            double* velocity = (state.velocity.*component).data() + begin;
-            kernels::best().advance(end - begin, dt, pull, state.mass.data() + begin, state.inverseMass.data() + begin,
-                                    (state.force.*component).data() + begin, (state.damping.*component).data() + begin,
-                                    velocity, (state.position.*component).data() + begin, work.data());
+        for (std::size_t c = 0; c < 3; ++c) {
+            double* velocity = state.velocity.component(c) + begin;
+            kernels::best().advance(end - begin, dt, gravity[static_cast<Eigen::Index>(c)], state.mass.data() + begin,
+                                    state.inverseMass.data() + begin, state.force.component(c) + begin,
+                                    state.damping.component(c) + begin, velocity, state.position.component(c) + begin,
+                                    work.data());
             report.largestSpeed = std::hypot(report.largestSpeed, largestOf(velocity, end - begin));
         }
         report.dampingWork = std::accumulate(work.begin(), work.end(), 0.0);

@@ -75,9 +75,7 @@ double StructuralConnections::iteratedFrequency(ObjectState& state, const std::v
         for (std::size_t i = 0; i < count; ++i)
             size = std::max(size, m_mode.at(i).cwiseAbs().maxCoeff());
     } else {
-        m_mode = {};
-        for (auto* component : {&m_mode.x, &m_mode.y, &m_mode.z})
-            component->assign(count, 0);
+        m_mode.resize(count);
     }
     constexpr double freshShare = 0.1;
     for (std::size_t i = 0; i < count; ++i) {
@@ -85,9 +83,7 @@ double StructuralConnections::iteratedFrequency(ObjectState& state, const std::v
         m_mode.add(i, freshShare * size * Vec3(spread(0.6180339887), spread(0.7548776662), spread(0.5698402910)));
     }
     ObjectState probe = state;
-    std::fill(probe.velocity.x.begin(), probe.velocity.x.end(), 0.0);
-    std::fill(probe.velocity.y.begin(), probe.velocity.y.end(), 0.0);
-    std::fill(probe.velocity.z.begin(), probe.velocity.z.end(), 0.0);
+    probe.velocity.setZero();
     const double step = 1e-4 * m_aggregate->lattice.spacing;
     const auto displaced = [&](double amount) {
         for (std::size_t i = 0; i < count; ++i)

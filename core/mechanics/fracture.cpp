@@ -113,10 +113,12 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
     double excess[chunkSize];
     double rest[chunkSize];
     const auto from = [](const VectorArray& v, std::size_t i) {
-        return kernels::ConstVectors{&v.x[i], &v.y[i], &v.z[i]};
+        return kernels::ConstVectors{v.component(0) + i, v.component(1) + i, v.component(2) + i};
     };
     for (std::uint32_t d = 0; d < Lattice::directionCount; ++d) {
-        const std::vector<double>& plastic = m_changes.plasticStrain[d];
+        const LaneVector<double>& plastic = m_changes.plasticStrain[d];
+        const LaneVector<double>& own = m_changes.nominalLength[d];
+        std::fill_n(rest, chunkSize, m_aggregate->lattice.direction(static_cast<int>(d)).norm());
         forEachForward(
             m_aggregate->lattice, d, begin, end, [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {
                 for (std::size_t s = i; s < i + n; s += chunkSize) {
@@ -132,7 +134,7 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
                         if (plastic[s + c] > ductility[c])
                             limit[c] = 0;
                     kernels::best().excessStrain(count, from(state.position, s), from(state.position, s + j - i),
-                                                 nominalLengths(d, s, count, rest), limit, excess);
+                                                 own.empty() ? rest : &own[s], limit, excess);
                     for (std::size_t c = 0; c < count; ++c)
                         if (excess[c] > 0 && m_stiffness[d][s + c] > 0)
                             found.push_back({{d, static_cast<ObjectIndex>(s + c)}, 1 + excess[c] / limit[c]});

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
-/// The innermost loops over objects and over lattice connections, each over a contiguous stretch of objects whose neighbors
-/// are contiguous too. Compiled for several instruction sets and dispatched at run time; the bits are the same on each, because every lane
+/// The innermost loops over objects and over lattice connections, each over contiguous objects whose neighbors are contiguous
+/// too. Compiled for several instruction sets and dispatched at run time; the bits are the same on each, because every lane
 /// does the same IEEE operations and fused multiply-add is off.
 namespace knead::kernels {
 
@@ -14,27 +15,58 @@ struct ConstVectors {
     const double* y;
     const double* z;
 };
-struct Vectors {
-    double* x;
-    double* y;
-    double* z;
+/// Where a kernel adds: component c of object i at [c * stride + i].
+struct ForceTarget {
+    double* force;
+    double* damping;
+    std::ptrdiff_t stride;
 };
 
-/// One end of a stretch of connections.
-struct End {
-    ConstVectors position;
-    ConstVectors velocity;
+/// The connections of one direction in a run of objects.
+struct ForceDirection {
+    std::ptrdiff_t offset;       ///< from an object to its neighbor, > 0
+    const double* stiffness;     ///< k per object
+    const double* nominalLength; ///< l per object; none: the same for all
+    const double* dampingTime;   ///< b / k per object; none: the same for all
+    double uniformLength;        ///< [m]
+    int columns;             ///< lattice columns that the direction has a part in, 1 to 3; for the volumetric forces
+    const double* column[3]; ///< those columns of the stress, component c of object i at [c * stride + i]
+    double sign[3];          ///< of the direction along each of them
 };
 
-/// Arrays of a stretch for the volumetric stress: lattice columns of 3x3 matrices, components of symmetric ones.
+/// Forces of the connections whose lower ends are a run of objects. Arrays begin at object 0. They are LaneVectors and
+/// VectorArrays: up to a vector's width around the run is read, and added to (zeros).
+struct ForceArguments {
+    std::size_t begin; ///< objects of the run
+    std::size_t end;
+    const double* position; ///< component c of object i at [c * stride + i]
+    const double* velocity;
+    std::ptrdiff_t stride;
+    const ForceDirection* directions;
+    std::size_t directionCount;
+    double dampingTime;          ///< b / k of directions that have none of their own [s]
+    std::ptrdiff_t stressStride; ///< 0: no volumetric forces
+    ForceTarget own;             ///< of the objects of the run
+    ForceTarget neighbors;       ///< of their neighbors
+};
+
+/// The volumetric stress of a run of objects.
 struct StressArguments {
-    const double* const* shape;        ///< 9: M = sum k d o^T, column-wise
+    std::size_t begin;
+    std::size_t end;
+    const double* position;
+    std::ptrdiff_t stride;
+    std::uint32_t forward;             ///< bit d: direction d is there ahead of the objects
+    std::uint32_t backward;            ///< bit d: behind them
+    const std::int32_t* ahead;         ///< per direction
+    const std::int32_t* behind;        ///< per direction
+    const double* const* stiffness;    ///< per direction: k at the lower object
     const double* const* inverseShape; ///< 6: uu vv ww uv uw vw of K^-1 = (sum k o o^T)^-1
     const double* bulk;                ///< (lambda - mu) V [J]
     const double* restDilatation;      ///< theta at which there is no pressure
     double spacing;                    ///< a [m]
     double* const* stress;             ///< 9, written: (p / a) F^-T K^-1, column-wise, p = (lambda - mu) V theta
-    double* theta;                     ///< written: ln det F - restDilatation, F = M K^-1 / a
+    double* theta;                     ///< written: ln det F - restDilatation, F = (sum k d o^T) K^-1 / a
 };
 
 /// det F below which the logarithm goes on as its tangent, so that squashed and inverted surroundings are pushed back with
@@ -80,24 +112,11 @@ inline constexpr std::size_t sumLanes = 8;
 
 /// The kernels of one instruction set.
 struct Kernels {
-    /// Writes the pull of the neighbors on one end of each connection: k (|d| - l) n to `force`, k dampingTime v_n n to
-    /// `damping`. The other end feels the opposite. `stiffness` and `nominalLength` are in the order of the stretch.
-    void (*connectionForces)(std::size_t count, const End& self, const End& neighbor, const double* stiffness,
-                             const double* nominalLength, const double* dampingTime, const Vectors& force,
-                             const Vectors& damping);
+    /// Adds the forces of connections, k (|d| - l) n, and with a stress the volumetric ones, to `force`; those of their dampers,
+    /// k dampingTime v_n n, to `damping`. Neighbors get the exact opposite.
+    void (*addForces)(const ForceArguments& arguments);
 
-    /// Adds sign from to target.
-    void (*addScaled)(std::size_t count, double sign, const ConstVectors& from, const Vectors& target);
-
-    /// Adds sign k d to one column of the shape matrices, d from self to neighbor.
-    void (*addShape)(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor, const double* stiffness,
-                     double sign, const Vectors& column);
-
-    void (*volumetricStress)(std::size_t count, const StressArguments& arguments);
-
-    /// Adds sign k (self + neighbor) to the force: the share of one lattice column in the volumetric forces.
-    void (*addVolumetricForces)(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor,
-                                const double* stiffness, double sign, const Vectors& force);
+    void (*volumetricStress)(const StressArguments& arguments);
 
     void (*flow)(std::size_t count, const FlowArguments& arguments);
 

@@ -1,38 +1,12 @@
 #pragma once
 
 #include "core/aggregate/aggregate.h"
-#include "core/geometry/vec3.h"
+#include "core/mechanics/vector_array.h"
 
 #include <cstddef>
 #include <vector>
 
 namespace knead {
-
-/// A vector per object, stored by component so that loops over objects vectorize.
-struct VectorArray {
-    std::vector<double> x, y, z;
-
-    void resize(std::size_t size)
-    {
-        x.resize(size);
-        y.resize(size);
-        z.resize(size);
-    }
-    std::size_t size() const { return x.size(); }
-    Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
-    void set(std::size_t i, const Vec3& v)
-    {
-        x[i] = v.x();
-        y[i] = v.y();
-        z[i] = v.z();
-    }
-    void add(std::size_t i, const Vec3& v)
-    {
-        x[i] += v.x();
-        y[i] += v.y();
-        z[i] += v.z();
-    }
-};
 
 /// The moving state of the objects of one body.
 struct ObjectState {

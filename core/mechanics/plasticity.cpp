@@ -32,7 +32,7 @@ double StructuralConnections::flowBlock(const ObjectState& state, std::size_t be
     double hardening[chunkSize];
     double share[chunkSize];
     const auto from = [](const VectorArray& v, std::size_t i) {
-        return kernels::ConstVectors{&v.x[i], &v.y[i], &v.z[i]};
+        return kernels::ConstVectors{v.component(0) + i, v.component(1) + i, v.component(2) + i};
     };
     for (std::size_t d = 0; d < Lattice::directionCount; ++d)
         forEachForward(m_aggregate->lattice, d, begin, end,

@@ -2,7 +2,6 @@
 
 #include "core/mechanics/lattice_kernels.h"
 #include "core/mechanics/lattice_stretches.h"
-#include "core/mechanics/structural_friction.h"
 #include "core/task/parallel.h"
 
 #include <Eigen/Eigenvalues>
@@ -14,8 +13,9 @@ namespace knead {
 
 namespace {
 
-// Connections computed at a time: their forces stay in the first-level cache until both ends have taken them.
-constexpr std::size_t chunkSize = 256;
+// Fewer objects than this take less time than handing them to another thread.
+constexpr std::size_t smallestBlock = 4096;
+constexpr std::size_t largestBlock = 65536;
 
 // Stiffness of a contact in units of mu V / a^2. 6 keeps a tool from sinking visibly into soft material
 // (overlap / a about 0.4 p / E) and adds a half to the stiffness of a surface object, a tenth to the number of steps.
@@ -24,13 +24,9 @@ constexpr double contactShare = 6;
 // Surroundings whose connections lie this near to a plane say nothing about volume.
 constexpr double flattestShape = 0.01;
 
-kernels::ConstVectors from(const VectorArray& v, std::size_t i)
+constexpr std::size_t wholeVectors(std::size_t count)
 {
-    return {&v.x[i], &v.y[i], &v.z[i]};
-}
-kernels::Vectors into(VectorArray& v, std::size_t i)
-{
-    return {&v.x[i], &v.y[i], &v.z[i]};
+    return (count + laneCount - 1) / laneCount * laneCount;
 }
 
 Vec3 latticeVector(std::size_t d)
@@ -46,13 +42,19 @@ StructuralConnections::StructuralConnections(std::shared_ptr<const Aggregate> ag
     , m_materials(&materials)
     , m_laws(materials, m_aggregate->lattice.spacing)
 {
-    // A block also computes the connections that reach into it from lower objects, which lie up to the largest offset
-    // back; four times that keeps the double work near a tenth. Small lattices have small offsets and need no small blocks.
     std::size_t largestOffset = 0;
     for (const auto& segments : m_aggregate->lattice.segments)
         for (const Lattice::Segment& segment : segments)
             largestOffset = std::max(largestOffset, static_cast<std::size_t>(segment.offset));
-    m_blockSize = std::clamp<std::size_t>(4 * largestOffset, 2048, 65536);
+    // A margin must not reach beyond the next block. With blocks of four times its reach, adding it up costs little.
+    const std::size_t reach = wholeVectors(largestOffset + laneCount);
+    m_blockSize = std::max({smallestBlock, reach, std::min(4 * reach, largestBlock)});
+    for (std::size_t end = m_blockSize; end < m_aggregate->size(); end += m_blockSize) {
+        const std::size_t overlap = 2 * laneCount;
+        m_margins.push_back({end - overlap, VectorArray(overlap + reach), VectorArray(overlap + reach)});
+    }
+    m_runs = findRuns(m_aggregate->lattice, RunNeighbors::ahead);
+    m_stressRuns = findRuns(m_aggregate->lattice, RunNeighbors::all);
     m_changes.restDilatation.assign(m_aggregate->size(), 0);
     updateMaterials();
 }
@@ -81,7 +83,7 @@ void StructuralConnections::findStiffness()
     const std::size_t objects = m_aggregate->size();
     for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
         const std::vector<double>& weight = m_aggregate->weight[d];
-        std::vector<double>& stiffness = m_stiffness[d];
+        LaneVector<double>& stiffness = m_stiffness[d];
         stiffness.assign(weight.size(), 0);
         forEachForward(m_aggregate->lattice, d, 0, objects,
                        [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {
@@ -90,9 +92,24 @@ void StructuralConnections::findStiffness()
                                stiffness[s] *= a * weight[s];
                        });
     }
+    findDampingTimes();
     for (const ConnectionId& broken : m_changes.broken)
         m_stiffness[broken.direction][broken.lower] = 0;
     m_count = m_aggregate->connectionCount() - m_changes.broken.size();
+}
+
+void StructuralConnections::findDampingTimes()
+{
+    const bool differ = m_laws.leastDampingTime() < m_laws.largestDampingTime();
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
+        LaneVector<double>& times = m_dampingTime[d];
+        times.assign(differ ? m_stiffness[d].size() : 0, 0);
+        if (differ)
+            forEachForward(m_aggregate->lattice, d, 0, m_aggregate->size(),
+                           [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {
+                               m_laws.fill(&ConnectionLaw::dampingTime, i, j, n, &times[i]);
+                           });
+    }
 }
 
 void StructuralConnections::makeLengthsOwn()
@@ -106,19 +123,11 @@ void StructuralConnections::makeLengthsOwn()
     }
 }
 
-const double* StructuralConnections::nominalLengths(std::size_t d, std::size_t lower, std::size_t count,
-                                                    double* buffer) const
-{
-    if (!m_changes.nominalLength[d].empty())
-        return &m_changes.nominalLength[d][lower];
-    std::fill_n(buffer, count, m_aggregate->lattice.direction(static_cast<int>(d)).norm());
-    return buffer;
-}
-
 double StructuralConnections::nominalLength(const ConnectionId& connection) const
 {
-    double rest = 0;
-    return *nominalLengths(connection.direction, connection.lower, 1, &rest);
+    const auto& own = m_changes.nominalLength[connection.direction];
+    return own.empty() ? m_aggregate->lattice.direction(static_cast<int>(connection.direction)).norm()
+                       : own[connection.lower];
 }
 
 void StructuralConnections::findInverseShapes()
@@ -131,8 +140,8 @@ void StructuralConnections::findInverseShapes()
     m_hasBulk = m_materials->largest([&](const Material& m) { return std::abs(bulkModulus(m)); }) > 0;
     for (auto& component : m_inverseShape)
         component.resize(count);
-    for (auto& component : m_stress)
-        component.assign(count, 0);
+    for (VectorArray& column : m_stress)
+        column.resize(m_hasBulk || m_laws.anyYields() ? count : 0);
     m_bulk.resize(count);
     m_flat.clear();
     m_theta.assign(count, 0);
@@ -180,124 +189,6 @@ void StructuralConnections::setInverseShape(ObjectIndex object, const Mat3& shap
                                  inverse(0, 1), inverse(0, 2), inverse(1, 2)};
     for (std::size_t c = 0; c < 6; ++c)
         m_inverseShape[c][object] = components[c];
-}
-
-void StructuralConnections::computeStress(const ObjectState& state)
-{
-    const Lattice& lattice = m_aggregate->lattice;
-    forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
-        std::array<VectorArray, 3> columns;
-        for (VectorArray& column : columns)
-            column.resize(end - begin);
-        for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                const int component = Lattice::directions[d][c];
-                if (component == 0)
-                    continue;
-                const auto add = [&](double sign) {
-                    return [&, sign](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
-                        kernels::best().addShape(n, from(state.position, i), from(state.position, j),
-                                                 &m_stiffness[d][lower], sign * component, into(columns[c], i - begin));
-                    };
-                };
-                forEachForward(lattice, d, begin, end, add(1));
-                forEachBackward(lattice, d, begin, end, add(-1));
-            }
-        }
-        const double* shape[9];
-        double* stress[9];
-        const double* inverseShape[6];
-        for (std::size_t c = 0; c < 3; ++c) {
-            shape[3 * c] = columns[c].x.data();
-            shape[3 * c + 1] = columns[c].y.data();
-            shape[3 * c + 2] = columns[c].z.data();
-        }
-        for (std::size_t c = 0; c < 9; ++c)
-            stress[c] = &m_stress[c][begin];
-        for (std::size_t c = 0; c < 6; ++c)
-            inverseShape[c] = &m_inverseShape[c][begin];
-        kernels::best().volumetricStress(end - begin,
-                                         {shape, inverseShape, &m_bulk[begin], &m_changes.restDilatation[begin],
-                                          lattice.spacing, stress, &m_theta[begin]});
-    });
-    for (const ObjectIndex object : m_flat)
-        m_theta[object] = 0;
-    m_thetaIsPresent = true;
-}
-
-void StructuralConnections::addForcesOfBlock(ObjectState& state, std::size_t begin, std::size_t end, double dt)
-{
-    const auto& segments = m_aggregate->lattice.segments;
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
-        const auto upper = [](const Lattice::Segment& s, ObjectIndex i) {
-            return i + static_cast<std::size_t>(s.offset);
-        };
-        auto segment = std::partition_point(segments[d].begin(), segments[d].end(),
-                                            [&](const auto& s) { return upper(s, s.end) <= begin; });
-        for (; segment != segments[d].end() && segment->begin < end; ++segment) {
-            // Connections with an end in the block: the lower end from `offset` before it on, to its end.
-            const auto offset = static_cast<std::size_t>(segment->offset);
-            const std::size_t first = std::max<std::size_t>(segment->begin, begin > offset ? begin - offset : 0);
-            const std::size_t last = std::min<std::size_t>(segment->end, end);
-            for (std::size_t chunk = first; chunk < last; chunk += chunkSize)
-                addForcesOfChunk(state, d, {chunk, std::min(chunk + chunkSize, last), offset}, begin, end, dt);
-        }
-    }
-}
-
-void StructuralConnections::addForcesOfChunk(ObjectState& state, std::size_t d, const Chunk& chunk, std::size_t begin,
-                                             std::size_t end, double dt) const
-{
-    const std::size_t lower = chunk.first;
-    const std::size_t upper = chunk.first + chunk.offset;
-    const std::size_t count = chunk.last - chunk.first;
-    if (chunk.last <= begin && upper >= end) // an offset longer than the block: both ends miss it
-        return;
-    double buffer[8][chunkSize];
-    const kernels::Vectors pull{buffer[0], buffer[1], buffer[2]};
-    const kernels::Vectors brake{buffer[3], buffer[4], buffer[5]};
-    const kernels::Kernels& kernel = kernels::best();
-    const kernels::End self{from(state.position, lower), from(state.velocity, lower)};
-    const kernels::End neighbor{from(state.position, upper), from(state.velocity, upper)};
-    m_laws.fill(&ConnectionLaw::dampingTime, lower, upper, count, buffer[6]);
-    kernel.connectionForces(count, self, neighbor, &m_stiffness[d][lower], nominalLengths(d, lower, count, buffer[7]),
-                            buffer[6], pull, brake);
-    if (m_structuralFriction > 0)
-        addStructuralFriction(count, self, neighbor, {&state.mass[lower], &state.mass[upper]}, m_structuralFriction, dt,
-                              pull, brake);
-    if (m_hasBulk) {
-        const auto column = [&](std::size_t c, std::size_t i) {
-            return kernels::ConstVectors{&m_stress[3 * c][i], &m_stress[3 * c + 1][i], &m_stress[3 * c + 2][i]};
-        };
-        for (std::size_t c = 0; c < 3; ++c)
-            if (const int component = Lattice::directions[d][c]; component != 0)
-                kernel.addVolumetricForces(count, column(c, lower), column(c, upper), &m_stiffness[d][lower], component,
-                                           pull);
-    }
-    const auto take = [&](double sign, std::size_t end0) { // what of the ends that begin at end0 lies in the block
-        const std::size_t from0 = std::max(end0, begin);
-        const std::size_t to = std::min(end0 + count, end);
-        if (from0 >= to)
-            return;
-        const std::size_t skip = from0 - end0;
-        kernel.addScaled(to - from0, sign, {pull.x + skip, pull.y + skip, pull.z + skip}, into(state.force, from0));
-        kernel.addScaled(to - from0, sign, {brake.x + skip, brake.y + skip, brake.z + skip},
-                         into(state.damping, from0));
-    };
-    take(1, lower);
-    take(-1, upper);
-}
-
-void StructuralConnections::computeForces(ObjectState& state, double dt)
-{
-    if (needsStress())
-        computeStress(state);
-    forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
-        for (VectorArray* array : {&state.force, &state.damping})
-            for (std::vector<double>* component : {&array->x, &array->y, &array->z})
-                std::fill_n(component->data() + begin, end - begin, 0.0);
-        addForcesOfBlock(state, begin, end, dt);
-    });
 }
 
 double StructuralConnections::energy(const ObjectState& state)

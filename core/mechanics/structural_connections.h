@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/aggregate/aggregate.h"
+#include "core/aggregate/lattice_runs.h"
 #include "core/aggregate/material_map.h"
 #include "core/mechanics/connection_law.h"
+#include "core/mechanics/lattice_kernels.h"
 #include "core/mechanics/object_state.h"
 
 #include <array>
@@ -32,19 +34,19 @@ struct ConnectionId {
 /// Nominal lengths change by plastic flow and re-normalization, connections are taken away by fracture; all of that is
 /// `Changes`, and going back to an earlier moment means putting earlier changes back.
 ///
-/// Objects are worked on in blocks that depend on the lattice only. A block computes every connection with an end in it and
-/// writes to its own objects alone, so no two threads write to one place and the bits do not depend on their number;
-/// connections between blocks are computed by both, with results that are exact opposites.
+/// Objects are worked on in blocks that depend on the lattice only. A block computes the connections that begin in it; what they
+/// give to objects beyond its end goes to a margin of its own, which is added afterwards. So no two threads write to one
+/// place, and the bits do not depend on their number.
 class StructuralConnections {
 public:
-    using DirectionArray = std::array<std::vector<double>, Lattice::directionCount>;
+    using DirectionArray = std::array<LaneVector<double>, Lattice::directionCount>;
 
     /// What has become of the connections since the body was made. Arrays are empty until they are needed.
     struct Changes {
-        DirectionArray nominalLength;       ///< l [m]
-        DirectionArray plasticStrain;       ///< sum of the flow of each connection
-        std::vector<double> restDilatation; ///< per object: theta of no pressure
-        std::vector<ConnectionId> broken;   ///< in the order of breaking
+        DirectionArray nominalLength;      ///< l [m]
+        DirectionArray plasticStrain;      ///< sum of the flow of each connection
+        LaneVector<double> restDilatation; ///< per object: theta of no pressure
+        std::vector<ConnectionId> broken;  ///< in the order of breaking
     };
 
     /// `materials` must outlive it.
@@ -122,11 +124,11 @@ public:
     double contactStiffness(ObjectIndex object) const;
 
 private:
-    /// Connections of one direction whose lower ends are first .. last; the upper ends are `offset` further on.
-    struct Chunk {
-        std::size_t first;
-        std::size_t last;
-        std::size_t offset;
+    /// What the connections of a block give to the objects from `begin` on: the last ones of the block and those behind it.
+    struct Margin {
+        std::size_t begin = 0;
+        VectorArray force;
+        VectorArray damping;
     };
     struct Shape;
     struct Overloaded {
@@ -135,15 +137,15 @@ private:
     };
 
     void findStiffness();
+    void findDampingTimes();
     void findInverseShapes();
     void setInverseShape(ObjectIndex object, const Mat3& shape);
-    bool needsStress() const { return m_hasBulk || m_laws.anyYields(); }
     void computeStress(const ObjectState& state);
     double volumetricEnergy(std::size_t object) const; ///< at the dilatation computed last [J]
-    void addForcesOfBlock(ObjectState& state, std::size_t begin, std::size_t end, double dt);
-    void addForcesOfChunk(ObjectState& state, std::size_t d, const Chunk& chunk, std::size_t begin, std::size_t end,
-                          double dt) const;
-    const double* nominalLengths(std::size_t d, std::size_t lower, std::size_t count, double* buffer) const;
+    kernels::ForceDirection forceDirection(std::size_t d) const;
+    void addForcesOfBlock(ObjectState& state, std::size_t begin, std::size_t end);
+    void addMargins(ObjectState& state, std::size_t begin, std::size_t end) const;
+    void addFriction(ObjectState& state, double dt) const;
     void makeLengthsOwn();
     double flowBlock(const ObjectState& state, std::size_t begin, std::size_t end, double dt);
     std::vector<ConnectionId> overloaded(const ObjectState& state) const;
@@ -164,18 +166,22 @@ private:
     DirectionArray m_stiffness; ///< k [N/m] at the lower object; 0 = no connection
     Changes m_changes;
     std::size_t m_count = 0;
+    std::vector<LatticeRun> m_runs;            ///< for forces
+    std::vector<LatticeRun> m_stressRuns;      ///< for the volumetric stress
     std::size_t m_blockSize = 0;               ///< objects per block
+    std::vector<Margin> m_margins;             ///< per block
+    DirectionArray m_dampingTime;              ///< b / k [s] at the lower object; empty: the same for all
     std::vector<std::uint32_t> m_brokenAround; ///< per object: bit d for a broken forward connection, bit
                                                ///< directionCount + d for a backward one; empty: none broken
     double m_structuralFriction = 0;
     bool m_hasBulk = false;
-    std::vector<double> m_bulk;                        ///< (lambda - mu) V [J]; 0 where surroundings are too thin
-    std::vector<ObjectIndex> m_flat;                   ///< those: they have no dilatation
-    std::array<std::vector<double>, 6> m_inverseShape; ///< (sum k o o^T)^-1 in lattice axes: uu vv ww uv uw vw [m/N]
-    std::array<std::vector<double>, 9> m_stress;       ///< see kernels::StressArguments
-    std::vector<double> m_theta;                       ///< ln det F less its rest value
-    bool m_thetaIsPresent = false;                     ///< but for the last step
-    VectorArray m_mode;                                ///< of the largest frequency, as found last
+    LaneVector<double> m_bulk;                        ///< (lambda - mu) V [J]; 0 where surroundings are too thin
+    std::vector<ObjectIndex> m_flat;                  ///< those: they have no dilatation
+    std::array<LaneVector<double>, 6> m_inverseShape; ///< (sum k o o^T)^-1 in lattice axes: uu vv ww uv uw vw [m/N]
+    std::array<VectorArray, 3> m_stress;              ///< by lattice column, see kernels::StressArguments
+    std::vector<double> m_theta;                      ///< ln det F less its rest value
+    bool m_thetaIsPresent = false;                    ///< but for the last step
+    VectorArray m_mode;                               ///< of the largest frequency, as found last
 };
 
 template <typename Visit>

@@ -1,17 +1,22 @@
 #pragma once
 
-#include "core/mechanics/lattice_kernels.h"
+#include "core/geometry/vec3.h"
 
 namespace knead {
 
-/// Adds the friction of the published model to the damping of a stretch of structural connections (eq 7):
-/// u |F_N| against the sideways relative velocity, F_N the connection's own bond and damping force. Limited to half of what
-/// would stop the sideways motion within dt. It also brakes a body that merely turns, which is why only published scenes
-/// use it.
-/// @param mass of the objects at both ends [kg]
-/// @param pull, brake bond and damping force on the lower end, as computed before [N]
-void addStructuralFriction(std::size_t count, const kernels::End& self, const kernels::End& neighbor,
-                           const double* const (&mass)[2], double friction, double dt, const kernels::Vectors& pull,
-                           const kernels::Vectors& brake);
+/// A structural connection that rubs.
+struct RubbingConnection {
+    Vec3 across = Vec3::Zero();   ///< from one object to its neighbor [m]
+    Vec3 velocity = Vec3::Zero(); ///< of the neighbor against the object [m/s]
+    double stiffness = 0;         ///< k [N/m]
+    double damping = 0;           ///< b [N s/m]
+    double nominalLength = 0;     ///< l [m]
+    double reducedMass = 0;       ///< of the two [kg]
+};
+
+/// Friction u of a structural connection as published (eq 7): the force on the object [N], against its slide along the
+/// neighbor and u times what the connection bears, but no more than what would stop the slide within the time step.
+/// @param dt > 0 [s]
+Vec3 structuralFriction(const RubbingConnection& connection, double friction, double dt);
 
 } // namespace knead

@@ -102,9 +102,8 @@ void Simulation::State::computeForces()
             run->connections.computeForces(run->state, timeStep);
             continue;
         }
-        for (VectorArray* array : {&run->state.force, &run->state.damping})
-            for (auto* component : {&array->x, &array->y, &array->z})
-                std::fill(component->begin(), component->end(), 0.0);
+        run->state.force.setZero();
+        run->state.damping.setZero();
     }
     contactReport = contacts->computeForces(surfaces(), timeStep);
     energy.viscous -= contactReport.brakingPower * timeStep;

@@ -228,9 +228,8 @@ void Simulation::State::placeAtStart()
         for (std::size_t i = 0; i < run.state.size(); ++i)
             run.state.velocity.set(i, bodies[b].velocity +
                                           bodies[b].angularVelocity.cross(run.state.position.at(i) - center));
-        for (VectorArray* array : {&run.state.force, &run.state.damping})
-            for (auto* component : {&array->x, &array->y, &array->z})
-                std::fill(component->begin(), component->end(), 0.0);
+        run.state.force.setZero();
+        run.state.damping.setZero();
     }
     for (auto& tool : tools)
         if (tool)

@@ -137,16 +137,11 @@ std::uint64_t Simulation::stateHash() const
 {
     // FNV-1a over 64-bit words.
     std::uint64_t hash = 0xcbf29ce484222325ULL;
-    const auto add = [&](const std::vector<double>& values) {
-        for (const double value : values)
-            hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3ULL;
-    };
     for (const auto& run : m_state->runs)
-        for (const VectorArray* array : {&run->state.position, &run->state.velocity}) {
-            add(array->x);
-            add(array->y);
-            add(array->z);
-        }
+        for (const VectorArray* array : {&run->state.position, &run->state.velocity})
+            for (std::size_t c = 0; c < 3; ++c)
+                for (std::size_t i = 0; i < array->size(); ++i)
+                    hash = (hash ^ std::bit_cast<std::uint64_t>(array->component(c)[i])) * 0x100000001b3ULL;
     return hash;
 }
 

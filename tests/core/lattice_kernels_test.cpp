@@ -1,4 +1,5 @@
 #include "core/mechanics/lattice_kernels.h"
+#include "core/mechanics/vector_array.h"
 
 #include <QTest>
 
@@ -8,6 +9,7 @@
 #include <random>
 #include <vector>
 
+using namespace knead;
 using namespace knead::kernels;
 
 namespace {
@@ -33,36 +35,146 @@ bool sameBits(const Column& a, const Column& b)
 // An odd count, so that the remainder of every vector width is met too.
 constexpr std::size_t count = 1003;
 
-std::vector<Column> connectionForces(const Kernels& kernels)
-{
-    const auto v = randomColumns(15, count, 0.5, 1.5, 1);
-    std::vector<Column> out(6, Column(count, 0.0));
-    kernels.connectionForces(count, {{v[0].data(), v[1].data(), v[2].data()}, {v[3].data(), v[4].data(), v[5].data()}},
-                             {{v[6].data(), v[7].data(), v[8].data()}, {v[9].data(), v[10].data(), v[11].data()}},
-                             v[12].data(), v[13].data(), v[14].data(), {out[0].data(), out[1].data(), out[2].data()},
-                             {out[3].data(), out[4].data(), out[5].data()});
-    return out;
-}
+/// A run of objects in three directions, with room around it.
+struct Run {
+    explicit Run(std::size_t first, std::size_t last)
+        : begin(first)
+        , end(last)
+    {
+        std::mt19937 random(1);
+        std::uniform_real_distribution<double> value(0.5, 1.5);
+        const auto vectors = [&] {
+            VectorArray all(size);
+            for (std::size_t i = 0; i < size; ++i)
+                all.set(i, {value(random), value(random), value(random)});
+            return all;
+        };
+        const auto numbers = [&] {
+            LaneVector<double> all(size);
+            for (double& entry : all)
+                entry = value(random);
+            return all;
+        };
+        position = vectors();
+        velocity = vectors();
+        for (VectorArray& column : stress)
+            column = vectors();
+        for (std::size_t d = 0; d < 3; ++d) {
+            stiffness[d] = numbers();
+            length[d] = numbers();
+            time[d] = numbers();
+        }
+    }
+
+    std::vector<ForceDirection> directions() const
+    {
+        std::vector<ForceDirection> all;
+        for (std::size_t d = 0; d < 3; ++d)
+            all.push_back({.offset = std::array{1, 17, 60}[d],
+                           .stiffness = stiffness[d].data(),
+                           .nominalLength = d == 1 ? nullptr : length[d].data(),
+                           .dampingTime = d == 2 ? nullptr : time[d].data(),
+                           .uniformLength = 0.9,
+                           .columns = 2,
+                           .column = {stress[d].data(), stress[(d + 1) % 3].data(), nullptr},
+                           .sign = {1, d == 0 ? 1.0 : -1.0, 0}});
+        return all;
+    }
+
+    /// Six components of what the objects feel.
+    std::vector<Column> forces(const Kernels& kernels, bool volumetric) const
+    {
+        VectorArray force(size);
+        VectorArray damping(size);
+        const ForceTarget target{force.data(), damping.data(), static_cast<std::ptrdiff_t>(force.stride())};
+        const auto stride = static_cast<std::ptrdiff_t>(position.stride());
+        const auto all = directions();
+        kernels.addForces({.begin = begin,
+                           .end = end,
+                           .position = position.data(),
+                           .velocity = velocity.data(),
+                           .stride = stride,
+                           .directions = all.data(),
+                           .directionCount = all.size(),
+                           .dampingTime = 0.25,
+                           .stressStride = volumetric ? stride : 0,
+                           .own = target,
+                           .neighbors = target});
+        std::vector<Column> out;
+        for (const VectorArray* array : {&force, &damping})
+            for (std::size_t c = 0; c < 3; ++c)
+                out.emplace_back(array->component(c), array->component(c) + size);
+        return out;
+    }
+
+    static constexpr std::size_t size = 400;
+    std::size_t begin;
+    std::size_t end;
+    VectorArray position, velocity;
+    std::array<VectorArray, 3> stress;
+    std::array<LaneVector<double>, 3> stiffness, length, time;
+};
 
 /// Stress of objects whose deformation gradient is diagonal (with K = 1 and a = 1, M is F).
 std::vector<Column> diagonalStress(const Kernels& kernels, const Column& stretch)
 {
-    const Column zero(stretch.size(), 0.0);
-    const Column one(stretch.size(), 1.0);
-    std::array<const double*, 9> shape;
-    shape.fill(zero.data());
-    shape[0] = stretch.data();
-    shape[4] = shape[8] = one.data();
+    // Each object at the origin has one connection along each lattice axis; those along u are stretched.
+    const std::size_t size = stretch.size();
+    VectorArray position(4 * size);
+    std::array<std::int32_t, 3> ahead{};
+    const std::array<std::int32_t, 3> behind{};
+    for (std::size_t d = 0; d < 3; ++d) {
+        ahead[d] = static_cast<std::int32_t>((d + 1) * size);
+        for (std::size_t i = 0; i < size; ++i)
+            position.set((d + 1) * size + i, (d == 0 ? stretch[i] : 1) * Vec3::Unit(static_cast<Eigen::Index>(d)));
+    }
+    const LaneVector<double> zero(size, 0.0);
+    const LaneVector<double> one(size, 1.0);
+    const std::array<const double*, 3> stiffness{one.data(), one.data(), one.data()};
     std::array<const double*, 6> inverse;
     inverse.fill(zero.data());
     inverse[0] = inverse[1] = inverse[2] = one.data();
-    std::vector<Column> out(10, Column(stretch.size()));
+    std::vector<Column> out(10, Column(size));
     std::array<double*, 9> stress;
     for (std::size_t c = 0; c < 9; ++c)
         stress[c] = out[c].data();
-    kernels.volumetricStress(stretch.size(),
-                             {shape.data(), inverse.data(), one.data(), zero.data(), 1, stress.data(), out[9].data()});
+    kernels.volumetricStress({.begin = 0,
+                              .end = size,
+                              .position = position.data(),
+                              .stride = static_cast<std::ptrdiff_t>(position.stride()),
+                              .forward = 7,
+                              .backward = 0,
+                              .ahead = ahead.data(),
+                              .behind = behind.data(),
+                              .stiffness = stiffness.data(),
+                              .inverseShape = inverse.data(),
+                              .bulk = one.data(),
+                              .restDilatation = zero.data(),
+                              .spacing = 1,
+                              .stress = stress.data(),
+                              .theta = out[9].data()});
     return out;
+}
+
+/// Force and damping on the first of two objects that a connection joins (k = 10, b / k = 0.5), then on the second.
+std::array<Vec3, 4> forceBetween(const VectorArray& position, const VectorArray& velocity, double length)
+{
+    const LaneVector<double> stiffness(2, 10.0);
+    const ForceDirection direction{.offset = 1, .stiffness = stiffness.data(), .uniformLength = length};
+    VectorArray force(2);
+    VectorArray damping(2);
+    const ForceTarget target{force.data(), damping.data(), static_cast<std::ptrdiff_t>(force.stride())};
+    best().addForces({.begin = 0,
+                      .end = 1,
+                      .position = position.data(),
+                      .velocity = velocity.data(),
+                      .stride = static_cast<std::ptrdiff_t>(position.stride()),
+                      .directions = &direction,
+                      .directionCount = 1,
+                      .dampingTime = 0.5,
+                      .own = target,
+                      .neighbors = target});
+    return {force.at(0), damping.at(0), force.at(1), damping.at(1)};
 }
 
 } // namespace
@@ -74,32 +186,75 @@ private slots:
     void everyInstructionSetGivesTheSameBits()
     {
         const auto stretch = randomColumns(1, count, 0.05, 20, 2)[0];
-        const auto forces = connectionForces(available().front());
         const auto stress = diagonalStress(available().front(), stretch);
         for (const Kernels& kernels : available()) {
-            const auto otherForces = connectionForces(kernels);
             const auto otherStress = diagonalStress(kernels, stretch);
-            for (std::size_t c = 0; c < forces.size(); ++c)
-                QVERIFY2(sameBits(forces[c], otherForces[c]), kernels.name);
             for (std::size_t c = 0; c < stress.size(); ++c)
                 QVERIFY2(sameBits(stress[c], otherStress[c]), kernels.name);
         }
+        for (const std::size_t begin : {0, 3, 8})
+            for (const std::size_t end : {9, 40, 300}) // shorter and longer than what is worth aligning
+                for (const bool volumetric : {false, true}) {
+                    const Run run(begin, end);
+                    const auto forces = run.forces(available().front(), volumetric);
+                    for (const Kernels& kernels : available()) {
+                        const auto others = run.forces(kernels, volumetric);
+                        for (std::size_t c = 0; c < forces.size(); ++c)
+                            QVERIFY2(sameBits(forces[c], others[c]), kernels.name);
+                    }
+                }
     }
 
     void connectionForceFollowsThePaper()
     {
-        const double x0[] = {0}, x1[] = {3}, zero[] = {0}, y1[] = {4}, u1[] = {1}, k[] = {10}, l[] = {4},
-                     time[] = {0.5};
-        double f[3] = {0, 0, 0};
-        double b[3] = {0, 0, 0};
-        best().connectionForces(1, {{x0, zero, zero}, {zero, zero, zero}}, {{x1, y1, zero}, {u1, zero, zero}}, k, l,
-                                time, {&f[0], &f[1], &f[2]}, {&b[0], &b[1], &b[2]});
+        VectorArray position(2);
+        VectorArray velocity(2);
+        position.set(1, {3, 4, 0});
+        velocity.set(1, {1, 0, 0});
+        const auto force = forceBetween(position, velocity, 4);
         // |d| = 5, stretch 1, v_n = 0.6: spring 10, damper 10 0.5 0.6 = 3, along (0.6, 0.8, 0)
-        QVERIFY(std::abs(f[0] - 6) < 1e-12);
-        QVERIFY(std::abs(f[1] - 8) < 1e-12);
-        QCOMPARE(f[2], 0.0);
-        QVERIFY(std::abs(b[0] - 1.8) < 1e-12);
-        QVERIFY(std::abs(b[1] - 2.4) < 1e-12);
+        QVERIFY((force[0] - Vec3(6, 8, 0)).norm() < 1e-12);
+        QVERIFY((force[1] - Vec3(1.8, 2.4, 0)).norm() < 1e-12);
+        QCOMPARE(force[2], -force[0]);
+        QCOMPARE(force[3], -force[1]);
+    }
+
+    /// Against a plain sum over connections, objects outside the run untouched.
+    void forcesOfARunAreThoseOfItsConnections()
+    {
+        for (const bool volumetric : {false, true}) {
+            const Run run(5, 331);
+            const auto forces = run.forces(best(), volumetric);
+            std::vector<Vec3> expected(2 * Run::size, Vec3::Zero());
+            for (const ForceDirection& direction : run.directions())
+                for (std::size_t i = run.begin; i < run.end; ++i) {
+                    const std::size_t j = i + static_cast<std::size_t>(direction.offset);
+                    const Vec3 d = run.position.at(j) - run.position.at(i);
+                    const double k = direction.stiffness[i];
+                    const double l = direction.nominalLength ? direction.nominalLength[i] : direction.uniformLength;
+                    const double time = direction.dampingTime ? direction.dampingTime[i] : 0.25;
+                    const Vec3 n = d.normalized();
+                    Vec3 pull = k * (d.norm() - l) * n;
+                    if (volumetric)
+                        for (int c = 0; c < direction.columns; ++c)
+                            for (Eigen::Index axis = 0; axis < 3; ++axis) {
+                                const double* component =
+                                    direction.column[c] + axis * static_cast<std::ptrdiff_t>(run.stress[0].stride());
+                                pull[axis] += k * direction.sign[c] * (component[i] + component[j]);
+                            }
+                    const Vec3 brake = k * time * (run.velocity.at(j) - run.velocity.at(i)).dot(n) * n;
+                    expected[i] += pull;
+                    expected[j] -= pull;
+                    expected[Run::size + i] += brake;
+                    expected[Run::size + j] -= brake;
+                }
+            for (std::size_t i = 0; i < 2 * Run::size; ++i)
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const double value = forces[c + (i < Run::size ? 0 : 3)][i % Run::size];
+                    const double wanted = expected[i][static_cast<Eigen::Index>(c)];
+                    QVERIFY(std::abs(value - wanted) <= 1e-12 * (1 + std::abs(wanted)));
+                }
+        }
     }
 
     void flowStopsAtYieldAndKeepsItsAccount()
@@ -163,13 +318,8 @@ private slots:
 
     void coincidentObjectsGiveNoForce()
     {
-        const double zero[] = {0}, k[] = {10}, l[] = {1};
-        double f[3] = {0, 0, 0};
-        double b[3] = {0, 0, 0};
-        best().connectionForces(1, {{zero, zero, zero}, {zero, zero, zero}}, {{zero, zero, zero}, {zero, zero, zero}},
-                                k, l, k, {&f[0], &f[1], &f[2]}, {&b[0], &b[1], &b[2]});
-        QCOMPARE(f[0], 0.0);
-        QCOMPARE(b[0], 0.0);
+        for (const Vec3& force : forceBetween(VectorArray(2), VectorArray(2), 1))
+            QCOMPARE(force, Vec3(Vec3::Zero()));
     }
 
     void dilatationIsTheLogarithmOfTheVolumeRatio()

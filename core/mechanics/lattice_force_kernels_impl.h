@@ -1,0 +1,302 @@
+// The force kernels of lattice_kernels.h; see lattice_kernels_impl.h for how they are compiled.
+//
+// Eight objects make a vector, which the compiler cuts into what the instruction set has. An object's own sums stay in
+// registers over all directions; its neighbors' are added to in memory.
+#pragma once
+
+#include "core/aggregate/lattice_directions.h"
+#include "core/mechanics/lattice_kernels.h"
+
+#include <cstdint>
+
+namespace knead::kernels::KNEAD_KERNEL_SET {
+
+namespace {
+
+#define KNEAD_INLINE inline __attribute__((always_inline))
+
+constexpr std::size_t lanes = 8;
+using Lanes = double __attribute__((vector_size(64)));
+using LaneBits = std::int64_t __attribute__((vector_size(64)));
+using UnsignedBits = std::uint64_t __attribute__((vector_size(64)));
+using UnalignedLanes = double __attribute__((vector_size(64), aligned(8), may_alias));
+
+KNEAD_INLINE Lanes load(const double* from)
+{
+    return *reinterpret_cast<const UnalignedLanes*>(from);
+}
+KNEAD_INLINE void store(double* to, Lanes values)
+{
+    *reinterpret_cast<UnalignedLanes*>(to) = values;
+}
+KNEAD_INLINE void add(double* to, Lanes values)
+{
+    store(to, load(to) + values);
+}
+KNEAD_INLINE void subtract(double* to, Lanes values)
+{
+    store(to, load(to) - values);
+}
+KNEAD_INLINE Lanes all(double value)
+{
+    return Lanes{value, value, value, value, value, value, value, value};
+}
+KNEAD_INLINE Lanes squareRoot(Lanes values)
+{
+    Lanes roots;
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        roots[lane] = __builtin_sqrt(values[lane]);
+    return roots;
+}
+KNEAD_INLINE Lanes masked(Lanes values, LaneBits mask)
+{
+    return reinterpret_cast<Lanes>(reinterpret_cast<LaneBits>(values) & mask);
+}
+
+// Keeps 1/|d| finite when two objects coincide; the force is then 0 since d is.
+constexpr double tinyLengthSquared = 1e-280;
+
+/// Natural logarithm for positive normal numbers to about 2 ulp, of one value or of lanes, from operations that vectorize and
+/// round alike everywhere (the C library picks among several versions by machine).
+/// ln x = e ln 2 + 2 atanh((m - 1) / (m + 1)), m in [~0.7, ~1.4).
+template <typename Bits, typename Real>
+KNEAD_INLINE Real naturalLogarithm(Real x)
+{
+    // Unsigned shifts and the 2^52 trick, since AVX2 has neither a signed 64-bit shift nor a conversion from 64-bit integers.
+    constexpr auto rootHalf = __builtin_bit_cast(std::uint64_t, 0.70710678118654752);
+    constexpr std::uint64_t bias = 1023;
+    constexpr double twoTo52 = 4503599627370496.0;
+    const auto bits = __builtin_bit_cast(Bits, x);
+    const Bits biased = (bits - rootHalf + (bias << 52)) >> 52;
+    const auto mantissa = __builtin_bit_cast(Real, bits - (biased << 52) + (bias << 52));
+    const Real exponent =
+        __builtin_bit_cast(Real, biased | __builtin_bit_cast(std::uint64_t, twoTo52)) - (twoTo52 + 1023);
+    const Real t = (mantissa - 1) / (mantissa + 1);
+    const Real s = t * t;
+    Real series = s * (1.0 / 21) + 1.0 / 19;
+    for (int n = 17; n >= 1; n -= 2)
+        series = series * s + 1.0 / n;
+    return exponent * 0.69314718055994531 + 2 * t * series;
+}
+
+/// Lanes whose object lies in begin .. end, the first one being `first`.
+KNEAD_INLINE LaneBits inside(std::size_t first, std::size_t begin, std::size_t end)
+{
+    const LaneBits lane{0, 1, 2, 3, 4, 5, 6, 7};
+    const LaneBits object = lane + static_cast<std::int64_t>(first);
+    return (object >= static_cast<std::int64_t>(begin)) & (object < static_cast<std::int64_t>(end));
+}
+
+/// Where the vectors of a run begin: at its first object, or for a long run on the cache line of that.
+KNEAD_INLINE std::size_t firstVector(std::size_t begin, std::size_t end)
+{
+    constexpr std::size_t longRun = 8 * lanes;
+    return end - begin < longRun ? begin : begin / lanes * lanes;
+}
+
+template <bool volumetric, bool partial>
+KNEAD_INLINE void addForcesOfVector(const ForceArguments& a, std::size_t i)
+{
+    const LaneBits mask = partial ? inside(i, a.begin, a.end) : LaneBits{};
+    const std::ptrdiff_t s = a.stride;
+    const double* position = a.position + i;
+    const double* velocity = a.velocity + i;
+    const Lanes x = load(position), y = load(position + s), z = load(position + 2 * s);
+    const Lanes u = load(velocity), v = load(velocity + s), w = load(velocity + 2 * s);
+    Lanes fx{}, fy{}, fz{}, bx{}, by{}, bz{};
+    const ForceDirection* const end = a.directions + a.directionCount;
+    for (const ForceDirection* direction = a.directions; direction != end; ++direction) {
+        const std::ptrdiff_t j = direction->offset;
+        const Lanes dx = load(position + j) - x, dy = load(position + j + s) - y, dz = load(position + j + 2 * s) - z;
+        const Lanes squared = dx * dx + dy * dy + dz * dz + tinyLengthSquared;
+        const Lanes inverseSquared = 1 / squared;
+        const Lanes inverse = inverseSquared * squareRoot(squared);
+        const Lanes approach =
+            (load(velocity + j) - u) * dx + (load(velocity + j + s) - v) * dy + (load(velocity + j + 2 * s) - w) * dz;
+        Lanes k = load(direction->stiffness + i);
+        if constexpr (partial)
+            k = masked(k, mask);
+        const Lanes length =
+            direction->nominalLength ? load(direction->nominalLength + i) : all(direction->uniformLength);
+        const Lanes time = direction->dampingTime ? load(direction->dampingTime + i) : all(a.dampingTime);
+        const Lanes pull = k * (1 - length * inverse);
+        const Lanes brake = k * time * (inverseSquared * approach);
+        Lanes px = pull * dx, py = pull * dy, pz = pull * dz;
+        if constexpr (volumetric) {
+            const std::ptrdiff_t c = a.stressStride;
+            const double* column = direction->column[0] + i;
+            Lanes tx = load(column) + load(column + j), ty = load(column + c) + load(column + c + j),
+                  tz = load(column + 2 * c) + load(column + 2 * c + j);
+            for (int n = 1; n < direction->columns; ++n) {
+                column = direction->column[n] + i;
+                const double sign = direction->sign[n];
+                tx += sign * (load(column) + load(column + j));
+                ty += sign * (load(column + c) + load(column + c + j));
+                tz += sign * (load(column + 2 * c) + load(column + 2 * c + j));
+            }
+            px += k * tx;
+            py += k * ty;
+            pz += k * tz;
+        }
+        const Lanes qx = brake * dx, qy = brake * dy, qz = brake * dz;
+        fx += px;
+        fy += py;
+        fz += pz;
+        bx += qx;
+        by += qy;
+        bz += qz;
+        double* force = a.neighbors.force + i + j;
+        double* damping = a.neighbors.damping + i + j;
+        const std::ptrdiff_t t = a.neighbors.stride;
+        subtract(force, px);
+        subtract(force + t, py);
+        subtract(force + 2 * t, pz);
+        subtract(damping, qx);
+        subtract(damping + t, qy);
+        subtract(damping + 2 * t, qz);
+    }
+    double* force = a.own.force + i;
+    double* damping = a.own.damping + i;
+    const std::ptrdiff_t t = a.own.stride;
+    add(force, fx);
+    add(force + t, fy);
+    add(force + 2 * t, fz);
+    add(damping, bx);
+    add(damping + t, by);
+    add(damping + 2 * t, bz);
+}
+
+template <bool volumetric>
+void addForcesOfRun(const ForceArguments& a)
+{
+    for (std::size_t i = firstVector(a.begin, a.end); i < a.end; i += lanes) {
+        if (i >= a.begin && i + lanes <= a.end)
+            addForcesOfVector<volumetric, false>(a, i);
+        else
+            addForcesOfVector<volumetric, true>(a, i);
+    }
+}
+
+void addForces(const ForceArguments& arguments)
+{
+    if (arguments.stressStride != 0)
+        addForcesOfRun<true>(arguments);
+    else
+        addForcesOfRun<false>(arguments);
+}
+
+/// Columns of M = sum k d o^T over the connections of eight objects, in lattice axes.
+struct ShapeSums {
+    Lanes m[3][3]; ///< [column][world component]
+};
+
+template <int d>
+KNEAD_INLINE void addShapeOfDirection(const StressArguments& a, std::size_t i, ShapeSums& sums)
+{
+    constexpr int o[3] = {latticeDirections[d][0], latticeDirections[d][1], latticeDirections[d][2]};
+    const bool hasNext = (a.forward >> d & 1U) != 0;
+    const bool hasPrevious = (a.backward >> d & 1U) != 0;
+    if (!hasNext && !hasPrevious)
+        return;
+    const double* k = a.stiffness[d] + i;
+    for (int c = 0; c < 3; ++c) {
+        const double* place = a.position + c * a.stride + i;
+        const Lanes here = load(place);
+        Lanes pull{};
+        if (hasNext)
+            pull += load(k) * (load(place + a.ahead[d]) - here);
+        if (hasPrevious)
+            pull += load(k - a.behind[d]) * (here - load(place - a.behind[d]));
+        for (int column = 0; column < 3; ++column) {
+            if (o[column] > 0)
+                sums.m[column][c] += pull;
+            if (o[column] < 0)
+                sums.m[column][c] -= pull;
+        }
+    }
+}
+
+KNEAD_INLINE ShapeSums shapeOfVector(const StressArguments& a, std::size_t i)
+{
+    ShapeSums sums{};
+    addShapeOfDirection<0>(a, i, sums);
+    addShapeOfDirection<1>(a, i, sums);
+    addShapeOfDirection<2>(a, i, sums);
+    addShapeOfDirection<3>(a, i, sums);
+    addShapeOfDirection<4>(a, i, sums);
+    addShapeOfDirection<5>(a, i, sums);
+    addShapeOfDirection<6>(a, i, sums);
+    addShapeOfDirection<7>(a, i, sums);
+    addShapeOfDirection<8>(a, i, sums);
+    addShapeOfDirection<9>(a, i, sums);
+    addShapeOfDirection<10>(a, i, sums);
+    addShapeOfDirection<11>(a, i, sums);
+    addShapeOfDirection<12>(a, i, sums);
+    return sums;
+}
+
+template <bool partial>
+KNEAD_INLINE void stressOfVector(const StressArguments& a, std::size_t i)
+{
+    const ShapeSums shape = shapeOfVector(a, i);
+    const Lanes(&m)[3][3] = shape.m;
+    const Lanes inverseSpacing = all(1 / a.spacing);
+    const Lanes uu = load(a.inverseShape[0] + i), vv = load(a.inverseShape[1] + i), ww = load(a.inverseShape[2] + i);
+    const Lanes uv = load(a.inverseShape[3] + i), uw = load(a.inverseShape[4] + i), vw = load(a.inverseShape[5] + i);
+    // F = M K^-1 / a, column by column.
+    Lanes f[3][3];
+    for (int c = 0; c < 3; ++c) {
+        f[0][c] = (m[0][c] * uu + m[1][c] * uv + m[2][c] * uw) * inverseSpacing;
+        f[1][c] = (m[0][c] * uv + m[1][c] * vv + m[2][c] * vw) * inverseSpacing;
+        f[2][c] = (m[0][c] * uw + m[1][c] * vw + m[2][c] * ww) * inverseSpacing;
+    }
+    // Cofactors: F^-T = cof F / det F.
+    Lanes cofactor[3][3];
+    for (int column = 0; column < 3; ++column) {
+        const Lanes(&p)[3] = f[(column + 1) % 3];
+        const Lanes(&q)[3] = f[(column + 2) % 3];
+        for (int c = 0; c < 3; ++c)
+            cofactor[column][c] = p[(c + 1) % 3] * q[(c + 2) % 3] - p[(c + 2) % 3] * q[(c + 1) % 3];
+    }
+    const Lanes determinant = f[0][0] * cofactor[0][0] + f[0][1] * cofactor[0][1] + f[0][2] * cofactor[0][2];
+    const Lanes smallest = all(smallestVolumeRatio);
+    const Lanes ratio = determinant > smallest ? determinant : smallest;
+    const Lanes below = determinant < smallest ? determinant / smallest - 1 : all(0);
+    const Lanes dilatation = naturalLogarithm<UnsignedBits>(ratio) + below - load(a.restDilatation + i);
+    // See volumetricStrain(): g g' / ratio, g' = 1 / (1 - theta)^2 where g = theta / (1 - theta).
+    const Lanes bulk = load(a.bulk + i);
+    const LaneBits softens = (bulk < all(0)) & (dilatation < all(0));
+    const Lanes damped = softens ? 1 / (1 - dilatation) : all(1);
+    const Lanes slope = (softens & (determinant < all(0))) ? all(0) : damped * damped * damped;
+    const Lanes p = bulk * dilatation * slope * inverseSpacing / ratio;
+    const auto put = [&](double* to, Lanes values) __attribute__((always_inline))
+    {
+        if constexpr (!partial) {
+            store(to + i, values);
+        } else {
+            for (std::size_t lane = 0; lane < lanes; ++lane)
+                if (i + lane >= a.begin && i + lane < a.end)
+                    to[i + lane] = values[lane];
+        }
+    };
+    put(a.theta, dilatation);
+    for (int c = 0; c < 3; ++c) {
+        put(a.stress[c], p * (cofactor[0][c] * uu + cofactor[1][c] * uv + cofactor[2][c] * uw));
+        put(a.stress[3 + c], p * (cofactor[0][c] * uv + cofactor[1][c] * vv + cofactor[2][c] * vw));
+        put(a.stress[6 + c], p * (cofactor[0][c] * uw + cofactor[1][c] * vw + cofactor[2][c] * ww));
+    }
+}
+
+void volumetricStress(const StressArguments& arguments)
+{
+    for (std::size_t i = firstVector(arguments.begin, arguments.end); i < arguments.end; i += lanes) {
+        if (i >= arguments.begin && i + lanes <= arguments.end)
+            stressOfVector<false>(arguments, i);
+        else
+            stressOfVector<true>(arguments, i);
+    }
+}
+
+} // namespace
+
+} // namespace knead::kernels::KNEAD_KERNEL_SET
