@@ -6,12 +6,8 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace knead {
@@ -20,16 +16,6 @@ namespace {
 
 constexpr std::size_t blockSize = 4096;
 
-/// Largest absolute value; not a number when one of them is.
-double largestOf(const double* values, std::size_t count)
-{
-    // Bit patterns of absolute values compare like the values, with infinities and what is no number on top.
-    std::int64_t largest = 0;
-    for (std::size_t i = 0; i < count; ++i)
-        largest = std::max(largest, std::bit_cast<std::int64_t>(values[i]) & std::numeric_limits<std::int64_t>::max());
-    return std::bit_cast<double>(largest);
-}
-
 } // namespace
 
 StepReport semiImplicitEuler(ObjectState& state, const Vec3& gravity, double dt)
@@ -37,17 +23,18 @@ StepReport semiImplicitEuler(ObjectState& state, const Vec3& gravity, double dt)
     const std::size_t blocks = (state.size() + blockSize - 1) / blockSize;
     std::vector<StepReport> reports(blocks);
     forEachBlock(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
-        std::array<double, kernels::sumLanes> work{};
-        StepReport& report = reports[begin / blockSize];
-        for (std::size_t c = 0; c < 3; ++c) {
-            double* velocity = state.velocity.component(c) + begin;
-            kernels::best().advance(end - begin, dt, gravity[static_cast<Eigen::Index>(c)], state.mass.data() + begin,
-                                    state.inverseMass.data() + begin, state.force.component(c) + begin,
-                                    state.damping.component(c) + begin, velocity, state.position.component(c) + begin,
-                                    work.data());
-            report.largestSpeed = std::hypot(report.largestSpeed, largestOf(velocity, end - begin));
-        }
-        report.dampingWork = std::accumulate(work.begin(), work.end(), 0.0);
+        const kernels::AdvanceReport report =
+            kernels::best().advance({.count = end - begin,
+                                     .dt = dt,
+                                     .gravity = gravity.data(),
+                                     .mass = state.mass.data() + begin,
+                                     .inverseMass = state.inverseMass.data() + begin,
+                                     .force = state.force.data() + begin,
+                                     .damping = state.damping.data() + begin,
+                                     .velocity = state.velocity.data() + begin,
+                                     .position = state.position.data() + begin,
+                                     .stride = static_cast<std::ptrdiff_t>(state.position.stride())});
+        reports[begin / blockSize] = {std::sqrt(report.squaredSpeed), report.dampingWork};
     });
     StepReport total;
     for (const StepReport& report : reports) {

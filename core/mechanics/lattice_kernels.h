@@ -69,6 +69,25 @@ struct StressArguments {
     double* theta;                     ///< written: ln det F - restDilatation, F = (sum k d o^T) K^-1 / a
 };
 
+/// Objects that move on. Arrays begin at the first of them, which is the first of a vector; the last vector is done whole.
+struct AdvanceArguments {
+    std::size_t count;
+    double dt;             ///< [s]
+    const double* gravity; ///< 3 components [m/s^2]
+    const double* mass;
+    const double* inverseMass; ///< 0: held
+    const double* force;       ///< component c of object i at [c * stride + i], as in the following
+    const double* damping;
+    double* velocity;
+    double* position;
+    std::ptrdiff_t stride;
+};
+
+struct AdvanceReport {
+    double dampingWork;  ///< of the damping on the objects, with the mean of old and new velocity [J]
+    double squaredSpeed; ///< largest; not a number when one is none [m^2/s^2]
+};
+
 /// det F below which the logarithm goes on as its tangent, so that squashed and inverted surroundings are pushed back with
 /// a force that stays the gradient of an energy.
 inline constexpr double smallestVolumeRatio = 0.1;
@@ -124,10 +143,8 @@ struct Kernels {
     void (*excessStrain)(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor,
                          const double* nominalLength, const double* limit, double* excess);
 
-    /// Semi-implicit Euler for one component: v += dt ((f + b) / m + g), x += dt v. Adds the work of b with the mean of old
-    /// and new velocity to work[i % sumLanes], so that the sum does not depend on the width of the instructions.
-    void (*advance)(std::size_t count, double dt, double gravity, const double* mass, const double* inverseMass,
-                    const double* force, const double* damping, double* velocity, double* position, double* work);
+    /// Semi-implicit Euler: v += dt ((f + b) / m + g), x += dt v.
+    AdvanceReport (*advance)(const AdvanceArguments& arguments);
 
     const char* name; ///< "x86-64", "AVX2", "AVX-512"
 };

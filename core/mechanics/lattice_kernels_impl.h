@@ -61,25 +61,37 @@ void excessStrain(std::size_t count, const ConstVectors& self, const ConstVector
     }
 }
 
-void advance(std::size_t count, double dt, double gravity, const double* mass, const double* inverseMass,
-             const double* force, const double* damping, double* velocity, double* position, double* work)
+AdvanceReport advance(const AdvanceArguments& a)
 {
-    const double half = 0.5 * dt;
-    const auto move = [&](std::size_t i, double& sum) {
-        const double before = velocity[i];
-        const double after = before + dt * inverseMass[i] * (force[i] + damping[i] + mass[i] * gravity);
-        velocity[i] = after;
-        position[i] += dt * after;
-        sum += damping[i] * half * (before + after);
-    };
-    const std::size_t whole = count - count % sumLanes;
-    for (std::size_t first = 0; first < whole; first += sumLanes) {
-#pragma GCC ivdep
-        for (std::size_t lane = 0; lane < sumLanes; ++lane)
-            move(first + lane, work[lane]);
+    const double dt = a.dt;
+    Lanes work{};
+    LaneBits largest{};
+    for (std::size_t i = 0; i < a.count; i += lanes) {
+        const Lanes mass = load(a.mass + i);
+        const Lanes share = dt * load(a.inverseMass + i);
+        Lanes squared{};
+        for (int c = 0; c < 3; ++c) {
+            const std::ptrdiff_t at = c * a.stride + static_cast<std::ptrdiff_t>(i);
+            const Lanes damping = load(a.damping + at);
+            const Lanes before = load(a.velocity + at);
+            const Lanes after = before + share * (load(a.force + at) + damping + mass * a.gravity[c]);
+            store(a.velocity + at, after);
+            store(a.position + at, load(a.position + at) + dt * after);
+            work += damping * (before + after);
+            squared += after * after;
+        }
+        // Bit patterns of numbers without a sign compare like the numbers, with infinities and what is no number on top.
+        const LaneBits bits = reinterpret_cast<LaneBits>(squared) & INT64_MAX;
+        largest = bits > largest ? bits : largest;
     }
-    for (std::size_t i = whole; i < count; ++i)
-        move(i, work[i - whole]);
+    AdvanceReport report{0, 0};
+    std::int64_t top = 0;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        report.dampingWork += 0.5 * dt * work[lane];
+        top = largest[lane] > top ? largest[lane] : top;
+    }
+    report.squaredSpeed = __builtin_bit_cast(double, top);
+    return report;
 }
 
 } // namespace

@@ -22,7 +22,7 @@ struct BodyRun {
     StructuralConnections connections;
     BodyKind kind;
     std::optional<RigidMotion> rigid; ///< of a rigid body that is not held
-    std::vector<double> freeMass;     ///< inverse masses without fixtures [1/kg]
+    LaneVector<double> freeMass;      ///< inverse masses without fixtures [1/kg]
     bool anchored = false;            ///< some object is held
 
     bool deforms() const { return kind == BodyKind::deformable; }
