@@ -33,11 +33,13 @@ std::vector<double> StructuralConnections::bondBounds(const ObjectState& state, 
     forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         std::vector<Mat3> stiffness(end - begin, Mat3::Zero());
         for (std::uint32_t d = 0; d < Lattice::directionCount; ++d) {
+            const LaneVector<double>& own = m_changes.nominalLength[d];
+            const double uniform = m_aggregate->lattice.direction(static_cast<int>(d)).norm();
             const auto add = [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
                 for (std::size_t s = 0; s < n; ++s)
                     if (const double k = m_stiffness[d][lower + s]; k > 0)
                         stiffness[i + s - begin] += tangent(state.position.at(j + s) - state.position.at(i + s), k,
-                                                            nominalLength({d, static_cast<ObjectIndex>(lower + s)}));
+                                                            own.empty() ? uniform : own[lower + s]);
             };
             forEachForward(m_aggregate->lattice, d, begin, end, add);
             forEachBackward(m_aggregate->lattice, d, begin, end, add);
