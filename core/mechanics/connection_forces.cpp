@@ -35,7 +35,7 @@ constexpr std::size_t vectorBegin(std::size_t place)
 
 } // namespace
 
-void StructuralConnections::computeStress(const ObjectState& state)
+void StructuralConnections::computeStress(const VectorArray& position)
 {
     std::array<const double*, Lattice::directionCount> stiffness{};
     std::array<const double*, 6> inverseShape{};
@@ -45,16 +45,16 @@ void StructuralConnections::computeStress(const ObjectState& state)
     for (std::size_t c = 0; c < 6; ++c)
         inverseShape[c] = m_inverseShape[c].data();
     for (VectorArray& column : m_stress)
-        if (column.size() != state.size())
-            column.resize(state.size());
+        if (column.size() != position.size())
+            column.resize(position.size());
     for (std::size_t c = 0; c < 9; ++c)
         stress[c] = m_stress[c / 3].component(c % 3);
-    forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
+    forEachBlock(position.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         forEachRun(m_stressRuns, begin, end, [&](const LatticeRun& run, std::size_t first, std::size_t last) {
             kernels::best().volumetricStress({.begin = first,
                                               .end = last,
-                                              .position = state.position.data(),
-                                              .stride = static_cast<std::ptrdiff_t>(state.position.stride()),
+                                              .position = position.data(),
+                                              .stride = static_cast<std::ptrdiff_t>(position.stride()),
                                               .forward = run.forward,
                                               .backward = run.backward,
                                               .ahead = run.ahead.data(),
@@ -176,7 +176,7 @@ void StructuralConnections::computeForces(ObjectState& state, double dt)
 {
     m_thetaIsPresent = false;
     if (m_hasBulk)
-        computeStress(state);
+        computeStress(state.position);
     forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         for (VectorArray* array : {&state.force, &state.damping})
             for (std::size_t c = 0; c < 3; ++c)

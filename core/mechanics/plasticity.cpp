@@ -58,7 +58,7 @@ StructuralConnections::FlowReport StructuralConnections::flowAndBreak(const Obje
     FlowReport report;
     if (m_laws.anyYields()) {
         if (!m_thetaIsPresent)
-            computeStress(state);
+            computeStress(state.position);
         std::vector<double> dissipated((state.size() + m_blockSize - 1) / m_blockSize);
         forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
             dissipated[begin / m_blockSize] = flowBlock(state, begin, end, dt);
@@ -94,7 +94,7 @@ double StructuralConnections::renormalize(const ObjectState& state, const std::v
                                m_changes.plasticStrain[d][lower + s] *= 1 - share;
                            }
                        });
-    computeStress(state);
+    computeStress(state.position);
     for (std::size_t i = 0; i < state.size(); ++i) {
         if (!takesPart(i))
             continue;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace knead {
 
@@ -191,29 +192,38 @@ void StructuralConnections::setInverseShape(ObjectIndex object, const Mat3& shap
         m_inverseShape[c][object] = components[c];
 }
 
-double StructuralConnections::energy(const ObjectState& state)
+double StructuralConnections::energy(const VectorArray& position)
 {
-    double sum = 0;
-    for (std::uint32_t d = 0; d < Lattice::directionCount; ++d)
-        forEachForward(m_aggregate->lattice, d, 0, state.size(),
-                       [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
-                           for (std::size_t s = 0; s < n; ++s) {
-                               const double length = (state.position.at(j + s) - state.position.at(i + s)).norm();
-                               const double stretch = length - nominalLength({d, static_cast<ObjectIndex>(lower + s)});
-                               sum += 0.5 * m_stiffness[d][lower + s] * stretch * stretch;
-                           }
-                       });
-    if (!m_hasBulk)
-        return sum;
     // Looking must not change what happens next: flow goes by the dilatation of the last forces.
-    const std::vector<double> theta = m_theta;
+    std::vector<double> theta;
     const bool isPresent = m_thetaIsPresent;
-    computeStress(state);
-    for (std::size_t i = 0; i < state.size(); ++i)
-        sum += volumetricEnergy(i);
-    m_theta = theta;
-    m_thetaIsPresent = isPresent;
-    return sum;
+    if (m_hasBulk) {
+        theta = m_theta;
+        computeStress(position);
+    }
+    std::vector<double> sums((position.size() + m_blockSize - 1) / m_blockSize);
+    forEachBlock(position.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
+        double& sum = sums[begin / m_blockSize];
+        for (std::uint32_t d = 0; d < Lattice::directionCount; ++d) {
+            const LaneVector<double>& own = m_changes.nominalLength[d];
+            const double uniform = m_aggregate->lattice.direction(static_cast<int>(d)).norm();
+            forEachForward(m_aggregate->lattice, d, begin, end,
+                           [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
+                               for (std::size_t s = 0; s < n; ++s) {
+                                   const double length = (position.at(j + s) - position.at(i + s)).norm();
+                                   const double stretch = length - (own.empty() ? uniform : own[lower + s]);
+                                   sum += 0.5 * m_stiffness[d][lower + s] * stretch * stretch;
+                               }
+                           });
+        }
+        for (std::size_t i = begin; m_hasBulk && i < end; ++i)
+            sum += volumetricEnergy(i);
+    });
+    if (m_hasBulk) {
+        m_theta = std::move(theta);
+        m_thetaIsPresent = isPresent;
+    }
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 double StructuralConnections::volumetricEnergy(std::size_t object) const
@@ -224,7 +234,7 @@ double StructuralConnections::volumetricEnergy(std::size_t object) const
 
 std::size_t StructuralConnections::countInverted(const ObjectState& state)
 {
-    computeStress(state);
+    computeStress(state.position);
     std::size_t inverted = 0;
     for (ObjectIndex i = 0; i < state.size(); ++i) {
         if (m_theta[i] + m_changes.restDilatation[i] > kernels::flatDilatation)

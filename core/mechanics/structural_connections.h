@@ -87,8 +87,9 @@ public:
     /// Plastic strains of connections between healing materials decay [s of time].
     void recover(double dt);
 
-    /// Elastic energy at present positions, volumetric part included [J].
-    double energy(const ObjectState& state);
+    /// Elastic energy at positions, volumetric part included [J].
+    double energy(const VectorArray& position);
+    double energy(const ObjectState& state) { return energy(state.position); }
 
     /// Largest angular frequency of the body about its present shape [rad/s], with a stiffness added to every
     /// object (of contacts on it). At Poisson's ratio 1/4 and below it is the bound of bounds per object,
@@ -140,7 +141,7 @@ private:
     void findDampingTimes();
     void findInverseShapes();
     void setInverseShape(ObjectIndex object, const Mat3& shape);
-    void computeStress(const ObjectState& state);
+    void computeStress(const VectorArray& position);
     double volumetricEnergy(std::size_t object) const; ///< at the dilatation computed last [J]
     kernels::ForceDirection forceDirection(std::size_t d) const;
     void addForcesOfBlock(ObjectState& state, std::size_t begin, std::size_t end);

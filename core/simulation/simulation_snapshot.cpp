@@ -66,17 +66,33 @@ EnergyLedger Simulation::State::storedEnergy()
             stored.gravity -= run->rigid->mass() * gravity.dot(center);
             continue;
         }
-        ObjectState earlier = run->state;
-        for (std::size_t i = 0; i < earlier.size(); ++i) {
-            const double mass = earlier.mass[i];
-            const Vec3 force = earlier.force.at(i) + earlier.damping.at(i) + mass * gravity;
-            const Vec3 after = earlier.velocity.at(i);
-            const Vec3 before = after - lastKick * earlier.inverseMass[i] * force;
-            earlier.position.add(i, -lastStep * (sameTime ? before : after));
-            stored.kinetic +=
-                sameTime ? 0.5 * mass * before.squaredNorm() : 0.125 * mass * (before + after).squaredNorm();
-            stored.gravity -= mass * gravity.dot(earlier.position.at(i));
-            conserved += 0.5 * mass * before.dot(sameTime ? before : after);
+        const ObjectState& state = run->state;
+        VectorArray earlier(state.size());
+        struct Sums {
+            double kinetic = 0;
+            double gravity = 0;
+            double conserved = 0;
+        };
+        std::vector<Sums> sums((state.size() + blockSize - 1) / blockSize);
+        forEachBlock(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+            Sums& sum = sums[begin / blockSize];
+            for (std::size_t i = begin; i < end; ++i) {
+                const double mass = state.mass[i];
+                const Vec3 force = state.force.at(i) + state.damping.at(i) + mass * gravity;
+                const Vec3 after = state.velocity.at(i);
+                const Vec3 before = after - lastKick * state.inverseMass[i] * force;
+                const Vec3 place = state.position.at(i) - lastStep * (sameTime ? before : after);
+                earlier.set(i, place);
+                sum.kinetic +=
+                    sameTime ? 0.5 * mass * before.squaredNorm() : 0.125 * mass * (before + after).squaredNorm();
+                sum.gravity -= mass * gravity.dot(place);
+                sum.conserved += 0.5 * mass * before.dot(sameTime ? before : after);
+            }
+        });
+        for (const Sums& sum : sums) {
+            stored.kinetic += sum.kinetic;
+            stored.gravity += sum.gravity;
+            conserved += sum.conserved;
         }
         if (run->deforms())
             stored.elastic += run->connections.energy(earlier);
