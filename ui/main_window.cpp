@@ -6,6 +6,7 @@
 #include "ui/panels/log_panel.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/model_tree.h"
+#include "ui/panels/performance_panel.h"
 #include "ui/panels/status_readings.h"
 #include "ui/units.h"
 #include "ui/viewport/viewport_widget.h"
@@ -261,6 +262,7 @@ void MainWindow::frameChanged()
 {
     const Snapshot& snapshot = *m_document.frame()->snapshot;
     m_readings->show(snapshot);
+    m_performance->show(snapshot);
     m_actions->setPlaying(snapshot.playing);
     m_actions->step->setEnabled(!snapshot.playing);
     showHealth(snapshot.health);

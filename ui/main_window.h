@@ -19,6 +19,7 @@ struct Actions;
 class Banner;
 class HomePage;
 class LogPanel;
+class PerformancePanel;
 class MaterialPanel;
 class ModelTree;
 class StatusReadings;
@@ -93,6 +94,7 @@ private:
     QStackedWidget* m_properties = nullptr;
     MaterialPanel* m_material = nullptr;
     LogPanel* m_log = nullptr;
+    PerformancePanel* m_performance = nullptr;
     QMenu* m_addTool = nullptr;
     QLabel* m_hint = nullptr;
     StatusReadings* m_readings = nullptr;

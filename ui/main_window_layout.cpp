@@ -8,6 +8,7 @@
 #include "ui/panels/log_panel.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/model_tree.h"
+#include "ui/panels/performance_panel.h"
 #include "ui/panels/status_readings.h"
 #include "ui/panels/tool_panel.h"
 #include "ui/viewport/viewport_widget.h"
@@ -86,10 +87,15 @@ void MainWindow::makeDocks()
     m_properties->addWidget(scrolled(new ToolPanel(m_document)));
     m_properties->addWidget(scrolled(new FixturePanel(m_document)));
     m_log = new LogPanel(this);
+    m_performance = new PerformancePanel(this);
 
     QDockWidget* tree = makeDock(this, tr("Model"), "modelDock", m_tree, Qt::LeftDockWidgetArea);
     QDockWidget* properties = makeDock(this, tr("Properties"), "propertiesDock", m_properties, Qt::LeftDockWidgetArea);
     QDockWidget* log = makeDock(this, tr("Log"), "logDock", m_log, Qt::BottomDockWidgetArea);
+    QDockWidget* performance =
+        makeDock(this, tr("Performance"), "performanceDock", m_performance, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(log, performance);
+    log->raise();
     resizeDocks({tree, properties}, {leftWidth, leftWidth}, Qt::Horizontal);
     resizeDocks({tree, properties}, {1, 2}, Qt::Vertical);
     resizeDocks({log}, {logHeight}, Qt::Vertical);

@@ -100,8 +100,20 @@ bool ConnectionLaws::anyYields() const
 
 bool ConnectionLaws::anyBreaks() const
 {
-    return std::any_of(m_laws.begin(), m_laws.end(),
-                       [](const ConnectionLaw& l) { return l.breakingStrain < infinite || l.ductility < infinite; });
+    return leastBreakingStrain() < infinite || anyTires();
+}
+
+double ConnectionLaws::leastBreakingStrain() const
+{
+    double least = infinite;
+    for (const ConnectionLaw& law : m_laws)
+        least = std::min(least, law.breakingStrain);
+    return least;
+}
+
+bool ConnectionLaws::anyTires() const
+{
+    return std::any_of(m_laws.begin(), m_laws.end(), [](const ConnectionLaw& l) { return l.ductility < infinite; });
 }
 
 } // namespace knead

@@ -42,6 +42,8 @@ public:
     double leastDampingTime() const;   ///< [s]
     bool anyYields() const;
     bool anyBreaks() const;
+    double leastBreakingStrain() const; ///< infinite where nothing breaks by load
+    bool anyTires() const;              ///< breaks by plastic strain
 
 private:
     const MaterialMap* m_materials;

@@ -105,6 +105,7 @@ void Simulation::State::computeForces()
         run->state.force.setZero();
         run->state.damping.setZero();
     }
+    clock.end(Stage::connections);
     contactReport = contacts->computeForces(surfaces(), timeStep);
     energy.viscous -= contactReport.brakingPower * timeStep;
     energy.viscous += contactReport.jointFrictionPower * timeStep;
@@ -207,15 +208,22 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 void Simulation::step()
 {
     State& state = *m_state;
+    state.clock.begin(state.step);
     state.applyCommands();
     if (!state.health.ok)
         return;
     state.moveManipulators();
+    state.clock.end(Stage::tools);
     state.updateVicinity();
+    state.clock.end(Stage::vicinity);
     state.changeConnections();
+    state.clock.end(Stage::material);
     state.computeForces();
+    state.clock.end(Stage::contacts);
     state.integrate();
+    state.clock.end(Stage::motion);
     state.checkHealth();
+    state.clock.end(Stage::checks);
 }
 
 void Simulation::post(Command command)

@@ -113,6 +113,7 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
     shot->floorHeight = state.floorHeight;
     shot->health = state.health;
     shot->notice = state.notice;
+    shot->stages = state.clock.take();
     shot->contacts = state.contactReport.count;
     shot->energy = state.storedEnergy();
     shot->joints = state.contacts->joints().all().size();

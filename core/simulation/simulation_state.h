@@ -5,6 +5,7 @@
 #include "core/mechanics/rigid_motion.h"
 #include "core/mechanics/structural_connections.h"
 #include "core/simulation/simulation.h"
+#include "core/simulation/stage_clock.h"
 
 #include <deque>
 #include <memory>
@@ -143,6 +144,7 @@ struct Simulation::State {
     std::size_t knownComponents = 0;
     std::uint64_t componentsVersion = ~std::uint64_t{0};
     Health health;
+    StageClock clock;
     std::string notice; ///< about the last command, empty when it was carried out
     Checkpoint lastGood;
 };

@@ -116,11 +116,14 @@ struct SimulationThread::Worker {
 
     void publish()
     {
+        const Clock::time_point start = Clock::now();
         const std::shared_ptr<Snapshot> shot = simulation.snapshot();
+        snapshotSeconds = secondsSince(start);
         shot->playing = playing;
         shot->ratio = playing ? ratio : 0;
         shot->updatesPerSecond = playing ? updates : 0;
         shot->stepsPerFrame = playing ? steps : 0;
+        shot->snapshotSeconds = snapshotSeconds;
         const std::lock_guard lock(mutex);
         latest = shot;
     }
@@ -138,6 +141,7 @@ struct SimulationThread::Worker {
     double ratio = 0;
     double updates = 0;
     int steps = 0;
+    double snapshotSeconds = 0;
     std::deque<Frame> frames;
 
     // Shared.

@@ -2,6 +2,7 @@
 
 #include "core/simulation/scene.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -28,6 +29,21 @@ struct EnergyLedger {
     /// What is stored less what came in, plus what went out, since the start; zero but for the error of the scheme [J].
     double imbalance = 0;
 };
+
+/// What a step consists of, in order.
+enum class Stage : std::uint8_t {
+    tools,       ///< commands and the motion of tools
+    vicinity,    ///< who may touch whom
+    material,    ///< plastic flow, breaking, annealing
+    connections, ///< forces of structural connections; of an implicit step: its equations and their solution
+    contacts,    ///< forces of contacts, joints and fixtures
+    motion,      ///< integration
+    checks       ///< health, checkpoints, the stable step
+};
+inline constexpr std::size_t stageCount = 7;
+
+/// Wall time per stage [s].
+using StageSeconds = std::array<double, stageCount>;
 
 /// Numerical trouble, with its remedy.
 struct Health {
@@ -82,12 +98,14 @@ struct Snapshot {
     std::size_t joints = 0;      ///< sticking or healed together now
     std::size_t components = 0;  ///< connected pieces of material
     double addedMass = 0;        ///< by mass scaling, as a share of all mass
+    StageSeconds stages{};       ///< mean per step since the snapshot before; of the machine, not of the scene
 
     // Time keeping, filled in by SimulationThread.
     bool playing = false;
     double ratio = 0; ///< simulated per wall time, over the last half second
     double updatesPerSecond = 0;
     int stepsPerFrame = 0;
+    double snapshotSeconds = 0; ///< that taking this one took
 };
 
 using SnapshotPointer = std::shared_ptr<const Snapshot>;

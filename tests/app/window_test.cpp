@@ -6,6 +6,7 @@
 #include "ui/run_window.h"
 
 #include <QComboBox>
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QLabel>
 #include <QMimeData>
@@ -100,6 +101,31 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_Backspace);
         QTRY_COMPARE(snapshot().step, std::uint64_t{0});
         QTRY_VERIFY(largestMove(*rest, *document().frame()) < 1e-12);
+    }
+
+    void thePerformancePanelSaysWhereTheTimeGoes()
+    {
+        openExample("bracket.step");
+        find<QDockWidget>("performanceDock")->raise();
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        const auto milliseconds = [&](int stage) {
+            const QString text = find<QLabel>(qPrintable(QString("stage%1").arg(stage)))->text();
+            return text.endsWith(" ms") ? text.chopped(3).toDouble() : 0.0;
+        };
+        const auto connections = static_cast<int>(Stage::connections);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().ratio > 0 && milliseconds(connections) > 0, patience);
+        QTest::qWait(500);
+        picture("performance");
+        // What the panel says are the stages of the snapshot, on the way to a frame.
+        double all = 0;
+        for (std::size_t stage = 0; stage < stageCount; ++stage) {
+            QVERIFY(snapshot().stages[stage] >= 0);
+            all += milliseconds(static_cast<int>(stage));
+        }
+        QVERIFY(milliseconds(connections) < all);
+        QVERIFY(find<QLabel>("performanceSummary")->text().contains("steps of"));
+        QVERIFY(find<QLabel>("performanceRates")->text().contains("million connections per second"));
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
     }
 
     void exportedFileHoldsWhatIsSeen()
