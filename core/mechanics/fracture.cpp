@@ -113,10 +113,8 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
     double excess[chunkSize];
     double rest[chunkSize];
     // What no limit is below. Nearly always nothing exceeds it, and the limits need not be known.
-    double least[chunkSize];
-    std::fill_n(least, chunkSize,
-                m_laws.leastBreakingStrain() * (1 - strengthScatter) *
-                    (m_brokenAround.empty() ? 1 : strengthBesideCrack));
+    const double least =
+        m_laws.leastBreakingStrain() * (1 - strengthScatter) * (m_brokenAround.empty() ? 1 : strengthBesideCrack);
     const auto from = [](const VectorArray& v, std::size_t i) {
         return kernels::ConstVectors{v.component(0) + i, v.component(1) + i, v.component(2) + i};
     };
@@ -129,12 +127,11 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
             m_aggregate->lattice, d, begin, end, [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {
                 for (std::size_t s = i; s < i + n; s += chunkSize) {
                     const std::size_t count = std::min(chunkSize, i + n - s);
-                    const auto exceeds = [&](const double* limits) {
-                        kernels::best().excessStrain(count, from(state.position, s), from(state.position, s + j - i),
-                                                     own.empty() ? rest : &own[s], limits, excess);
-                        return std::any_of(excess, excess + count, [](double value) { return value > 0; });
-                    };
-                    if (!mayBeSpent && !exceeds(least))
+                    const auto self = from(state.position, s);
+                    const auto neighbor = from(state.position, s + j - i);
+                    const double* lengths = own.empty() ? rest : &own[s];
+                    if (!mayBeSpent &&
+                        !kernels::best().anyLonger(count, self, neighbor, &m_stiffness[d][s], lengths, 1 + least))
                         continue;
                     m_laws.fill(&ConnectionLaw::breakingStrain, s, s + j - i, count, limit);
                     m_laws.fill(&ConnectionLaw::ductility, s, s + j - i, count, ductility);
@@ -146,8 +143,7 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
                     for (std::size_t c = 0; c < count && !plastic.empty(); ++c)
                         if (plastic[s + c] > ductility[c])
                             limit[c] = 0;
-                    if (!exceeds(limit))
-                        continue;
+                    kernels::best().excessStrain(count, self, neighbor, lengths, limit, excess);
                     for (std::size_t c = 0; c < count; ++c)
                         if (excess[c] > 0 && m_stiffness[d][s + c] > 0)
                             found.push_back({{d, static_cast<ObjectIndex>(s + c)}, 1 + excess[c] / limit[c]});

@@ -139,6 +139,10 @@ struct Kernels {
 
     void (*flow)(std::size_t count, const FlowArguments& arguments);
 
+    /// Whether any connection (of stiffness > 0) is longer than `factor` times its nominal length.
+    bool (*anyLonger)(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor,
+                      const double* stiffness, const double* nominalLength, double factor);
+
     /// Writes by how much each connection's strain L / l - 1 exceeds a limit.
     void (*excessStrain)(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor,
                          const double* nominalLength, const double* limit, double* excess);

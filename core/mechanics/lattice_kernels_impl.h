@@ -48,6 +48,21 @@ void flow(std::size_t count, const FlowArguments& arguments)
         one(i, dissipated[i - whole]);
 }
 
+bool anyLonger(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor, const double* stiffness,
+               const double* nominalLength, double factor)
+{
+    const double *x0 = self.x, *y0 = self.y, *z0 = self.z;
+    const double *x1 = neighbor.x, *y1 = neighbor.y, *z1 = neighbor.z;
+    std::int64_t longer = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double dx = x1[i] - x0[i], dy = y1[i] - y0[i], dz = z1[i] - z0[i];
+        const double most = factor * nominalLength[i];
+        const bool isLonger = dx * dx + dy * dy + dz * dz > most * most;
+        longer |= (isLonger ? 1 : 0) & (stiffness[i] > 0 ? 1 : 0);
+    }
+    return longer != 0;
+}
+
 void excessStrain(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor,
                   const double* nominalLength, const double* limit, double* excess)
 {
@@ -97,6 +112,6 @@ AdvanceReport advance(const AdvanceArguments& a)
 } // namespace
 
 extern const Kernels set;
-const Kernels set{addForces, volumetricStress, flow, excessStrain, advance, KNEAD_KERNEL_NAME};
+const Kernels set{addForces, volumetricStress, flow, anyLonger, excessStrain, advance, KNEAD_KERNEL_NAME};
 
 } // namespace knead::kernels::KNEAD_KERNEL_SET

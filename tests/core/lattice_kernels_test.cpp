@@ -316,6 +316,24 @@ private slots:
         QVERIFY(std::abs(out[9][1] - flatDilatation) < 1e-12);
     }
 
+    void aSingleLongConnectionIsFound()
+    {
+        const Column zero(count, 0.0);
+        const Column one(count, 1.0);
+        for (const Kernels& kernels : available())
+            for (const std::size_t place : {std::size_t{0}, count / 2, count - 1}) {
+                Column x(count, 1.2);
+                const ConstVectors self{zero.data(), zero.data(), zero.data()};
+                const ConstVectors neighbor{x.data(), zero.data(), zero.data()};
+                QVERIFY(!kernels.anyLonger(count, self, neighbor, one.data(), one.data(), 1.21));
+                x[place] = -1.22;
+                QVERIFY2(kernels.anyLonger(count, self, neighbor, one.data(), one.data(), 1.21), kernels.name);
+                Column stiffness = one;
+                stiffness[place] = 0;
+                QVERIFY(!kernels.anyLonger(count, self, neighbor, stiffness.data(), one.data(), 1.21));
+            }
+    }
+
     void coincidentObjectsGiveNoForce()
     {
         for (const Vec3& force : forceBetween(VectorArray(2), VectorArray(2), 1))
