@@ -141,10 +141,14 @@ public:
         , m_vertices(mesh.vertices.size())
         , m_ranges(mesh.triangles.size())
     {
-        for (std::size_t v = 0; v < m_vertices.size(); ++v)
-            m_vertices[v] = grid.frame.coordinates(mesh.vertices[v]);
-        for (std::size_t t = 0; t < m_ranges.size(); ++t)
-            m_ranges[t] = cellRange(triangle(t), 0, m_count[0]);
+        forEachBlock(m_vertices.size(), 8192, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v)
+                m_vertices[v] = grid.frame.coordinates(mesh.vertices[v]);
+        });
+        forEachBlock(m_ranges.size(), 8192, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t t = begin; t < end; ++t)
+                m_ranges[t] = cellRange(triangle(t), 0, m_count[0]);
+        });
     }
 
     CutCells cut(TaskControl& control) const

@@ -17,7 +17,8 @@ namespace knead {
 
 namespace {
 
-constexpr int exactLayers = 1; // objects up to so many steps from the corners of cut cells get their exact depth
+constexpr double rounding = 1e-9; // of lengths
+constexpr int exactLayers = 1;    // objects up to so many steps from the corners of cut cells get their exact depth
 
 std::string inMillimetres(double length)
 {
@@ -32,7 +33,8 @@ std::string inMillimetres(double length)
                              std::to_string(options.maximumObjects) + " objects. Choose a larger spacing.");
 }
 
-void checkMesh(const TriangleMesh& mesh)
+/// @returns its half-edges
+HalfEdges checkMesh(const TriangleMesh& mesh)
 {
     if (mesh.empty())
         throw std::runtime_error(
@@ -41,10 +43,11 @@ void checkMesh(const TriangleMesh& mesh)
         if (!vertex.allFinite())
             throw std::runtime_error(
                 "A vertex of the surface is not at a finite place. Repair the file and import again.");
-    const std::size_t open = findHalfEdges(mesh).unpaired;
-    if (open > 0)
-        throw std::runtime_error("The surface is not closed: " + std::to_string(open) +
+    HalfEdges halfEdges = findHalfEdges(mesh);
+    if (halfEdges.unpaired > 0)
+        throw std::runtime_error("The surface is not closed: " + std::to_string(halfEdges.unpaired) +
                                  " edges of triangles have no partner. Close the gaps and import again.");
+    return halfEdges;
 }
 
 /// Refuses what could not be stored, before anything is allocated.
@@ -89,21 +92,28 @@ std::vector<ObjectIndex> objectsNearSurface(const CellCorners& corners)
     return objects;
 }
 
-/// All cells within exactLayers + 1 steps of the other objects are full, so these are at least that deep.
+/// All cells within exactLayers + 1 steps of the other objects are full, so these are at least that deep, as are those to
+/// which no surface is nearer.
 void measureDepth(Aggregate& aggregate, const std::vector<ObjectIndex>& nearSurface, const TriangleMesh& mesh,
-                  double orientation, TaskControl& control)
+                  HalfEdges halfEdges, double orientation, TaskControl& control)
 {
-    aggregate.depth.assign(aggregate.size(), (exactLayers + 1) * aggregate.lattice.spacing);
+    const double deep = (exactLayers + 1) * aggregate.lattice.spacing;
+    const double reach = (1 + rounding) * deep;
+    aggregate.depth.assign(aggregate.size(), deep);
     aggregate.face.assign(aggregate.size(), Aggregate::noFace);
     control.throwIfCancelled();
-    const SurfaceDistance surface(mesh);
+    const SurfaceDistance surface(mesh, std::move(halfEdges));
     forEachBlock(nearSurface.size(), 1024, control, "measuring depth", [&](std::size_t begin, std::size_t end) {
+        std::uint32_t guess = 0;
         for (std::size_t i = begin; i < end; ++i) {
             const ObjectIndex object = nearSurface[i];
-            const SurfaceDistance::Hit hit = surface.nearest(aggregate.lattice.position(object));
-            aggregate.depth[object] = -orientation * hit.signedDistance;
+            const auto hit = surface.nearestWithin(reach, aggregate.lattice.position(object), guess);
+            if (!hit)
+                continue;
+            guess = hit->triangle;
+            aggregate.depth[object] = -orientation * hit->signedDistance;
             if (!mesh.faceOfTriangle.empty())
-                aggregate.face[object] = mesh.faceOfTriangle[hit.triangle];
+                aggregate.face[object] = mesh.faceOfTriangle[hit->triangle];
         }
     });
 }
@@ -113,7 +123,7 @@ void measureDepth(Aggregate& aggregate, const std::vector<ObjectIndex>& nearSurf
 Aggregate fill(const TriangleMesh& mesh, const FillOptions& options, TaskControl& control)
 {
     control.report(0, "checking the surface");
-    checkMesh(mesh);
+    HalfEdges halfEdges = checkMesh(mesh);
     const MassProperties properties = massProperties(mesh);
     checkSize(properties, options);
 
@@ -131,7 +141,7 @@ Aggregate fill(const TriangleMesh& mesh, const FillOptions& options, TaskControl
     CellCorners corners = joinCells(cells, grid, joining);
     corners.aggregate.meshVolume = std::abs(properties.volume);
     TaskPortion measuring(control, 0.6, 1);
-    measureDepth(corners.aggregate, objectsNearSurface(corners), mesh, orientation, measuring);
+    measureDepth(corners.aggregate, objectsNearSurface(corners), mesh, std::move(halfEdges), orientation, measuring);
     return std::move(corners.aggregate);
 }
 

@@ -13,6 +13,16 @@ Lattice::Node sum(const Lattice::Node& a, const Lattice::Node& b)
     return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
+// Written out: the comparison of arrays calls memcmp for equality.
+bool isBefore(const Lattice::Node& a, const Lattice::Node& b)
+{
+    return a[0] != b[0] ? a[0] < b[0] : a[1] != b[1] ? a[1] < b[1] : a[2] < b[2];
+}
+bool isSame(const Lattice::Node& a, const Lattice::Node& b)
+{
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
 /// Nodes shifted by one direction keep their order, so neighbors are found by merging the list with itself.
 std::vector<Lattice::Segment> findSegments(const std::vector<Lattice::Node>& nodes, const Lattice::Node& direction)
 {
@@ -21,11 +31,11 @@ std::vector<Lattice::Segment> findSegments(const std::vector<Lattice::Node>& nod
     ObjectIndex neighbor = 0;
     for (ObjectIndex object = 0; object < count; ++object) {
         const Lattice::Node wanted = sum(nodes[object], direction);
-        while (neighbor < count && nodes[neighbor] < wanted)
+        while (neighbor < count && isBefore(nodes[neighbor], wanted))
             ++neighbor;
         if (neighbor == count)
             break;
-        if (nodes[neighbor] != wanted)
+        if (!isSame(nodes[neighbor], wanted))
             continue;
         const auto offset = static_cast<std::int32_t>(neighbor - object);
         if (!segments.empty() && segments.back().offset == offset)

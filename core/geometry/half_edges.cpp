@@ -1,56 +1,91 @@
 #include "core/geometry/half_edges.h"
 
+#include "core/task/parallel.h"
+
 #include <algorithm>
 #include <numeric>
-#include <span>
 
 namespace knead {
 
 namespace {
 
-struct Ends {
-    std::uint32_t from;
-    std::uint32_t to;
-
-    std::uint32_t low() const { return std::min(from, to); }
-    std::uint32_t high() const { return std::max(from, to); }
-    bool upward() const { return from < to; }
-};
-
-Ends endsOf(const TriangleMesh& mesh, std::uint32_t halfEdge)
-{
-    const TriangleMesh::Triangle& t = mesh.triangles[halfEdge / 3];
-    return {t[halfEdge % 3], t[(halfEdge + 1) % 3]};
-}
+constexpr std::size_t blockSize = 8192; // of vertices
 
 bool usesVertexTwice(const TriangleMesh::Triangle& t)
 {
     return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-/// Half-edges grouped by the lower of their two vertices.
-struct Fans {
-    std::vector<std::size_t> first; // per vertex, and the end
-    std::vector<std::uint32_t> halfEdges;
-};
-
-Fans groupByLowerVertex(const TriangleMesh& mesh)
+std::uint32_t endOf(const TriangleMesh& mesh, std::uint32_t halfEdge)
 {
-    Fans fans{std::vector<std::size_t>(mesh.vertices.size() + 1, 0), {}};
+    return mesh.triangles[halfEdge / 3][(halfEdge + 1) % 3];
+}
+
+/// Fans in the order of the half-edges' numbers.
+void gatherFans(const TriangleMesh& mesh, HalfEdges& result)
+{
     const auto forEachHalfEdge = [&](auto&& visit) {
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-            if (usesVertexTwice(mesh.triangles[t]))
+            const TriangleMesh::Triangle& triangle = mesh.triangles[t];
+            if (usesVertexTwice(triangle))
                 continue;
             for (std::uint32_t i = 0; i < 3; ++i)
-                visit(3 * t + i);
+                visit(3 * t + i, triangle[i]);
         }
     };
-    forEachHalfEdge([&](std::uint32_t h) { ++fans.first[endsOf(mesh, h).low() + 1]; });
-    std::partial_sum(fans.first.begin(), fans.first.end(), fans.first.begin());
-    fans.halfEdges.resize(fans.first.back());
-    std::vector<std::size_t> next(fans.first.begin(), fans.first.end() - 1);
-    forEachHalfEdge([&](std::uint32_t h) { fans.halfEdges[next[endsOf(mesh, h).low()]++] = h; });
-    return fans;
+    result.fanBegin.assign(mesh.vertices.size() + 1, 0);
+    forEachHalfEdge([&](std::uint32_t, std::uint32_t from) { ++result.fanBegin[from + 1]; });
+    std::partial_sum(result.fanBegin.begin(), result.fanBegin.end(), result.fanBegin.begin());
+    result.fans.resize(result.fanBegin.back());
+    std::vector<std::uint32_t> next(result.fanBegin.begin(), result.fanBegin.end() - 1);
+    forEachHalfEdge([&](std::uint32_t h, std::uint32_t from) { result.fans[next[from]++] = h; });
+}
+
+void sortFans(const TriangleMesh& mesh, HalfEdges& result)
+{
+    forEachBlock(mesh.vertices.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v)
+            std::sort(result.fans.begin() + result.fanBegin[v], result.fans.begin() + result.fanBegin[v + 1],
+                      [&](std::uint32_t a, std::uint32_t b) {
+                          const std::uint32_t endA = endOf(mesh, a);
+                          const std::uint32_t endB = endOf(mesh, b);
+                          return endA != endB ? endA < endB : a < b;
+                      });
+    });
+}
+
+/// The half-edges from one vertex to another.
+std::span<const std::uint32_t> between(const TriangleMesh& mesh, const HalfEdges& halfEdges, std::uint32_t from,
+                                       std::uint32_t to)
+{
+    const std::span<const std::uint32_t> fan = halfEdges.leaving(from);
+    const auto first = std::lower_bound(fan.begin(), fan.end(), to, [&](std::uint32_t halfEdge, std::uint32_t vertex) {
+        return endOf(mesh, halfEdge) < vertex;
+    });
+    auto last = first;
+    while (last != fan.end() && endOf(mesh, *last) == to)
+        ++last;
+    return {first, last};
+}
+
+/// Gives the half-edges that leave a vertex their twins, and returns how many have none.
+std::size_t pair(const TriangleMesh& mesh, std::uint32_t vertex, HalfEdges& result)
+{
+    std::size_t unpaired = 0;
+    const std::span<const std::uint32_t> fan = result.leaving(vertex);
+    for (std::size_t i = 0; i < fan.size();) {
+        const std::uint32_t end = endOf(mesh, fan[i]);
+        std::size_t next = i + 1;
+        while (next < fan.size() && endOf(mesh, fan[next]) == end)
+            ++next;
+        const std::span<const std::uint32_t> back = between(mesh, result, end, vertex);
+        if (next - i == 1 && back.size() == 1)
+            result.twin[fan[i]] = back.front();
+        else
+            unpaired += next - i;
+        i = next;
+    }
+    return unpaired;
 }
 
 } // namespace
@@ -59,28 +94,14 @@ HalfEdges findHalfEdges(const TriangleMesh& mesh)
 {
     HalfEdges result;
     result.twin.assign(3 * mesh.triangles.size(), HalfEdges::none);
-    Fans fans = groupByLowerVertex(mesh);
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        const std::span<std::uint32_t> fan(fans.halfEdges.data() + fans.first[v], fans.first[v + 1] - fans.first[v]);
-        std::sort(fan.begin(), fan.end(), [&](std::uint32_t a, std::uint32_t b) {
-            const std::uint32_t highA = endsOf(mesh, a).high();
-            const std::uint32_t highB = endsOf(mesh, b).high();
-            return highA != highB ? highA < highB : a < b;
-        });
-        for (std::size_t i = 0; i < fan.size();) {
-            std::size_t end = i + 1;
-            while (end < fan.size() && endsOf(mesh, fan[end]).high() == endsOf(mesh, fan[i]).high())
-                ++end;
-            const bool pair = end - i == 2 && endsOf(mesh, fan[i]).upward() != endsOf(mesh, fan[i + 1]).upward();
-            if (pair) {
-                result.twin[fan[i]] = fan[i + 1];
-                result.twin[fan[i + 1]] = fan[i];
-            } else {
-                result.unpaired += end - i;
-            }
-            i = end;
-        }
-    }
+    gatherFans(mesh, result);
+    sortFans(mesh, result);
+    std::vector<std::size_t> unpaired((mesh.vertices.size() + blockSize - 1) / blockSize, 0);
+    forEachBlock(mesh.vertices.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v)
+            unpaired[begin / blockSize] += pair(mesh, static_cast<std::uint32_t>(v), result);
+    });
+    result.unpaired = std::reduce(unpaired.begin(), unpaired.end());
     return result;
 }
 

@@ -1,6 +1,9 @@
 #include "core/geometry/mass_properties.h"
 
 #include "core/geometry/half_edges.h"
+#include "core/task/parallel.h"
+
+#include <span>
 
 namespace knead {
 
@@ -15,6 +18,28 @@ Box boxOf(const TriangleMesh& mesh)
     return box;
 }
 
+/// Over triangles, and tetrahedra from them to a point.
+struct Sums {
+    double area = 0;
+    double sixVolumes = 0;
+    Vec3 moment = Vec3::Zero(); ///< 24 times volume times centroid, from that point
+};
+
+Sums sumsOver(std::span<const TriangleMesh::Triangle> triangles, const std::vector<Vec3>& vertices, const Vec3& middle)
+{
+    Sums sums;
+    for (const TriangleMesh::Triangle& triangle : triangles) {
+        const Vec3 a = vertices[triangle[0]] - middle;
+        const Vec3 b = vertices[triangle[1]] - middle;
+        const Vec3 c = vertices[triangle[2]] - middle;
+        const double sixVolume = a.dot(b.cross(c));
+        sums.sixVolumes += sixVolume;
+        sums.moment += sixVolume * (a + b + c);
+        sums.area += 0.5 * (b - a).cross(c - a).norm();
+    }
+    return sums;
+}
+
 } // namespace
 
 MassProperties massProperties(const TriangleMesh& mesh)
@@ -25,19 +50,20 @@ MassProperties massProperties(const TriangleMesh& mesh)
         return result;
 
     const Vec3 middle = result.box.center();
-    double sixVolumes = 0;
-    Vec3 moment = Vec3::Zero(); // of tetrahedra middle-a-b-c: 24 times volume times centroid
-    for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
-        const Vec3 a = mesh.vertices[triangle[0]] - middle;
-        const Vec3 b = mesh.vertices[triangle[1]] - middle;
-        const Vec3 c = mesh.vertices[triangle[2]] - middle;
-        const double sixVolume = a.dot(b.cross(c));
-        sixVolumes += sixVolume;
-        moment += sixVolume * (a + b + c);
-        result.area += 0.5 * (b - a).cross(c - a).norm();
+    constexpr std::size_t blockSize = 16384;
+    std::vector<Sums> blocks((mesh.triangles.size() + blockSize - 1) / blockSize);
+    forEachBlock(mesh.triangles.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+        blocks[begin / blockSize] = sumsOver({mesh.triangles.data() + begin, end - begin}, mesh.vertices, middle);
+    });
+    Sums all;
+    for (const Sums& block : blocks) {
+        all.area += block.area;
+        all.sixVolumes += block.sixVolumes;
+        all.moment += block.moment;
     }
-    result.volume = sixVolumes / 6;
-    result.centroid = sixVolumes == 0 ? middle : Vec3(middle + moment / (4 * sixVolumes));
+    result.area = all.area;
+    result.volume = all.sixVolumes / 6;
+    result.centroid = all.sixVolumes == 0 ? middle : Vec3(middle + all.moment / (4 * all.sixVolumes));
     return result;
 }
 

@@ -1,13 +1,10 @@
 #include "core/geometry/surface_distance.h"
 
-#include "core/geometry/half_edges.h"
+#include "core/geometry/triangle_tree.h"
 #include "core/task/parallel.h"
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 namespace knead {
@@ -15,6 +12,8 @@ namespace knead {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
+
+constexpr std::uint32_t none = 0xffffffffU;
 
 /// The part of a triangle on which a nearest point lies.
 enum class Feature { Face, Corner, Edge };
@@ -79,157 +78,68 @@ Corners cornersOf(const TriangleMesh& mesh, std::size_t triangle)
     return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
 }
 
+/// Along the normal; of any length.
+Vec3 crossOf(const Corners& t)
+{
+    return (t[1] - t[0]).cross(t[2] - t[0]);
+}
+
 Vec3 unitNormal(const TriangleMesh& mesh, std::size_t triangle)
 {
-    const Corners t = cornersOf(mesh, triangle);
-    return (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized();
-}
-
-double squaredDistance(const Box& box, const Vec3& p)
-{
-    return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0).squaredNorm();
-}
-
-/// Normals of the triangles around each vertex, weighted by their angles there.
-std::vector<Vec3> angleWeightedNormals(const TriangleMesh& mesh)
-{
-    std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
-    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-        const Corners t = cornersOf(mesh, triangle);
-        const Vec3 normal = unitNormal(mesh, triangle);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Vec3 to = t[(i + 1) % 3] - t[i];
-            const Vec3 from = t[(i + 2) % 3] - t[i];
-            normals[mesh.triangles[triangle][i]] += std::atan2(to.cross(from).norm(), to.dot(from)) * normal;
-        }
-    }
-    return normals;
+    return crossOf(cornersOf(mesh, triangle)).stableNormalized();
 }
 
 } // namespace
 
-/// A perfectly balanced tree in heap order: node n has children 2 n + 1 and 2 n + 2, and node j of level l holds the
-/// triangles j count / 2^l .. (j + 1) count / 2^l of the order, so that neither children nor ranges are stored.
-struct SurfaceDistance::Tree {
+/// What nearest() looks into.
+struct SurfaceDistance::Search {
     const TriangleMesh& mesh;
-    unsigned depth = 0; // levels above the leaves
-    std::vector<Box> boxes;
-    std::vector<std::uint32_t> order; // triangles, leaf by leaf
-    std::vector<Corners> corners;     // in that order
-    std::vector<std::uint32_t> twin;  // half-edges
-    std::vector<Vec3> vertexNormals;
+    TriangleTree tree;
+    std::vector<Corners> corners; // of the triangles in the tree's order
+    HalfEdges halfEdges;
 
-    static constexpr std::size_t trianglesPerLeaf = 4; // at most
+    Search(const TriangleMesh& surface, HalfEdges edges);
 
-    explicit Tree(const TriangleMesh& surface);
-
-    std::size_t levelBegin(unsigned level) const { return (std::size_t{1} << level) - 1; }
-    std::size_t firstTriangle(unsigned level, std::size_t node) const { return node * order.size() >> level; }
-
-    void sortTriangles();
-    void splitNode(unsigned level, std::size_t node, const std::vector<Vec3>& centers);
-    void findBoxes();
-    Hit nearest(const Vec3& point) const;
-    void examineLeaf(std::size_t leaf, const Vec3& point, Nearest& best, std::uint32_t& triangle) const;
+    std::optional<Hit> nearest(const Vec3& point, double reach, std::uint32_t guess) const;
     Vec3 pseudoNormal(std::uint32_t triangle, const Nearest& nearest) const;
+    Vec3 angleWeightedNormal(std::uint32_t vertex) const;
 };
 
-SurfaceDistance::Tree::Tree(const TriangleMesh& surface)
+SurfaceDistance::Search::Search(const TriangleMesh& surface, HalfEdges edges)
     : mesh(surface)
-    , order(surface.triangles.size())
+    , tree(surface)
     , corners(surface.triangles.size())
-    , twin(findHalfEdges(surface).twin)
-    , vertexNormals(angleWeightedNormals(surface))
+    , halfEdges(std::move(edges))
 {
-    const std::size_t leaves = (order.size() + trianglesPerLeaf - 1) / trianglesPerLeaf;
-    depth = static_cast<unsigned>(std::bit_width(std::bit_ceil(leaves)) - 1);
-    boxes.resize(levelBegin(depth + 1));
-    std::iota(order.begin(), order.end(), 0U);
-    sortTriangles();
-    for (std::size_t i = 0; i < order.size(); ++i)
-        corners[i] = cornersOf(mesh, order[i]);
-    findBoxes();
-}
-
-void SurfaceDistance::Tree::sortTriangles()
-{
-    std::vector<Vec3> centers(mesh.triangles.size());
-    for (std::size_t t = 0; t < centers.size(); ++t) {
-        const Corners c = cornersOf(mesh, t);
-        centers[t] = (c[0] + c[1] + c[2]) / 3;
-    }
-    for (unsigned level = 0; level < depth; ++level)
-        forEachBlock(std::size_t{1} << level, 1 + (std::size_t{1} << level) / 64,
-                     [&](std::size_t begin, std::size_t end) {
-                         for (std::size_t node = begin; node < end; ++node)
-                             splitNode(level, node, centers);
-                     });
-}
-
-/// Puts the lower half of a node's triangles first, along the side in which their centers spread most.
-void SurfaceDistance::Tree::splitNode(unsigned level, std::size_t node, const std::vector<Vec3>& centers)
-{
-    const auto begin = order.begin() + static_cast<std::ptrdiff_t>(firstTriangle(level, node));
-    const auto end = order.begin() + static_cast<std::ptrdiff_t>(firstTriangle(level, node + 1));
-    const auto middle = order.begin() + static_cast<std::ptrdiff_t>(firstTriangle(level + 1, 2 * node + 1));
-    Box spread;
-    std::for_each(begin, end, [&](std::uint32_t t) { spread.extend(centers[t]); });
-    Eigen::Index side = 0;
-    spread.sizes().maxCoeff(&side);
-    std::nth_element(begin, middle, end, [&](std::uint32_t s, std::uint32_t t) {
-        return centers[s][side] != centers[t][side] ? centers[s][side] < centers[t][side] : s < t;
+    forEachBlock(corners.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            corners[i] = cornersOf(mesh, tree.order()[i]);
     });
 }
 
-void SurfaceDistance::Tree::findBoxes()
+/// Of triangles that are equally near, the first in the mesh counts, whatever the order in which they are looked at.
+std::optional<SurfaceDistance::Hit> SurfaceDistance::Search::nearest(const Vec3& point, double reach,
+                                                                     std::uint32_t guess) const
 {
-    for (std::size_t leaf = 0; leaf < std::size_t{1} << depth; ++leaf)
-        for (std::size_t i = firstTriangle(depth, leaf); i < firstTriangle(depth, leaf + 1); ++i)
-            for (const Vec3& corner : corners[i])
-                boxes[levelBegin(depth) + leaf].extend(corner);
-    for (std::size_t node = levelBegin(depth); node-- > 0;)
-        boxes[node] = boxes[2 * node + 1].merged(boxes[2 * node + 2]);
-}
-
-void SurfaceDistance::Tree::examineLeaf(std::size_t leaf, const Vec3& point, Nearest& best,
-                                        std::uint32_t& triangle) const
-{
-    for (std::size_t i = firstTriangle(depth, leaf); i < firstTriangle(depth, leaf + 1); ++i) {
-        const Nearest candidate = nearestOnTriangle(corners[i], point);
-        const bool tie = candidate.squaredDistance == best.squaredDistance && order[i] < triangle;
+    Nearest best;
+    best.squaredDistance = reach * reach;
+    std::uint32_t triangle = none;
+    const auto examine = [&](std::uint32_t which, const Corners& at) {
+        const Nearest candidate = nearestOnTriangle(at, point);
+        const bool tie = candidate.squaredDistance == best.squaredDistance && which < triangle;
         if (candidate.squaredDistance < best.squaredDistance || tie) {
             best = candidate;
-            triangle = order[i];
+            triangle = which;
         }
-    }
-}
-
-SurfaceDistance::Hit SurfaceDistance::Tree::nearest(const Vec3& point) const
-{
-    struct Pending {
-        std::size_t node;
-        double distance; // squared, as all here
     };
-    std::array<Pending, 64> stack; // one per level
-    std::size_t pending = 0;
-    stack[pending++] = {0, squaredDistance(boxes[0], point)};
-    Nearest best;
-    std::uint32_t triangle = 0;
-    while (pending > 0) {
-        auto [node, distance] = stack[--pending];
-        while (distance <= best.squaredDistance) {
-            if (node >= levelBegin(depth)) {
-                examineLeaf(node - levelBegin(depth), point, best, triangle);
-                break;
-            }
-            const double left = squaredDistance(boxes[2 * node + 1], point);
-            const double right = squaredDistance(boxes[2 * node + 2], point);
-            const bool leftFirst = left <= right;
-            stack[pending++] = {leftFirst ? 2 * node + 2 : 2 * node + 1, std::max(left, right)};
-            node = leftFirst ? 2 * node + 1 : 2 * node + 2;
-            distance = std::min(left, right);
-        }
-    }
+    examine(guess, cornersOf(mesh, guess));
+    tree.forEachNear(point, best.squaredDistance, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            examine(tree.order()[i], corners[i]);
+        return best.squaredDistance;
+    });
+    if (triangle == none)
+        return std::nullopt;
     Hit hit{best.point, std::sqrt(best.squaredDistance), 0, triangle};
     const bool inside = pseudoNormal(triangle, best).dot(point - best.point) < 0;
     hit.signedDistance = inside ? -hit.distance : hit.distance;
@@ -237,22 +147,41 @@ SurfaceDistance::Hit SurfaceDistance::Tree::nearest(const Vec3& point) const
 }
 
 /// A normal whose side tells inside from outside even at edges and corners (Baerentzen and Aanaes 2005).
-Vec3 SurfaceDistance::Tree::pseudoNormal(std::uint32_t triangle, const Nearest& nearest) const
+Vec3 SurfaceDistance::Search::pseudoNormal(std::uint32_t triangle, const Nearest& nearest) const
 {
     if (nearest.feature == Feature::Corner)
-        return vertexNormals[mesh.triangles[triangle][nearest.which]];
-    const Vec3 normal = unitNormal(mesh, triangle);
+        return angleWeightedNormal(mesh.triangles[triangle][nearest.which]);
     if (nearest.feature == Feature::Face)
-        return normal;
-    const std::uint32_t other = twin[3 * triangle + nearest.which];
+        return crossOf(cornersOf(mesh, triangle));
+    const Vec3 normal = unitNormal(mesh, triangle);
+    const std::uint32_t other = halfEdges.twin[3 * triangle + nearest.which];
     return other == HalfEdges::none ? normal : Vec3(normal + unitNormal(mesh, other / 3));
 }
 
+/// The normals of the triangles around a vertex, weighted by their angles there.
+Vec3 SurfaceDistance::Search::angleWeightedNormal(std::uint32_t vertex) const
+{
+    Vec3 sum = Vec3::Zero();
+    for (const std::uint32_t halfEdge : halfEdges.leaving(vertex)) {
+        const Corners t = cornersOf(mesh, halfEdge / 3);
+        const std::uint32_t i = halfEdge % 3;
+        const Vec3 to = t[(i + 1) % 3] - t[i];
+        const Vec3 from = t[(i + 2) % 3] - t[i];
+        sum += std::atan2(to.cross(from).norm(), to.dot(from)) * unitNormal(mesh, halfEdge / 3);
+    }
+    return sum;
+}
+
 SurfaceDistance::SurfaceDistance(const TriangleMesh& mesh)
+    : SurfaceDistance(mesh, findHalfEdges(mesh))
+{
+}
+
+SurfaceDistance::SurfaceDistance(const TriangleMesh& mesh, HalfEdges halfEdges)
 {
     if (mesh.empty())
         throw std::invalid_argument("SurfaceDistance: the mesh has no triangles");
-    m_tree = std::make_unique<const Tree>(mesh);
+    m_search = std::make_unique<const Search>(mesh, std::move(halfEdges));
 }
 
 SurfaceDistance::~SurfaceDistance() = default;
@@ -261,7 +190,14 @@ SurfaceDistance& SurfaceDistance::operator=(SurfaceDistance&&) noexcept = defaul
 
 SurfaceDistance::Hit SurfaceDistance::nearest(const Vec3& point) const
 {
-    return m_tree->nearest(point);
+    const std::optional<Hit> hit = m_search->nearest(point, std::numeric_limits<double>::infinity(), 0);
+    return hit.value_or(Hit{});
+}
+
+std::optional<SurfaceDistance::Hit> SurfaceDistance::nearestWithin(double reach, const Vec3& point,
+                                                                   std::uint32_t guess) const
+{
+    return m_search->nearest(point, reach, guess);
 }
 
 } // namespace knead

@@ -9,16 +9,16 @@ void BruteForce::build(std::span<const VicinitySphere> spheres, double margin)
     m_statistics = {};
 }
 
-std::vector<VicinityPair> BruteForce::pairs()
+const std::vector<VicinityPair>& BruteForce::pairs()
 {
-    std::vector<VicinityPair> found;
+    m_pairs.clear();
     for (std::uint32_t i = 0; i < m_spheres.size(); ++i)
         for (std::uint32_t j = i + 1; j < m_spheres.size(); ++j)
             if (closerThan(m_spheres[i], m_spheres[j], m_margin))
-                found.push_back({i, j});
+                m_pairs.push_back({i, j});
     const std::uint64_t count = m_spheres.size();
     m_statistics.sphereTests = count < 2 ? 0 : count * (count - 1) / 2;
-    return found;
+    return m_pairs;
 }
 
 } // namespace knead

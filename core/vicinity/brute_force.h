@@ -10,7 +10,7 @@ namespace knead {
 class BruteForce final : public Vicinity {
 public:
     void build(std::span<const VicinitySphere> spheres, double margin) override;
-    std::vector<VicinityPair> pairs() override;
+    const std::vector<VicinityPair>& pairs() override;
 
 private:
     std::vector<VicinitySphere> m_spheres;

@@ -144,7 +144,7 @@ std::uint64_t PartitionTree::examine(const Tree& tree, std::uint32_t sphere, std
     return tests;
 }
 
-std::vector<VicinityPair> PartitionTree::pairs()
+const std::vector<VicinityPair>& PartitionTree::pairs()
 {
     std::vector<std::vector<VicinityPair>> found(m_subsets);
     std::vector<std::uint64_t> tests(m_subsets, 0);
@@ -154,14 +154,14 @@ std::vector<VicinityPair> PartitionTree::pairs()
             for (std::size_t t = subset; t < m_subsets; ++t)
                 tests[subset] += examine(m_trees[t], static_cast<std::uint32_t>(s), found[subset]);
     });
-    std::vector<VicinityPair> all;
+    m_pairs.clear();
     m_statistics.sphereTests = 0;
     for (std::size_t subset = 0; subset < m_subsets; ++subset) {
-        all.insert(all.end(), found[subset].begin(), found[subset].end());
+        m_pairs.insert(m_pairs.end(), found[subset].begin(), found[subset].end());
         m_statistics.sphereTests += tests[subset];
     }
-    std::sort(all.begin(), all.end());
-    return all;
+    std::sort(m_pairs.begin(), m_pairs.end());
+    return m_pairs;
 }
 
 } // namespace knead

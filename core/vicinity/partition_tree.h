@@ -25,7 +25,7 @@ public:
     explicit PartitionTree(Plane plane, std::size_t subsets = 1);
 
     void build(std::span<const VicinitySphere> spheres, double margin) override;
-    std::vector<VicinityPair> pairs() override;
+    const std::vector<VicinityPair>& pairs() override;
 
 private:
     struct Node {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/vicinity/cell_order.h"
+#include "core/vicinity/pair_lists.h"
+#include "core/vicinity/sphere_kernels.h"
 #include "core/vicinity/vicinity.h"
 
 #include <array>
@@ -9,37 +12,61 @@ namespace knead {
 
 /// Uniform grids of cells as wide as two spheres, one grid per octave of radius, so that one large sphere does not widen the
 /// cells of all small ones. Spheres are sorted by cell and only occupied cells take memory: a sparse scene costs no more
-/// than a dense one. Near linear in the number of spheres for any scene whose spheres have few neighbors.
+/// than a dense one. Near linear in the number of spheres for any scene whose spheres have few neighbors. On all threads;
+/// the pairs do not depend on their number, nor on the instruction set.
 class UniformGrid final : public Vicinity {
 public:
-    void build(std::span<const VicinitySphere> spheres, double margin) override;
-    std::vector<VicinityPair> pairs() override;
+    explicit UniformGrid(const sphere_kernels::Kernels& kernels = sphere_kernels::best());
 
-    /// All spheres whose centers lie in the box, ascending.
-    std::vector<std::uint32_t> inBox(const Box& box) const;
+    void build(std::span<const VicinitySphere> spheres, double margin) override;
+    const std::vector<VicinityPair>& pairs() override;
 
 private:
-    using Cell = std::array<std::int64_t, 3>;
-    struct Entry {
-        std::uint64_t key; ///< of the cell, ordered by z, y, x
-        std::uint32_t sphere;
+    /// One array per number of sphere_kernels::Spheres, in the order of the cells.
+    struct SphereArrays {
+        std::array<std::vector<float>, 4> place; ///< x, y, z [cells], reach
+        std::array<std::vector<std::int32_t>, 5> number;
+
+        void resize(std::size_t count);
+        sphere_kernels::Spheres view() const;
+        sphere_kernels::Query query(std::size_t i) const;
     };
-    /// The spheres of one octave of radius.
+
+    /// The grid of the spheres of one octave of radius. A cell has the key x + nx (y + ny z), x, y, z from 1, so that a row
+    /// of cells has consecutive keys and neighbors of border cells have keys of their own.
     struct Level {
-        double cellSize = 1;      ///< [m]
-        double largestRadius = 0; ///< [m]
+        std::vector<std::uint32_t> members; ///< ascending
+        double largestRadius = 0;           ///< [m]
+        double cellsPerMetre = 1;           ///< along a side [1/m]
         Vec3 origin = Vec3::Zero();
-        std::vector<Entry> entries; ///< sorted by key, then sphere
+        std::array<std::uint64_t, 3> step{1, 1, 1}; ///< between the keys of neighbors along x, y, z
+        std::array<double, 3> lastCell{};           ///< per axis, from 0
+        double doubt = 0;                           ///< by how much single precision may be wrong [cells]
+        std::vector<CellEntry> entries;             ///< sorted by cell
+        std::vector<std::uint64_t> cellKey;         ///< occupied cells, ascending
+        std::vector<std::uint32_t> cellBegin;       ///< first entry of each, and the end
+        SphereArrays spheres;
 
-        Cell cellOf(const Vec3& place) const;
+        std::uint64_t largestKey() const { return step[2] * (3 + static_cast<std::uint64_t>(lastCell[2])); }
+
+        std::uint64_t keyOf(const Vec3& place) const;
+        Vec3 inCells(const Vec3& place) const { return (place - origin) * cellsPerMetre; }
     };
 
-    void findWithin(const Level& level, std::vector<VicinityPair>& found);
-    void findAcross(const Level& small, const Level& large, std::vector<VicinityPair>& found);
-    void test(std::uint32_t a, std::uint32_t b, std::vector<VicinityPair>& found);
+    /// The cells around one cell, row by row; moves on to cells with higher keys.
+    class Surroundings;
 
+    void sortByRadius();
+    void layOut(Level& level) const;
+    void sortIn(Level& level) const;
+    void findPartners(const Level& level, std::span<const CellEntry> queries, bool ofThisLevel);
+    void findPartners(const Level& level, std::span<const CellEntry> queries, bool ofThisLevel, PairList& found) const;
+    sphere_kernels::Query queryOf(const Level& level, std::uint32_t sphere) const;
+
+    const sphere_kernels::Kernels& m_kernels;
     std::vector<VicinitySphere> m_spheres;
     std::vector<Level> m_levels; ///< smallest radii first
+    PairLists m_found;
     double m_margin = 0;
 };
 

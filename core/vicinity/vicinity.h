@@ -15,7 +15,7 @@ namespace knead {
 struct VicinitySphere {
     Vec3 center;             ///< [m]
     double radius = 0;       ///< [m], >= 0
-    std::uint32_t group = 0; ///< pairs within a group are looked for only when their nodes lie apart, or one is loose
+    std::uint32_t group = 0; ///< below 2^31; within one, pairs count only when their nodes lie apart or one is loose
     std::array<std::int32_t, 3> node{}; ///< place in the group's lattice
     bool loose = false;                 ///< may touch any sphere of its group
 };
@@ -42,14 +42,15 @@ public:
     /// Takes spheres over; what was there before is forgotten, its memory kept for use.
     virtual void build(std::span<const VicinitySphere> spheres, double margin) = 0;
 
-    /// All pairs that may touch whose surfaces are closer than the margin, sorted.
-    virtual std::vector<VicinityPair> pairs() = 0;
+    /// All pairs that may touch whose surfaces are closer than the margin, sorted; valid until the next call of either.
+    virtual const std::vector<VicinityPair>& pairs() = 0;
 
     /// Of the last build() and pairs().
     const VicinityStatistics& statistics() const { return m_statistics; }
 
 protected:
     VicinityStatistics m_statistics;
+    std::vector<VicinityPair> m_pairs; ///< a member, so that its memory is there the next time
 };
 
 enum class VicinityMethod {

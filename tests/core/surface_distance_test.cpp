@@ -80,6 +80,32 @@ private slots:
         }
     }
 
+    void reachAndGuessChangeOnlyTheTime()
+    {
+        // Of a box many points are equally far from several triangles: which one is named may not depend on the guess.
+        for (const TriangleMesh& mesh : {shapes::moved(shapes::torus(3, 1, 62, 34), shapes::tilt(0.4)),
+                                         shapes::box(Vec3(4, 4, 4)), shapes::cylinder(1, 5, 200)}) {
+            const SurfaceDistance surface(mesh);
+            const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
+            Places places;
+            int near = 0;
+            for (int i = 0; i < 1000; ++i) {
+                const Vec3 place = i % 2 == 0 ? places.next(5) : Vec3(places.next(5).array().round());
+                const SurfaceDistance::Hit hit = surface.nearest(place);
+                constexpr double reach = 0.7;
+                const auto within = surface.nearestWithin(reach, place, static_cast<std::uint32_t>(i) % triangles);
+                QCOMPARE(within.has_value(), hit.distance <= reach);
+                if (!within)
+                    continue;
+                QCOMPARE(within->triangle, hit.triangle);
+                QCOMPARE(within->signedDistance, hit.signedDistance);
+                QVERIFY(within->point == hit.point);
+                ++near;
+            }
+            QVERIFY(near > 50 && near < 950);
+        }
+    }
+
     void distanceToATriangleIsTheLeastOverItsPoints()
     {
         Places places;

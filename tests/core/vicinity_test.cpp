@@ -294,19 +294,28 @@ private slots:
         QVERIFY(median.sphereTests < 2000 * 1999 / 4);
     }
 
-    void boxHoldsWhatLiesInIt()
+    void instructionSetsAndThreadsChangeNothing()
     {
-        const Spheres spheres = manySizes();
-        UniformGrid grid;
-        grid.build(spheres, 0.01);
-        const double huge = std::numeric_limits<double>::max();
-        for (const Box& box : {Box(Vec3(-0.3, 0, 0.2), Vec3(0.4, 0.9, 0.5)), Box(Vec3(5, 5, 5), Vec3(6, 6, 6)),
-                               Box(Vec3(-huge, -huge, -huge), Vec3(huge, huge, -0.8))}) {
-            std::vector<std::uint32_t> expected;
-            for (std::uint32_t i = 0; i < spheres.size(); ++i)
-                if (box.contains(spheres[i].center))
-                    expected.push_back(i);
-            QCOMPARE(grid.inBox(box), expected);
+        std::vector<Spheres> scenes{randomSpheres(20'000, {1, 1, 1}, 0.04), turnedLattice(20, 0.1, 0.07), manySizes(),
+                                    packedLattice(20, 0.05)};
+        for (std::size_t i = 0; i < scenes[1].size(); ++i) { // one body in two halves, with some loose spheres
+            scenes[1][i].group = i < 4000 ? 0 : 1;
+            scenes[1][i].node = {static_cast<std::int32_t>(i / 400), static_cast<std::int32_t>(i / 20 % 20),
+                                 static_cast<std::int32_t>(i % 20)};
+            scenes[1][i].loose = i % 97 == 0;
+        }
+        for (const Spheres& spheres : scenes) {
+            const auto expected = pairsBy(VicinityMethod::bruteForce, spheres, 0.005);
+            QVERIFY(!expected.empty());
+            for (const sphere_kernels::Kernels& kernels : sphere_kernels::available())
+                for (const int threads : {1, 2, 4}) {
+                    UniformGrid grid(kernels);
+                    const auto pairs = onThreads(threads, [&] {
+                        grid.build(spheres, 0.005);
+                        return grid.pairs();
+                    });
+                    QVERIFY2(pairs == expected, kernels.name);
+                }
         }
     }
 };
