@@ -108,6 +108,16 @@ public:
     std::size_t count() const { return m_count; }                      ///< connections of stiffness > 0
     double dampingTime() const { return m_laws.largestDampingTime(); } ///< largest b / k [s]
 
+    /// What the operator of the implicit scheme is made of.
+    const ConnectionLaws& laws() const { return m_laws; }
+    bool hasBulk() const { return m_hasBulk; }
+    const std::vector<double>& bulk() const { return m_bulk; }
+    const std::array<std::vector<double>, 6>& inverseShape() const { return m_inverseShape; }
+    std::size_t blockSize() const { return m_blockSize; }
+
+    /// Nominal lengths of `count` connections from `lower` on; `buffer` has room for them [m].
+    const double* nominalLengths(std::size_t d, std::size_t lower, std::size_t count, double* buffer) const;
+
     /// Least b / k of any motion of the body: the volumetric term is not damped [s].
     double leastDampingTime() const;
 
@@ -143,7 +153,6 @@ private:
     void addForcesOfBlock(ObjectState& state, std::size_t begin, std::size_t end, double dt);
     void addForcesOfChunk(ObjectState& state, std::size_t d, const Chunk& chunk, std::size_t begin, std::size_t end,
                           double dt) const;
-    const double* nominalLengths(std::size_t d, std::size_t lower, std::size_t count, double* buffer) const;
     void makeLengthsOwn();
     double flowBlock(const ObjectState& state, std::size_t begin, std::size_t end, double dt);
     std::vector<ConnectionId> overloaded(const ObjectState& state) const;
