@@ -117,6 +117,8 @@ public:
 
     void factor()
     {
+        if (m_size == 0)
+            return;
         std::vector<Eigen::Triplet<double>> entries;
         entries.reserve(36 * m_blocks.size());
         for (auto& [key, values] : m_blocks)
@@ -139,7 +141,7 @@ public:
         m_blocks.clear();
         m_last = m_blocks.end();
     }
-    bool isUsable() const { return m_factor.info() == Eigen::Success; }
+    bool isUsable() const { return m_size > 0 && m_factor.info() == Eigen::Success; }
     Eigen::VectorXd solve(const Eigen::VectorXd& load) const { return m_factor.solve(load); }
     Eigen::Index size() const { return m_size; }
 

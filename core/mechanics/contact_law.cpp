@@ -14,7 +14,7 @@ double harmonicMean(double a, double b)
 
 } // namespace
 
-ContactResult contactForce(const ContactState& state, const ContactParameters& parameters, double dt)
+ContactResult contactForce(const ContactState& state, const ContactParameters& parameters, const ContactStep& step)
 {
     ContactResult result;
     if (state.overlap <= 0)
@@ -30,16 +30,24 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
     const double stored = begins
                               ? spring * overlap / 3
                               : 0.5 * parameters.stiffness * (begun * begun + parameters.onset * parameters.onset / 12);
+    if (normalForce > 0) {
+        const bool isCapped = state.overlap > parameters.largestOverlap;
+        result.slope = isCapped ? 0 : parameters.stiffness * (begins ? overlap / parameters.onset : 1);
+        result.braking = parameters.damping;
+    }
     result.energy = stored + spring * (state.overlap - overlap);
 
     const Vec3 slide = state.relativeVelocity - normalSpeed * state.normal;
-    if (const double speed = slide.norm(); speed > 0) {
+    const double speed = slide.norm();
+    if (step.isImplicit()) {
+        result.slip = parameters.friction * normalForce / std::max(speed, step.stickSpeed);
+        result.friction = -result.slip * slide;
+    } else if (speed > 0) {
         constexpr double share = 0.5;
-        const double stopping = share * parameters.reducedMass * speed / dt;
-        const double friction = std::min(parameters.friction * normalForce, stopping);
-        result.friction = -friction / speed * slide;
-        result.damping += result.friction;
+        const double stopping = share * parameters.reducedMass * speed / step.duration;
+        result.friction = -std::min(parameters.friction * normalForce, stopping) / speed * slide;
     }
+    result.damping += result.friction;
     return result;
 }
 

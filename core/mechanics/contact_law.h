@@ -24,6 +24,18 @@ struct ContactState {
     Vec3 relativeVelocity = Vec3::Zero(); ///< v_o - v_p [m/s]
 };
 
+/// The step that contact forces are for.
+struct ContactStep {
+    double duration = 0; ///< dt [s]
+    /// Slides slower than this are braked in proportion to their speed [m/s], as an implicit scheme can. 0, for explicit ones:
+    /// friction is at most half of what would stop the slide within the step.
+    double stickSpeed = 0;
+    /// Only to see what would be: makes and ends no joints, and reports how the forces answer to motion.
+    bool isTrial = false;
+
+    bool isImplicit() const { return stickSpeed > 0; }
+};
+
 /// What a contact does to object o; the opposite end gets the opposite.
 struct ContactResult {
     Vec3 spring = Vec3::Zero();   ///< conservative part of the force [N]
@@ -31,13 +43,18 @@ struct ContactResult {
     Vec3 friction = Vec3::Zero(); ///< the part of damping that is friction [N]
     double energy = 0;            ///< stored in the spring [J]
 
+    // How the force answers to motion, for the implicit scheme.
+    double slope = 0;   ///< rise of the spring force with the overlap; 0 when nothing pushes [N/m]
+    double braking = 0; ///< of the damper, likewise [N s/m]
+    double slip = 0;    ///< friction by speed of the slide [N s/m]
+
     Vec3 force() const { return spring + damping; }
 };
 
 /// Force of a contact connection, eqs (2), (5) and (7) with signs repaired, per connection.
-/// Contacts push only: the sum of spring and damper is clamped at 0. The friction force is u |F_N| against the slide, but at
-/// most half of what would stop it within the step `dt`; that regularizes eq (7), which has no value at rest.
-ContactResult contactForce(const ContactState& state, const ContactParameters& parameters, double dt);
+/// Contacts push only: the sum of spring and damper is clamped at 0. The friction force is u |F_N| against the slide. Eq (7)
+/// has no value at rest; what regularizes it depends on the scheme.
+ContactResult contactForce(const ContactState& state, const ContactParameters& parameters, const ContactStep& step);
 
 /// Parameters of a contact between two objects, so that two alike give their own: springs and dampers in series (harmonic
 /// mean), the geometric mean of the frictions, the lesser overlap cap.

@@ -55,6 +55,7 @@ public:
 
     /// Friction u of eq 7 in every connection, as published; 0, as at first, for none.
     void setStructuralFriction(double friction) { m_structuralFriction = friction; }
+    double structuralFriction() const { return m_structuralFriction; }
 
     const Changes& changes() const { return m_changes; }
     void restore(Changes changes);
