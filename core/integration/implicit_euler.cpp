@@ -19,6 +19,9 @@ constexpr std::size_t blockSize = 4096;
 constexpr double linearTolerance = 1e-3; // to which a linear system is solved
 constexpr double newtonTolerance = 1e-2; // at which a step is done
 constexpr double failedTolerance = 0.3;  // above which a step has failed
+// Of what was there before the first solution, so much is always enough to compare with: a body that is just let go of by
+// all it touched has loads of nothing.
+constexpr double leastReference = 1e-6;
 constexpr int mostNewtonIterations = 12;
 constexpr int mostIterations = 400; // of conjugate gradients for one linear system
 
@@ -27,6 +30,10 @@ constexpr double restShare = 1e-8;
 
 // Slides slower than this stick, in spacings per step.
 constexpr double stickShare = 1e-4;
+
+// Friction is made to fit normal forces and slides in so many iterations; then it stays in proportion to the slide, or stick
+// and slip would take turns without end. What is left to fit is fitted in the next steps.
+constexpr int slipIterations = 3;
 
 // The coarse factor is found again when iterations per decade have grown by this factor and so many since it was new.
 constexpr double staleFactor = 1.5;
@@ -164,12 +171,10 @@ void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, do
             m_system.setRigid(m_rigidIndex[b], rigid->mass(), rigid->inertia() / (rigid->radius() * rigid->radius()));
     std::vector<Link> links;
     links.reserve(tangents.size());
-    for (const ContactTangent& tangent : tangents) {
-        const Mat3 dyad = tangent.normal * tangent.normal.transpose();
+    for (const ContactTangent& tangent : tangents)
         links.push_back({.first = endOf(tangent.first),
                          .second = tangent.second ? endOf(*tangent.second) : LinkEnd{},
-                         .matrix = h * (tangent.along * dyad + tangent.across * (Mat3::Identity() - dyad))});
-    }
+                         .matrix = h * tangent.resistance});
     m_system.setLinks(std::move(links));
     if (m_system.rows() == 0)
         return;
@@ -196,13 +201,34 @@ int ImplicitEuler::solve(double goal)
     return report.iterations;
 }
 
-double ImplicitEuler::residualSize()
+/// In the norm of the preconditioner, squared [J].
+double ImplicitEuler::sizeOf(const VectorArray& momenta)
 {
     if (m_system.rows() == 0)
         return 0;
     m_scratch.resize(m_system.rows());
-    m_preconditioner.apply(m_residual, m_scratch);
-    return dotProduct(m_residual, m_scratch);
+    m_preconditioner.apply(momenta, m_scratch);
+    return dotProduct(momenta, m_scratch);
+}
+
+/// Size of what contacts do in the step, and of the change of momenta: what a residual may be compared with. What it was
+/// before the first solution may be far larger, when a tool has gone on by more than the material can give way.
+double ImplicitEuler::sizeOfLoads(const std::vector<ContactTangent>& tangents, double h)
+{
+    VectorArray loads;
+    loads.resize(m_system.rows());
+    for (std::size_t b = 0; b < m_bodies.size(); ++b)
+        if (m_bodies[b].deforms)
+            for (std::size_t i = 0; i < m_bodies[b].state->size(); ++i)
+                loads.set(m_first[b] + i,
+                          m_bodies[b].state->mass[i] * (m_velocity.at(m_first[b] + i) - m_startVelocity[b].at(i)));
+    for (const ContactTangent& tangent : tangents) {
+        push(endOf(tangent.first), h * tangent.force, loads);
+        if (tangent.second)
+            push(endOf(*tangent.second), -h * tangent.force, loads);
+    }
+    m_system.clearHeld(loads);
+    return sizeOf(loads);
 }
 
 double ImplicitEuler::elasticEnergy() const
@@ -297,7 +323,8 @@ double ImplicitEuler::numericalLoss(const Contacts::Report& contacts, double ene
 
 Contacts::Report ImplicitEuler::settle(Contacts& contacts, std::span<const RigidSurface> surfaces, double h)
 {
-    return findForces(contacts, surfaces, {.duration = h, .stickSpeed = stickShare * m_spacing / h});
+    return findForces(contacts, surfaces,
+                      {.duration = h, .stickSpeed = stickShare * m_spacing / h, .keepsSlip = m_keepsSlip});
 }
 
 void ImplicitEuler::undo()
@@ -319,24 +346,29 @@ ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const Ri
     ContactStep step{.duration = h, .stickSpeed = stickShare * m_spacing / h, .isTrial = true};
     const double floor = m_mass * std::pow(restShare * m_spacing / h, 2);
     double first = 0;
+    double reference = 0;
+    m_keepsSlip = false;
     for (;; ++report.newtonIterations) {
         tryVelocities(h);
+        m_keepsSlip = step.keepsSlip = report.newtonIterations > slipIterations;
         report.contacts = findForces(contacts, surfaces, step);
         findResidual(gravity, h);
-        if (report.newtonIterations == 0) {
+        if (report.newtonIterations == 0)
             updateSystem(report.contacts.tangents, h);
-            first = residualSize();
-        }
-        const double size = report.newtonIterations == 0 ? first : residualSize();
-        if (size <= std::max(newtonTolerance * newtonTolerance * first, floor))
+        const double size = sizeOf(m_residual);
+        if (report.newtonIterations == 0)
+            first = reference = size;
+        else if (!report.contacts.tangents.empty())
+            reference = std::min(reference, std::max(leastReference * first, sizeOfLoads(report.contacts.tangents, h)));
+        if (size <= std::max(newtonTolerance * newtonTolerance * reference, floor))
             break;
         if (report.newtonIterations == mostNewtonIterations || !std::isfinite(size)) {
-            report.converged = size <= failedTolerance * failedTolerance * first;
+            report.converged = size <= failedTolerance * failedTolerance * reference;
             break;
         }
         if (report.newtonIterations > 0)
             updateSystem(report.contacts.tangents, h);
-        report.iterations += solve(std::max(linearTolerance * linearTolerance * first, 0.25 * floor));
+        report.iterations += solve(std::max(linearTolerance * linearTolerance * reference, 0.25 * floor));
     }
     keepMomenta(report.contacts.tangents, gravity, h);
     for (const BodyView& body : m_bodies) {

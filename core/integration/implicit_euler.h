@@ -67,7 +67,8 @@ private:
     LinkEnd endOf(const ObjectRef& object) const;
     void updateSystem(const std::vector<ContactTangent>& tangents, double h);
     int solve(double goal);
-    double residualSize();
+    double sizeOf(const VectorArray& momenta);
+    double sizeOfLoads(const std::vector<ContactTangent>& tangents, double h);
     double elasticEnergy() const;
     void keepMomenta(const std::vector<ContactTangent>& tangents, const Vec3& gravity, double h);
     double numericalLoss(const Contacts::Report& contacts, double energyChange, double h) const;
@@ -86,6 +87,7 @@ private:
     VectorArray m_velocity;                                ///< rows: velocities at the end, as far as known
     VectorArray m_residual;
     VectorArray m_scratch;
+    bool m_keepsSlip = false;  ///< friction in the last trial was in proportion to the slide
     double m_factoredStep = 0; ///< h of the factor in use [s]; 0: none
     double m_freshRate = 0;    ///< iterations per decade when the factor was new; 0: not known
     double m_presentRate = 0;

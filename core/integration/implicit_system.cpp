@@ -15,16 +15,16 @@ Vec3 velocityOf(const LinkEnd& end, const VectorArray& u)
     return end.isRigid ? Vec3(u.at(end.row) + u.at(end.row + 1).cross(end.arm)) : u.at(end.row);
 }
 
-void push(const LinkEnd& end, const Vec3& momentum, VectorArray& product)
+} // namespace
+
+void push(const LinkEnd& end, const Vec3& momentum, VectorArray& rows)
 {
     if (end.row == LinkEnd::immovable)
         return;
-    product.add(end.row, momentum);
+    rows.add(end.row, momentum);
     if (end.isRigid)
-        product.add(end.row + 1, end.arm.cross(momentum));
+        rows.add(end.row + 1, end.arm.cross(momentum));
 }
-
-} // namespace
 
 std::size_t ImplicitSystem::addDeformable(const StructuralConnections& connections, const ObjectState& state)
 {

@@ -17,6 +17,9 @@ struct LinkEnd {
     Vec3 arm = Vec3::Zero(); ///< of a point of a rigid body, from its center, in units of the body's size
 };
 
+/// Adds a momentum at an end to the rows of its object or body.
+void push(const LinkEnd& end, const Vec3& momentum, VectorArray& rows);
+
 /// How a contact or a joint couples two ends: a matrix times their relative velocity.
 struct Link {
     LinkEnd first;

@@ -11,7 +11,8 @@ struct ContactParameters {
     double friction = 0;    ///< u, Coulomb
     double reducedMass = 0; ///< of the two objects; an object's own mass against a tool [kg]
     double onset = 0;       ///< overlap over which the stiffness rises from 0 to k: flat faces that meet all at once
-                            ///< within a step would jolt the scheme [m]
+    ///< within a step would jolt an explicit scheme [m]. In the implicit one, whose iterations a
+    ///< straight line suits better, it is k beyond half of this; that is the same beyond all of it
     double largestOverlap =
         0; ///< beyond it the spring force stays what it is there, so that a tool placed inside a body
            ///< pushes it out instead of shooting it away [m]
@@ -22,6 +23,7 @@ struct ContactState {
     double overlap = 0;                   ///< l - distance, > 0 when they touch [m]
     Vec3 normal = Vec3::UnitZ();          ///< unit, from the opposite object p (or the tool) to o
     Vec3 relativeVelocity = Vec3::Zero(); ///< v_o - v_p [m/s]
+    double slip = 0;                      ///< friction by slide, of the trial before, if it is to be kept [N s/m]
 };
 
 /// The step that contact forces are for.
@@ -32,6 +34,8 @@ struct ContactStep {
     double stickSpeed = 0;
     /// Only to see what would be: makes and ends no joints, and reports how the forces answer to motion.
     bool isTrial = false;
+    /// Friction goes on as it did in the trial before: in proportion to the slide.
+    bool keepsSlip = false;
 
     bool isImplicit() const { return stickSpeed > 0; }
 };
@@ -43,10 +47,10 @@ struct ContactResult {
     Vec3 friction = Vec3::Zero(); ///< the part of damping that is friction [N]
     double energy = 0;            ///< stored in the spring [J]
 
-    // How the force answers to motion, for the implicit scheme.
-    double slope = 0;   ///< rise of the spring force with the overlap; 0 when nothing pushes [N/m]
-    double braking = 0; ///< of the damper, likewise [N s/m]
-    double slip = 0;    ///< friction by speed of the slide [N s/m]
+    double slip = 0; ///< in an implicit scheme: friction by slide [N s/m]
+    /// Of a trial: how the force at the end of the step answers to the relative velocity, friction in
+    /// proportion to the slide; symmetric, not negative [N s/m].
+    Mat3 resistance = Mat3::Zero();
 
     Vec3 force() const { return spring + damping; }
 };

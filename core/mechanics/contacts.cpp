@@ -297,7 +297,7 @@ void Contacts::rebuild(std::span<const RigidSurface> surfaces)
         const Box box = surfaces[s].reach(largestReach + m_margin);
         for (std::uint32_t i = 0; i < m_objects.size(); ++i)
             if (m_bodies[m_objects[i].ref.body].kind != BodyKind::glue && box.contains(placeOf(m_objects[i])))
-                m_nearSurface[s].push_back(i);
+                m_nearSurface[s].push_back({i});
     }
     m_travel = 0;
     m_surfaceTravel = 0;
@@ -326,12 +326,15 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
     if (squared >= pair.nominalLength * pair.nominalLength || squared == 0) {
         if (!step.isTrial)
             pair.pressed = 0;
+        if (!step.keepsSlip)
+            pair.slip = 0;
         return;
     }
     const double distance = std::sqrt(squared);
     const ContactState state{.overlap = pair.nominalLength - distance,
                              .normal = between / distance,
-                             .relativeVelocity = a.velocity.at(first.ref.object) - b.velocity.at(second.ref.object)};
+                             .relativeVelocity = a.velocity.at(first.ref.object) - b.velocity.at(second.ref.object),
+                             .slip = pair.slip};
     if (pair.joined) { // its joint pushes; pressed for long enough, it heals
         if (!step.isTrial && healIfPressed(pair, state, step.duration)) {
             const double stretch = distance - m_joints.find(first.ref, second.ref)->nominalLength;
@@ -341,6 +344,7 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
         return;
     }
     const ContactResult result = contactForce(state, pair.parameters, step);
+    pair.slip = result.slip;
     a.force.add(first.ref.object, result.spring);
     a.damping.add(first.ref.object, result.damping);
     b.force.add(second.ref.object, -result.spring);
@@ -354,11 +358,8 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
     m_touching[pair.objects.first] += 2 * pair.parameters.stiffness;
     m_touching[pair.objects.second] += 2 * pair.parameters.stiffness;
     if (step.isTrial) {
-        report.tangents.push_back({.first = first.ref,
-                                   .second = second.ref,
-                                   .normal = state.normal,
-                                   .along = step.duration * result.slope + result.braking,
-                                   .across = result.slip});
+        report.tangents.push_back(
+            {.first = first.ref, .second = second.ref, .force = result.force(), .resistance = result.resistance});
         return;
     }
     joinIfSticky(pair, distance, result.energy);
@@ -368,25 +369,30 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
     }
 }
 
-void Contacts::pushOff(std::uint32_t index, const RigidSurface& surface, const ContactStep& step, SurfaceLoad& load,
+void Contacts::pushOff(NearObject& near, const RigidSurface& surface, const ContactStep& step, SurfaceLoad& load,
                        Report& report)
 {
-    const ContactObject& object = m_objects[index];
+    const ContactObject& object = m_objects[near.index];
     ObjectState& state = stateOf(object);
     const Vec3 place = placeOf(object);
     const SurfacePoint point = surface.nearest(place);
-    if (!(point.distance < object.reach))
+    if (!(point.distance < object.reach)) {
+        if (!step.keepsSlip)
+            near.slip = 0;
         return;
+    }
     const Vec3 surfaceVelocity = surface.velocityAt(place);
     ContactParameters parameters = object.parameters;
     parameters.friction = std::sqrt(parameters.friction * surface.friction);
     const ContactResult result =
         contactForce({.overlap = object.reach - point.distance,
                       .normal = point.normal,
-                      .relativeVelocity = state.velocity.at(object.ref.object) - surfaceVelocity},
+                      .relativeVelocity = state.velocity.at(object.ref.object) - surfaceVelocity,
+                      .slip = near.slip},
                      parameters, step);
     state.force.add(object.ref.object, result.spring);
     state.damping.add(object.ref.object, result.damping);
+    near.slip = result.slip;
     load.force -= result.force();
     load.torque -= (place - surface.pose.position).cross(result.force());
     load.power += result.force().dot(surfaceVelocity);
@@ -395,13 +401,10 @@ void Contacts::pushOff(std::uint32_t index, const RigidSurface& surface, const C
     if (!result.friction.isZero(0))
         report.frictions.push_back({object.ref, result.friction, surfaceVelocity});
     ++report.count;
-    m_touching[index] += parameters.stiffness;
+    m_touching[near.index] += parameters.stiffness;
     if (step.isTrial)
-        report.tangents.push_back({.first = object.ref,
-                                   .second = std::nullopt,
-                                   .normal = point.normal,
-                                   .along = step.duration * result.slope + result.braking,
-                                   .across = result.slip});
+        report.tangents.push_back(
+            {.first = object.ref, .second = std::nullopt, .force = result.force(), .resistance = result.resistance});
 }
 
 Contacts::Report Contacts::computeForces(std::span<const RigidSurface> surfaces, const ContactStep& step)
@@ -427,7 +430,7 @@ Contacts::Report Contacts::computeForces(std::span<const RigidSurface> surfaces,
     for (ContactPair& pair : m_pairs)
         pushApart(pair, step, report);
     for (std::size_t s = 0; s < surfaces.size(); ++s)
-        for (const std::uint32_t candidate : m_nearSurface[s])
+        for (NearObject& candidate : m_nearSurface[s])
             pushOff(candidate, surfaces[s], step, report.loads[s], report);
     makeNewJoints();
     for (std::size_t i = 0; i < m_objects.size(); ++i)

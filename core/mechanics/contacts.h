@@ -115,7 +115,13 @@ private:
         double pressed = 0;       ///< for how long now [s]
         bool joined = false;      ///< by a joint, which then acts in its place
         bool healed = false;      ///< and that joint is a healed one
+        double slip = 0;          ///< friction by slide in the last trial of the implicit scheme [N s/m]
         ContactParameters parameters;
+    };
+
+    struct NearObject {
+        std::uint32_t index; ///< into m_objects
+        double slip = 0;     ///< as in ContactPair
     };
 
     void addSkin(std::uint32_t body);
@@ -139,7 +145,7 @@ private:
         return m_bodies[object.body].connections->aggregate().lattice.spacing;
     }
     void pushApart(ContactPair& pair, const ContactStep& step, Report& report);
-    void pushOff(std::uint32_t index, const RigidSurface& surface, const ContactStep& step, SurfaceLoad& load,
+    void pushOff(NearObject& near, const RigidSurface& surface, const ContactStep& step, SurfaceLoad& load,
                  Report& report);
     void joinIfSticky(ContactPair& pair, double distance, double energy);
     double skinOf(const ObjectRef& object) const; ///< share of the body's surface [m^2]
@@ -158,9 +164,9 @@ private:
     std::vector<Joint> m_newJoints;
     std::vector<ContactPair> m_keptDistances; ///< pairs with a nominal length of their own, sorted
     std::vector<ContactPair> m_pairs;
-    std::vector<std::vector<std::uint32_t>> m_nearSurface; ///< per surface, indices into m_objects
-    std::vector<double> m_touching;                        ///< per contact object: stiffness of its contacts now [N/m]
-    double m_margin = 0;                                   ///< [m]
+    std::vector<std::vector<NearObject>> m_nearSurface; ///< per surface
+    std::vector<double> m_touching;                     ///< per contact object: stiffness of its contacts now [N/m]
+    double m_margin = 0;                                ///< [m]
     double m_frequency = 0;
     double m_travel = 0;
     double m_surfaceTravel = 0;

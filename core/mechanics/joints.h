@@ -17,14 +17,13 @@ struct ObjectRef {
     friend auto operator<=>(const ObjectRef&, const ObjectRef&) = default;
 };
 
-/// How the force of a contact or joint answers to the relative velocity of its ends at the end of a step, for the implicit
-/// scheme: by `along` in the direction of the normal, by `across` otherwise [N s/m].
+/// The force of a contact or joint at the end of a step, and how it answers to the relative velocity of its ends, for the
+/// implicit scheme.
 struct ContactTangent {
     ObjectRef first;
     std::optional<ObjectRef> second; ///< none: a rigid surface
-    Vec3 normal = Vec3::UnitZ();
-    double along = 0;
-    double across = 0;
+    Vec3 force = Vec3::Zero();       ///< on the first [N]
+    Mat3 resistance = Mat3::Zero();  ///< symmetric, not negative [N s/m]
 };
 
 /// A connection between two objects that are no neighbors on a lattice: of skins that stick together (adhesion, glue) or have
@@ -41,6 +40,7 @@ struct Joint {
     double flowTime = 0;      ///< [s]
     double ductility = 0;     ///< sum of flow after which it ends when stretched; infinite: never
     double plasticStrain = 0; ///< sum of its flow
+    double slip = 0;          ///< friction by slide in the last trial of the implicit scheme [N s/m]
     bool healed = false;      ///< grown together, not only sticking
 };
 

@@ -27,9 +27,11 @@ constexpr double calmShare = 0.7;
 // Candidates for contact are listed this far ahead [spacings].
 constexpr double aheadShare = 1.5;
 
-// A tool with a force limit is held back until its force is within this share of the limit, or for so many tries.
+// A tool may exceed its force limit by this share in a step. A step that ends above is taken again with less of the tool's way,
+// so many times at most, until it ends below, and not far below where it was stopped.
 constexpr double forceLimitShare = 0.05;
-constexpr int mostHoldBacks = 8;
+constexpr double leastForceShare = 0.5;
+constexpr int mostWays = 10;
 
 // What a present-day core does of explicit steps times connections in a second. A constant and not a measurement,
 // so that the same scene is carried out by the same scheme on any machine and with any load.
@@ -168,10 +170,39 @@ void Simulation::State::makeImplicit()
     implicit = std::make_unique<ImplicitEuler>(std::move(views));
 }
 
-/// Shortens the way of tools whose force went over its limit within the step. @return whether any was
-bool Simulation::State::holdBackTools(const std::vector<Pose>& before, std::vector<double>& progress)
+/// How far a tool with a force limit may go in a step: between a share of its way at which its force was below the limit and
+/// one at which it was above.
+struct Simulation::State::WaySearch {
+    double share = 1; ///< tried last
+    double below = 0;
+    double forceBelow = 0;
+    double above = 1;
+    double forceAbove = 0;
+    int tries = 0;
+};
+
+/// Tools that are at their limit begin with as much of their way as their force is likely to allow.
+std::vector<Simulation::State::WaySearch> Simulation::State::beginWays() const
 {
-    bool any = false;
+    std::vector<WaySearch> ways(tools.size());
+    for (std::size_t t = 0; t < tools.size(); ++t) {
+        if (!tools[t] || !std::isfinite(tools[t]->manipulator.forceLimit))
+            continue;
+        const ToolRun& tool = *tools[t];
+        ways[t].forceBelow = tool.force.norm();
+        const double left = (1 - forceLimitShare) * tool.manipulator.forceLimit - tool.force.norm();
+        const Pose next = advance(tool.manipulator, time, timeStep);
+        const double way = (next.position - tool.manipulator.pose.position).norm();
+        if (tool.force.norm() > 0 && tool.resistance * way > left)
+            ways[t].share = std::max(0.0, left / (tool.resistance * way));
+    }
+    return ways;
+}
+
+/// Takes note of the forces in the step that was tried. @return whether a tool has to go another way than it did
+bool Simulation::State::searchWays(const std::vector<Pose>& before, std::vector<WaySearch>& ways)
+{
+    bool again = false;
     std::size_t surface = 0;
     for (std::size_t t = 0; t < tools.size(); ++t) {
         if (!tools[t])
@@ -179,18 +210,32 @@ bool Simulation::State::holdBackTools(const std::vector<Pose>& before, std::vect
         ToolRun& tool = *tools[t];
         const double force = contactReport.loads[surface++].force.norm();
         const double limit = tool.manipulator.forceLimit;
-        const Vec3 way = tool.manipulator.pose.position - before[t].position;
-        const bool isOver = std::isfinite(limit) && force > (1 + forceLimitShare) * limit && progress[t] > 0;
-        if (!isOver)
+        WaySearch& way = ways[t];
+        const double length = (tool.manipulator.pose.position - before[t].position).norm();
+        if (!std::isfinite(limit) || way.share == 0 || length == 0)
             continue;
-        // The force rises about in proportion to the way, from what it was.
-        const double had = std::min(tool.force.norm(), limit);
-        tool.resistance = way.norm() > 0 ? (force - had) / way.norm() : 0;
-        const double share = (limit - had) / (force - had);
-        progress[t] = share > 1e-3 ? progress[t] * std::min(share, 0.9) : 0;
-        any = true;
+        const bool isOver = force > (1 + forceLimitShare) * limit;
+        if (force > tool.force.norm())
+            tool.resistance = (force - tool.force.norm()) / length;
+        if (isOver) {
+            way.above = way.share;
+            way.forceAbove = force;
+        } else {
+            way.below = way.share;
+            way.forceBelow = force;
+        }
+        const bool isNear = !isOver && (force > leastForceShare * limit || way.forceAbove == 0);
+        if (isNear || (way.tries == mostWays && !isOver))
+            continue;
+        // In turns by the chord, which is right once the tool touches, and in halves, which find where it does.
+        const double chord = (limit - way.forceBelow) / (way.forceAbove - way.forceBelow);
+        way.share = way.below + (way.tries % 2 == 0 ? std::clamp(chord, 0.0, 1.0) : 0.5) * (way.above - way.below);
+        if (way.tries >= mostWays)
+            way.share = way.below;
+        ++way.tries;
+        again = true;
     }
-    return any;
+    return again;
 }
 
 void Simulation::State::stepImplicitly()
@@ -205,15 +250,17 @@ void Simulation::State::stepImplicitly()
         spacing = std::min(spacing, body.aggregate->lattice.spacing);
     timeStep = longestImplicitStep();
     ImplicitEuler::Report report;
-    std::vector<double> progress(tools.size(), 1);
+    std::vector<WaySearch> ways = beginWays();
     solverIterations = 0;
     const double contactEnergy = contactReport.energy;
-    int holdBacks = 0;
     for (int halvings = 0;;) {
         for (std::size_t t = 0; t < tools.size(); ++t)
             if (tools[t])
                 tools[t]->manipulator.pose = before[t];
-        moveManipulators(progress);
+        std::vector<double> shares;
+        for (const WaySearch& way : ways)
+            shares.push_back(way.share);
+        moveManipulators(shares);
         contacts->invalidate();
         updateVicinity();
         report = implicit->step(*contacts, surfaces(), gravity, timeStep, contactEnergy);
@@ -223,9 +270,8 @@ void Simulation::State::stepImplicitly()
         if (wentTooFar && halvings < mostHalvings) {
             timeStep /= 2;
             ++halvings;
-        } else if (holdBacks < mostHoldBacks && holdBackTools(before, progress)) {
-            ++holdBacks;
-        } else {
+            ways = beginWays();
+        } else if (!searchWays(before, ways)) {
             break;
         }
         implicit->undo();

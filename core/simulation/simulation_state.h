@@ -101,7 +101,9 @@ struct Simulation::State {
     double longestImplicitStep() const;
     double fastestSurface() const;
     void makeImplicit();
-    bool holdBackTools(const std::vector<Pose>& before, std::vector<double>& progress);
+    struct WaySearch;
+    std::vector<WaySearch> beginWays() const;
+    bool searchWays(const std::vector<Pose>& before, std::vector<WaySearch>& ways);
     std::uint64_t every(std::uint64_t steps) const { return isImplicit() ? 1 : steps; }
     bool isImplicit() const { return integrator == Integrator::implicitEuler; }
     void tellFrictionApart();

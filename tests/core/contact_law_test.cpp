@@ -89,23 +89,22 @@ private slots:
         ContactParameters parameters = stiff(0.5);
         parameters.damping = 3;
         parameters.onset = 2e-5;
-        const ContactStep step{.duration = dt, .stickSpeed = 0.1};
-        for (const double overlap : {1e-5, 1e-4}) {
-            // Overlap and closing speed change the normal force; a slide slower than the stick speed changes friction.
-            const ContactState state{.overlap = overlap, .relativeVelocity = {0.03, 0, -0.02}};
-            const ContactResult result = contactForce(state, parameters, step);
-            const double small = 1e-9;
-            const auto force = [&](double deeper, const Vec3& faster) {
-                return contactForce({.overlap = overlap + deeper, .relativeVelocity = state.relativeVelocity + faster},
-                                    parameters, step)
-                    .force();
+        const ContactStep step{.duration = dt, .stickSpeed = 0.1, .isTrial = true};
+        for (const double overlap : {1.5e-5, 1e-4}) {
+            const Vec3 velocity(0.03, 0, -0.02); // it sticks
+            const ContactResult result =
+                contactForce({.overlap = overlap, .relativeVelocity = velocity}, parameters, step);
+            // Over the step a velocity changes the overlap too. How friction changes with the normal force is left out.
+            const auto change = [&](const Vec3& faster) {
+                const auto force = [&](const Vec3& v) {
+                    return contactForce({.overlap = overlap - dt * (v - velocity).z(), .relativeVelocity = v},
+                                        parameters, step)
+                        .force();
+                };
+                return Vec3((force(velocity - faster) - force(velocity + faster)) / (2 * faster.norm()));
             };
-            const double slope = (force(small, Vec3::Zero()) - force(-small, Vec3::Zero())).z() / (2 * small);
-            const Vec3 up(0, 0, 1e-6);
-            const Vec3 along(1e-6, 0, 0);
-            QVERIFY(std::abs(slope / result.slope - 1) < 1e-6);
-            QVERIFY(std::abs((force(0, -up) - force(0, up)).z() / 2e-6 / result.braking - 1) < 1e-6);
-            QVERIFY(std::abs((force(0, -along) - force(0, along)).x() / 2e-6 / result.slip - 1) < 1e-6);
+            for (Eigen::Index axis = 0; axis < 3; ++axis)
+                QVERIFY(std::abs(change(1e-6 * Vec3::Unit(axis))[axis] / result.resistance(axis, axis) - 1) < 1e-6);
         }
     }
 
