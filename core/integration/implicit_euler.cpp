@@ -22,6 +22,7 @@ constexpr double failedTolerance = 0.3;  // above which a step has failed
 // Of what was there before the first solution, so much is always enough to compare with: a body that is just let go of by
 // all it touched has loads of nothing.
 constexpr double leastReference = 1e-6;
+constexpr double leastFreeReference = 1e-4; // where nothing touches
 constexpr int mostNewtonIterations = 12;
 constexpr int mostIterations = 400; // of conjugate gradients for one linear system
 
@@ -212,7 +213,8 @@ double ImplicitEuler::sizeOf(const VectorArray& momenta)
 }
 
 /// Size of what contacts do in the step, and of the change of momenta: what a residual may be compared with. What it was
-/// before the first solution may be far larger, when a tool has gone on by more than the material can give way.
+/// before the first solution may be far larger, when a tool has gone on by more than the material can give way, or when a
+/// stiff body turns.
 double ImplicitEuler::sizeOfLoads(const std::vector<ContactTangent>& tangents, double h)
 {
     VectorArray loads;
@@ -358,8 +360,10 @@ ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const Ri
         const double size = sizeOf(m_residual);
         if (report.newtonIterations == 0)
             first = reference = size;
-        else if (!report.contacts.tangents.empty())
-            reference = std::min(reference, std::max(leastReference * first, sizeOfLoads(report.contacts.tangents, h)));
+        else
+            reference = std::min(
+                reference, std::max((report.contacts.tangents.empty() ? leastFreeReference : leastReference) * first,
+                                    sizeOfLoads(report.contacts.tangents, h)));
         if (size <= std::max(newtonTolerance * newtonTolerance * reference, floor))
             break;
         if (report.newtonIterations == mostNewtonIterations || !std::isfinite(size)) {
