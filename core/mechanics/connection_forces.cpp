@@ -202,7 +202,7 @@ void StructuralConnections::addFriction(ObjectState& state, double dt) const
                                    continue;
                                const double time =
                                    m_dampingTime[d].empty() ? m_laws.largestDampingTime() : m_dampingTime[d][lower + s];
-                               const Vec3 force = structuralFriction(
+                               const Vec3 force = knead::structuralFriction(
                                    {.across = state.position.at(j + s) - state.position.at(i + s),
                                     .velocity = state.velocity.at(j + s) - state.velocity.at(i + s),
                                     .stiffness = k,

@@ -14,31 +14,43 @@ double harmonicMean(double a, double b)
 
 } // namespace
 
-ContactResult contactForce(const ContactState& state, const ContactParameters& parameters, double dt)
+ContactResult contactForce(const ContactState& state, const ContactParameters& parameters, const ContactStep& step)
 {
     ContactResult result;
-    if (state.overlap <= 0)
+    const double late = step.isImplicit() ? parameters.onset / 2 : 0;
+    if (state.overlap <= late)
         return result;
     const double overlap = std::min(state.overlap, parameters.largestOverlap);
-    const bool begins = overlap < parameters.onset;
-    const double begun = begins ? overlap * overlap / (2 * parameters.onset) : overlap - parameters.onset / 2;
+    const double onset = step.isImplicit() ? 0 : parameters.onset;
+    const bool begins = overlap < onset;
+    const double begun = begins ? overlap * overlap / (2 * onset) : std::max(0.0, overlap - late - onset / 2);
     const double spring = parameters.stiffness * begun;
     const double normalSpeed = state.relativeVelocity.dot(state.normal);
     const double normalForce = std::max(0.0, spring - parameters.damping * normalSpeed);
     result.spring = spring * state.normal;
     result.damping = (normalForce - spring) * state.normal;
-    const double stored = begins
-                              ? spring * overlap / 3
-                              : 0.5 * parameters.stiffness * (begun * begun + parameters.onset * parameters.onset / 12);
+    const double stored =
+        begins ? spring * overlap / 3 : 0.5 * parameters.stiffness * (begun * begun + onset * onset / 12);
     result.energy = stored + spring * (state.overlap - overlap);
 
     const Vec3 slide = state.relativeVelocity - normalSpeed * state.normal;
-    if (const double speed = slide.norm(); speed > 0) {
+    const double speed = slide.norm();
+    if (step.isImplicit()) {
+        result.slip =
+            step.keepsSlip ? state.slip : parameters.friction * normalForce / std::max(speed, step.stickSpeed);
+        result.friction = -result.slip * slide;
+    } else if (speed > 0) {
         constexpr double share = 0.5;
-        const double stopping = share * parameters.reducedMass * speed / dt;
-        const double friction = std::min(parameters.friction * normalForce, stopping);
-        result.friction = -friction / speed * slide;
-        result.damping += result.friction;
+        const double stopping = share * parameters.reducedMass * speed / step.duration;
+        result.friction = -std::min(parameters.friction * normalForce, stopping) / speed * slide;
+    }
+    result.damping += result.friction;
+    if (step.isTrial && normalForce > 0) {
+        const bool isCapped = state.overlap > parameters.largestOverlap;
+        const double slope = isCapped ? 0 : parameters.stiffness;
+        const Mat3 dyad = state.normal * state.normal.transpose();
+        result.resistance =
+            (step.duration * slope + parameters.damping) * dyad + result.slip * (Mat3::Identity() - dyad);
     }
     return result;
 }

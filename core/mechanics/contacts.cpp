@@ -56,6 +56,14 @@ Contacts::Contacts(std::vector<BodyView> bodies, VicinityMethod method)
     keepDistances();
 }
 
+void Contacts::lookAhead(double spacings)
+{
+    m_margin = 0;
+    for (const BodyView& body : m_bodies)
+        m_margin = std::max(m_margin, std::max(spacings, marginShare) * body.connections->aggregate().lattice.spacing);
+    m_valid = false;
+}
+
 void Contacts::addObject(const ContactObject& object)
 {
     m_indexOf[object.ref.body][object.ref.object] = static_cast<std::uint32_t>(m_objects.size());
@@ -289,7 +297,7 @@ void Contacts::rebuild(std::span<const RigidSurface> surfaces)
         const Box box = surfaces[s].reach(largestReach + m_margin);
         for (std::uint32_t i = 0; i < m_objects.size(); ++i)
             if (m_bodies[m_objects[i].ref.body].kind != BodyKind::glue && box.contains(placeOf(m_objects[i])))
-                m_nearSurface[s].push_back(i);
+                m_nearSurface[s].push_back({i});
     }
     m_travel = 0;
     m_surfaceTravel = 0;
@@ -305,7 +313,7 @@ void Contacts::updateVicinity(std::span<const RigidSurface> surfaces, double tra
         rebuild(surfaces);
 }
 
-void Contacts::pushApart(ContactPair& pair, double dt, Report& report)
+void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& report)
 {
     if (pair.healed)
         return;
@@ -316,22 +324,27 @@ void Contacts::pushApart(ContactPair& pair, double dt, Report& report)
     const Vec3 between = a.position.at(first.ref.object) - b.position.at(second.ref.object);
     const double squared = between.squaredNorm();
     if (squared >= pair.nominalLength * pair.nominalLength || squared == 0) {
-        pair.pressed = 0;
+        if (!step.isTrial)
+            pair.pressed = 0;
+        if (!step.keepsSlip)
+            pair.slip = 0;
         return;
     }
     const double distance = std::sqrt(squared);
     const ContactState state{.overlap = pair.nominalLength - distance,
                              .normal = between / distance,
-                             .relativeVelocity = a.velocity.at(first.ref.object) - b.velocity.at(second.ref.object)};
+                             .relativeVelocity = a.velocity.at(first.ref.object) - b.velocity.at(second.ref.object),
+                             .slip = pair.slip};
     if (pair.joined) { // its joint pushes; pressed for long enough, it heals
-        if (healIfPressed(pair, state, dt)) {
+        if (!step.isTrial && healIfPressed(pair, state, step.duration)) {
             const double stretch = distance - m_joints.find(first.ref, second.ref)->nominalLength;
             report.plastic += 0.5 * pair.parameters.stiffness * stretch * stretch;
             report.energy -= 0.5 * pair.parameters.stiffness * stretch * stretch;
         }
         return;
     }
-    const ContactResult result = contactForce(state, pair.parameters, dt);
+    const ContactResult result = contactForce(state, pair.parameters, step);
+    pair.slip = result.slip;
     a.force.add(first.ref.object, result.spring);
     a.damping.add(first.ref.object, result.damping);
     b.force.add(second.ref.object, -result.spring);
@@ -344,31 +357,42 @@ void Contacts::pushApart(ContactPair& pair, double dt, Report& report)
     ++report.count;
     m_touching[pair.objects.first] += 2 * pair.parameters.stiffness;
     m_touching[pair.objects.second] += 2 * pair.parameters.stiffness;
+    if (step.isTrial) {
+        report.tangents.push_back(
+            {.first = first.ref, .second = second.ref, .force = result.force(), .resistance = result.resistance});
+        return;
+    }
     joinIfSticky(pair, distance, result.energy);
-    if (healIfPressed(pair, state, dt)) { // what was pressed in stays: the joint begins without stress
+    if (healIfPressed(pair, state, step.duration)) { // what was pressed in stays: the joint begins without stress
         report.energy -= result.energy;
         report.plastic += result.energy;
     }
 }
 
-void Contacts::pushOff(std::uint32_t index, const RigidSurface& surface, double dt, SurfaceLoad& load, Report& report)
+void Contacts::pushOff(NearObject& near, const RigidSurface& surface, const ContactStep& step, SurfaceLoad& load,
+                       Report& report)
 {
-    const ContactObject& object = m_objects[index];
+    const ContactObject& object = m_objects[near.index];
     ObjectState& state = stateOf(object);
     const Vec3 place = placeOf(object);
     const SurfacePoint point = surface.nearest(place);
-    if (!(point.distance < object.reach))
+    if (!(point.distance < object.reach)) {
+        if (!step.keepsSlip)
+            near.slip = 0;
         return;
+    }
     const Vec3 surfaceVelocity = surface.velocityAt(place);
     ContactParameters parameters = object.parameters;
     parameters.friction = std::sqrt(parameters.friction * surface.friction);
     const ContactResult result =
         contactForce({.overlap = object.reach - point.distance,
                       .normal = point.normal,
-                      .relativeVelocity = state.velocity.at(object.ref.object) - surfaceVelocity},
-                     parameters, dt);
+                      .relativeVelocity = state.velocity.at(object.ref.object) - surfaceVelocity,
+                      .slip = near.slip},
+                     parameters, step);
     state.force.add(object.ref.object, result.spring);
     state.damping.add(object.ref.object, result.damping);
+    near.slip = result.slip;
     load.force -= result.force();
     load.torque -= (place - surface.pose.position).cross(result.force());
     load.power += result.force().dot(surfaceVelocity);
@@ -377,10 +401,13 @@ void Contacts::pushOff(std::uint32_t index, const RigidSurface& surface, double 
     if (!result.friction.isZero(0))
         report.frictions.push_back({object.ref, result.friction, surfaceVelocity});
     ++report.count;
-    m_touching[index] += parameters.stiffness;
+    m_touching[near.index] += parameters.stiffness;
+    if (step.isTrial)
+        report.tangents.push_back(
+            {.first = object.ref, .second = std::nullopt, .force = result.force(), .resistance = result.resistance});
 }
 
-Contacts::Report Contacts::computeForces(std::span<const RigidSurface> surfaces, double dt)
+Contacts::Report Contacts::computeForces(std::span<const RigidSurface> surfaces, const ContactStep& step)
 {
     Report report;
     report.loads.resize(surfaces.size());
@@ -389,21 +416,22 @@ Contacts::Report Contacts::computeForces(std::span<const RigidSurface> surfaces,
         std::vector<ObjectState*> states;
         for (const BodyView& body : m_bodies)
             states.push_back(body.state);
-        const Joints::Report joints = m_joints.computeForces(states, dt);
+        const Joints::Report joints = m_joints.computeForces(states, step);
         report.energy += joints.energy;
         report.jointFrictionPower += joints.frictionPower;
         report.plastic += joints.plastic;
         report.fracture += joints.fracture;
+        report.tangents = joints.tangents;
         if (joints.ended > 0)
             for (ContactPair& pair : m_pairs)
                 if (pair.joined)
                     noteJoint(pair);
     }
     for (ContactPair& pair : m_pairs)
-        pushApart(pair, dt, report);
+        pushApart(pair, step, report);
     for (std::size_t s = 0; s < surfaces.size(); ++s)
-        for (const std::uint32_t candidate : m_nearSurface[s])
-            pushOff(candidate, surfaces[s], dt, report.loads[s], report);
+        for (NearObject& candidate : m_nearSurface[s])
+            pushOff(candidate, surfaces[s], step, report.loads[s], report);
     makeNewJoints();
     for (std::size_t i = 0; i < m_objects.size(); ++i)
         if (m_touching[i] > 0)

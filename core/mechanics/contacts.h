@@ -64,6 +64,10 @@ public:
     /// @param surfaceTravel the same for the surfaces [m]
     void updateVicinity(std::span<const RigidSurface> surfaces, double travel, double surfaceTravel);
 
+    /// Lists candidates that are this much further away than needed now, as a step of the implicit scheme may bring them
+    /// together [spacings].
+    void lookAhead(double spacings);
+
     /// Forces a new list at the next updateVicinity(): surfaces were added or removed, or the state was replaced.
     void invalidate() { m_valid = false; }
 
@@ -79,15 +83,16 @@ public:
         double energy = 0;              ///< stored in contacts and joints [J]
         double brakingPower = 0;        ///< of dampers and friction on the rigid surfaces [W]
         std::vector<Friction> frictions;
-        double jointFrictionPower = 0; ///< of friction in joints on relative motion [W]
-        double plastic = 0;            ///< flowed off in joints [J]
-        double fracture = 0;           ///< of joints that ended [J]
-        std::size_t count = 0;         ///< contacts that touch
-        double crowding = 0;           ///< largest stiffness of all contacts of an object by that of one
+        double jointFrictionPower = 0;        ///< of friction in joints on relative motion [W]
+        double plastic = 0;                   ///< flowed off in joints [J]
+        double fracture = 0;                  ///< of joints that ended [J]
+        std::size_t count = 0;                ///< contacts that touch
+        double crowding = 0;                  ///< largest stiffness of all contacts of an object by that of one
+        std::vector<ContactTangent> tangents; ///< of contacts and joints, in a trial
     };
 
-    /// Adds contact and joint forces to the states of the bodies; makes and ends joints.
-    Report computeForces(std::span<const RigidSurface> surfaces, double dt);
+    /// Adds contact and joint forces to the states of the bodies; makes and ends joints, but not in a trial.
+    Report computeForces(std::span<const RigidSurface> surfaces, const ContactStep& step);
 
     /// Stiffness that contacts and joints add to the objects of a body [N/m].
     /// @param crowding contacts at a time that one object may have
@@ -110,7 +115,13 @@ private:
         double pressed = 0;       ///< for how long now [s]
         bool joined = false;      ///< by a joint, which then acts in its place
         bool healed = false;      ///< and that joint is a healed one
+        double slip = 0;          ///< friction by slide in the last trial of the implicit scheme [N s/m]
         ContactParameters parameters;
+    };
+
+    struct NearObject {
+        std::uint32_t index; ///< into m_objects
+        double slip = 0;     ///< as in ContactPair
     };
 
     void addSkin(std::uint32_t body);
@@ -133,8 +144,9 @@ private:
     {
         return m_bodies[object.body].connections->aggregate().lattice.spacing;
     }
-    void pushApart(ContactPair& pair, double dt, Report& report);
-    void pushOff(std::uint32_t index, const RigidSurface& surface, double dt, SurfaceLoad& load, Report& report);
+    void pushApart(ContactPair& pair, const ContactStep& step, Report& report);
+    void pushOff(NearObject& near, const RigidSurface& surface, const ContactStep& step, SurfaceLoad& load,
+                 Report& report);
     void joinIfSticky(ContactPair& pair, double distance, double energy);
     double skinOf(const ObjectRef& object) const; ///< share of the body's surface [m^2]
     bool healIfPressed(ContactPair& pair, const ContactState& state, double dt);
@@ -152,9 +164,9 @@ private:
     std::vector<Joint> m_newJoints;
     std::vector<ContactPair> m_keptDistances; ///< pairs with a nominal length of their own, sorted
     std::vector<ContactPair> m_pairs;
-    std::vector<std::vector<std::uint32_t>> m_nearSurface; ///< per surface, indices into m_objects
-    std::vector<double> m_touching;                        ///< per contact object: stiffness of its contacts now [N/m]
-    double m_margin = 0;                                   ///< [m]
+    std::vector<std::vector<NearObject>> m_nearSurface; ///< per surface
+    std::vector<double> m_touching;                     ///< per contact object: stiffness of its contacts now [N/m]
+    double m_margin = 0;                                ///< [m]
     double m_frequency = 0;
     double m_travel = 0;
     double m_surfaceTravel = 0;

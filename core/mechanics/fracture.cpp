@@ -1,5 +1,5 @@
 // Connections that bear too much break. Part of StructuralConnections.
-#include "core/mechanics/lattice_kernels.h"
+#include "core/mechanics/kernel_views.h"
 #include "core/mechanics/lattice_stretches.h"
 #include "core/mechanics/structural_connections.h"
 #include "core/task/parallel.h"
@@ -115,9 +115,7 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
     // What no limit is below. Nearly always nothing exceeds it, and the limits need not be known.
     const double least =
         m_laws.leastBreakingStrain() * (1 - strengthScatter) * (m_brokenAround.empty() ? 1 : strengthBesideCrack);
-    const auto from = [](const VectorArray& v, std::size_t i) {
-        return kernels::ConstVectors{v.component(0) + i, v.component(1) + i, v.component(2) + i};
-    };
+    using kernels::from;
     for (std::uint32_t d = 0; d < Lattice::directionCount; ++d) {
         const LaneVector<double>& plastic = m_changes.plasticStrain[d];
         const LaneVector<double>& own = m_changes.nominalLength[d];

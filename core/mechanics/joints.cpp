@@ -67,7 +67,7 @@ const Joint* Joints::find(const ObjectRef& a, const ObjectRef& b) const
     return found != m_joints.end() && sameObjects(*found, wanted) ? &*found : nullptr;
 }
 
-Joints::Report Joints::computeForces(std::span<ObjectState* const> bodies, double dt)
+Joints::Report Joints::computeForces(std::span<ObjectState* const> bodies, const ContactStep& step)
 {
     Report report;
     const auto endsNow = [&](Joint& joint) {
@@ -75,14 +75,16 @@ Joints::Report Joints::computeForces(std::span<ObjectState* const> bodies, doubl
         ObjectState& b = *bodies[joint.second.body];
         const Vec3 across = b.position.at(joint.second.object) - a.position.at(joint.first.object);
         const double length = across.norm();
-        report.plastic += flow(joint, length, dt);
+        if (!step.isTrial)
+            report.plastic += flow(joint, length, step.duration);
         const double stretch = length - joint.nominalLength;
         const Vec3 n = length > 0 ? Vec3(across / length) : Vec3::Zero();
         const Vec3 velocity = b.velocity.at(joint.second.object) - a.velocity.at(joint.first.object);
         const bool worn = joint.plasticStrain > joint.ductility && stretch > 0;
-        if (worn || joint.stiffness * stretch > joint.tolerance) {
-            // Its force has acted up to half a step ago: what it had then is set free.
-            const double before = stretch - 0.5 * dt * velocity.dot(n);
+        if (!step.isTrial && (worn || joint.stiffness * stretch > joint.tolerance)) {
+            // In an explicit scheme its force has acted up to half a step ago: what it had then is set free.
+            const double lag = step.isImplicit() ? 0 : 0.5 * step.duration;
+            const double before = stretch - lag * velocity.dot(n);
             report.fracture += 0.5 * joint.stiffness * before * before;
             return true;
         }
@@ -91,12 +93,27 @@ Joints::Report Joints::computeForces(std::span<ObjectState* const> bodies, doubl
         const Vec3 pull = joint.stiffness * stretch * n;
         Vec3 brake = joint.damping * normalSpeed * n;
         const Vec3 slide = velocity - normalSpeed * n;
-        if (const double speed = slide.norm(); speed > 0 && joint.friction > 0) {
+        if (const double speed = slide.norm(); step.isImplicit()) {
+            if (!step.keepsSlip)
+                joint.slip = joint.friction * (pull + brake).norm() / std::max(speed, step.stickSpeed);
+            brake += joint.slip * slide;
+            report.frictionPower -= joint.slip * slide.squaredNorm();
+        } else if (speed > 0 && joint.friction > 0) {
             const double reducedMass = a.mass[joint.first.object] * b.mass[joint.second.object] /
                                        (a.mass[joint.first.object] + b.mass[joint.second.object]);
-            const double friction = std::min(joint.friction * (pull + brake).norm(), 0.5 * reducedMass * speed / dt);
+            const double friction =
+                std::min(joint.friction * (pull + brake).norm(), 0.5 * reducedMass * speed / step.duration);
             brake += friction / speed * slide;
-            report.frictionPower -= friction * (speed - 0.5 * dt * friction / reducedMass);
+            report.frictionPower -= friction * (speed - 0.5 * step.duration * friction / reducedMass);
+        }
+        if (step.isTrial) {
+            const double sideways = length > 0 ? std::max(0.0, stretch / length) : 1;
+            const Mat3 dyad = n * n.transpose();
+            const Mat3 resistance =
+                (step.duration * joint.stiffness + joint.damping) * dyad +
+                (step.duration * joint.stiffness * sideways + joint.slip) * (Mat3::Identity() - dyad);
+            report.tangents.push_back(
+                {.first = joint.first, .second = joint.second, .force = pull + brake, .resistance = resistance});
         }
         a.force.add(joint.first.object, pull);
         a.damping.add(joint.first.object, brake);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "core/mechanics/contact_law.h"
 #include "core/mechanics/object_state.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +15,15 @@ struct ObjectRef {
     std::uint32_t body = 0;
     ObjectIndex object = 0;
     friend auto operator<=>(const ObjectRef&, const ObjectRef&) = default;
+};
+
+/// The force of a contact or joint at the end of a step, and how it answers to the relative velocity of its ends, for the
+/// implicit scheme.
+struct ContactTangent {
+    ObjectRef first;
+    std::optional<ObjectRef> second; ///< none: a rigid surface
+    Vec3 force = Vec3::Zero();       ///< on the first [N]
+    Mat3 resistance = Mat3::Zero();  ///< symmetric, not negative [N s/m]
 };
 
 /// A connection between two objects that are no neighbors on a lattice: of skins that stick together (adhesion, glue) or have
@@ -29,6 +40,7 @@ struct Joint {
     double flowTime = 0;      ///< [s]
     double ductility = 0;     ///< sum of flow after which it ends when stretched; infinite: never
     double plasticStrain = 0; ///< sum of its flow
+    double slip = 0;          ///< friction by slide in the last trial of the implicit scheme [N s/m]
     bool healed = false;      ///< grown together, not only sticking
 };
 
@@ -41,6 +53,7 @@ public:
         double plastic = 0;       ///< flowed off since the last call [J]
         double fracture = 0;      ///< of joints that ended [J]
         std::size_t ended = 0;
+        std::vector<ContactTangent> tangents; ///< of a trial
     };
 
     /// Adds joints. Between objects that have one, only a healed joint takes the place of one that merely sticks. Their order
@@ -52,8 +65,8 @@ public:
     const std::vector<Joint>& all() const { return m_joints; }
     std::uint64_t version() const { return m_version; } ///< grows whenever joints come or go
 
-    /// Flow, ends of overloaded joints, then forces added to the states of the bodies.
-    Report computeForces(std::span<ObjectState* const> bodies, double dt);
+    /// Flow, ends of overloaded joints (neither of them in a trial), then forces added to the states of the bodies.
+    Report computeForces(std::span<ObjectState* const> bodies, const ContactStep& step);
 
     /// Adds the stiffness of its joints to every object of a body [N/m].
     void addStiffness(std::uint32_t body, std::vector<double>& stiffness) const;

@@ -15,6 +15,12 @@ struct ConstVectors {
     const double* y;
     const double* z;
 };
+struct Vectors {
+    double* x;
+    double* y;
+    double* z;
+};
+
 /// Where a kernel adds: component c of object i at [c * stride + i].
 struct ForceTarget {
     double* force;

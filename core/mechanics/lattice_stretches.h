@@ -37,4 +37,27 @@ void forEachBackward(const Lattice& lattice, std::size_t d, std::size_t begin, s
     }
 }
 
+/// Calls run(lower, upper, count) for every stretch of connections of direction `d` with an end in [begin, end), in pieces of
+/// at most `most` connections. Of a piece, both, one or neither end of a connection may lie in the block.
+template <typename Run>
+void forEachTouching(const Lattice& lattice, std::size_t d, std::size_t begin, std::size_t end, std::size_t most,
+                     Run run)
+{
+    const auto& segments = lattice.segments[d];
+    const auto upper = [](const auto& s, ObjectIndex i) { return i + static_cast<std::size_t>(s.offset); };
+    auto segment =
+        std::partition_point(segments.begin(), segments.end(), [&](const auto& s) { return upper(s, s.end) <= begin; });
+    for (; segment != segments.end() && segment->begin < end; ++segment) {
+        const auto offset = static_cast<std::size_t>(segment->offset);
+        const std::size_t first = std::max<std::size_t>(segment->begin, begin > offset ? begin - offset : 0);
+        const std::size_t last = std::min<std::size_t>(segment->end, end);
+        for (std::size_t lower = first; lower < last; lower += most) {
+            const std::size_t count = std::min(most, last - lower);
+            const bool missesBoth = lower + count <= begin && lower + offset >= end; // an offset longer than the block
+            if (!missesBoth)
+                run(lower, lower + offset, count);
+        }
+    }
+}
+
 } // namespace knead

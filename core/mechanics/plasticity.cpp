@@ -1,5 +1,5 @@
 // Plastic flow, re-normalization and recovery: how nominal lengths change. Part of StructuralConnections.
-#include "core/mechanics/lattice_kernels.h"
+#include "core/mechanics/kernel_views.h"
 #include "core/mechanics/lattice_stretches.h"
 #include "core/mechanics/structural_connections.h"
 #include "core/task/parallel.h"
@@ -31,9 +31,7 @@ double StructuralConnections::flowBlock(const ObjectState& state, std::size_t be
     double yield[chunkSize];
     double hardening[chunkSize];
     double share[chunkSize];
-    const auto from = [](const VectorArray& v, std::size_t i) {
-        return kernels::ConstVectors{v.component(0) + i, v.component(1) + i, v.component(2) + i};
-    };
+    using kernels::from;
     for (std::size_t d = 0; d < Lattice::directionCount; ++d)
         forEachForward(m_aggregate->lattice, d, begin, end,
                        [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {

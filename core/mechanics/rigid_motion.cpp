@@ -43,13 +43,11 @@ Mat3 RigidMotion::inverseInertia() const
     return turn * m_inertia.inverse() * turn.transpose();
 }
 
-/// What the forces on the objects are together.
-struct RigidMotion::Load {
-    Vec3 force = Vec3::Zero();
-    Vec3 torque = Vec3::Zero(); ///< about the center
-    Vec3 braking = Vec3::Zero();
-    Vec3 brakingTorque = Vec3::Zero();
-};
+Mat3 RigidMotion::inertia() const
+{
+    const Mat3 turn = m_rotation.toRotationMatrix();
+    return turn * m_inertia * turn.transpose();
+}
 
 RigidMotion::Load RigidMotion::loadOf(const ObjectState& state, const Vec3& gravity) const
 {
@@ -84,11 +82,6 @@ double RigidMotion::advance(ObjectState& state, const Vec3& gravity, double dt)
     m_angularVelocity = inverseInertia() * m_angularMomentum;
     m_center += dt * m_velocity;
     // The turn at the middle of the step, so that a free top keeps its energy to second order.
-    const auto turned = [&](const Vec3& spin, double time) {
-        const double angle = spin.norm() * time;
-        return angle > 0 ? (Quaternion(Eigen::AngleAxisd(angle, spin.normalized())) * m_rotation).normalized()
-                         : m_rotation;
-    };
     const Quaternion before = m_rotation;
     m_rotation = turned(m_angularVelocity, dt / 2);
     m_angularVelocity = inverseInertia() * m_angularMomentum;
@@ -99,6 +92,30 @@ double RigidMotion::advance(ObjectState& state, const Vec3& gravity, double dt)
     return 0.5 * dt *
            (load.braking.dot(m_velocity + m_velocityBefore) +
             load.brakingTorque.dot(m_angularVelocity + m_angularVelocityBefore));
+}
+
+Quaternion RigidMotion::turned(const Vec3& spin, double time) const
+{
+    const double angle = spin.norm() * time;
+    return angle > 0 ? (Quaternion(Eigen::AngleAxisd(angle, spin.normalized())) * m_rotation).normalized() : m_rotation;
+}
+
+void RigidMotion::moveWith(ObjectState& state, const Vec3& velocity, const Vec3& angularVelocity, double dt)
+{
+    m_velocityBefore = m_velocity;
+    m_angularVelocityBefore = m_angularVelocity;
+    m_angularMomentumBefore = m_angularMomentum;
+    m_velocity = velocity;
+    m_angularVelocity = angularVelocity;
+    m_center += dt * velocity;
+    m_rotation = turned(angularVelocity, dt);
+    m_angularMomentum = inertia() * angularVelocity;
+    place(state);
+}
+
+double RigidMotion::presentKinetic() const
+{
+    return 0.5 * (m_mass * m_velocity.squaredNorm() + m_angularVelocity.dot(m_angularMomentum));
 }
 
 void RigidMotion::place(ObjectState& state) const

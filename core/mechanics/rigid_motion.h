@@ -19,6 +19,19 @@ public:
     /// Adds the momentum that present forces give in a time dt, see kick() of the semi-implicit scheme.
     void kick(const ObjectState& state, const Vec3& gravity, double dt);
 
+    /// Moves on for a time dt with the given velocities; they are then those at the end. Positions and velocities of the
+    /// objects follow. What gave it these velocities is up to the caller (the implicit scheme).
+    void moveWith(ObjectState& state, const Vec3& velocity, const Vec3& angularVelocity, double dt);
+
+    /// What the forces on the objects are together.
+    struct Load {
+        Vec3 force = Vec3::Zero();  ///< gravity included [N]
+        Vec3 torque = Vec3::Zero(); ///< about the center [N m]
+        Vec3 braking = Vec3::Zero();
+        Vec3 brakingTorque = Vec3::Zero();
+    };
+    Load loadOf(const ObjectState& state, const Vec3& gravity) const;
+
     /// Kinetic energy of the products of velocities before and after the last step [J].
     double conservedKinetic() const;
     double kinetic() const; ///< of their means [J]
@@ -27,13 +40,16 @@ public:
     const Vec3& center() const { return m_center; }                   ///< [m]
     const Vec3& velocity() const { return m_velocity; }               ///< [m/s]
     const Vec3& angularVelocity() const { return m_angularVelocity; } ///< [rad/s]
+    const Vec3& angularMomentum() const { return m_angularMomentum; } ///< about the center [kg m^2/s]
     const Quaternion& rotation() const { return m_rotation; }         ///< from the start
+    double radius() const { return m_radius; }                        ///< of the farthest object [m]
+    double presentKinetic() const;                                    ///< [J]
+    Mat3 inertia() const;                                             ///< in the world [kg m^2]
     Mat3 inverseInertia() const;                                      ///< in the world [1/(kg m^2)]
     double largestSpeed() const;                                      ///< of any of its points [m/s]
 
 private:
-    struct Load;
-    Load loadOf(const ObjectState& state, const Vec3& gravity) const;
+    Quaternion turned(const Vec3& spin, double time) const;
     void place(ObjectState& state) const;
 
     VectorArray m_arms; ///< objects from the center, at the start [m]

@@ -124,11 +124,19 @@ void StructuralConnections::makeLengthsOwn()
     }
 }
 
+const double* StructuralConnections::nominalLengths(std::size_t d, std::size_t lower, std::size_t count,
+                                                    double* buffer) const
+{
+    if (!m_changes.nominalLength[d].empty())
+        return &m_changes.nominalLength[d][lower];
+    std::fill_n(buffer, count, m_aggregate->lattice.direction(static_cast<int>(d)).norm());
+    return buffer;
+}
+
 double StructuralConnections::nominalLength(const ConnectionId& connection) const
 {
-    const auto& own = m_changes.nominalLength[connection.direction];
-    return own.empty() ? m_aggregate->lattice.direction(static_cast<int>(connection.direction)).norm()
-                       : own[connection.lower];
+    double rest = 0;
+    return *nominalLengths(connection.direction, connection.lower, 1, &rest);
 }
 
 void StructuralConnections::findInverseShapes()

@@ -57,6 +57,7 @@ public:
 
     /// Friction u of eq 7 in every connection, as published; 0, as at first, for none.
     void setStructuralFriction(double friction) { m_structuralFriction = friction; }
+    double structuralFriction() const { return m_structuralFriction; }
 
     const Changes& changes() const { return m_changes; }
     void restore(Changes changes);
@@ -110,6 +111,16 @@ public:
     double nominalLength(const ConnectionId& connection) const;        ///< l [m]
     std::size_t count() const { return m_count; }                      ///< connections of stiffness > 0
     double dampingTime() const { return m_laws.largestDampingTime(); } ///< largest b / k [s]
+
+    /// What the operator of the implicit scheme is made of.
+    const ConnectionLaws& laws() const { return m_laws; }
+    bool hasBulk() const { return m_hasBulk; }
+    const LaneVector<double>& bulk() const { return m_bulk; }
+    const std::array<LaneVector<double>, 6>& inverseShape() const { return m_inverseShape; }
+    std::size_t blockSize() const { return m_blockSize; }
+
+    /// Nominal lengths of `count` connections from `lower` on; `buffer` has room for them [m].
+    const double* nominalLengths(std::size_t d, std::size_t lower, std::size_t count, double* buffer) const;
 
     /// Least b / k of any motion of the body: the volumetric term is not damped [s].
     double leastDampingTime() const;

@@ -66,14 +66,19 @@ struct RemoveFixture {
     FixtureId fixture = 0;
 };
 
+/// Other steps from now on; nothing else changes.
+struct SetIntegrator {
+    Integrator integrator = Integrator::automatic;
+};
+
 struct MoveFixture {
     FixtureId fixture = 0;
     Vec3 velocity = Vec3::Zero(); ///< [m/s], up to 100
 };
 
-using Command =
-    std::variant<SetMaterial, SetBodyKind, Renormalize, SetGravity, SetFloor, AddManipulator, RemoveManipulator,
-                 SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, AddFixture, RemoveFixture, MoveFixture>;
+using Command = std::variant<SetMaterial, SetBodyKind, Renormalize, SetGravity, SetFloor, AddManipulator,
+                             RemoveManipulator, SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, AddFixture,
+                             RemoveFixture, MoveFixture, SetIntegrator>;
 
 /// A command and the step before which it took effect.
 struct RecordedCommand {

@@ -34,6 +34,8 @@ struct Body {
 enum class Integrator : std::uint8_t {
     semiImplicitEuler, ///< keeps energy; needs no damping
     forwardEuler,      ///< as published: gains energy unless damped
+    implicitEuler,     ///< a step per frame for any stiffness; damps out what swings faster than that
+    automatic,         ///< semi-implicit where that is predicted to keep up with real time, implicit where not
 };
 
 /// Objects of a body that are held: in place, or by a grip that moves.
@@ -56,7 +58,8 @@ struct Scene {
     Integrator integrator = Integrator::semiImplicitEuler;
     VicinityMethod vicinity = VicinityMethod::uniformGrid;
 
-    /// A step of one's own choosing instead of the largest stable one [s]. A run with a longer step than is stable stops.
+    /// A step of one's own choosing instead of the largest stable one [s]. An explicit run with a longer step than is stable
+    /// stops. The implicit scheme takes no longer ones than this, and shorter ones where things move fast.
     std::optional<double> timeStep;
     /// Mass scaling: objects that would need a shorter step than this get as much mass as makes it stable [s]. What was
     /// added is in Snapshot::addedMass.

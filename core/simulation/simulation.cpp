@@ -39,14 +39,19 @@ std::vector<RigidSurface> Simulation::State::surfaces() const
     return all;
 }
 
-void Simulation::State::moveManipulators()
+/// @param progress per tool, share of the way of this step that it goes; none: all of it
+void Simulation::State::moveManipulators(const std::vector<double>& progress)
 {
     surfaceTravel = 0;
-    for (auto& tool : tools) {
+    for (std::size_t t = 0; t < tools.size(); ++t) {
+        auto& tool = tools[t];
         if (!tool)
             continue;
         Manipulator& manipulator = tool->manipulator;
-        const Pose next = yieldTo(tool->force, manipulator, advance(manipulator, time, timeStep), timeStep);
+        Pose next = yieldTo(tool->force, manipulator, advance(manipulator, time, timeStep), timeStep);
+        if (!progress.empty() && progress[t] < 1)
+            next = {manipulator.pose.position + progress[t] * (next.position - manipulator.pose.position),
+                    manipulator.pose.rotation.slerp(progress[t], next.rotation)};
         tool->velocity = (next.position - manipulator.pose.position) / timeStep;
         const Eigen::AngleAxisd turn(next.rotation * manipulator.pose.rotation.conjugate());
         tool->angularVelocity = turn.axis() * (turn.angle() / timeStep);
@@ -63,18 +68,20 @@ void Simulation::State::updateVicinity()
 
 void Simulation::State::changeConnections()
 {
-    if (step % flowInterval == 0)
+    const std::uint64_t flowSteps = every(flowInterval);
+    if (step % flowSteps == 0)
         for (auto& run : runs) {
             if (!run->deforms() || !run->connections.flowsOrBreaks())
                 continue;
-            const auto report = run->connections.flowAndBreak(run->state, timeStep * flowInterval, timeStep);
+            const auto report = run->connections.flowAndBreak(run->state, timeStep * static_cast<double>(flowSteps),
+                                                              isImplicit() ? 0 : timeStep);
             energy.plastic += report.plastic;
             energy.fracture += report.fracture;
             newlyBroken = newlyBroken || report.broken > 0;
         }
-    if (step % annealingInterval == 0)
+    if (step % every(annealingInterval) == 0)
         anneal();
-    if (newlyBroken && step % breakingInterval == 0) {
+    if (newlyBroken && step % every(breakingInterval) == 0) {
         contacts->connectionsBroke();
         newlyBroken = false;
     }
@@ -82,7 +89,7 @@ void Simulation::State::changeConnections()
 
 void Simulation::State::anneal()
 {
-    const double dt = timeStep * annealingInterval;
+    const double dt = timeStep * static_cast<double>(every(annealingInterval));
     for (auto& run : runs)
         if (run->deforms() && run->connections.flowsOrBreaks() &&
             run->materials.largest([](const Material& material) { return material.healingTime; }) > 0)
@@ -106,7 +113,14 @@ void Simulation::State::computeForces()
         run->state.damping.setZero();
     }
     clock.end(Stage::connections);
-    contactReport = contacts->computeForces(surfaces(), timeStep);
+    contactReport = contacts->computeForces(surfaces(), {.duration = timeStep});
+    bookContacts();
+    loadFixtures();
+}
+
+/// What contacts did in the step, to the ledger and to the tools.
+void Simulation::State::bookContacts()
+{
     energy.viscous -= contactReport.brakingPower * timeStep;
     energy.viscous += contactReport.jointFrictionPower * timeStep;
     energy.friction -= contactReport.jointFrictionPower * timeStep;
@@ -124,7 +138,6 @@ void Simulation::State::computeForces()
         ++tool->stepsInSum;
         tool->peakForce = std::max(tool->peakForce, load.force.norm());
     }
-    loadFixtures();
 }
 
 /// What the objects of a fixture lack for moving on evenly is what the fixture gives.
@@ -155,7 +168,7 @@ void Simulation::State::tellFrictionApart()
         const BodyRun& run = *runs[friction.object.body];
         const ObjectIndex i = friction.object.object;
         Vec3 velocity = run.state.velocity.at(i);
-        if (run.deforms() && run.state.inverseMass[i] > 0)
+        if (!isImplicit() && run.deforms() && run.state.inverseMass[i] > 0)
             velocity -= 0.5 * timeStep *
                         (run.state.inverseMass[i] * (run.state.force.at(i) + run.state.damping.at(i)) + gravity);
         lost -= friction.force.dot(velocity - friction.velocity) * timeStep;
@@ -212,16 +225,24 @@ void Simulation::step()
     state.applyCommands();
     if (!state.health.ok)
         return;
-    state.moveManipulators();
-    state.clock.end(Stage::tools);
-    state.updateVicinity();
-    state.clock.end(Stage::vicinity);
-    state.changeConnections();
-    state.clock.end(Stage::material);
-    state.computeForces();
-    state.clock.end(Stage::contacts);
-    state.integrate();
-    state.clock.end(Stage::motion);
+    if (state.isImplicit()) {
+        state.clock.end(Stage::tools);
+        state.changeConnections();
+        state.clock.end(Stage::material);
+        state.stepImplicitly();
+        state.clock.end(Stage::connections);
+    } else {
+        state.moveManipulators({});
+        state.clock.end(Stage::tools);
+        state.updateVicinity();
+        state.clock.end(Stage::vicinity);
+        state.changeConnections();
+        state.clock.end(Stage::material);
+        state.computeForces();
+        state.clock.end(Stage::contacts);
+        state.integrate();
+        state.clock.end(Stage::motion);
+    }
     state.checkHealth();
     state.clock.end(Stage::checks);
 }
@@ -262,6 +283,10 @@ std::size_t Simulation::components()
 const Health& Simulation::health() const
 {
     return m_state->health;
+}
+const std::string& Simulation::integratorReason() const
+{
+    return m_state->integratorReason;
 }
 const std::vector<RecordedCommand>& Simulation::recording() const
 {

@@ -36,11 +36,12 @@ public:
     /// Connected pieces of material, by live connections and joints.
     std::size_t components();
 
-    double timeStep() const; ///< largest stable step with a margin [s]
+    double timeStep() const; ///< largest stable step with a margin, or that of the implicit scheme [s]
     double time() const;     ///< [s]
     std::uint64_t stepCount() const;
     const std::vector<Body>& bodies() const; ///< with their present materials
     const Health& health() const;
+    const std::string& integratorReason() const; ///< a sentence on which integrator is in use and why
 
     /// A copy of the state for other threads. Forces on tools are means since the previous snapshot.
     std::shared_ptr<Snapshot> snapshot();

@@ -25,7 +25,7 @@ public:
             changed.setOwn(command.material);
         else
             changed.set(command.objects, command.material);
-        m_state.requireDamping(changed);
+        m_state.requireDamping(changed, m_state.integrator);
         keepingAccounts([&] {
             if (command.objects.empty()) {
                 run.materials.setOwn(command.material);
@@ -37,6 +37,7 @@ public:
             run.rigid.reset(); // its mass is another; it goes on with the velocities of its objects
             m_state.setMasses();
             m_state.updateTimeStep();
+            m_state.chooseIntegrator();
         });
     }
     void operator()(const SetBodyKind& command) const
@@ -147,6 +148,14 @@ public:
         });
     }
 
+    void operator()(const SetIntegrator& command) const
+    {
+        if (command.integrator == Integrator::forwardEuler)
+            for (const auto& run : m_state.runs)
+                m_state.requireDamping(run->materials, command.integrator);
+        keepingAccounts([&] { m_state.setIntegrator(command.integrator); });
+    }
+
 private:
     // An annealing takes this many times its relaxation time, so that little is left to do at once at its end.
     static constexpr double relaxationsPerAnnealing = 5;
@@ -203,11 +212,13 @@ void Simulation::State::setKind(BodyId body, BodyKind kind)
     setMasses();
     contacts->setKind(body, kind);
     updateTimeStep();
+    chooseIntegrator();
 }
 
 void Simulation::State::carryOut(const Command& command)
 {
     std::visit(Executor(*this), command);
+    implicit.reset(); // bodies may be others
     recording.push_back({step, command});
 }
 

@@ -13,6 +13,7 @@ namespace {
 
 // The state is kept for going back this often [steps]; copying it costs about a step.
 constexpr std::uint64_t checkpointInterval = 256;
+constexpr std::uint64_t implicitCheckpointInterval = 8; // the same in frames
 // The stable step depends on the shape, so it is found again this often [steps].
 constexpr std::uint64_t timeStepInterval = 256;
 // A speed of objects that no sensible motion reaches: this many times the speed of sound, plus free fall from far up [m/s].
@@ -87,7 +88,7 @@ void Simulation::State::checkHealth()
         cause << "a position is no longer a number. Make the tools slower or the material softer, then reset.";
     } else if (speed > limit) {
         cause << "objects moved at " << speed << " m/s. Make the tools slower, raise the damping ratio, then reset.";
-    } else if (step % checkpointInterval == 0) {
+    } else if (step % (isImplicit() ? implicitCheckpointInterval : checkpointInterval) == 0) {
         if (const std::string name = squashedBody(); !name.empty())
             cause << "material of " << name
                   << " was squashed flat or turned inside out. Press less far, raise Poisson's ratio or the yield "
@@ -95,7 +96,7 @@ void Simulation::State::checkHealth()
         else if (!wasSquashed)
             lastGood = checkpoint();
     }
-    if (cause.str().empty()) {
+    if (cause.str().empty() && !isImplicit()) {
         const bool crowded = contactReport.crowding > crowding;
         if (crowded)
             crowding = crowdingReserve * contactReport.crowding;
@@ -157,6 +158,7 @@ void Simulation::State::goBack(const Checkpoint& moment)
     *contacts = *moment.contacts;
     contacts->invalidate();
     contactReport = {};
+    implicit.reset();
 }
 
 std::size_t Simulation::State::components()

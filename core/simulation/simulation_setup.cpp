@@ -80,6 +80,7 @@ Simulation::State::State(Scene scene)
     , gravity(scene.gravity)
     , floorHeight(scene.floorHeight)
     , floorFriction(scene.floorFriction)
+    , wantedIntegrator(scene.integrator)
     , integrator(scene.integrator)
     , vicinity(scene.vicinity)
     , wantedTimeStep(scene.timeStep)
@@ -107,17 +108,17 @@ Simulation::State::State(Scene scene)
                 "Fixture \"" + fixture.name + "\" must not move faster than 100 m/s.");
         fixtures.emplace_back(std::move(fixture));
     }
+    for (const auto& run : runs)
+        requireDamping(run->materials, integrator);
     setMasses();
     placeAtStart();
-    for (const auto& run : runs)
-        requireDamping(run->materials);
 }
 
 /// Forward Euler is not stable without.
-void Simulation::State::requireDamping(const MaterialMap& materials) const
+void Simulation::State::requireDamping(const MaterialMap& materials, Integrator chosen) const
 {
     const double least = -materials.largest([](const Material& material) { return -material.dampingRatio; });
-    require(integrator != Integrator::forwardEuler || least > 0,
+    require(chosen != Integrator::forwardEuler || least > 0,
             "Forward Euler is not stable without damping: raise the damping ratio, or use semi-implicit Euler.");
 }
 
@@ -207,7 +208,8 @@ void Simulation::State::updateTimeStep()
     if (largest == 0)
         stableStep = rigidTimeStep / timeStepShare;
     contacts->updateParameters(largest > 0 ? largest : 1 / rigidTimeStep);
-    timeStep = wantedTimeStep.value_or(timeStepShare * stableStep);
+    if (!isImplicit())
+        timeStep = wantedTimeStep.value_or(timeStepShare * stableStep);
 }
 
 void Simulation::State::placeAtStart()
@@ -254,7 +256,10 @@ void Simulation::State::placeAtStart()
     health = {};
     energy = {};
     startEnergy = 0;
+    solverIterations = 0;
+    implicit.reset();
     updateTimeStep();
+    chooseIntegrator();
     startEnergy = storedEnergy().imbalance;
     lastGood = checkpoint();
 }

@@ -53,16 +53,19 @@ EnergyLedger Simulation::State::storedEnergy()
     // The semi-implicit scheme keeps velocities half a step ahead of positions. All is taken at the start of the last step,
     // where forces and contact energy are known. With 1/2 m v- . v+ of the velocities half a step before and after, the sum
     // is what the scheme conserves exactly for linear springs; the imbalance uses that, or it would show the offset as an
-    // error. Forward Euler has both at the same time.
+    // error.
     EnergyLedger stored = energy;
     stored.contact = contactReport.energy;
-    const bool sameTime = integrator == Integrator::forwardEuler;
+    // Forward Euler has both at the same time; the implicit scheme has all at the end of the step.
+    const bool sameTime = integrator != Integrator::semiImplicitEuler;
+    const double back = isImplicit() ? 0 : lastStep;
+    const double kicked = isImplicit() ? 0 : lastKick;
     double conserved = 0;
     for (auto& run : runs) {
         if (run->rigid) {
-            const Vec3 center = run->rigid->center() - lastStep * run->rigid->velocity();
-            conserved += run->rigid->conservedKinetic();
-            stored.kinetic += run->rigid->kinetic();
+            const Vec3 center = run->rigid->center() - back * run->rigid->velocity();
+            conserved += isImplicit() ? run->rigid->presentKinetic() : run->rigid->conservedKinetic();
+            stored.kinetic += isImplicit() ? run->rigid->presentKinetic() : run->rigid->kinetic();
             stored.gravity -= run->rigid->mass() * gravity.dot(center);
             continue;
         }
@@ -80,8 +83,8 @@ EnergyLedger Simulation::State::storedEnergy()
                 const double mass = state.mass[i];
                 const Vec3 force = state.force.at(i) + state.damping.at(i) + mass * gravity;
                 const Vec3 after = state.velocity.at(i);
-                const Vec3 before = after - lastKick * state.inverseMass[i] * force;
-                const Vec3 place = state.position.at(i) - lastStep * (sameTime ? before : after);
+                const Vec3 before = after - kicked * state.inverseMass[i] * force;
+                const Vec3 place = state.position.at(i) - back * (sameTime ? before : after);
                 earlier.set(i, place);
                 sum.kinetic +=
                     sameTime ? 0.5 * mass * before.squaredNorm() : 0.125 * mass * (before + after).squaredNorm();
@@ -109,6 +112,10 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
     shot->step = state.step;
     shot->time = state.time;
     shot->timeStep = state.timeStep;
+    shot->integrator = state.integrator;
+    shot->wantedIntegrator = state.wantedIntegrator;
+    shot->integratorReason = state.integratorReason;
+    shot->solverIterations = state.isImplicit() ? state.solverIterations : 0;
     shot->gravity = state.gravity;
     shot->floorHeight = state.floorHeight;
     shot->health = state.health;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/integration/implicit_euler.h"
 #include "core/mechanics/contacts.h"
 #include "core/mechanics/object_state.h"
 #include "core/mechanics/rigid_motion.h"
@@ -45,6 +46,7 @@ struct ToolRun {
     Vec3 forceSum = Vec3::Zero(); ///< over the steps since the last snapshot
     Vec3 torqueSum = Vec3::Zero();
     int stepsInSum = 0;
+    double resistance = 0; ///< by how much the force rose with its way when it last met its limit [N/m]; 0: not known
     Vec3 meanForce = Vec3::Zero(); ///< over the last frame that had steps
     Vec3 meanTorque = Vec3::Zero();
     double peakForce = 0;
@@ -83,20 +85,32 @@ struct Simulation::State {
 
     // The stages of a step, in order.
     void applyCommands();
-    void moveManipulators();
+    void moveManipulators(const std::vector<double>& progress);
     void updateVicinity();
     void changeConnections();
     void computeForces();
     void integrate();
+    void stepImplicitly();
     void checkHealth();
 
     void carryOut(const Command& command);
     void holdFixtures();
+    void bookContacts();
     void loadFixtures();
+    void chooseIntegrator();
+    void setIntegrator(Integrator chosen);
+    double longestImplicitStep() const;
+    double fastestSurface() const;
+    void makeImplicit();
+    struct WaySearch;
+    std::vector<WaySearch> beginWays() const;
+    bool searchWays(const std::vector<Pose>& before, std::vector<WaySearch>& ways);
+    std::uint64_t every(std::uint64_t steps) const { return isImplicit() ? 1 : steps; }
+    bool isImplicit() const { return integrator == Integrator::implicitEuler; }
     void tellFrictionApart();
     void setMasses();
     void scaleMasses(BodyRun& run);
-    void requireDamping(const MaterialMap& materials) const;
+    void requireDamping(const MaterialMap& materials, Integrator chosen) const;
     void updateTimeStep();
     void placeAtStart();
     void setKind(BodyId body, BodyKind kind);
@@ -113,7 +127,11 @@ struct Simulation::State {
     Vec3 gravity = Vec3::Zero();
     std::optional<double> floorHeight;
     double floorFriction = 0;
-    Integrator integrator = Integrator::semiImplicitEuler;
+    Integrator wantedIntegrator = Integrator::semiImplicitEuler;
+    Integrator integrator = Integrator::semiImplicitEuler; ///< in use; never automatic
+    std::string integratorReason;
+    std::unique_ptr<ImplicitEuler> implicit; ///< made anew whenever bodies change by command
+    int solverIterations = 0;                ///< of the last implicit step
     VicinityMethod vicinity = VicinityMethod::uniformGrid;
     std::optional<double> wantedTimeStep;
     std::optional<double> massScalingTimeStep;

@@ -23,8 +23,10 @@ struct EnergyLedger {
     double friction = 0; ///< of contacts
     double plastic = 0;  ///< flow and re-normalization
     double fracture = 0; ///< of connections that broke
+    double numerical =
+        0; ///< taken out by implicit Euler itself: of motion that is fast against its steps, and of impacts
 
-    double dissipated() const { return viscous + friction + plastic + fracture; }
+    double dissipated() const { return viscous + friction + plastic + fracture + numerical; }
 
     /// What is stored less what came in, plus what went out, since the start; zero but for the error of the scheme [J].
     double imbalance = 0;
@@ -76,8 +78,12 @@ struct Snapshot {
     };
 
     std::uint64_t step = 0;
-    double time = 0;     ///< simulated [s]
-    double timeStep = 0; ///< [s]
+    double time = 0;                                             ///< simulated [s]
+    double timeStep = 0;                                         ///< [s]
+    Integrator integrator = Integrator::semiImplicitEuler;       ///< in use; never automatic
+    Integrator wantedIntegrator = Integrator::semiImplicitEuler; ///< as chosen
+    std::string integratorReason;                                ///< a sentence on which one is in use and why
+    int solverIterations = 0;                                    ///< of the last implicit step
     std::vector<BodyState> bodies;
     std::vector<Material> materials; ///< per body
     std::vector<ToolState> tools;

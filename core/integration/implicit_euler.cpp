@@ -1,0 +1,385 @@
+#include "core/integration/implicit_euler.h"
+
+#include "core/task/parallel.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace knead {
+
+namespace {
+
+constexpr std::size_t blockSize = 4096;
+
+// Shares of the residual at the start of a step, by the preconditioned norm. What a step leaves is in the forces at the start
+// of the next, so that a body at rest gets as near to balance as rounding allows, whatever these are.
+constexpr double linearTolerance = 1e-3; // to which a linear system is solved
+constexpr double newtonTolerance = 1e-2; // at which a step is done
+constexpr double failedTolerance = 0.3;  // above which a step has failed
+// Of what was there before the first solution, so much is always enough to compare with: a body that is just let go of by
+// all it touched has loads of nothing.
+constexpr double leastReference = 1e-6;
+constexpr double leastFreeReference = 1e-4; // where nothing touches
+constexpr int mostNewtonIterations = 12;
+constexpr int mostIterations = 400; // of conjugate gradients for one linear system
+
+// Bodies that would move slower than this, in spacings per step, are at rest: no system is solved for less.
+constexpr double restShare = 1e-8;
+
+// Slides slower than this stick, in spacings per step.
+constexpr double stickShare = 1e-4;
+
+// Friction is made to fit normal forces and slides in so many iterations; then it stays in proportion to the slide, or stick
+// and slip would take turns without end. What is left to fit is fitted in the next steps.
+constexpr int slipIterations = 3;
+
+// The coarse factor is found again when iterations per decade have grown by this factor and so many since it was new.
+constexpr double staleFactor = 1.5;
+constexpr double staleMore = 3;
+
+} // namespace
+
+ImplicitEuler::ImplicitEuler(std::vector<BodyView> bodies)
+    : m_bodies(std::move(bodies))
+    , m_first(m_bodies.size(), 0)
+    , m_rigidIndex(m_bodies.size(), 0)
+    , m_startPosition(m_bodies.size())
+    , m_startVelocity(m_bodies.size())
+    , m_startMotion(m_bodies.size())
+{
+    for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        const BodyView& body = m_bodies[b];
+        m_spacing = std::min(m_spacing, body.connections->aggregate().lattice.spacing);
+        if (body.deforms) {
+            m_first[b] = m_system.addDeformable(*body.connections, *body.state);
+        } else if (body.rigid != nullptr) {
+            m_rigidIndex[b] = m_system.rigids().size();
+            m_first[b] = m_system.addRigid();
+        }
+        for (std::size_t i = 0; i < body.state->size(); ++i)
+            m_mass += body.state->mass[i];
+    }
+    m_velocity.resize(m_system.rows());
+    m_residual.resize(m_system.rows());
+}
+
+void ImplicitEuler::rememberStart()
+{
+    for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        const BodyView& body = m_bodies[b];
+        m_startPosition[b] = body.state->position;
+        m_startVelocity[b] = body.state->velocity;
+        if (body.deforms) {
+            for (std::size_t i = 0; i < body.state->size(); ++i)
+                m_velocity.set(m_first[b] + i, body.state->velocity.at(i));
+        } else if (body.rigid != nullptr) {
+            m_startMotion[b] = *body.rigid;
+            m_velocity.set(m_first[b], body.rigid->velocity());
+            m_velocity.set(m_first[b] + 1, body.rigid->radius() * body.rigid->angularVelocity());
+        }
+    }
+}
+
+/// Places and velocities of the objects as the rows of m_velocity have them.
+void ImplicitEuler::tryVelocities(double h)
+{
+    for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        BodyView& body = m_bodies[b];
+        if (body.deforms) {
+            const VectorArray& start = m_startPosition[b];
+            const std::size_t first = m_first[b];
+            forEachBlock(start.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    const Vec3 velocity = m_velocity.at(first + i);
+                    body.state->velocity.set(i, velocity);
+                    body.state->position.set(i, start.at(i) + h * velocity);
+                }
+            });
+        } else if (body.rigid != nullptr) {
+            *body.rigid = *m_startMotion[b];
+            body.rigid->moveWith(*body.state, m_velocity.at(m_first[b]),
+                                 m_velocity.at(m_first[b] + 1) / body.rigid->radius(), h);
+        }
+    }
+}
+
+Contacts::Report ImplicitEuler::findForces(Contacts& contacts, std::span<const RigidSurface> surfaces,
+                                           const ContactStep& step)
+{
+    for (BodyView& body : m_bodies) {
+        if (body.deforms) {
+            body.connections->computeForces(*body.state, step.duration);
+        } else {
+            body.state->force.setZero();
+            body.state->damping.setZero();
+        }
+    }
+    return contacts.computeForces(surfaces, step);
+}
+
+/// What momenta lack at the velocities tried last: h f - M (v - v0).
+void ImplicitEuler::findResidual(const Vec3& gravity, double h)
+{
+    for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        const BodyView& body = m_bodies[b];
+        const ObjectState& state = *body.state;
+        const std::size_t first = m_first[b];
+        if (body.deforms) {
+            forEachBlock(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i)
+                    m_residual.set(first + i, h * (state.force.at(i) + state.damping.at(i)) +
+                                                  state.mass[i] * (h * gravity + m_startVelocity[b].at(i) -
+                                                                   m_velocity.at(first + i)));
+            });
+        } else if (body.rigid != nullptr) {
+            const RigidMotion& start = *m_startMotion[b];
+            const RigidMotion::Load load = body.rigid->loadOf(state, gravity);
+            m_residual.set(first, h * load.force + start.mass() * (start.velocity() - body.rigid->velocity()));
+            m_residual.set(first + 1, (h * load.torque + start.angularMomentum() - body.rigid->angularMomentum()) /
+                                          start.radius());
+        }
+    }
+    m_system.clearHeld(m_residual);
+}
+
+LinkEnd ImplicitEuler::endOf(const ObjectRef& object) const
+{
+    const BodyView& body = m_bodies[object.body];
+    if (body.deforms)
+        return {.row = static_cast<std::uint32_t>(m_first[object.body] + object.object)};
+    if (body.rigid == nullptr)
+        return {};
+    return {.row = static_cast<std::uint32_t>(m_first[object.body]),
+            .isRigid = true,
+            .arm = (body.state->position.at(object.object) - body.rigid->center()) / body.rigid->radius()};
+}
+
+/// The system at the places tried last.
+void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, double h)
+{
+    m_system.update(h);
+    for (std::size_t b = 0; b < m_bodies.size(); ++b)
+        if (const RigidMotion* rigid = m_bodies[b].rigid; rigid != nullptr && !m_bodies[b].deforms)
+            m_system.setRigid(m_rigidIndex[b], rigid->mass(), rigid->inertia() / (rigid->radius() * rigid->radius()));
+    std::vector<Link> links;
+    links.reserve(tangents.size());
+    for (const ContactTangent& tangent : tangents)
+        links.push_back({.first = endOf(tangent.first),
+                         .second = tangent.second ? endOf(*tangent.second) : LinkEnd{},
+                         .matrix = h * tangent.resistance});
+    m_system.setLinks(std::move(links));
+    if (m_system.rows() == 0)
+        return;
+    m_preconditioner.updateBlocks(m_system);
+    const bool isStale = m_presentRate > staleFactor * m_freshRate + staleMore;
+    if (m_factoredStep != h || isStale) {
+        m_preconditioner.updateClusters(m_system);
+        m_factoredStep = h;
+        m_freshRate = 0;
+    }
+}
+
+/// Solves the system for the residual and adds what it gives to the velocities. @return iterations
+int ImplicitEuler::solve(double goal)
+{
+    const ConjugateGradients::Report report =
+        m_solver.solve(m_system, m_preconditioner, m_residual, m_velocity, goal, mostIterations);
+    const double decades = 0.5 * std::log10(report.start / report.end);
+    if (decades > 1) {
+        m_presentRate = report.iterations / decades;
+        if (m_freshRate == 0)
+            m_freshRate = m_presentRate;
+    }
+    return report.iterations;
+}
+
+/// In the norm of the preconditioner, squared [J].
+double ImplicitEuler::sizeOf(const VectorArray& momenta)
+{
+    if (m_system.rows() == 0)
+        return 0;
+    m_scratch.resize(m_system.rows());
+    m_preconditioner.apply(momenta, m_scratch);
+    return dotProduct(momenta, m_scratch);
+}
+
+/// Size of what contacts do in the step, and of the change of momenta: what a residual may be compared with. What it was
+/// before the first solution may be far larger, when a tool has gone on by more than the material can give way, or when a
+/// stiff body turns.
+double ImplicitEuler::sizeOfLoads(const std::vector<ContactTangent>& tangents, double h)
+{
+    VectorArray loads;
+    loads.resize(m_system.rows());
+    for (std::size_t b = 0; b < m_bodies.size(); ++b)
+        if (m_bodies[b].deforms)
+            for (std::size_t i = 0; i < m_bodies[b].state->size(); ++i)
+                loads.set(m_first[b] + i,
+                          m_bodies[b].state->mass[i] * (m_velocity.at(m_first[b] + i) - m_startVelocity[b].at(i)));
+    for (const ContactTangent& tangent : tangents) {
+        push(endOf(tangent.first), h * tangent.force, loads);
+        if (tangent.second)
+            push(endOf(*tangent.second), -h * tangent.force, loads);
+    }
+    m_system.clearHeld(loads);
+    return sizeOf(loads);
+}
+
+double ImplicitEuler::elasticEnergy() const
+{
+    double sum = 0;
+    for (const BodyView& body : m_bodies)
+        if (body.deforms)
+            sum += body.connections->energy(*body.state);
+    return sum;
+}
+
+namespace {
+
+/// Momentum, center of mass, angular momentum about it and inertia of a body's objects.
+struct Momenta {
+    Momenta(const ObjectState& state, const VectorArray& position, const VectorArray& velocity)
+    {
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            mass += state.mass[i];
+            center += state.mass[i] * position.at(i);
+            linear += state.mass[i] * velocity.at(i);
+        }
+        center /= mass;
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            const Vec3 arm = position.at(i) - center;
+            angular += state.mass[i] * arm.cross(velocity.at(i));
+            inertia += state.mass[i] * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+        }
+    }
+    double mass = 0;
+    Vec3 center = Vec3::Zero();
+    Vec3 linear = Vec3::Zero();
+    Vec3 angular = Vec3::Zero();
+    Mat3 inertia = Mat3::Zero();
+};
+
+} // namespace
+
+/// Bodies that touch nothing keep their momenta: linear ones to what the solver left over, angular ones to what the scheme
+/// takes from anything that turns. A rigid motion puts them right.
+void ImplicitEuler::keepMomenta(const std::vector<ContactTangent>& tangents, const Vec3& gravity, double h)
+{
+    std::vector<std::uint8_t> touches(m_bodies.size(), 0);
+    for (const ContactTangent& tangent : tangents) {
+        touches[tangent.first.body] = 1;
+        if (tangent.second)
+            touches[tangent.second->body] = 1;
+    }
+    for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        BodyView& body = m_bodies[b];
+        if (!body.deforms || body.anchored || touches[b] != 0)
+            continue;
+        ObjectState& state = *body.state;
+        const Momenta before(state, m_startPosition[b], m_startVelocity[b]);
+        const Momenta now(state, state.position, state.velocity);
+        const Vec3 push = (before.linear - now.linear) / now.mass + h * gravity;
+        Vec3 spin = Vec3::Zero();
+        const Eigen::SelfAdjointEigenSolver<Mat3> inertia(now.inertia, Eigen::EigenvaluesOnly);
+        const bool canTurn = inertia.eigenvalues()[0] > 1e-6 * inertia.eigenvalues()[2];
+        if (canTurn && body.connections->structuralFriction() == 0)
+            spin = now.inertia.inverse() * (before.angular - now.angular);
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            state.velocity.add(i, push + spin.cross(state.position.at(i) - now.center));
+            state.position.add(i, h * push);
+        }
+    }
+}
+
+/// What the work of the forces at the end over the step leaves unexplained: backward Euler takes it out.
+double ImplicitEuler::numericalLoss(const Contacts::Report& contacts, double energyChange, double h) const
+{
+    double loss = -energyChange;
+    for (const SurfaceLoad& load : contacts.loads)
+        loss += h * load.power;
+    loss += h * contacts.brakingPower;
+    for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        const BodyView& body = m_bodies[b];
+        const ObjectState& state = *body.state;
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            loss -= h * state.force.at(i).dot(state.velocity.at(i));
+            if (body.deforms && state.inverseMass[i] > 0)
+                loss += 0.5 * state.mass[i] * (state.velocity.at(i) - m_startVelocity[b].at(i)).squaredNorm();
+        }
+        if (!body.deforms && body.rigid != nullptr) {
+            const Vec3 change = body.rigid->velocity() - m_startMotion[b]->velocity();
+            const Vec3 turn = body.rigid->angularVelocity() - m_startMotion[b]->angularVelocity();
+            loss += 0.5 * (body.rigid->mass() * change.squaredNorm() + turn.dot(body.rigid->inertia() * turn));
+        }
+    }
+    return loss;
+}
+
+Contacts::Report ImplicitEuler::settle(Contacts& contacts, std::span<const RigidSurface> surfaces, double h)
+{
+    return findForces(contacts, surfaces,
+                      {.duration = h, .stickSpeed = stickShare * m_spacing / h, .keepsSlip = m_keepsSlip});
+}
+
+void ImplicitEuler::undo()
+{
+    for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        m_bodies[b].state->position = m_startPosition[b];
+        m_bodies[b].state->velocity = m_startVelocity[b];
+        if (m_startMotion[b])
+            *m_bodies[b].rigid = *m_startMotion[b];
+    }
+}
+
+ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const RigidSurface> surfaces,
+                                          const Vec3& gravity, double h, double contactEnergy)
+{
+    Report report;
+    rememberStart();
+    const double before = elasticEnergy() + contactEnergy;
+    ContactStep step{.duration = h, .stickSpeed = stickShare * m_spacing / h, .isTrial = true};
+    const double floor = m_mass * std::pow(restShare * m_spacing / h, 2);
+    double first = 0;
+    double reference = 0;
+    m_keepsSlip = false;
+    for (;; ++report.newtonIterations) {
+        tryVelocities(h);
+        m_keepsSlip = step.keepsSlip = report.newtonIterations > slipIterations;
+        report.contacts = findForces(contacts, surfaces, step);
+        findResidual(gravity, h);
+        if (report.newtonIterations == 0)
+            updateSystem(report.contacts.tangents, h);
+        const double size = sizeOf(m_residual);
+        if (report.newtonIterations == 0)
+            first = reference = size;
+        else
+            reference = std::min(
+                reference, std::max((report.contacts.tangents.empty() ? leastFreeReference : leastReference) * first,
+                                    sizeOfLoads(report.contacts.tangents, h)));
+        if (size <= std::max(newtonTolerance * newtonTolerance * reference, floor))
+            break;
+        if (report.newtonIterations == mostNewtonIterations || !std::isfinite(size)) {
+            report.converged = size <= failedTolerance * failedTolerance * reference;
+            break;
+        }
+        if (report.newtonIterations > 0)
+            updateSystem(report.contacts.tangents, h);
+        report.iterations += solve(std::max(linearTolerance * linearTolerance * reference, 0.25 * floor));
+    }
+    keepMomenta(report.contacts.tangents, gravity, h);
+    for (const BodyView& body : m_bodies) {
+        for (std::size_t i = 0; i < body.state->size(); ++i) {
+            const Vec3 velocity = body.state->velocity.at(i);
+            report.dampingWork += h * body.state->damping.at(i).dot(velocity);
+            const double speed = velocity.norm();
+            if (!(speed <= report.largestSpeed))
+                report.largestSpeed = std::isfinite(speed) ? speed : std::numeric_limits<double>::infinity();
+        }
+    }
+    report.numerical = numericalLoss(report.contacts, elasticEnergy() + report.contacts.energy - before, h);
+    return report;
+}
+
+} // namespace knead

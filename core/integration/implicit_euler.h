@@ -1,0 +1,96 @@
+#pragma once
+
+#include "core/integration/conjugate_gradients.h"
+#include "core/mechanics/contacts.h"
+#include "core/mechanics/rigid_motion.h"
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace knead {
+
+/// Implicit Euler: velocities v and places x + h v at the end of a step such that the forces there give the velocities,
+///     M (v - v0) = h f(x + h v, v).
+/// Newton's method on this: one linear system (ImplicitSystem) per iteration, whose solution is good enough at once unless the
+/// step turns material far or contacts open and close. Stable for any stiffness and step; motion faster than about 2 pi h
+/// is damped out, and what that takes is reported.
+///
+/// Held objects go on with their velocities. Contacts, friction and joints are inside, at the places of the end of the step, so
+/// that what closes within it is met; rigid bodies that move are six unknowns each, since a contact of theirs is stiffer than
+/// their mass is heavy by far at such steps.
+///
+/// Several threads; same bits for any number.
+class ImplicitEuler {
+public:
+    struct BodyView {
+        ObjectState* state;
+        StructuralConnections* connections;
+        RigidMotion* rigid = nullptr; ///< of a rigid body that moves; null for others
+        bool deforms = true;
+        bool anchored = false; ///< some object is held
+    };
+
+    /// Bodies, held objects, materials and masses stay what they are as long as it lives.
+    explicit ImplicitEuler(std::vector<BodyView> bodies);
+
+    struct Report {
+        bool converged = true;    ///< else places and velocities are the best found, and a shorter step would do better
+        int newtonIterations = 0; ///< linear systems solved
+        int iterations = 0;       ///< of conjugate gradients, in all of them
+        double largestSpeed = 0;  ///< [m/s]; not finite when any velocity is not
+        double dampingWork = 0;   ///< of state.damping on the objects [J]
+        double numerical = 0;     ///< energy that the scheme itself took out [J]
+        Contacts::Report contacts; ///< at the end
+    };
+
+    /// One step. `state.force` and `state.damping` are then those at the end, and contacts have been looked at only: whoever
+    /// accepts the step lets them take place.
+    /// @param surfaces where they are at the end of the step, with their mean velocities in it
+    /// @param contactEnergy stored in contacts and joints before it [J]
+    Report step(Contacts& contacts, std::span<const RigidSurface> surfaces, const Vec3& gravity, double h,
+                double contactEnergy);
+
+    /// Lets contacts take place as they are at the end of the last step: joints are made and end, skins heal.
+    /// @return what they store, and what went out with that
+    Contacts::Report settle(Contacts& contacts, std::span<const RigidSurface> surfaces, double h);
+
+    /// Takes the last step back.
+    void undo();
+
+private:
+    void rememberStart();
+    void tryVelocities(double h);
+    Contacts::Report findForces(Contacts& contacts, std::span<const RigidSurface> surfaces, const ContactStep& step);
+    void findResidual(const Vec3& gravity, double h);
+    LinkEnd endOf(const ObjectRef& object) const;
+    void updateSystem(const std::vector<ContactTangent>& tangents, double h);
+    int solve(double goal);
+    double sizeOf(const VectorArray& momenta);
+    double sizeOfLoads(const std::vector<ContactTangent>& tangents, double h);
+    double elasticEnergy() const;
+    void keepMomenta(const std::vector<ContactTangent>& tangents, const Vec3& gravity, double h);
+    double numericalLoss(const Contacts::Report& contacts, double energyChange, double h) const;
+
+    std::vector<BodyView> m_bodies;
+    std::vector<std::size_t> m_first; ///< row of each body's first object; of a rigid body, of its velocity
+    std::vector<std::size_t> m_rigidIndex;
+    double m_mass = 0;                                          ///< of all bodies [kg]
+    double m_spacing = std::numeric_limits<double>::infinity(); ///< the smallest [m]
+    ImplicitSystem m_system;
+    RigidModePreconditioner m_preconditioner;
+    ConjugateGradients m_solver;
+    std::vector<VectorArray> m_startPosition; ///< per body
+    std::vector<VectorArray> m_startVelocity;
+    std::vector<std::optional<RigidMotion>> m_startMotion; ///< of rigid bodies that move
+    VectorArray m_velocity;                                ///< rows: velocities at the end, as far as known
+    VectorArray m_residual;
+    VectorArray m_scratch;
+    bool m_keepsSlip = false;  ///< friction in the last trial was in proportion to the slide
+    double m_factoredStep = 0; ///< h of the factor in use [s]; 0: none
+    double m_freshRate = 0;    ///< iterations per decade when the factor was new; 0: not known
+    double m_presentRate = 0;
+};
+
+} // namespace knead

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/mechanics/tangent_operator.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace knead {
+
+/// One end of a link: an object, a point of a rigid body, or something that does not give way.
+struct LinkEnd {
+    static constexpr std::uint32_t immovable = std::numeric_limits<std::uint32_t>::max();
+
+    std::uint32_t row = immovable; ///< of the object, or the first one of the rigid body
+    bool isRigid = false;
+    Vec3 arm = Vec3::Zero(); ///< of a point of a rigid body, from its center, in units of the body's size
+};
+
+/// Adds a momentum at an end to the rows of its object or body.
+void push(const LinkEnd& end, const Vec3& momentum, VectorArray& rows);
+
+/// How a contact or a joint couples two ends: a matrix times their relative velocity.
+struct Link {
+    LinkEnd first;
+    LinkEnd second;
+    Mat3 matrix; ///< symmetric, not negative [kg]
+};
+
+/// The linear system of an implicit step, A dv = r with A = M + h C + h^2 K, for all bodies at once. Symmetric and positive
+/// definite; never assembled.
+///
+/// It has one row of three numbers per object of the deformable bodies, body after body, and then two per rigid body that
+/// moves: its velocity, and its angular velocity times its size. Rows of held objects are 0 in every vector.
+class ImplicitSystem {
+public:
+    struct DeformableBody {
+        TangentOperator tangent;
+        const ObjectState* state;
+        std::size_t first; ///< row of its first object
+    };
+    struct RigidBody {
+        double mass;       ///< [kg]
+        Mat3 inertia;      ///< in the world, by size squared [kg]
+        std::size_t first; ///< row of its velocity
+    };
+
+    /// Adds a body; the state and the connections must outlive the system. @return its first row
+    std::size_t addDeformable(const StructuralConnections& connections, const ObjectState& state);
+    std::size_t addRigid();
+
+    /// Finds A for the present places of the objects. Rigid bodies and links are set apart. @param step h [s]
+    void update(double step);
+    void setRigid(std::size_t index, double mass, const Mat3& inertia);
+    void setLinks(std::vector<Link> links) { m_links = std::move(links); }
+
+    void multiply(const VectorArray& u, VectorArray& product);
+    void clearHeld(VectorArray& u) const; ///< sets the rows of held objects to 0
+
+    std::size_t rows() const { return m_rows; }
+    double massOf(std::size_t row) const { return m_mass[row]; } ///< [kg]; of rigid bodies 0
+    bool isHeld(std::size_t row) const { return m_isHeld[row] != 0; }
+    const std::vector<DeformableBody>& deformables() const { return m_deformables; }
+    const std::vector<RigidBody>& rigids() const { return m_rigids; }
+    const std::vector<Link>& links() const { return m_links; }
+
+private:
+    std::vector<DeformableBody> m_deformables;
+    std::vector<RigidBody> m_rigids;
+    std::vector<Link> m_links;
+    std::vector<double> m_mass;
+    std::vector<std::uint8_t> m_isHeld;
+    std::vector<std::uint32_t> m_held;
+    std::size_t m_rows = 0;
+};
+
+} // namespace knead
