@@ -81,6 +81,7 @@ public:
         report.simulated = m_latest->time;
         report.wall = m_wall;
         report.stateHash = m_simulation.stateHash();
+        report.integrator = m_latest->integratorReason;
         report.energy = m_latest->energy;
         report.broken = m_latest->broken;
         report.joints = m_latest->joints;

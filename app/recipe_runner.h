@@ -24,6 +24,7 @@ struct RunReport {
     double simulated = 0;        ///< [s]
     double wall = 0;             ///< taken by the steps [s]
     std::uint64_t stateHash = 0; ///< equal for equal histories, whatever the number of threads
+    std::string integrator;      ///< a sentence on which one was in use at the end and why
     EnergyLedger energy;
     std::vector<ToolState> tools;      ///< as last seen, those taken away included
     std::vector<std::string> files;    ///< written, in the order of the recipe

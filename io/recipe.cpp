@@ -101,7 +101,9 @@ void readMethod(const JsonNode& root, Recipe& recipe)
 {
     if (const auto node = root.find("integrator"))
         recipe.integrator = readChoice<Integrator>(*node, {{"semi-implicit-euler", Integrator::semiImplicitEuler},
-                                                           {"forward-euler", Integrator::forwardEuler}});
+                                                           {"forward-euler", Integrator::forwardEuler},
+                                                           {"implicit-euler", Integrator::implicitEuler},
+                                                           {"automatic", Integrator::automatic}});
     if (const auto node = root.find("vicinity"))
         recipe.vicinity = readChoice(*node, vicinityChoices());
     recipe.timeStep = readTimeStep(root, "time_step_s");

@@ -60,6 +60,7 @@ void printJson(const RunReport& report)
         {"wall_s", report.wall},
         {"ratio", report.ratio()},
         {"state_hash", hexadecimal(report.stateHash)},
+        {"integrator", report.integrator},
         {"energy_j",
          {{"kinetic", energy.kinetic},
           {"elastic", energy.elastic},
@@ -70,6 +71,7 @@ void printJson(const RunReport& report)
           {"friction", energy.friction},
           {"plastic", energy.plastic},
           {"fracture", energy.fracture},
+          {"numerical", energy.numerical},
           {"imbalance", energy.imbalance}}},
         {"tools", nlohmann::ordered_json::array()},
         {"files", report.files},
@@ -98,6 +100,7 @@ void printSummary(const RunReport& report)
                 report.bodies == 1 ? "body" : "bodies");
     std::printf("%.3f s simulated in %.1f s (%.2fx real time), %llu steps of %.3g ms\n", report.simulated, report.wall,
                 report.ratio(), static_cast<unsigned long long>(report.steps), 1000 * report.timeStep);
+    std::printf("%s\n", report.integrator.c_str());
     std::printf("energy: elastic %.3g J, kinetic %.3g J, work of the tools %.3g J, dissipated %.3g J\n",
                 report.energy.elastic, report.energy.kinetic, report.energy.toolWork, report.energy.dissipated());
     printDamage(report);

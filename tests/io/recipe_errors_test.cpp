@@ -111,7 +111,7 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
     row("bodies as a list", with("bodies", R"([{"kind": "rigid"}])"),
         "bodies must be an object in { }, got [{\"kind\": \"rigid\"}].");
     row("integrator", with("integrator", R"("euler")"),
-        "integrator must be one of semi-implicit-euler, forward-euler, got \"euler\".");
+        "integrator must be one of semi-implicit-euler, forward-euler, implicit-euler, automatic, got \"euler\".");
     row("vicinity", with("vicinity", "1"),
         "vicinity must be one of uniform-grid, half-partition, median-partition, brute-force, got 1.");
     row("time step", with("time_step_s", "0"), "time_step_s must be a number between 1e-09 and 1, got 0.");

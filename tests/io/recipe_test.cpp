@@ -33,6 +33,7 @@ private slots:
     void bodiesMayBeRigidAndMove();
     void partsAreBroughtTogether();
     void calculationCanBeAsPublished();
+    void stepsCanBeImplicit();
     void eventsAreReadInOrder();
     void eventsRenormalizeAndChangeKinds();
     void picturesHaveSizeAndView();
@@ -208,6 +209,13 @@ void RecipeTest::calculationCanBeAsPublished()
     QCOMPARE(read.timeStep.value(), 1e-4);
     QCOMPARE(read.massScalingTimeStep.value(), 2e-4);
     QCOMPARE(read.structuralFriction, 0.2);
+}
+
+void RecipeTest::stepsCanBeImplicit()
+{
+    QVERIFY(parse(smallest()).integrator == Integrator::semiImplicitEuler);
+    QVERIFY(parse(with("integrator", R"("implicit-euler")")).integrator == Integrator::implicitEuler);
+    QVERIFY(parse(with("integrator", R"("automatic")")).integrator == Integrator::automatic);
 }
 
 void RecipeTest::eventsRenormalizeAndChangeKinds()

@@ -148,6 +148,7 @@ Scene restScene(const Content& content)
     for (const auto& body : content.bodies)
         scene.bodies.push_back({.name = body->name, .aggregate = body->aggregate});
     scene.floorHeight = content.box.min().z();
+    scene.integrator = Integrator::automatic;
     return scene;
 }
 
@@ -196,6 +197,7 @@ PreparedContent prepareRefill(std::shared_ptr<const Model> model, double spacing
                                       .kind = tool.kind,
                                       .part = tool.part});
     scene.gravity = now.gravity;
+    scene.integrator = now.wantedIntegrator;
     scene.floorHeight = now.floorHeight;
     Simulation simulation(std::move(scene));
     return {std::move(content), std::move(simulation)};

@@ -50,6 +50,7 @@ MaterialPanel::MaterialPanel(Document& document, std::vector<MaterialPreset> pre
     makeBodyRows();
     makeMaterialRows();
     makeFillingRows();
+    makeStepRows();
     connect(&document, &Document::changed, this, &MaterialPanel::documentChanged);
 }
 
@@ -123,6 +124,27 @@ void MaterialPanel::makeFillingRows()
     form->addRow(QString(), m_refill);
 }
 
+void MaterialPanel::makeStepRows()
+{
+    auto* form = qobject_cast<QFormLayout*>(layout());
+    form->addRow(makeHeading(tr("Steps"), this));
+    m_integrator = makeChoice("integrator", this);
+    // In the order of Integrator.
+    m_integrator->addItems({tr("Semi-implicit Euler"), tr("Forward Euler"), tr("Implicit Euler"), tr("Automatic")});
+    m_integrator->setItemData(0, tr("Keeps vibrations; stiff materials take small steps"), Qt::ToolTipRole);
+    m_integrator->setItemData(1, tr("As published; needs damping"), Qt::ToolTipRole);
+    m_integrator->setItemData(2, tr("A step per frame for any stiffness; fast vibrations die out"), Qt::ToolTipRole);
+    m_integrator->setItemData(3, tr("Implicit where the semi-implicit scheme would be slower than real time"),
+                              Qt::ToolTipRole);
+    connect(m_integrator, &QComboBox::activated, this, &MaterialPanel::chooseIntegrator);
+    form->addRow(tr("Integrator"), m_integrator);
+    m_integratorReason = new QLabel(this);
+    m_integratorReason->setObjectName("integratorReason");
+    m_integratorReason->setProperty("role", "dimmed");
+    m_integratorReason->setWordWrap(true);
+    form->addRow(m_integratorReason);
+}
+
 double MaterialPanel::cellsAcross(double spacing) const
 {
     return m_document.size() / spacing;
@@ -162,6 +184,7 @@ void MaterialPanel::showBody()
     m_body = selection.kind == Selection::Kind::Body ? selection.id : 0;
     m_isPosted = false;
     m_postedKind.reset();
+    m_postedIntegrator.reset();
     const ContentBody& body = *m_document.content().bodies[m_body];
     m_name->setText(QString::fromStdString(body.name));
     m_facts->setText(tr("%1 objects, %2 connections\n%3 of material")
@@ -181,6 +204,11 @@ void MaterialPanel::showMaterial()
         m_postedKind.reset();
         m_kind->setCurrentIndex(static_cast<int>(kind));
     }
+    if (!m_postedIntegrator || *m_postedIntegrator == now.wantedIntegrator || !now.notice.empty()) {
+        m_postedIntegrator.reset();
+        m_integrator->setCurrentIndex(static_cast<int>(now.wantedIntegrator));
+    }
+    m_integratorReason->setText(QString::fromStdString(now.integratorReason));
     const Material& material = now.materials[m_body];
     if (m_isPosted && material != m_material && now.health.ok)
         return;
@@ -205,6 +233,12 @@ void MaterialPanel::chooseKind(int index)
 {
     m_postedKind = static_cast<BodyKind>(index);
     m_document.post(SetBodyKind{m_body, *m_postedKind});
+}
+
+void MaterialPanel::chooseIntegrator(int index)
+{
+    m_postedIntegrator = static_cast<Integrator>(index);
+    m_document.post(SetIntegrator{*m_postedIntegrator});
 }
 
 void MaterialPanel::commit(double Material::*value, double number)

@@ -16,7 +16,7 @@ namespace knead {
 
 class QuantityField;
 
-/// What the selected body is made of and how densely it is filled. A change reaches the simulation at once, also while
+/// What the selected body is made of, how densely it is filled, and how steps are taken. A change reaches the simulation at once, also while
 /// it runs.
 class MaterialPanel final : public QWidget {
     Q_OBJECT
@@ -31,12 +31,14 @@ private:
     void makeBodyRows();
     void makeMaterialRows();
     void makeFillingRows();
+    void makeStepRows();
     void documentChanged(Document::Change what);
     void showBody();
     void showMaterial();
     void showSpacing(double spacing);
     void choosePreset(int index);
     void chooseKind(int index);
+    void chooseIntegrator(int index);
     void commit(double Material::*value, double number);
     void post();
     double cellsAcross(double spacing) const;
@@ -55,6 +57,9 @@ private:
     QuantityField* m_spacing = nullptr;
     QuantityField* m_cells = nullptr;
     QPushButton* m_refill = nullptr;
+    QComboBox* m_integrator = nullptr;
+    std::optional<Integrator> m_postedIntegrator; ///< until a snapshot shows it
+    QLabel* m_integratorReason = nullptr;
 };
 
 } // namespace knead

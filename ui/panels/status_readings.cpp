@@ -42,6 +42,7 @@ StatusReadings::StatusReadings(QWidget* parent)
     m_ratio = add("ratio", tr("Simulated time per wall time"));
     m_updates = add("updates", tr("Frames the simulation delivers per second"));
     m_steps = add("steps", tr("Time steps per frame"));
+    m_integrator = add("integratorInUse", {});
     m_objects = add("objectCount", tr("Spheres the bodies are made of"));
     m_connections = add("connectionCount", tr("Structural connections between objects"));
     m_contacts = add("contactCount", tr("Contact connections now"));
@@ -68,6 +69,10 @@ void StatusReadings::show(const Snapshot& snapshot)
     m_steps->setText(snapshot.playing ? tr("%1 steps/frame").arg(snapshot.stepsPerFrame) : QString());
     m_updates->setVisible(snapshot.playing);
     m_steps->setVisible(snapshot.playing);
+    m_integrator->setText(snapshot.integrator == Integrator::implicitEuler  ? tr("Implicit")
+                          : snapshot.integrator == Integrator::forwardEuler ? tr("Forward")
+                                                                            : tr("Explicit"));
+    m_integrator->setToolTip(QString::fromStdString(snapshot.integratorReason));
     m_objects->setText(tr("%1 objects").arg(formatCount(snapshot.objects)));
     m_connections->setText(tr("%1 connections").arg(formatCount(snapshot.connections)));
     m_contacts->setText(tr("%1 contacts").arg(formatCount(snapshot.contacts)));

@@ -31,6 +31,7 @@ private:
     QLabel* m_broken;
     QLabel* m_pieces;
     QLabel* m_steps;
+    QLabel* m_integrator;
 };
 
 /// What is being done in the background, how far it is, and a button that stops it.
