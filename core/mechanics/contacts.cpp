@@ -192,41 +192,6 @@ bool Contacts::areNeighbors(const ContactObject& a, const ContactObject& b) cons
     return near;
 }
 
-std::vector<Contacts::ContactPair> Contacts::findPairs(double margin)
-{
-    std::vector<VicinitySphere> spheres;
-    std::vector<std::uint32_t> indices;
-    for (std::uint32_t i = 0; i < m_objects.size(); ++i) {
-        const ContactObject& object = m_objects[i];
-        if (object.radius == 0)
-            continue;
-        indices.push_back(i);
-        const BodyView& body = m_bodies[object.ref.body];
-        VicinitySphere sphere{.center = placeOf(object), .radius = object.radius, .group = object.ref.body};
-        if (body.kind == BodyKind::deformable) {
-            sphere.node = body.connections->aggregate().lattice.nodes[object.ref.object];
-            sphere.loose = object.loose;
-        }
-        spheres.push_back(sphere);
-    }
-    m_vicinity->build(spheres, margin);
-    std::vector<ContactPair> pairs;
-    for (const VicinityPair& found : m_vicinity->pairs()) {
-        const VicinityPair pair{indices[found.first], indices[found.second]};
-        const ContactObject& first = m_objects[pair.first];
-        const ContactObject& second = m_objects[pair.second];
-        const bool bothGlue =
-            m_bodies[first.ref.body].kind == BodyKind::glue && m_bodies[second.ref.body].kind == BodyKind::glue;
-        if (bothGlue || (first.ref.body == second.ref.body && areNeighbors(first, second)))
-            continue;
-        pairs.push_back(
-            {.objects = pair, .nominalLength = first.radius + second.radius, .parameters = between(first, second)});
-        noteJoint(pairs.back());
-    }
-    m_statistics = m_vicinity->statistics();
-    return pairs;
-}
-
 double Contacts::lengthOf(const ContactPair& pair) const
 {
     return (placeOf(m_objects[pair.objects.first]) - placeOf(m_objects[pair.objects.second])).norm();
@@ -267,50 +232,6 @@ void Contacts::connectionsBroke()
         return;
     updateParameters(0);
     keepDistances();
-}
-
-void Contacts::rebuild(std::span<const RigidSurface> surfaces)
-{
-    connectionsBroke(); // or pairs that may touch since then would begin with an overlap
-    std::vector<ContactPair> before = std::move(m_pairs);
-    m_pairs = findPairs(m_margin);
-    auto old = before.begin();
-    auto kept = m_keptDistances.begin();
-    for (ContactPair& pair : m_pairs) { // all lists are sorted
-        while (kept != m_keptDistances.end() && kept->objects < pair.objects)
-            ++kept;
-        // Radii may have become smaller since: what is apart now meets again where its spheres do.
-        if (kept != m_keptDistances.end() && kept->objects == pair.objects)
-            pair.nominalLength = lengthOf(pair) < pair.nominalLength
-                                     ? kept->nominalLength
-                                     : std::min(kept->nominalLength, pair.nominalLength);
-        while (old != before.end() && old->objects < pair.objects)
-            ++old;
-        if (old != before.end() && old->objects == pair.objects)
-            pair.pressed = old->pressed;
-    }
-    double largestReach = 0;
-    for (const BodyView& body : m_bodies)
-        largestReach = std::max(largestReach, body.connections->aggregate().lattice.spacing);
-    m_nearSurface.assign(surfaces.size(), {});
-    for (std::size_t s = 0; s < surfaces.size(); ++s) {
-        const Box box = surfaces[s].reach(largestReach + m_margin);
-        for (std::uint32_t i = 0; i < m_objects.size(); ++i)
-            if (m_bodies[m_objects[i].ref.body].kind != BodyKind::glue && box.contains(placeOf(m_objects[i])))
-                m_nearSurface[s].push_back({i});
-    }
-    m_travel = 0;
-    m_surfaceTravel = 0;
-    m_valid = true;
-}
-
-void Contacts::updateVicinity(std::span<const RigidSurface> surfaces, double travel, double surfaceTravel)
-{
-    m_travel += travel;
-    m_surfaceTravel += surfaceTravel;
-    const bool tooFar = 2 * m_travel > m_margin || m_travel + m_surfaceTravel > m_margin;
-    if (!m_valid || tooFar || surfaces.size() != m_nearSurface.size())
-        rebuild(surfaces);
 }
 
 void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& report)

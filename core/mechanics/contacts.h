@@ -37,7 +37,8 @@ enum class BodyKind : std::uint8_t {
 /// Where both materials are adhesive, or one body is glue, touching makes a joint that holds up to the least adhesion. Where
 /// both heal, skins that stay pressed together for the longer healing time grow together.
 ///
-/// Candidates are listed with a margin and listed again when something has moved that far.
+/// Candidates are listed with a margin and listed again when something has moved that far. A body that nothing else is near
+/// may move and turn as a whole without that.
 class Contacts {
 public:
     struct BodyView {
@@ -59,7 +60,7 @@ public:
     /// Ends of newly broken connections become contact objects; where they overlap now, they keep their distance.
     void connectionsBroke();
 
-    /// Lists candidates again when objects or surfaces have moved too far, or the surfaces are others.
+    /// Lists candidates again when objects or surfaces have moved too far towards each other, or the surfaces are others.
     /// @param travel how far the fastest object may have moved since the last call [m]
     /// @param surfaceTravel the same for the surfaces [m]
     void updateVicinity(std::span<const RigidSurface> surfaces, double travel, double surfaceTravel);
@@ -100,6 +101,7 @@ public:
 
     const Joints& joints() const { return m_joints; }
     const VicinityStatistics& statistics() const { return m_statistics; } ///< of the last listing
+    std::size_t listings() const { return m_listings; }                   ///< of pairs, so far
 
 private:
     struct ContactObject {
@@ -128,7 +130,9 @@ private:
     void addObject(const ContactObject& object);
     void loosen(std::uint32_t body, ObjectIndex object);
     void findSlits(std::uint32_t body);
-    void rebuild(std::span<const RigidSurface> surfaces);
+    void listPairs();
+    void listNearSurfaces(std::span<const RigidSurface> surfaces);
+    double travelTowardsOthers() const;
     std::vector<ContactPair> findPairs(double margin);
     bool areNeighbors(const ContactObject& a, const ContactObject& b) const;
     void keepDistances();
@@ -168,8 +172,10 @@ private:
     std::vector<double> m_touching;                     ///< per contact object: stiffness of its contacts now [N/m]
     double m_margin = 0;                                ///< [m]
     double m_frequency = 0;
-    double m_travel = 0;
-    double m_surfaceTravel = 0;
+    std::vector<Vec3> m_listedAt;  ///< per contact object: its place when pairs were listed [m]
+    double m_travel = 0;           ///< of objects towards each other since then, at most [m]
+    double m_travelToSurfaces = 0; ///< of objects and surfaces since those were listed, at most [m]
+    std::size_t m_listings = 0;
     bool m_valid = false;
 };
 

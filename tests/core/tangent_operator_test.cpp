@@ -48,7 +48,7 @@ struct Lump {
     {
         VectorArray result;
         result.resize(u.size());
-        tangent.addProduct({u.x.data(), u.y.data(), u.z.data()}, {result.x.data(), result.y.data(), result.z.data()});
+        tangent.addProduct(kernels::from(u, 0), kernels::into(result, 0));
         return result;
     }
 
@@ -142,9 +142,9 @@ private slots:
             const VectorArray Av = lump.product(v);
             QVERIFY(std::abs(dot(v, Au) - dot(u, Av)) < 1e-12 * norm(u) * norm(Av));
             QVERIFY(dot(u, Au) > 0);
-            const Vec3 total(std::accumulate(Au.x.begin(), Au.x.end(), 0.0),
-                             std::accumulate(Au.y.begin(), Au.y.end(), 0.0),
-                             std::accumulate(Au.z.begin(), Au.z.end(), 0.0));
+            Vec3 total = Vec3::Zero();
+            for (std::size_t i = 0; i < Au.size(); ++i)
+                total += Au.at(i);
             QVERIFY(total.norm() < 1e-12 * norm(Au));
         }
     }
@@ -199,7 +199,8 @@ private slots:
             return onThreads(threads, [] {
                 Lump lump(0.4, {60, 16, 16});
                 lump.tangent.update(lump.state.position, step);
-                return lump.product(lump.random(1, 6)).x;
+                const VectorArray all = lump.product(lump.random(1, 6));
+                return std::vector<double>(all.component(0), all.component(0) + all.size());
             });
         };
         const std::vector<double> one = product(1);

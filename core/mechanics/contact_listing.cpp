@@ -1,0 +1,142 @@
+// How contacts find their candidates: which pairs of objects, and which objects at surfaces. Part of Contacts.
+#include "core/mechanics/contacts.h"
+#include "core/mechanics/rigid_fit.h"
+
+#include <algorithm>
+
+namespace knead {
+
+namespace {
+
+// A closer look at what has moved may find that so much of the margin is used up at most; else it would soon be due again.
+constexpr double usedShare = 0.5;
+
+} // namespace
+
+std::vector<Contacts::ContactPair> Contacts::findPairs(double margin)
+{
+    std::vector<VicinitySphere> spheres;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < m_objects.size(); ++i) {
+        const ContactObject& object = m_objects[i];
+        if (object.radius == 0)
+            continue;
+        indices.push_back(i);
+        const BodyView& body = m_bodies[object.ref.body];
+        VicinitySphere sphere{.center = placeOf(object), .radius = object.radius, .group = object.ref.body};
+        if (body.kind == BodyKind::deformable) {
+            sphere.node = body.connections->aggregate().lattice.nodes[object.ref.object];
+            sphere.loose = object.loose;
+        }
+        spheres.push_back(sphere);
+    }
+    m_vicinity->build(spheres, margin);
+    std::vector<ContactPair> pairs;
+    for (const VicinityPair& found : m_vicinity->pairs()) {
+        const VicinityPair pair{indices[found.first], indices[found.second]};
+        const ContactObject& first = m_objects[pair.first];
+        const ContactObject& second = m_objects[pair.second];
+        const bool bothGlue =
+            m_bodies[first.ref.body].kind == BodyKind::glue && m_bodies[second.ref.body].kind == BodyKind::glue;
+        if (bothGlue || (first.ref.body == second.ref.body && areNeighbors(first, second)))
+            continue;
+        pairs.push_back(
+            {.objects = pair, .nominalLength = first.radius + second.radius, .parameters = between(first, second)});
+        noteJoint(pairs.back());
+    }
+    m_statistics = m_vicinity->statistics();
+    return pairs;
+}
+
+void Contacts::listPairs()
+{
+    connectionsBroke(); // or pairs that may touch since then would begin with an overlap
+    std::vector<ContactPair> before = std::move(m_pairs);
+    m_pairs = findPairs(m_margin);
+    auto old = before.begin();
+    auto kept = m_keptDistances.begin();
+    for (ContactPair& pair : m_pairs) { // all lists are sorted
+        while (kept != m_keptDistances.end() && kept->objects < pair.objects)
+            ++kept;
+        // Radii may have become smaller since: what is apart now meets again where its spheres do.
+        if (kept != m_keptDistances.end() && kept->objects == pair.objects)
+            pair.nominalLength = lengthOf(pair) < pair.nominalLength
+                                     ? kept->nominalLength
+                                     : std::min(kept->nominalLength, pair.nominalLength);
+        while (old != before.end() && old->objects < pair.objects)
+            ++old;
+        if (old != before.end() && old->objects == pair.objects)
+            pair.pressed = old->pressed;
+    }
+    m_listedAt.clear();
+    for (const ContactObject& object : m_objects)
+        m_listedAt.push_back(placeOf(object));
+    m_travel = 0;
+    ++m_listings;
+}
+
+void Contacts::listNearSurfaces(std::span<const RigidSurface> surfaces)
+{
+    double largestReach = 0;
+    for (const BodyView& body : m_bodies)
+        largestReach = std::max(largestReach, body.connections->aggregate().lattice.spacing);
+    m_nearSurface.assign(surfaces.size(), {});
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+        const Box box = surfaces[s].reach(largestReach + m_margin);
+        for (std::uint32_t i = 0; i < m_objects.size(); ++i)
+            if (m_bodies[m_objects[i].ref.body].kind != BodyKind::glue && box.contains(placeOf(m_objects[i])))
+                m_nearSurface[s].push_back({i});
+    }
+    m_travelToSurfaces = 0;
+}
+
+/// How far objects may have moved towards each other since pairs were listed: where a body is alone, only what is no rigid
+/// motion of all of it.
+double Contacts::travelTowardsOthers() const
+{
+    struct Moved {
+        std::vector<Vec3> before;
+        std::vector<Vec3> after;
+        Box reach;
+        double farthest = 0;
+    };
+    std::vector<Moved> bodies(m_bodies.size());
+    for (std::size_t i = 0; i < m_objects.size(); ++i) {
+        const ContactObject& object = m_objects[i];
+        if (object.radius == 0)
+            continue;
+        Moved& body = bodies[object.ref.body];
+        body.before.push_back(m_listedAt[i]);
+        body.after.push_back(placeOf(object));
+        const Vec3 reach = Vec3::Constant(object.radius + m_margin);
+        body.reach.extend(body.after.back() - reach);
+        body.reach.extend(body.after.back() + reach);
+        body.farthest = std::max(body.farthest, (body.after.back() - m_listedAt[i]).norm());
+    }
+    double travel = 0;
+    for (const Moved& body : bodies) {
+        const bool alone = std::none_of(bodies.begin(), bodies.end(), [&](const Moved& other) {
+            return &other != &body && other.reach.intersects(body.reach);
+        });
+        travel = std::max(travel, alone ? deviationFromRigidMotion(body.before, body.after) : body.farthest);
+    }
+    return travel;
+}
+
+void Contacts::updateVicinity(std::span<const RigidSurface> surfaces, double travel, double surfaceTravel)
+{
+    m_travel += travel;
+    m_travelToSurfaces += travel + surfaceTravel;
+    bool tooFar = 2 * m_travel > m_margin;
+    if (m_valid && tooFar) {
+        m_travel = std::min(m_travel, travelTowardsOthers());
+        tooFar = 2 * m_travel > usedShare * m_margin;
+    }
+    if (!m_valid || tooFar)
+        listPairs();
+    if (!m_valid || m_travelToSurfaces > m_margin || surfaces.size() != m_nearSurface.size())
+        listNearSurfaces(surfaces);
+    m_valid = true;
+}
+
+} // namespace knead
