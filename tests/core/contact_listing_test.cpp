@@ -34,8 +34,8 @@ struct Boxes {
             ObjectState& state = parts[p].state;
             state.mass.assign(state.size(), 1e-6);
             state.inverseMass.assign(state.size(), 1e6);
-            for (double& x : state.position.x)
-                x += static_cast<double>(p) * (6e-3 + gap);
+            for (std::size_t i = 0; i < state.size(); ++i)
+                state.position.add(i, {static_cast<double>(p) * (6e-3 + gap), 0, 0});
             parts[p].start = state.position;
             views.push_back({&state, &parts[p].connections, &parts[p].materials, BodyKind::deformable});
         }
@@ -124,7 +124,7 @@ private slots:
     {
         // From 20 mm apart, in steps much longer than the margin would allow a blind search.
         Boxes boxes(2, 20e-3);
-        const auto touching = [&] { return boxes.contacts->computeForces({}, 1e-6).count; };
+        const auto touching = [&] { return boxes.contacts->computeForces({}, {.duration = 1e-6}).count; };
         for (int step = 0; step <= 203; ++step) { // 0.3 mm into each other
             if (step < 200)
                 QCOMPARE(touching(), std::size_t{0});
