@@ -35,14 +35,14 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
 
     const Vec3 slide = state.relativeVelocity - normalSpeed * state.normal;
     const double speed = slide.norm();
+    result.frictionLimit = parameters.friction * normalForce;
     if (step.isImplicit()) {
-        result.slip =
-            step.keepsSlip ? state.slip : parameters.friction * normalForce / std::max(speed, step.stickSpeed);
+        result.slip = step.keepsSlip ? state.slip : result.frictionLimit / std::max(speed, step.stickSpeed);
         result.friction = -result.slip * slide;
     } else if (speed > 0) {
         constexpr double share = 0.5;
         const double stopping = share * parameters.reducedMass * speed / step.duration;
-        result.friction = -std::min(parameters.friction * normalForce, stopping) / speed * slide;
+        result.friction = -std::min(result.frictionLimit, stopping) / speed * slide;
     }
     result.damping += result.friction;
     if (step.isTrial && normalForce > 0) {

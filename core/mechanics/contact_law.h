@@ -47,7 +47,8 @@ struct ContactResult {
     Vec3 friction = Vec3::Zero(); ///< the part of damping that is friction [N]
     double energy = 0;            ///< stored in the spring [J]
 
-    double slip = 0; ///< in an implicit scheme: friction by slide [N s/m]
+    double slip = 0;          ///< in an implicit scheme: friction by slide [N s/m]
+    double frictionLimit = 0; ///< u |F_N| [N]
     /// Of a trial: how the force at the end of the step answers to the relative velocity, friction in
     /// proportion to the slide; symmetric, not negative [N s/m].
     Mat3 resistance = Mat3::Zero();

@@ -58,9 +58,9 @@ Contacts::Contacts(std::vector<BodyView> bodies, VicinityMethod method)
 
 void Contacts::lookAhead(double spacings)
 {
-    m_margin = 0;
+    m_ahead = 0;
     for (const BodyView& body : m_bodies)
-        m_margin = std::max(m_margin, std::max(spacings, marginShare) * body.connections->aggregate().lattice.spacing);
+        m_ahead = std::max(m_ahead, spacings * body.connections->aggregate().lattice.spacing);
     m_valid = false;
 }
 
@@ -273,7 +273,7 @@ void Contacts::rebuild(std::span<const RigidSurface> surfaces)
 {
     connectionsBroke(); // or pairs that may touch since then would begin with an overlap
     std::vector<ContactPair> before = std::move(m_pairs);
-    m_pairs = findPairs(m_margin);
+    m_pairs = findPairs(m_margin + m_ahead);
     auto old = before.begin();
     auto kept = m_keptDistances.begin();
     for (ContactPair& pair : m_pairs) { // all lists are sorted
@@ -294,7 +294,7 @@ void Contacts::rebuild(std::span<const RigidSurface> surfaces)
         largestReach = std::max(largestReach, body.connections->aggregate().lattice.spacing);
     m_nearSurface.assign(surfaces.size(), {});
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
-        const Box box = surfaces[s].reach(largestReach + m_margin);
+        const Box box = surfaces[s].reach(largestReach + m_margin + m_ahead);
         for (std::uint32_t i = 0; i < m_objects.size(); ++i)
             if (m_bodies[m_objects[i].ref.body].kind != BodyKind::glue && box.contains(placeOf(m_objects[i])))
                 m_nearSurface[s].push_back({i});
@@ -355,6 +355,8 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
         report.frictions.push_back({second.ref, -result.friction, Vec3::Zero()});
     }
     ++report.count;
+    report.frictionLimit += result.frictionLimit;
+    report.frictionExcess += std::max(0.0, result.friction.norm() - result.frictionLimit);
     m_touching[pair.objects.first] += 2 * pair.parameters.stiffness;
     m_touching[pair.objects.second] += 2 * pair.parameters.stiffness;
     if (step.isTrial) {
@@ -401,6 +403,8 @@ void Contacts::pushOff(NearObject& near, const RigidSurface& surface, const Cont
     if (!result.friction.isZero(0))
         report.frictions.push_back({object.ref, result.friction, surfaceVelocity});
     ++report.count;
+    report.frictionLimit += result.frictionLimit;
+    report.frictionExcess += std::max(0.0, result.friction.norm() - result.frictionLimit);
     m_touching[near.index] += parameters.stiffness;
     if (step.isTrial)
         report.tangents.push_back(
