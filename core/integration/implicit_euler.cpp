@@ -30,11 +30,15 @@ constexpr int mostIterations = 400; // of conjugate gradients for one linear sys
 constexpr double restShare = 1e-8;
 
 // Slides slower than this stick, in spacings per step.
-constexpr double stickShare = 1e-4;
+constexpr double stickShare = 3e-4;
 
 // Friction is made to fit normal forces and slides in so many iterations; then it stays in proportion to the slide, or stick
 // and slip would take turns without end. What is left to fit is fitted in the next steps.
-constexpr int slipIterations = 3;
+constexpr int slipIterations = 2;
+// From here on it may get less, but no more than Coulomb's: a step that does not settle must not hold what would slide.
+constexpr int limitIterations = 6;
+// Friction that was kept so may exceed Coulomb's by this share of it, over all contacts; else it is made to fit again.
+constexpr double frictionTolerance = 0.1;
 
 // The coarse factor is found again when iterations per decade have grown by this factor and so many since it was new.
 constexpr double staleFactor = 1.5;
@@ -320,7 +324,10 @@ double ImplicitEuler::numericalLoss(const Contacts::Report& contacts, double ene
 Contacts::Report ImplicitEuler::settle(Contacts& contacts, std::span<const RigidSurface> surfaces, double h)
 {
     return findForces(contacts, surfaces,
-                      {.duration = h, .stickSpeed = stickShare * m_spacing / h, .keepsSlip = m_keepsSlip});
+                      {.duration = h,
+                       .stickSpeed = stickShare * m_spacing / h,
+                       .keepsSlip = m_keepsSlip,
+                       .limitsSlip = m_limitsSlip});
 }
 
 void ImplicitEuler::undo()
@@ -343,10 +350,11 @@ ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const Ri
     const double floor = m_mass * std::pow(restShare * m_spacing / h, 2);
     double first = 0;
     double reference = 0;
-    m_keepsSlip = false;
+    bool isOverBraked = false;
     for (;; ++report.newtonIterations) {
         tryVelocities(h);
-        m_keepsSlip = step.keepsSlip = report.newtonIterations > slipIterations;
+        m_keepsSlip = step.keepsSlip = report.newtonIterations > slipIterations && !isOverBraked;
+        m_limitsSlip = step.limitsSlip = report.newtonIterations > limitIterations;
         report.contacts = findForces(contacts, surfaces, step);
         findResidual(gravity, h);
         if (report.newtonIterations == 0)
@@ -358,7 +366,12 @@ ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const Ri
             reference = std::min(
                 reference, std::max((report.contacts.tangents.empty() ? leastFreeReference : leastReference) * first,
                                     sizeOfLoads(report.contacts.tangents, h)));
-        if (size <= std::max(newtonTolerance * newtonTolerance * reference, floor))
+        const bool isBalanced = size <= std::max(newtonTolerance * newtonTolerance * reference, floor);
+        isOverBraked = isBalanced && m_keepsSlip && report.newtonIterations < mostNewtonIterations &&
+                       report.contacts.frictionExcess > frictionTolerance * report.contacts.frictionLimit;
+        if (isOverBraked)
+            continue; // with friction as it must be at these forces
+        if (isBalanced)
             break;
         if (report.newtonIterations == mostNewtonIterations || !std::isfinite(size)) {
             report.converged = size <= failedTolerance * failedTolerance * reference;

@@ -88,6 +88,7 @@ private:
     VectorArray m_residual;
     VectorArray m_scratch;
     bool m_keepsSlip = false;  ///< friction in the last trial was in proportion to the slide
+    bool m_limitsSlip = false; ///< and may only get less
     double m_factoredStep = 0; ///< h of the factor in use [s]; 0: none
     double m_freshRate = 0;    ///< iterations per decade when the factor was new; 0: not known
     double m_presentRate = 0;

@@ -35,14 +35,16 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
 
     const Vec3 slide = state.relativeVelocity - normalSpeed * state.normal;
     const double speed = slide.norm();
+    result.frictionLimit = parameters.friction * normalForce;
     if (step.isImplicit()) {
-        result.slip =
-            step.keepsSlip ? state.slip : parameters.friction * normalForce / std::max(speed, step.stickSpeed);
+        const double coulomb = result.frictionLimit / std::max(speed, step.stickSpeed);
+        const bool exceeds = state.slip > coulomb && normalForce > 0;
+        result.slip = step.keepsSlip && !(step.limitsSlip && exceeds) ? state.slip : coulomb;
         result.friction = -result.slip * slide;
     } else if (speed > 0) {
         constexpr double share = 0.5;
         const double stopping = share * parameters.reducedMass * speed / step.duration;
-        result.friction = -std::min(parameters.friction * normalForce, stopping) / speed * slide;
+        result.friction = -std::min(result.frictionLimit, stopping) / speed * slide;
     }
     result.damping += result.friction;
     if (step.isTrial && normalForce > 0) {

@@ -36,6 +36,7 @@ struct ContactStep {
     bool isTrial = false;
     /// Friction goes on as it did in the trial before: in proportion to the slide.
     bool keepsSlip = false;
+    bool limitsSlip = false; ///< what is kept is no more than Coulomb's friction
 
     bool isImplicit() const { return stickSpeed > 0; }
 };
@@ -47,7 +48,8 @@ struct ContactResult {
     Vec3 friction = Vec3::Zero(); ///< the part of damping that is friction [N]
     double energy = 0;            ///< stored in the spring [J]
 
-    double slip = 0; ///< in an implicit scheme: friction by slide [N s/m]
+    double slip = 0;          ///< in an implicit scheme: friction by slide [N s/m]
+    double frictionLimit = 0; ///< u |F_N| [N]
     /// Of a trial: how the force at the end of the step answers to the relative velocity, friction in
     /// proportion to the slide; symmetric, not negative [N s/m].
     Mat3 resistance = Mat3::Zero();

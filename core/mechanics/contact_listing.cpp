@@ -52,7 +52,7 @@ void Contacts::listPairs()
 {
     connectionsBroke(); // or pairs that may touch since then would begin with an overlap
     std::vector<ContactPair> before = std::move(m_pairs);
-    m_pairs = findPairs(m_margin);
+    m_pairs = findPairs(m_margin + m_ahead);
     auto old = before.begin();
     auto kept = m_keptDistances.begin();
     for (ContactPair& pair : m_pairs) { // all lists are sorted
@@ -82,7 +82,7 @@ void Contacts::listNearSurfaces(std::span<const RigidSurface> surfaces)
         largestReach = std::max(largestReach, body.connections->aggregate().lattice.spacing);
     m_nearSurface.assign(surfaces.size(), {});
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
-        const Box box = surfaces[s].reach(largestReach + m_margin);
+        const Box box = surfaces[s].reach(largestReach + m_margin + m_ahead);
         for (std::uint32_t i = 0; i < m_objects.size(); ++i)
             if (m_bodies[m_objects[i].ref.body].kind != BodyKind::glue && box.contains(placeOf(m_objects[i])))
                 m_nearSurface[s].push_back({i});
@@ -108,7 +108,7 @@ double Contacts::travelTowardsOthers() const
         Moved& body = bodies[object.ref.body];
         body.before.push_back(m_listedAt[i]);
         body.after.push_back(placeOf(object));
-        const Vec3 reach = Vec3::Constant(object.radius + m_margin);
+        const Vec3 reach = Vec3::Constant(object.radius + m_margin + m_ahead);
         body.reach.extend(body.after.back() - reach);
         body.reach.extend(body.after.back() + reach);
         body.farthest = std::max(body.farthest, (body.after.back() - m_listedAt[i]).norm());

@@ -58,9 +58,9 @@ Contacts::Contacts(std::vector<BodyView> bodies, VicinityMethod method)
 
 void Contacts::lookAhead(double spacings)
 {
-    m_margin = 0;
+    m_ahead = 0;
     for (const BodyView& body : m_bodies)
-        m_margin = std::max(m_margin, std::max(spacings, marginShare) * body.connections->aggregate().lattice.spacing);
+        m_ahead = std::max(m_ahead, spacings * body.connections->aggregate().lattice.spacing);
     m_valid = false;
 }
 
@@ -276,6 +276,8 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
         report.frictions.push_back({second.ref, -result.friction, Vec3::Zero()});
     }
     ++report.count;
+    report.frictionLimit += result.frictionLimit;
+    report.frictionExcess += std::max(0.0, result.friction.norm() - result.frictionLimit);
     m_touching[pair.objects.first] += 2 * pair.parameters.stiffness;
     m_touching[pair.objects.second] += 2 * pair.parameters.stiffness;
     if (step.isTrial) {
@@ -322,6 +324,8 @@ void Contacts::pushOff(NearObject& near, const RigidSurface& surface, const Cont
     if (!result.friction.isZero(0))
         report.frictions.push_back({object.ref, result.friction, surfaceVelocity});
     ++report.count;
+    report.frictionLimit += result.frictionLimit;
+    report.frictionExcess += std::max(0.0, result.friction.norm() - result.frictionLimit);
     m_touching[near.index] += parameters.stiffness;
     if (step.isTrial)
         report.tangents.push_back(

@@ -84,11 +84,14 @@ public:
         double energy = 0;              ///< stored in contacts and joints [J]
         double brakingPower = 0;        ///< of dampers and friction on the rigid surfaces [W]
         std::vector<Friction> frictions;
-        double jointFrictionPower = 0;        ///< of friction in joints on relative motion [W]
-        double plastic = 0;                   ///< flowed off in joints [J]
-        double fracture = 0;                  ///< of joints that ended [J]
-        std::size_t count = 0;                ///< contacts that touch
-        double crowding = 0;                  ///< largest stiffness of all contacts of an object by that of one
+        double jointFrictionPower = 0; ///< of friction in joints on relative motion [W]
+        double plastic = 0;            ///< flowed off in joints [J]
+        double fracture = 0;           ///< of joints that ended [J]
+        std::size_t count = 0;         ///< contacts that touch
+        double crowding = 0;           ///< largest stiffness of all contacts of an object by that of one
+        double frictionLimit = 0;      ///< sum of u |F_N| of contacts [N]
+        double frictionExcess =
+            0; ///< sum of what friction is beyond that, where it was kept in proportion to slides [N]
         std::vector<ContactTangent> tangents; ///< of contacts and joints, in a trial
     };
 
@@ -170,6 +173,7 @@ private:
     std::vector<ContactPair> m_pairs;
     std::vector<std::vector<NearObject>> m_nearSurface; ///< per surface
     std::vector<double> m_touching;                     ///< per contact object: stiffness of its contacts now [N/m]
+    double m_ahead = 0;                                 ///< see lookAhead() [m]
     double m_margin = 0;                                ///< [m]
     double m_frequency = 0;
     std::vector<Vec3> m_listedAt;  ///< per contact object: its place when pairs were listed [m]

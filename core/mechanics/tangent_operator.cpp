@@ -26,6 +26,11 @@ kernels::Vectors into(const kernels::Vectors& v, std::size_t i)
 using kernels::from;
 using kernels::into;
 
+bool isAxis(const Lattice::Node& step, std::size_t axis)
+{
+    return step[axis] == 1 && step[(axis + 1) % 3] == 0 && step[(axis + 2) % 3] == 0;
+}
+
 /// The part of `count` objects from `first` on that lies in [begin, end); `skip` of them come before it.
 struct Part {
     std::size_t first;
@@ -81,6 +86,12 @@ void TangentOperator::findGradients(const VectorArray& position, double step)
     const Lattice& lattice = m_connections->aggregate().lattice;
     for (auto& component : m_gradient)
         component.resize(position.size());
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
+        const Lattice::Node& node = Lattice::directions[d];
+        const bool isDiagonal = !isAxis(node, 0) && !isAxis(node, 1) && !isAxis(node, 2);
+        if (isDiagonal && !lattice.segments[d].empty())
+            m_diagonal[d].resize(position.size());
+    }
     m_weight.resize(position.size());
     m_pressure.resize(position.size());
     forEachBlock(position.size(), m_connections->blockSize(), [&](std::size_t begin, std::size_t end) {
@@ -115,32 +126,31 @@ void TangentOperator::findGradients(const VectorArray& position, double step)
             inverseShape[c] = &m_connections->inverseShape()[c][begin];
         kernels::bestTangents().dilatationGradient(end - begin, {shape, inverseShape, &m_connections->bulk()[begin],
                                                                  lattice.spacing, step, gradient, &m_weight[begin]});
+        for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
+            if (m_diagonal[d].size() == 0)
+                continue;
+            const Lattice::Node& node = Lattice::directions[d];
+            const double steps[3] = {static_cast<double>(node[0]), static_cast<double>(node[1]),
+                                     static_cast<double>(node[2])};
+            kernels::bestTangents().combineColumns(end - begin, gradient, steps, into(m_diagonal[d], begin));
+        }
     });
 }
 
-/// Gradients of the dilatation of `count` objects towards direction `d`, per stiffness; diagonals are put into the buffer of
-/// 3 chunkSize.
-kernels::ConstVectors TangentOperator::gradientsTowards(std::size_t d, std::size_t first, std::size_t count,
-                                                        double* buffer) const
+/// Gradients of the dilatation of the objects from `first` on towards direction `d`, per stiffness.
+kernels::ConstVectors TangentOperator::gradientsTowards(std::size_t d, std::size_t first) const
 {
     const Lattice::Node& step = Lattice::directions[d];
     for (std::size_t c = 0; c < 3; ++c)
-        if (step[c] == 1 && step[(c + 1) % 3] == 0 && step[(c + 2) % 3] == 0)
+        if (isAxis(step, c))
             return {&m_gradient[3 * c][first], &m_gradient[3 * c + 1][first], &m_gradient[3 * c + 2][first]};
-    const double* columns[9];
-    for (std::size_t c = 0; c < 9; ++c)
-        columns[c] = &m_gradient[c][first];
-    const double steps[3] = {static_cast<double>(step[0]), static_cast<double>(step[1]), static_cast<double>(step[2])};
-    const kernels::Vectors combined{buffer, buffer + chunkSize, buffer + 2 * chunkSize};
-    kernels::bestTangents().combineColumns(count, columns, steps, combined);
-    return {combined.x, combined.y, combined.z};
+    return from(m_diagonal[d], first);
 }
 
 void TangentOperator::findPressures(const kernels::ConstVectors& u)
 {
     const Lattice& lattice = m_connections->aggregate().lattice;
     forEachBlock(m_pressure.size(), m_connections->blockSize(), [&](std::size_t begin, std::size_t end) {
-        double buffer[3 * chunkSize];
         std::fill_n(&m_pressure[begin], end - begin, 0.0);
         for (std::size_t d = 0; d < Lattice::directionCount; ++d)
             forEachTouching(lattice, d, begin, end, chunkSize,
@@ -152,7 +162,7 @@ void TangentOperator::findPressures(const kernels::ConstVectors& u)
                                     kernels::bestTangents().addDilatationRate(
                                         part.count, from(u, lower + part.skip), from(u, upper + part.skip),
                                         &m_connections->stiffness()[d][lower + part.skip],
-                                        gradientsTowards(d, part.first, part.count, buffer), &m_pressure[part.first]);
+                                        gradientsTowards(d, part.first), &m_pressure[part.first]);
                                 }
                             });
         for (std::size_t i = begin; i < end; ++i)
@@ -167,29 +177,27 @@ void TangentOperator::addProduct(const kernels::ConstVectors& u, const kernels::
     if (m_hasBulk)
         findPressures(u);
     forEachBlock(lattice.size(), m_connections->blockSize(), [&](std::size_t begin, std::size_t end) {
-        double buffer[9 * chunkSize];
+        double buffer[3 * chunkSize];
         const kernels::Vectors pull{buffer, buffer + chunkSize, buffer + 2 * chunkSize};
         for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-            forEachTouching(lattice, d, begin, end, chunkSize,
-                            [&](std::size_t lower, std::size_t upper, std::size_t count) {
-                                kernel.connectionPull(count, from(u, lower), from(u, upper), roots(d, lower),
-                                                      &m_across[d][lower], pull);
-                                if (m_hasBulk)
-                                    kernel.addPressurePull(count, &m_connections->stiffness()[d][lower],
-                                                           {&m_pressure[lower], &m_pressure[upper]},
-                                                           {gradientsTowards(d, lower, count, buffer + 3 * chunkSize),
-                                                            gradientsTowards(d, upper, count, buffer + 6 * chunkSize)},
-                                                           pull);
-                                const auto take = [&](double sign, std::size_t first) {
-                                    const Part part = partWithin(first, count, begin, end);
-                                    if (part.count > 0)
-                                        kernel.addScaled(part.count, sign,
-                                                         {pull.x + part.skip, pull.y + part.skip, pull.z + part.skip},
-                                                         into(product, part.first));
-                                };
-                                take(-1, lower);
-                                take(1, upper);
-                            });
+            forEachTouching(
+                lattice, d, begin, end, chunkSize, [&](std::size_t lower, std::size_t upper, std::size_t count) {
+                    kernel.connectionPull(count, from(u, lower), from(u, upper), roots(d, lower), &m_across[d][lower],
+                                          pull);
+                    if (m_hasBulk)
+                        kernel.addPressurePull(count, &m_connections->stiffness()[d][lower],
+                                               {&m_pressure[lower], &m_pressure[upper]},
+                                               {gradientsTowards(d, lower), gradientsTowards(d, upper)}, pull);
+                    const auto take = [&](double sign, std::size_t first) {
+                        const Part part = partWithin(first, count, begin, end);
+                        if (part.count > 0)
+                            kernel.addScaled(part.count, sign,
+                                             {pull.x + part.skip, pull.y + part.skip, pull.z + part.skip},
+                                             into(product, part.first));
+                    };
+                    take(-1, lower);
+                    take(1, upper);
+                });
     });
 }
 
@@ -197,7 +205,6 @@ void TangentOperator::addBlocks(const std::array<double*, 6>& blocks) const
 {
     const Lattice& lattice = m_connections->aggregate().lattice;
     forEachBlock(lattice.size(), m_connections->blockSize(), [&](std::size_t begin, std::size_t end) {
-        double buffer[6 * chunkSize];
         VectorArray own; // the gradient of an object's dilatation with its own place
         if (m_hasBulk)
             own.resize(end - begin);
@@ -225,8 +232,8 @@ void TangentOperator::addBlocks(const std::array<double*, 6>& blocks) const
                     if (!m_hasBulk)
                         return;
                     const double* stiffness = &m_connections->stiffness()[d][lower];
-                    const auto below = gradientsTowards(d, lower, count, buffer);
-                    const auto above = gradientsTowards(d, upper, count, buffer + 3 * chunkSize);
+                    const auto below = gradientsTowards(d, lower);
+                    const auto above = gradientsTowards(d, upper);
                     for (std::size_t s = 0; s < count; ++s) {
                         const Vec3 low = stiffness[s] * Vec3(below.x[s], below.y[s], below.z[s]);
                         const Vec3 high = stiffness[s] * Vec3(above.x[s], above.y[s], above.z[s]);

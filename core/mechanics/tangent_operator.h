@@ -49,7 +49,7 @@ public:
     const StructuralConnections& connections() const { return *m_connections; }
 
 private:
-    kernels::ConstVectors gradientsTowards(std::size_t d, std::size_t first, std::size_t count, double* buffer) const;
+    kernels::ConstVectors gradientsTowards(std::size_t d, std::size_t first) const;
     void findGradients(const VectorArray& position, double step);
     void findPressures(const kernels::ConstVectors& u);
     kernels::ConstVectors roots(std::size_t d, std::size_t lower) const { return kernels::from(m_root[d], lower); }
@@ -58,9 +58,10 @@ private:
     std::array<VectorArray, Lattice::directionCount> m_root;
     std::array<std::vector<double>, Lattice::directionCount> m_across;
     bool m_hasBulk = false;
-    std::array<std::vector<double>, 9> m_gradient; ///< of each object's dilatation, by lattice column
-    std::vector<double> m_weight;                  ///< h^2 B, 0 where that is negative
-    std::vector<double> m_pressure;                ///< h^2 B times the rate of dilatation, of the last product
+    std::array<std::vector<double>, 9> m_gradient;               ///< of each object's dilatation, by lattice column
+    std::array<VectorArray, Lattice::directionCount> m_diagonal; ///< the same towards neighbors across
+    std::vector<double> m_weight;                                ///< h^2 B, 0 where that is negative
+    std::vector<double> m_pressure; ///< h^2 B times the rate of dilatation, of the last product
 };
 
 template <typename Visit>

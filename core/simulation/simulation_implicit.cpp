@@ -25,7 +25,7 @@ constexpr double farthestShare = 1.25;
 // with every change.
 constexpr double calmShare = 0.7;
 // Candidates for contact are listed this far ahead [spacings].
-constexpr double aheadShare = 1.5;
+constexpr double aheadShare = 1;
 
 // A tool may exceed its force limit by this share in a step. A step that ends above is taken again with less of the tool's way,
 // so many times at most, until it ends below, and not far below where it was stopped.
@@ -261,7 +261,6 @@ void Simulation::State::stepImplicitly()
         for (const WaySearch& way : ways)
             shares.push_back(way.share);
         moveManipulators(shares);
-        contacts->invalidate();
         updateVicinity();
         report = implicit->step(*contacts, surfaces(), gravity, timeStep, contactEnergy);
         contactReport = report.contacts;

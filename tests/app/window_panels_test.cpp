@@ -151,6 +151,24 @@ private slots:
         QCOMPARE(snapshot().bodies[0].kind, BodyKind::rigid);
     }
 
+    void stiffMaterialGetsImplicitStepsUnlessOneChoosesOtherwise()
+    {
+        openExample("bar.step");
+        auto* choice = find<QComboBox>("integrator");
+        QCOMPARE(choice->currentText(), QString("Automatic"));
+        document().post(SetMaterial{0, {.density = 7850, .youngsModulus = 2e11}});
+        QTRY_COMPARE(find<QLabel>("integratorInUse")->text(), QString("Implicit"));
+        QVERIFY(find<QLabel>("integratorInUse")->toolTip().contains("steps per second"));
+        QVERIFY(find<QLabel>("integratorReason")->text().contains("steps per second"));
+        choice->setCurrentText("Semi-implicit Euler");
+        emit choice->activated(choice->currentIndex());
+        QTRY_COMPARE(find<QLabel>("integratorInUse")->text(), QString("Explicit"));
+        QTRY_COMPARE(choice->currentText(), QString("Semi-implicit Euler"));
+        m_window->refill(document().size() / 12);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        QCOMPARE(snapshot().wantedIntegrator, Integrator::semiImplicitEuler);
+    }
+
     void statusSaysWhenMaterialIsBroken()
     {
         openExample("bar.step");
