@@ -35,9 +35,9 @@ constexpr int mostWays = 10;
 
 // What a present-day core does of explicit steps times connections in a second. A constant and not a measurement,
 // so that the same scene is carried out by the same scheme on any machine and with any load.
-constexpr double connectionStepsPerSecond = 1.5e8;
+constexpr double connectionStepsPerSecond = 2.2e8;
 // How much more a connection costs with the volumetric term, and with plastic flow.
-constexpr double volumetricCost = 2.5;
+constexpr double volumetricCost = 1.9;
 constexpr double plasticCost = 0.5;
 
 std::string inWords(double number)
