@@ -14,7 +14,7 @@ namespace knead {
 
 namespace {
 
-constexpr std::size_t blockSize = 4096;
+constexpr std::size_t blockSize = 2048;
 
 } // namespace
 

@@ -92,9 +92,10 @@ kernels::ForceDirection StructuralConnections::forceDirection(std::size_t d) con
 void StructuralConnections::addForcesOfBlock(ObjectState& state, std::size_t begin, std::size_t end)
 {
     using Directions = std::array<kernels::ForceDirection, Lattice::directionCount>;
-    Directions all;
+    Directions all; // of those in use
     for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-        all[d] = forceDirection(d);
+        if (!m_stiffness[d].empty())
+            all[d] = forceDirection(d);
     const kernels::ForceTarget inside = target(state.force, state.damping, 0);
     kernels::ForceTarget beyond = inside;
     const bool isLast = end == state.size();
@@ -114,8 +115,8 @@ void StructuralConnections::addForcesOfBlock(ObjectState& state, std::size_t beg
                                       .dampingTime = m_laws.largestDampingTime(),
                                       .stressStride =
                                           m_hasBulk ? static_cast<std::ptrdiff_t>(m_stress[0].stride()) : 0};
-    Directions near{};
-    Directions far{};
+    Directions near;
+    Directions far;
     forEachRun(m_runs, begin, end, [&](const LatticeRun& run, std::size_t first, std::size_t last) {
         while (first < last) {
             std::size_t until = limit(0) > first ? std::min(last, limit(0)) : last;

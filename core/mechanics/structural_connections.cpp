@@ -14,8 +14,11 @@ namespace knead {
 
 namespace {
 
-// Fewer objects than this take less time than handing them to another thread.
-constexpr std::size_t smallestBlock = 4096;
+// Fewer objects than this stay in one block: they take less time than handing part of them to another thread.
+constexpr std::size_t smallestSplit = 8192;
+// More, in at least so many blocks, so that threads end together.
+constexpr std::size_t fewestBlocks = 8;
+constexpr std::size_t smallestBlock = 2048;
 constexpr std::size_t largestBlock = 65536;
 
 // Stiffness of a contact in units of mu V / a^2. 6 keeps a tool from sinking visibly into soft material
@@ -49,7 +52,11 @@ StructuralConnections::StructuralConnections(std::shared_ptr<const Aggregate> ag
             largestOffset = std::max(largestOffset, static_cast<std::size_t>(segment.offset));
     // A margin must not reach beyond the next block. With blocks of four times its reach, adding it up costs little.
     const std::size_t reach = wholeVectors(largestOffset + laneCount);
-    m_blockSize = std::max({smallestBlock, reach, std::min(4 * reach, largestBlock)});
+    const std::size_t objects = m_aggregate->size();
+    m_blockSize = objects <= smallestSplit
+                      ? smallestSplit
+                      : std::max({smallestBlock, reach,
+                                  std::min({wholeVectors(objects / fewestBlocks + 1), 4 * reach, largestBlock})});
     for (std::size_t end = m_blockSize; end < m_aggregate->size(); end += m_blockSize) {
         const std::size_t overlap = 2 * laneCount;
         m_margins.push_back({end - overlap, VectorArray(overlap + reach), VectorArray(overlap + reach)});
