@@ -240,10 +240,10 @@ void MainWindow::contentChanged()
     m_viewport->fit();
     frameChanged();
     const Snapshot& start = *m_document.frame()->snapshot;
-    m_log->add(tr("%1: %2, %3 objects of spacing %4, %5 connections, time step %6 µs.")
+    m_log->add(tr("%1: %2, %3 objects of spacing %4, %5 connections, time step %6.")
                    .arg(name, QString::fromStdString(content.model->format), formatCount(start.objects),
-                        formatQuantity(content.spacing, Quantity::Length), formatCount(start.connections))
-                   .arg(start.timeStep * 1e6, 0, 'g', 3));
+                        formatQuantity(content.spacing, Quantity::Length), formatCount(start.connections),
+                        formatReading(start.timeStep, Quantity::Time)));
     for (const std::string& warning : content.warnings)
         m_log->add(QString::fromStdString(warning), LogPanel::Kind::Warning);
 }

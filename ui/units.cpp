@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -26,7 +27,8 @@ constexpr Unit rates[] = {{"1/s", 1, true}, {"Hz", 1, false}};
 constexpr Unit speeds[] = {{"mm/s", 1e-3, true}, {"m/s", 1, false}, {"cm/s", 1e-2, false}};
 constexpr Unit forces[] = {{"mN", 1e-3, true}, {"N", 1, true}, {"kN", 1e3, true}, {"MN", 1e6, true}};
 constexpr Unit volumes[] = {{"mm³", 1e-9, true}, {"cm³", 1e-6, true}, {"m³", 1, false}};
-constexpr Unit times[] = {{"ms", 1e-3, true}, {"s", 1, true}, {"min", 60, false}};
+constexpr Unit times[] = {
+    {"µs", 1e-6, true}, {"us", 1e-6, false}, {"ms", 1e-3, true}, {"s", 1, true}, {"min", 60, false}};
 constexpr Unit numbers[] = {{"", 1, true}};
 
 std::span<const Unit> unitsOf(Quantity quantity)
@@ -57,8 +59,9 @@ std::span<const Unit> unitsOf(Quantity quantity)
 /// The unit zero is shown in: the plain one, not the smallest.
 const Unit& unitOfZero(Quantity quantity)
 {
+    const std::span<const Unit> units = unitsOf(quantity);
     const bool startsSmall = quantity == Quantity::Force || quantity == Quantity::Time;
-    return unitsOf(quantity)[startsSmall ? 1 : 0];
+    return startsSmall ? *std::ranges::find(units, 1.0, &Unit::scale) : units.front();
 }
 
 /// The largest displayed unit that leaves at least one unit, the smallest one otherwise.

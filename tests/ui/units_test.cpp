@@ -29,6 +29,7 @@ private slots:
         row(0.25, Quantity::Number, "0.25");
         row(2, Quantity::Rate, "2 1/s");
         row(0.05, Quantity::Time, "50 ms");
+        row(70.6e-6, Quantity::Time, "70.6 µs");
         row(0, Quantity::Time, "0 s");
         row(90, Quantity::Time, "90 s");
     }
@@ -63,6 +64,7 @@ private slots:
         row("1.2 cm", Quantity::Length, 0.001, 0.012);
         row("1 in", Quantity::Length, 0.001, 0.0254);
         row("2 min", Quantity::Time, 1, 120);
+        row("250 us", Quantity::Time, 1, 250e-6);
         row("3", Quantity::Time, 0.05, 0.003); // the field shows milliseconds
         row(".5", Quantity::Number, 0, 0.5);
         row("-,5", Quantity::Number, 0, -0.5);

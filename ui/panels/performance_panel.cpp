@@ -195,10 +195,9 @@ void PerformancePanel::showStages(const Snapshot& snapshot)
     m_bar->show(m_smooth);
     const double stepping = std::accumulate(m_smooth.begin(), m_smooth.end() - 1, 0.0);
     const int steps = std::max(snapshot.stepsPerFrame, 1);
-    m_summary->setText(tr("%1, %2 steps of %3 µs per frame")
-                           .arg(ratioText(snapshot.ratio))
-                           .arg(snapshot.stepsPerFrame)
-                           .arg(1e6 * snapshot.timeStep, 0, 'g', 3));
+    m_summary->setText(tr("%1, %2 steps of %3 per frame")
+                           .arg(ratioText(snapshot.ratio), formatCount(static_cast<std::size_t>(steps)),
+                                formatReading(snapshot.timeStep, Quantity::Time)));
     if (stepping > 0)
         m_rates->setText(tr("%1 million connections per second, %2 objects")
                              .arg(1e-6 * static_cast<double>(snapshot.connections) * steps / stepping, 0, 'f', 0)
