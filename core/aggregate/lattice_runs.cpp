@@ -72,11 +72,12 @@ std::optional<LatticeRun> joined(const LatticeRun& run, const LatticeRun& stretc
         return (first == 0) == (second == 0) ? 0 : first == 0 ? run.end - run.begin : stretch.end - stretch.begin;
     };
     for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
-        if (run.behind[d] != stretch.behind[d]) // what is behind may have a connection, only not to here
+        if (std::max(idle(run.ahead[d], stretch.ahead[d]), idle(run.behind[d], stretch.behind[d])) > longestGap)
             return {};
-        if (idle(run.ahead[d], stretch.ahead[d]) > longestGap || !merge(all.ahead[d], stretch.ahead[d]))
+        if (!merge(all.ahead[d], stretch.ahead[d]) || !merge(all.behind[d], stretch.behind[d]))
             return {};
-        if (all.end - 1 + static_cast<ObjectIndex>(all.ahead[d]) >= objects)
+        if (all.end - 1 + static_cast<ObjectIndex>(all.ahead[d]) >= objects ||
+            all.begin < static_cast<ObjectIndex>(all.behind[d]))
             return {};
     }
     return all;
@@ -114,6 +115,16 @@ std::vector<LatticeRun> findRuns(const Lattice& lattice, RunNeighbors neighbors)
         run.backward = maskOf(run.behind);
     }
     return runs;
+}
+
+std::vector<std::uint32_t> neighborsBehind(const Lattice& lattice)
+{
+    std::vector<std::uint32_t> masks(lattice.size(), 0);
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+        for (const Lattice::Segment& segment : lattice.segments[d])
+            for (ObjectIndex lower = segment.begin; lower < segment.end; ++lower)
+                masks[lower + static_cast<ObjectIndex>(segment.offset)] |= 1U << d;
+    return masks;
 }
 
 } // namespace knead

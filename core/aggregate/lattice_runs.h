@@ -15,10 +15,11 @@ struct LatticeRun {
     ObjectIndex begin = 0;
     ObjectIndex end = 0;
     std::uint32_t forward = 0;  ///< bit d: some object has a neighbor in direction d
-    std::uint32_t backward = 0; ///< bit d: the objects are the neighbors in direction d of some before them
+    std::uint32_t backward = 0; ///< bit d: some object is the neighbor in direction d of one before it
     Offsets ahead{};  ///< to the neighbor in direction d, > 0; 0 where there is none. An object may lack a neighbor
                       ///< that others of the run have; it has a connection of weight 0 to what is there instead
-    Offsets behind{}; ///< back to the object that has this one as its neighbor, > 0; 0 where there is none
+    Offsets behind{}; ///< back to the object that has this one as its neighbor, > 0; 0 where there is none. What is
+                      ///< behind an object that lacks it may have a connection elsewhere: see neighborsBehind()
 };
 
 enum class RunNeighbors {
@@ -29,5 +30,8 @@ enum class RunNeighbors {
 /// The runs of a lattice in order; together they cover all objects. A box is one run and a few short ones; other shapes have
 /// one run per row or a few.
 std::vector<LatticeRun> findRuns(const Lattice& lattice, RunNeighbors neighbors);
+
+/// Per object: bit d where it is the neighbor in direction d of another.
+std::vector<std::uint32_t> neighborsBehind(const Lattice& lattice);
 
 } // namespace knead

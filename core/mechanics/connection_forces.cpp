@@ -59,6 +59,7 @@ void StructuralConnections::computeStress(const VectorArray& position)
                                               .backward = run.backward,
                                               .ahead = run.ahead.data(),
                                               .behind = run.behind.data(),
+                                              .hasBehind = m_hasBehind.data(),
                                               .stiffness = stiffness.data(),
                                               .inverseShape = inverseShape.data(),
                                               .bulk = m_bulk.data(),

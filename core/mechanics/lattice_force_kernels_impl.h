@@ -19,6 +19,7 @@ constexpr std::size_t lanes = 8;
 using Lanes = double __attribute__((vector_size(64)));
 using LaneBits = std::int64_t __attribute__((vector_size(64)));
 using UnsignedBits = std::uint64_t __attribute__((vector_size(64)));
+using HalfLaneBits = std::uint32_t __attribute__((vector_size(32), aligned(4), may_alias));
 using UnalignedLanes = double __attribute__((vector_size(64), aligned(8), may_alias));
 
 KNEAD_INLINE Lanes load(const double* from)
@@ -191,7 +192,7 @@ struct ShapeSums {
 };
 
 template <int d>
-KNEAD_INLINE void addShapeOfDirection(const StressArguments& a, std::size_t i, ShapeSums& sums)
+KNEAD_INLINE void addShapeOfDirection(const StressArguments& a, std::size_t i, UnsignedBits behind, ShapeSums& sums)
 {
     constexpr int o[3] = {latticeDirections[d][0], latticeDirections[d][1], latticeDirections[d][2]};
     const bool hasNext = (a.forward >> d & 1U) != 0;
@@ -199,6 +200,7 @@ KNEAD_INLINE void addShapeOfDirection(const StressArguments& a, std::size_t i, S
     if (!hasNext && !hasPrevious)
         return;
     const double* k = a.stiffness[d] + i;
+    const LaneBits isOwn = (behind >> d & 1) != 0;
     for (int c = 0; c < 3; ++c) {
         const double* place = a.position + c * a.stride + i;
         const Lanes here = load(place);
@@ -206,7 +208,7 @@ KNEAD_INLINE void addShapeOfDirection(const StressArguments& a, std::size_t i, S
         if (hasNext)
             pull += load(k) * (load(place + a.ahead[d]) - here);
         if (hasPrevious)
-            pull += load(k - a.behind[d]) * (here - load(place - a.behind[d]));
+            pull += masked(load(k - a.behind[d]), isOwn) * (here - load(place - a.behind[d]));
         for (int column = 0; column < 3; ++column) {
             if (o[column] > 0)
                 sums.m[column][c] += pull;
@@ -219,19 +221,20 @@ KNEAD_INLINE void addShapeOfDirection(const StressArguments& a, std::size_t i, S
 KNEAD_INLINE ShapeSums shapeOfVector(const StressArguments& a, std::size_t i)
 {
     ShapeSums sums{};
-    addShapeOfDirection<0>(a, i, sums);
-    addShapeOfDirection<1>(a, i, sums);
-    addShapeOfDirection<2>(a, i, sums);
-    addShapeOfDirection<3>(a, i, sums);
-    addShapeOfDirection<4>(a, i, sums);
-    addShapeOfDirection<5>(a, i, sums);
-    addShapeOfDirection<6>(a, i, sums);
-    addShapeOfDirection<7>(a, i, sums);
-    addShapeOfDirection<8>(a, i, sums);
-    addShapeOfDirection<9>(a, i, sums);
-    addShapeOfDirection<10>(a, i, sums);
-    addShapeOfDirection<11>(a, i, sums);
-    addShapeOfDirection<12>(a, i, sums);
+    const auto behind = __builtin_convertvector(*reinterpret_cast<const HalfLaneBits*>(a.hasBehind + i), UnsignedBits);
+    addShapeOfDirection<0>(a, i, behind, sums);
+    addShapeOfDirection<1>(a, i, behind, sums);
+    addShapeOfDirection<2>(a, i, behind, sums);
+    addShapeOfDirection<3>(a, i, behind, sums);
+    addShapeOfDirection<4>(a, i, behind, sums);
+    addShapeOfDirection<5>(a, i, behind, sums);
+    addShapeOfDirection<6>(a, i, behind, sums);
+    addShapeOfDirection<7>(a, i, behind, sums);
+    addShapeOfDirection<8>(a, i, behind, sums);
+    addShapeOfDirection<9>(a, i, behind, sums);
+    addShapeOfDirection<10>(a, i, behind, sums);
+    addShapeOfDirection<11>(a, i, behind, sums);
+    addShapeOfDirection<12>(a, i, behind, sums);
     return sums;
 }
 

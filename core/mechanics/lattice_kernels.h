@@ -66,6 +66,7 @@ struct StressArguments {
     std::uint32_t backward;            ///< bit d: behind them
     const std::int32_t* ahead;         ///< per direction
     const std::int32_t* behind;        ///< per direction
+    const std::uint32_t* hasBehind;    ///< per object: bit d where the connection from behind is its own
     const double* const* stiffness;    ///< per direction: k at the lower object
     const double* const* inverseShape; ///< 6: uu vv ww uv uw vw of K^-1 = (sum k o o^T)^-1
     const double* bulk;                ///< (lambda - mu) V [J]

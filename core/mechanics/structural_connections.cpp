@@ -15,7 +15,7 @@ namespace knead {
 namespace {
 
 // Fewer objects than this stay in one block: they take less time than handing part of them to another thread.
-constexpr std::size_t smallestSplit = 8192;
+constexpr std::size_t smallestSplit = 4096;
 // More, in at least so many blocks, so that threads end together.
 constexpr std::size_t fewestBlocks = 8;
 constexpr std::size_t smallestBlock = 2048;
@@ -63,6 +63,8 @@ StructuralConnections::StructuralConnections(std::shared_ptr<const Aggregate> ag
     }
     m_runs = findRuns(m_aggregate->lattice, RunNeighbors::ahead);
     m_stressRuns = findRuns(m_aggregate->lattice, RunNeighbors::all);
+    const std::vector<std::uint32_t> behind = neighborsBehind(m_aggregate->lattice);
+    m_hasBehind.assign(behind.begin(), behind.end());
     m_changes.restDilatation.assign(m_aggregate->size(), 0);
     updateMaterials();
 }

@@ -180,6 +180,7 @@ private:
     std::size_t m_count = 0;
     std::vector<LatticeRun> m_runs;            ///< for forces
     std::vector<LatticeRun> m_stressRuns;      ///< for the volumetric stress
+    LaneVector<std::uint32_t> m_hasBehind;     ///< see neighborsBehind()
     std::size_t m_blockSize = 0;               ///< objects per block
     std::vector<Margin> m_margins;             ///< per block
     DirectionArray m_dampingTime;              ///< b / k [s] at the lower object; empty: the same for all

@@ -128,6 +128,7 @@ std::vector<Column> diagonalStress(const Kernels& kernels, const Column& stretch
         for (std::size_t i = 0; i < size; ++i)
             position.set((d + 1) * size + i, (d == 0 ? stretch[i] : 1) * Vec3::Unit(static_cast<Eigen::Index>(d)));
     }
+    const std::vector<std::uint32_t> hasBehind(size + laneCount, 0);
     const LaneVector<double> zero(size, 0.0);
     const LaneVector<double> one(size, 1.0);
     const std::array<const double*, 3> stiffness{one.data(), one.data(), one.data()};
@@ -146,6 +147,7 @@ std::vector<Column> diagonalStress(const Kernels& kernels, const Column& stretch
                               .backward = 0,
                               .ahead = ahead.data(),
                               .behind = behind.data(),
+                              .hasBehind = hasBehind.data(),
                               .stiffness = stiffness.data(),
                               .inverseShape = inverse.data(),
                               .bulk = one.data(),

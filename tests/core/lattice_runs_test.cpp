@@ -53,6 +53,29 @@ private slots:
             }
     }
 
+    /// Or it has a connection of weight 0 from there, where segments go on over gaps.
+    void whatIsBehindAnObjectIsItsOwn()
+    {
+        for (const Aggregate& part : parts()) {
+            const Lattice& lattice = part.lattice;
+            const std::vector<std::uint32_t> masks = neighborsBehind(lattice);
+            for (const LatticeRun& run : findRuns(lattice, RunNeighbors::all))
+                for (ObjectIndex i = run.begin; i < run.end; ++i)
+                    for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
+                        const Lattice::Node& node = lattice.nodes[i];
+                        const Lattice::Node& o = Lattice::directions[d];
+                        const ObjectIndex behind = lattice.find({node[0] - o[0], node[1] - o[1], node[2] - o[2]});
+                        if (behind < lattice.size() && !lattice.segments[d].empty())
+                            QVERIFY((masks[i] >> d & 1U) != 0);
+                        if ((masks[i] >> d & 1U) == 0)
+                            continue;
+                        const Lattice::Node& from = lattice.nodes[i - static_cast<ObjectIndex>(run.behind[d])];
+                        const ObjectIndex partner = lattice.find({from[0] + o[0], from[1] + o[1], from[2] + o[2]});
+                        QVERIFY(partner == i || partner == lattice.size());
+                    }
+        }
+    }
+
     void aBoxIsAFewRunsWhateverItsSize()
     {
         for (const double size : {5.0, 20.0}) {
@@ -85,16 +108,12 @@ private:
         QVERIFY(i + static_cast<ObjectIndex>(run.ahead[d]) < lattice.size());
         if (neighbors == RunNeighbors::ahead || !directionIsUsed)
             return;
-        // Behind, an object of the run must not be given another's connection.
         const ObjectIndex behind = lattice.find({node[0] - o[0], node[1] - o[1], node[2] - o[2]});
-        if (behind < lattice.size())
+        if (behind < lattice.size()) {
             QVERIFY((run.backward >> d & 1U) != 0);
-        if ((run.backward >> d & 1U) == 0)
-            return;
-        const ObjectIndex there = i - static_cast<ObjectIndex>(run.behind[d]);
-        const Lattice::Node& from = lattice.nodes[there];
-        const ObjectIndex partner = lattice.find({from[0] + o[0], from[1] + o[1], from[2] + o[2]});
-        QVERIFY(partner == i || partner == lattice.size());
+            QCOMPARE(i - static_cast<ObjectIndex>(run.behind[d]), behind);
+        }
+        QVERIFY(i >= static_cast<ObjectIndex>(run.behind[d]));
     }
 };
 
