@@ -195,10 +195,14 @@ void PerformancePanel::showStages(const Snapshot& snapshot)
     m_bar->show(m_smooth);
     const double stepping = std::accumulate(m_smooth.begin(), m_smooth.end() - 1, 0.0);
     const int steps = std::max(snapshot.stepsPerFrame, 1);
-    m_summary->setText(tr("%1, %2 steps of %3 per frame")
+    m_summary->setText((steps == 1 ? tr("%1, %2 step of %3 per frame") : tr("%1, %2 steps of %3 per frame"))
                            .arg(ratioText(snapshot.ratio), formatCount(static_cast<std::size_t>(steps)),
                                 formatReading(snapshot.timeStep, Quantity::Time)));
-    if (stepping > 0)
+    if (snapshot.solverIterations > 0)
+        m_rates->setText(tr("%1 iterations of the solver in the last step, %2 objects")
+                             .arg(snapshot.solverIterations)
+                             .arg(formatCount(snapshot.objects)));
+    else if (stepping > 0)
         m_rates->setText(tr("%1 million connections per second, %2 objects")
                              .arg(1e-6 * static_cast<double>(snapshot.connections) * steps / stepping, 0, 'f', 0)
                              .arg(formatCount(snapshot.objects)));

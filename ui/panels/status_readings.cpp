@@ -66,7 +66,9 @@ void StatusReadings::show(const Snapshot& snapshot)
     m_ratio->setText(snapshot.playing ? ratioText(snapshot.ratio) : tr("Paused"));
     setRole(m_ratio, snapshot.playing && snapshot.ratio < realTime ? "slow" : "heading");
     m_updates->setText(snapshot.playing ? tr("%1 Hz").arg(snapshot.updatesPerSecond, 0, 'f', 0) : QString());
-    m_steps->setText(snapshot.playing ? tr("%1 steps/frame").arg(snapshot.stepsPerFrame) : QString());
+    m_steps->setText(snapshot.playing ? (snapshot.stepsPerFrame == 1 ? tr("1 step/frame")
+                                                                     : tr("%1 steps/frame").arg(snapshot.stepsPerFrame))
+                                      : QString());
     m_updates->setVisible(snapshot.playing);
     m_steps->setVisible(snapshot.playing);
     m_integrator->setText(snapshot.integrator == Integrator::implicitEuler  ? tr("Implicit")
