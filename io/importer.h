@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/model/import_options.h"
 #include "core/model/part.h"
 #include "core/task/task_control.h"
 
@@ -7,11 +8,6 @@
 #include <vector>
 
 namespace knead {
-
-struct ImportOptions {
-    double linearDeflection = 0;    ///< chord error of the tessellation [m]; 0: 1/2000 of each part's diagonal
-    double angularDeflection = 0.2; ///< [rad]
-};
 
 /// Reads any supported file: STEP, IGES, BREP with exact geometry; STL, OBJ, PLY as meshes. The content decides the format,
 /// not the ending. One import at a time per process runs (a lock inside): the CAD readers share global state.

@@ -40,7 +40,12 @@ struct Part {
     bool watertight = false; ///< closed shells, no free edge
     bool valid = false;      ///< passes the b-rep checks; for a mesh: watertight with positive volume
     double maxTolerance = 0; ///< largest vertex, edge or face tolerance [m]
-    std::vector<std::string> warnings; ///< sentences for the person
+
+    bool visible = true;                      ///< false: hidden in the file, and hidden here until the person shows it
+    std::string layer;                        ///< that the file puts it on; empty when there is none
+    std::vector<std::string> repairs;         ///< what was wrong with the shape and what was done about it, in order
+    std::vector<std::vector<Vec3>> openEdges; ///< polylines along which the surface ends [m]; empty for a closed one
+    std::vector<std::string> warnings;        ///< sentences for the person, also why it cannot be filled
 
     /// Only a closed part can be filled with objects.
     bool canBeFilled() const { return watertight && !mesh.empty(); }
@@ -53,12 +58,20 @@ struct PartNode {
     std::vector<PartNode> children;
 };
 
+/// A doubt about the length unit of a file, with the unit that would make its size plausible.
+struct UnitRemark {
+    std::string sentence;
+    std::string unit; ///< to take instead: "mm", "m", "inch" ...
+};
+
 /// What an imported file holds.
 struct Model {
     std::string file;   ///< path as given
     std::string format; ///< "STEP AP214", "IGES", "BREP", "STL" ...
     std::string unit;   ///< length unit of the file as a person writes it: "mm", "inch", "m"; empty when unknown
+    std::optional<UnitRemark> unitRemark; ///< when the size makes one doubt the unit
     std::vector<std::string> warnings;
+    std::vector<std::string> missing; ///< what the file holds and the model does not, a sentence each
     std::vector<Part> parts;
     PartNode tree; ///< the root; its children are the free shapes of the file
 };
