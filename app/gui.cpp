@@ -1,5 +1,6 @@
 #include "app/gui.h"
 
+#include "app/cad_process.h"
 #include "app/resources.h"
 #include "io/importer.h"
 #include "io/material_library.h"
@@ -23,7 +24,7 @@ std::vector<Services::Format> formats(const std::vector<FileFormat>& source)
 Services fileServices()
 {
     Services services;
-    services.import = [](const std::string& path, TaskControl& control) { return importFile(path, {}, control); };
+    services.import = importInChildren;
     services.exportMeshes = [](const std::string& path, const std::vector<ExportBody>& bodies) {
         std::vector<MeshBody> meshes;
         for (const ExportBody& body : bodies)

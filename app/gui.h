@@ -12,7 +12,7 @@ namespace knead {
 Services fileServices();
 
 /// Opens the window and runs it until it is closed.
-/// @param files from the command line; the window opens the first
+/// @param files from the command line; the window opens them together
 /// @return the exit code of the program
 /// @throws std::runtime_error as fileServices
 int runWindow(int argc, char** argv, const std::vector<std::string>& files);

@@ -1,6 +1,6 @@
 #include "app/recipe_parts.h"
 
-#include "io/importer.h"
+#include "app/cad_process.h"
 
 #include <filesystem>
 #include <map>
@@ -18,7 +18,7 @@ struct Opened {
 Model import(const std::string& file, TaskControl& control)
 {
     try {
-        return importFile(file, {}, control);
+        return importInChild(file, {}, control);
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {

@@ -4,6 +4,7 @@
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
 #include <Standard_Failure.hxx>
+#include <Standard_OutOfMemory.hxx>
 
 #include <new>
 
@@ -29,6 +30,8 @@ void guardOcct(const std::string& path, const std::function<void()>& work)
 {
     try {
         work();
+    } catch (const Standard_OutOfMemory&) {
+        failReading(path, "the file asks for more memory than there is; it is damaged or far too detailed.");
     } catch (const Standard_Failure& failure) {
         failReading(path, "the CAD reader gave up (" + std::string(failure.DynamicType()->Name()) +
                               "); the file is damaged, export it again.");

@@ -83,7 +83,7 @@ void MainWindow::connectFileActions()
     connect(m_actions->controls, &QAction::triggered, this, &MainWindow::showControls);
     connect(m_actions->about, &QAction::triggered, this, &MainWindow::showAbout);
     connect(m_home, &HomePage::openClicked, this, &MainWindow::askForFile);
-    connect(m_home, &HomePage::fileChosen, this, &MainWindow::open);
+    connect(m_home, &HomePage::fileChosen, this, [this](const QString& path) { open(QStringList(path)); });
 }
 
 void MainWindow::connectSimulationActions()
@@ -166,17 +166,28 @@ bool MainWindow::isBusy()
     return m_tasks.isRunning();
 }
 
-void MainWindow::open(const QString& path)
+void MainWindow::open(const QStringList& paths)
 {
-    if (isBusy())
+    OpenRequest request;
+    for (const QString& path : paths)
+        request.paths.push_back(QFile::encodeName(path).toStdString());
+    open(request);
+}
+
+void MainWindow::open(const OpenRequest& request)
+{
+    if (request.paths.empty() || isBusy())
         return;
     m_banner->hide();
-    const QString name = QFileInfo(path).fileName();
-    const auto work = [services = m_services, file = path.toStdString(),
+    const auto work = [services = m_services, request,
                        material = startMaterial(m_services.materials)](TaskControl& control) {
-        return prepareFile(services, file, material, control);
+        return prepareFiles(services, request, material, control);
     };
-    m_tasks.run<PreparedContent>(tr("Opening %1").arg(name), work,
+    const QString name = QFileInfo(QFile::decodeName(request.paths.front().c_str())).fileName();
+    const auto others = static_cast<int>(request.paths.size()) - 1;
+    m_tasks.run<PreparedContent>(others == 0 ? tr("Opening %1").arg(name)
+                                             : tr("Opening %1 and %n more", nullptr, others).arg(name),
+                                 work,
                                  [this](PreparedContent prepared) { m_document.open(std::move(prepared)); });
 }
 
@@ -340,14 +351,17 @@ void MainWindow::cancel()
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
     const QList<QUrl> urls = event->mimeData()->urls();
-    if (urls.size() == 1 && urls.front().isLocalFile())
+    if (!urls.empty() && std::all_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); }))
         event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
     event->acceptProposedAction();
-    open(event->mimeData()->urls().front().toLocalFile());
+    QStringList paths;
+    for (const QUrl& url : event->mimeData()->urls())
+        paths << url.toLocalFile();
+    open(paths);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

@@ -33,8 +33,9 @@ public:
     explicit MainWindow(Services services, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// Opens a file in the background. A failure is shown in a sentence and leaves everything as it was.
-    void open(const QString& path);
+    /// Opens files in the background, several as one assembly. A failure is shown in a sentence and leaves everything as it was.
+    void open(const QStringList& paths);
+    void open(const OpenRequest& request);
     /// Writes the deformed bodies in the background; the ending decides the format.
     void exportTo(const QString& path);
     /// Fills the bodies anew in the background. @param spacing [m]

@@ -38,12 +38,12 @@ void MainWindow::askForFile()
             all << "*." + QString::fromStdString(ending);
     const QStringList filters = QStringList(tr("Parts (%1)").arg(all.join(' '))) + filtersOf(m_services.importFormats);
     QSettings settings;
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Open a part"), settings.value("folder").toString(), filters.join(";;"));
-    if (path.isEmpty())
+    const QStringList paths =
+        QFileDialog::getOpenFileNames(this, tr("Open parts"), settings.value("folder").toString(), filters.join(";;"));
+    if (paths.isEmpty())
         return;
-    settings.setValue("folder", QFileInfo(path).absolutePath());
-    open(path);
+    settings.setValue("folder", QFileInfo(paths.front()).absolutePath());
+    open(paths);
 }
 
 void MainWindow::askForExport()

@@ -23,7 +23,7 @@ int showMainWindow(int argc, char** argv, Services services, const std::vector<s
     MainWindow window(std::move(services));
     window.show();
     if (!files.empty())
-        window.open(QString::fromStdString(files.front()));
+        window.open({.paths = files, .options = {}});
     return QApplication::exec();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/aggregate/material.h"
+#include "core/model/import_options.h"
 #include "core/model/part.h"
 #include "core/task/task_control.h"
 
@@ -19,8 +20,8 @@ struct ExportBody {
 
 /// What the window needs from files, handed in by app. The functions may be called from any thread and block.
 struct Services {
-    /// @throws std::runtime_error with a sentence, Cancelled
-    std::function<Model(const std::string& path, TaskControl&)> import;
+    /// Several files become one model. @throws std::runtime_error with a sentence, Cancelled
+    std::function<Model(const std::vector<std::string>& paths, const ImportOptions&, TaskControl&)> import;
     /// The ending decides the format. @throws std::runtime_error with a sentence
     std::function<void(const std::string& path, const std::vector<ExportBody>&)> exportMeshes;
 

@@ -1,8 +1,8 @@
 #include "app/commands/convert_command.h"
 
+#include "app/cad_process.h"
 #include "app/exit_status.h"
 #include "app/terminal_control.h"
-#include "io/importer.h"
 #include "io/mesh_writer.h"
 #include "io/picture_writer.h"
 
@@ -73,7 +73,7 @@ std::optional<Model> read(const ConvertOptions& options, int& status)
     try {
         ImportOptions how;
         how.linearDeflection = options.deflection * millimeter;
-        Model model = importFile(options.input, how, control);
+        Model model = importInChild(options.input, how, control);
         control.clear();
         return model;
     } catch (const Cancelled&) {

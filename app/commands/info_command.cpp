@@ -1,8 +1,8 @@
 #include "app/commands/info_command.h"
 
+#include "app/cad_process.h"
 #include "app/exit_status.h"
 #include "app/terminal_control.h"
-#include "io/importer.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -134,7 +134,7 @@ int info(const InfoOptions& options)
 {
     TerminalControl control;
     try {
-        const Model model = importFile(options.file, {}, control);
+        const Model model = importInChild(options.file, {}, control);
         control.clear();
         options.json ? printJson(model) : printTree(model);
         return exit_status::done;

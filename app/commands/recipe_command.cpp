@@ -1,9 +1,9 @@
 #include "app/commands/recipe_command.h"
 
+#include "app/cad_process.h"
 #include "app/exit_status.h"
 #include "app/first_recipe.h"
 #include "app/terminal_control.h"
-#include "io/importer.h"
 
 #include <CLI/CLI.hpp>
 
@@ -52,7 +52,7 @@ int recipe(const RecipeOptions& options)
     std::string text;
     TerminalControl control;
     try {
-        const Model model = importFile(options.file, {}, control);
+        const Model model = importInChild(options.file, {}, control);
         control.clear();
         text = firstRecipe(model, options.output.empty() ? fs::absolute(options.file).lexically_normal().string()
                                                          : partSeenFrom(options.output, options.file));

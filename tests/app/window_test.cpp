@@ -160,7 +160,7 @@ private slots:
         QVERIFY(file.open(QFile::WriteOnly));
         file.write("this is no part");
         file.close();
-        m_window->open(path);
+        m_window->open(QStringList(path));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QVERIFY(m_window->banner().sentence().contains("bad.step"));
         QVERIFY(find<LogPanel>("log")->toPlainText().contains(m_window->banner().sentence()));
@@ -186,20 +186,21 @@ private slots:
         Services slow = m_services;
         std::atomic<bool> isSlow = false;
         std::atomic<bool> wasTold = false;
-        slow.import = [&, import = m_services.import](const std::string& path, TaskControl& control) {
+        slow.import = [&, import = m_services.import](const std::vector<std::string>& paths, const ImportOptions& options,
+                                                       TaskControl& control) {
             while (isSlow) {
                 control.report(0.5, "reading faces");
                 wasTold = control.isCancelled();
                 control.throwIfCancelled();
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
             }
-            return import(path, control);
+            return import(paths, options, control);
         };
         show(slow);
         openExample("bar.step");
         const auto model = document().content().model;
         isSlow = true;
-        m_window->open(example("bracket.step"));
+        m_window->open(QStringList(example("bracket.step")));
         QTRY_VERIFY(find<QLabel>("taskStage")->text().contains("reading faces"));
         QVERIFY(find<QWidget>("taskReading")->isVisible());
         picture("importing");
@@ -215,12 +216,12 @@ private slots:
     void theWindowAnswersWhileAFileIsRead()
     {
         Services slow = m_services;
-        slow.import = [](const std::string&, TaskControl&) -> Model {
+        slow.import = [](const std::vector<std::string>&, const ImportOptions&, TaskControl&) -> Model {
             std::this_thread::sleep_for(std::chrono::milliseconds(400));
             throw std::runtime_error("slow.step: nothing in it.");
         };
         show(slow);
-        m_window->open("slow.step");
+        m_window->open(QStringList("slow.step"));
         int answers = 0;
         while (m_window->tasks().isRunning()) {
             QTest::qWait(10);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cad_process.h"
 #include "app/gui.h"
 #include "ui/main_window.h"
 #include "ui/panels/banner.h"
@@ -47,7 +48,7 @@ protected:
     /// Opens an example, filled coarsely so that it runs briskly on any machine.
     void openExample(const char* name, double cells = 16)
     {
-        m_window->open(example(name));
+        m_window->open(QStringList(example(name)));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QVERIFY2(!document().isEmpty(), qPrintable(m_window->banner().sentence()));
         m_window->refill(document().size() / cells);
@@ -80,6 +81,7 @@ protected:
         QStandardPaths::setTestModeEnabled(true);
         QApplication::setOrganizationName("knead-test");
         QApplication::setApplicationName("window-test");
+        setReadingProgram(KNEAD_PROGRAM);
         m_services = fileServices();
     }
 };

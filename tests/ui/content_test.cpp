@@ -26,9 +26,9 @@ Part boxPart(const std::string& name, const Vec3& size, const Vec3& place)
 Services servicesFor(const Model& model)
 {
     Services services;
-    services.import = [model](const std::string& path, TaskControl&) {
+    services.import = [model](const std::vector<std::string>& paths, const ImportOptions&, TaskControl&) {
         Model result = model;
-        result.file = path;
+        result.file = paths.front();
         return result;
     };
     return services;
@@ -36,7 +36,7 @@ Services servicesFor(const Model& model)
 
 PreparedContent prepare(const Model& model)
 {
-    return prepareFile(servicesFor(model), "folder/part.step", {}, TaskControl::none());
+    return prepareFiles(servicesFor(model), {{"folder/part.step"}, {}}, {}, TaskControl::none());
 }
 
 class CancelledControl final : public TaskControl {
@@ -111,7 +111,7 @@ private slots:
         Model model;
         model.parts = {boxPart("bar", {0.1, 0.02, 0.02}, Vec3::Zero())};
         CancelledControl control;
-        QVERIFY_THROWS_EXCEPTION(Cancelled, prepareFile(servicesFor(model), "part.step", {}, control));
+        QVERIFY_THROWS_EXCEPTION(Cancelled, prepareFiles(servicesFor(model), {{"part.step"}, {}}, {}, control));
     }
 
     void fixturesArePostedOnceAndFollowEdits()

@@ -160,13 +160,13 @@ Color faceColor(const Part& part, std::uint32_t face)
     return face < part.faces.size() ? part.faces[face].color.value_or(own) : own;
 }
 
-PreparedContent prepareFile(const Services& services, const std::string& path, const Material& material,
-                            TaskControl& control)
+PreparedContent prepareFiles(const Services& services, const OpenRequest& request, const Material& material,
+                             TaskControl& control)
 {
     TaskPortion importing(control, 0, importShare);
-    auto model = std::make_shared<const Model>(services.import(path, importing));
+    auto model = std::make_shared<const Model>(services.import(request.paths, request.options, importing));
     TaskPortion filling(control, importShare, preparedShare);
-    Content content = fillContent(std::move(model), 0, filling);
+    Content content = fillContent(std::move(model), request.spacing, filling);
     control.report(preparedShare, "preparing the simulation");
     Scene scene = restScene(content);
     for (Body& body : scene.bodies)

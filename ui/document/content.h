@@ -44,10 +44,17 @@ struct PreparedContent {
     Simulation simulation;
 };
 
-/// Reads a file, fills its closed parts with a material and lets them rest on a floor. Runs on a task thread.
-/// @throws std::runtime_error with a sentence, also when no part is closed; Cancelled
-PreparedContent prepareFile(const Services& services, const std::string& path, const Material& material,
-                            TaskControl& control);
+/// What a person asked to be opened, and how.
+struct OpenRequest {
+    std::vector<std::string> paths; ///< at least one
+    ImportOptions options;
+    double spacing = 0; ///< [m]; 0: chosen for real time
+};
+
+/// Reads files, fills their closed parts with a material and lets them rest on a floor. Runs on a task thread.
+/// @throws std::runtime_error with a sentence, also when no part has a surface; Cancelled
+PreparedContent prepareFiles(const Services& services, const OpenRequest& request, const Material& material,
+                             TaskControl& control);
 
 /// Fills a model again with another spacing [m]; materials, kinds of bodies, tools, gravity and floor stay as in `now`. Runs on a task
 /// thread.

@@ -1,0 +1,60 @@
+#include "core/model/joined_model.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+template <class Element>
+void append(std::vector<Element>& from, std::vector<Element>& to)
+{
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+/// Adds to the numbers of the parts in a tree.
+void shift(PartNode& node, std::size_t by)
+{
+    if (node.part)
+        *node.part += by;
+    for (PartNode& child : node.children)
+        shift(child, by);
+}
+
+/// A text that all models share, or none.
+std::string common(const std::vector<Model>& models, std::string Model::*text)
+{
+    const auto agrees = [&](const Model& model) { return model.*text == models.front().*text; };
+    return std::all_of(models.begin(), models.end(), agrees) ? models.front().*text : std::string();
+}
+
+} // namespace
+
+Model joined(std::vector<Model> models)
+{
+    assert(!models.empty());
+    if (models.size() == 1)
+        return std::move(models.front());
+    Model all;
+    all.file = models.front().file;
+    all.format = common(models, &Model::format);
+    all.unit = common(models, &Model::unit);
+    all.tree.name = models.front().tree.name + " and " + std::to_string(models.size() - 1) + " more";
+    for (Model& model : models) {
+        for (Part& part : model.parts)
+            part.path = model.tree.name + "/" + part.path;
+        shift(model.tree, all.parts.size());
+        append(model.parts, all.parts);
+        append(model.warnings, all.warnings);
+        append(model.missing, all.missing);
+        if (!all.unitRemark)
+            all.unitRemark = std::move(model.unitRemark);
+        all.tree.children.push_back(std::move(model.tree));
+    }
+    return all;
+}
+
+} // namespace knead

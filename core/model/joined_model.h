@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/model/part.h"
+
+#include <vector>
+
+namespace knead {
+
+/// Models side by side as one: each is a child of the new root, and its name leads the paths of its parts. Format and unit
+/// are kept where all agree. One model alone stays as it is.
+/// @param models at least one
+Model joined(std::vector<Model> models);
+
+} // namespace knead

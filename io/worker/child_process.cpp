@@ -1,0 +1,314 @@
+#include "io/worker/child_process.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace knead {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int lowestOwn = 16; // descriptors of the parent are above those of the child
+constexpr std::size_t longestLine = 4096;
+constexpr int pollInterval = 50; // [ms]
+
+[[noreturn]] void fail(const std::string& what, int error)
+{
+    throw std::runtime_error(what + " (" + std::generic_category().message(error) + ").");
+}
+
+/// An open file that is closed in the end.
+class Descriptor {
+public:
+    explicit Descriptor(int number = -1)
+        : m_number(number)
+    {
+    }
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    void close()
+    {
+        if (m_number >= 0)
+            ::close(m_number);
+        m_number = -1;
+    }
+    int get() const { return m_number; }
+
+private:
+    int m_number;
+};
+
+struct Pipe {
+    Descriptor readEnd;
+    Descriptor writeEnd;
+};
+
+/// The same file under a number that no descriptor of the child has.
+int raised(int descriptor)
+{
+    const int result = fcntl(descriptor, F_DUPFD_CLOEXEC, lowestOwn);
+    const int error = errno;
+    ::close(descriptor);
+    if (result < 0)
+        fail("A pipe to another process cannot be made", error);
+    return result;
+}
+
+class SpawnActions {
+public:
+    SpawnActions() { posix_spawn_file_actions_init(&m_actions); }
+    ~SpawnActions() { posix_spawn_file_actions_destroy(&m_actions); }
+    SpawnActions(const SpawnActions&) = delete;
+    SpawnActions& operator=(const SpawnActions&) = delete;
+
+    posix_spawn_file_actions_t* get() { return &m_actions; }
+
+private:
+    posix_spawn_file_actions_t m_actions{};
+};
+
+class SpawnAttributes {
+public:
+    SpawnAttributes()
+    {
+        posix_spawnattr_init(&m_attributes);
+        sigset_t signals;
+        sigfillset(&signals);
+        posix_spawnattr_setsigdefault(&m_attributes, &signals);
+        sigemptyset(&signals);
+        posix_spawnattr_setsigmask(&m_attributes, &signals);
+        posix_spawnattr_setpgroup(&m_attributes, 0);
+        posix_spawnattr_setflags(&m_attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+    }
+    ~SpawnAttributes() { posix_spawnattr_destroy(&m_attributes); }
+    SpawnAttributes(const SpawnAttributes&) = delete;
+    SpawnAttributes& operator=(const SpawnAttributes&) = delete;
+
+    const posix_spawnattr_t* get() const { return &m_attributes; }
+
+private:
+    posix_spawnattr_t m_attributes{};
+};
+
+pid_t start(const std::string& program, const std::vector<std::string>& arguments, int lines, int result)
+{
+    SpawnActions actions;
+    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        posix_spawn_file_actions_addopen(actions.get(), standard, "/dev/null",
+                                         standard == STDIN_FILENO ? O_RDONLY : O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(actions.get(), lines, child_descriptors::lines);
+    posix_spawn_file_actions_adddup2(actions.get(), result, child_descriptors::result);
+    posix_spawn_file_actions_addclosefrom_np(actions.get(), child_descriptors::result + 1);
+    std::vector<char*> words;
+    for (const std::string& argument : arguments)
+        words.push_back(const_cast<char*>(argument.c_str())); // posix_spawn only reads them
+    words.push_back(nullptr);
+    pid_t child = 0;
+    const SpawnAttributes attributes;
+    const int error = posix_spawn(&child, program.c_str(), actions.get(), attributes.get(), words.data(), environ);
+    if (error != 0)
+        fail("The process that reads files cannot be started", error);
+    return child;
+}
+
+/// A started process that is ended, at the latest, when this goes.
+class Child {
+public:
+    explicit Child(pid_t id)
+        : m_id(id)
+    {
+    }
+    ~Child()
+    {
+        if (m_id > 0)
+            end();
+    }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    /// Its wait status once it has ended by itself.
+    std::optional<int> status()
+    {
+        int status = 0;
+        pid_t ended = 0;
+        while ((ended = waitpid(m_id, &status, WNOHANG)) < 0 && errno == EINTR) {}
+        if (ended == 0)
+            return std::nullopt;
+        m_id = 0;
+        return status;
+    }
+
+    /// Ends the process with all it may have started.
+    void end()
+    {
+        kill(-m_id, SIGKILL);
+        kill(m_id, SIGKILL);
+        while (waitpid(m_id, nullptr, 0) < 0 && errno == EINTR) {}
+        m_id = 0;
+    }
+
+private:
+    pid_t m_id;
+};
+
+/// Cuts what comes through a pipe into lines. A line without end is dropped.
+class LineReader {
+public:
+    LineReader(int descriptor, const std::function<void(std::string_view)>& onLine)
+        : m_descriptor(descriptor)
+        , m_onLine(onLine)
+    {
+    }
+
+    /// Waits a moment for more. @return false once nothing more can come
+    bool wait()
+    {
+        pollfd watched{.fd = m_descriptor, .events = POLLIN, .revents = 0};
+        if (poll(&watched, 1, pollInterval) <= 0)
+            return true;
+        std::array<char, 4096> block{};
+        const ssize_t count = read(m_descriptor, block.data(), block.size());
+        if (count <= 0)
+            return count < 0 && errno == EINTR;
+        for (const char character : std::string_view(block.data(), static_cast<std::size_t>(count)))
+            take(character);
+        return true;
+    }
+
+private:
+    void take(char character)
+    {
+        if (character == '\n') {
+            m_onLine(m_line);
+            m_line.clear();
+        } else if (m_line.size() < longestLine) {
+            m_line += character;
+        }
+    }
+
+    int m_descriptor;
+    const std::function<void(std::string_view)>& m_onLine;
+    std::string m_line;
+};
+
+void limit(__rlimit_resource_t resource, rlim_t value)
+{
+    rlimit limits{};
+    getrlimit(resource, &limits);
+    limits.rlim_cur = std::min(value, limits.rlim_max);
+    setrlimit(resource, &limits);
+}
+
+} // namespace
+
+NamelessFile::NamelessFile()
+{
+    std::error_code error;
+    const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+    if (error)
+        throw std::runtime_error("There is no folder for temporary files; set TMPDIR to one you may write to.");
+    std::string name = (folder / "knead-XXXXXX").string();
+    const int descriptor = mkostemp(name.data(), O_CLOEXEC);
+    if (descriptor < 0)
+        fail(folder.string() + ": no temporary file can be made there", errno);
+    unlink(name.c_str());
+    m_descriptor = raised(descriptor);
+}
+
+NamelessFile::~NamelessFile()
+{
+    close(m_descriptor);
+}
+
+std::string NamelessFile::content() const
+{
+    struct stat facts {};
+    if (fstat(m_descriptor, &facts) != 0)
+        fail("What was read cannot be fetched", errno);
+    std::string bytes(static_cast<std::size_t>(facts.st_size), '\0');
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t count = pread(m_descriptor, bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count < 0)
+            fail("What was read cannot be fetched", errno);
+        if (count == 0)
+            break;
+        done += static_cast<std::size_t>(count);
+    }
+    bytes.resize(done);
+    return bytes;
+}
+
+ChildEnd runChild(const std::string& program, const std::vector<std::string>& arguments, const NamelessFile& result,
+                  double wallTime, const std::function<void(std::string_view line)>& onLine,
+                  const std::function<bool()>& isCancelled)
+{
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0)
+        fail("A pipe to another process cannot be made", errno);
+    Descriptor readEnd(ends[0]);
+    Descriptor writeEnd(raised(ends[1]));
+    const Clock::time_point deadline =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wallTime));
+    Child child(start(program, arguments, writeEnd.get(), result.descriptor()));
+    writeEnd.close();
+
+    LineReader lines(readEnd.get(), onLine);
+    bool mayCome = true;
+    for (;;) {
+        if (mayCome)
+            mayCome = lines.wait();
+        else if (const std::optional<int> status = child.status())
+            return WIFSIGNALED(*status) ? ChildEnd{ChildEnd::Kind::signaled, WTERMSIG(*status)}
+                                        : ChildEnd{ChildEnd::Kind::exited, WEXITSTATUS(*status)};
+        else
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (isCancelled())
+            return {ChildEnd::Kind::cancelled, 0};
+        if (Clock::now() > deadline)
+            return {ChildEnd::Kind::tooLong, 0};
+    }
+}
+
+void limitOwnProcess(const OwnLimits& limits)
+{
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    pollfd parent{.fd = child_descriptors::lines, .events = POLLOUT, .revents = 0};
+    if (poll(&parent, 1, 0) > 0 && (parent.revents & POLLERR) != 0) // it ended before the line above
+        _exit(1);
+    std::signal(SIGXFSZ, SIG_IGN); // a write that the disk refuses is told by its result
+    limit(RLIMIT_CORE, 0);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // whose address space is vast
+    if (limits.memory > 0)
+        limit(RLIMIT_AS, limits.memory);
+#endif
+    if (limits.processorTime > 0)
+        limit(RLIMIT_CPU, limits.processorTime);
+    setpriority(PRIO_PROCESS, 0, 5);
+}
+
+} // namespace knead

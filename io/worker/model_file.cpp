@@ -1,0 +1,325 @@
+#include "io/worker/model_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+namespace knead {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view modelMark = "KNEADMDL1\n";
+constexpr std::string_view failureMark = "KNEADERR1\n";
+constexpr std::size_t headerSize = 32; // mark, length of the JSON document; arrays start at multiples of 8
+constexpr std::size_t alignment = 8;
+
+[[noreturn]] void fail(const std::string& what)
+{
+    throw std::runtime_error("model file: " + what);
+}
+
+std::size_t aligned(std::size_t size)
+{
+    return (size + alignment - 1) / alignment * alignment;
+}
+
+// --- writing ----------------------------------------------------------------------------------------------------------
+
+class ModelWriter {
+public:
+    std::string bytes(const Model& model)
+    {
+        const std::string document = toJson(model).dump(-1, ' ', false, Json::error_handler_t::replace);
+        std::string result(headerSize, '\0');
+        std::copy(modelMark.begin(), modelMark.end(), result.begin());
+        const std::uint64_t length = document.size();
+        std::memcpy(result.data() + headerSize - sizeof length, &length, sizeof length);
+        result += document;
+        result.resize(aligned(result.size()), ' ');
+        return result + m_arrays;
+    }
+
+private:
+    /// Place and length of an array among the others.
+    template <class Element>
+    Json array(const std::vector<Element>& elements)
+    {
+        static_assert(std::is_trivially_copyable_v<Element> || std::is_same_v<Element, Vec3>);
+        const std::size_t begin = m_arrays.size();
+        m_arrays.append(reinterpret_cast<const char*>(elements.data()), elements.size() * sizeof(Element));
+        m_arrays.resize(aligned(m_arrays.size()), '\0');
+        return {begin, elements.size()};
+    }
+
+    static Json numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+    static Json colorOrNull(const std::optional<Color>& color)
+    {
+        return color ? Json{color->r, color->g, color->b} : Json(nullptr);
+    }
+
+    Json toJson(const Part& part)
+    {
+        Json json{{"name", part.name},
+                  {"path", part.path},
+                  {"color", colorOrNull(part.color)},
+                  {"vertices", array(part.mesh.vertices)},
+                  {"triangles", array(part.mesh.triangles)},
+                  {"faceOfTriangle", array(part.mesh.faceOfTriangle)},
+                  {"solids", part.solids},
+                  {"shells", part.shells},
+                  {"edges", part.edges},
+                  {"volume", part.volume},
+                  {"area", part.area},
+                  {"watertight", part.watertight},
+                  {"valid", part.valid},
+                  {"maxTolerance", part.maxTolerance},
+                  {"visible", part.visible},
+                  {"layer", part.layer},
+                  {"repairs", part.repairs},
+                  {"warnings", part.warnings}};
+        if (!part.box.isEmpty())
+            json["box"] = {numbers(part.box.min()), numbers(part.box.max())};
+        Json& faces = json["faces"] = Json::array();
+        for (const PartFace& face : part.faces)
+            faces.push_back(colorOrNull(face.color));
+        Json& edges = json["openEdges"] = Json::array();
+        for (const std::vector<Vec3>& edge : part.openEdges)
+            edges.push_back(array(edge));
+        return json;
+    }
+
+    /// Flat, each node with the number of its parent, since a tree may be thousands of levels deep.
+    static void addNodes(const PartNode& node, std::int64_t parent, Json& nodes)
+    {
+        const auto own = static_cast<std::int64_t>(nodes.size());
+        nodes.push_back({{"name", node.name}, {"parent", parent}, {"part", node.part ? Json(*node.part) : Json()}});
+        for (const PartNode& child : node.children)
+            addNodes(child, own, nodes);
+    }
+
+    Json toJson(const Model& model)
+    {
+        Json json{{"file", model.file},         {"format", model.format},   {"unit", model.unit},
+                  {"warnings", model.warnings}, {"missing", model.missing}, {"parts", Json::array()},
+                  {"nodes", Json::array()}};
+        if (model.unitRemark)
+            json["unitRemark"] = {{"sentence", model.unitRemark->sentence}, {"unit", model.unitRemark->unit}};
+        for (const Part& part : model.parts)
+            json["parts"].push_back(toJson(part));
+        addNodes(model.tree, -1, json["nodes"]);
+        return json;
+    }
+
+    std::string m_arrays;
+};
+
+// --- reading ----------------------------------------------------------------------------------------------------------
+
+double finite(const Json& json)
+{
+    const double number = json.get<double>();
+    if (!std::isfinite(number))
+        fail("a number is not finite");
+    return number;
+}
+
+int count(const Json& json)
+{
+    const auto number = json.get<std::int64_t>();
+    if (!json.is_number_integer() || number < 0 || number > std::numeric_limits<int>::max())
+        fail("a count is out of range");
+    return static_cast<int>(number);
+}
+
+Vec3 vector(const Json& json)
+{
+    if (json.size() != 3)
+        fail("a vector has not three numbers");
+    return {finite(json.at(0)), finite(json.at(1)), finite(json.at(2))};
+}
+
+float channel(const Json& json)
+{
+    const double value = finite(json);
+    if (value < 0 || value > 1)
+        fail("a color is out of range");
+    return static_cast<float>(value);
+}
+
+std::optional<Color> colorOrNone(const Json& json)
+{
+    if (json.is_null())
+        return std::nullopt;
+    if (json.size() != 3)
+        fail("a color has not three channels");
+    return Color{channel(json.at(0)), channel(json.at(1)), channel(json.at(2))};
+}
+
+class ModelReader {
+public:
+    explicit ModelReader(std::string_view bytes)
+    {
+        std::uint64_t length = 0;
+        if (bytes.size() < headerSize || !bytes.starts_with(modelMark))
+            fail("it does not start as one");
+        std::memcpy(&length, bytes.data() + headerSize - sizeof length, sizeof length);
+        if (length > bytes.size() - headerSize)
+            fail("it is cut off");
+        const std::string_view document = bytes.substr(headerSize, length);
+        m_json = Json::parse(document.begin(), document.end());
+        m_arrays = bytes.substr(std::min(bytes.size(), aligned(headerSize + length)));
+    }
+
+    Model model()
+    {
+        Model model;
+        model.file = m_json.at("file").get<std::string>();
+        model.format = m_json.at("format").get<std::string>();
+        model.unit = m_json.at("unit").get<std::string>();
+        model.warnings = m_json.at("warnings").get<std::vector<std::string>>();
+        model.missing = m_json.at("missing").get<std::vector<std::string>>();
+        if (const auto remark = m_json.find("unitRemark"); remark != m_json.end())
+            model.unitRemark = {remark->at("sentence").get<std::string>(), remark->at("unit").get<std::string>()};
+        for (const Json& json : m_json.at("parts"))
+            model.parts.push_back(part(json));
+        model.tree = tree(m_json.at("nodes"), model.parts.size());
+        return model;
+    }
+
+private:
+    template <class Element>
+    std::vector<Element> array(const Json& json) const
+    {
+        const auto begin = json.at(0).get<std::uint64_t>();
+        const auto length = json.at(1).get<std::uint64_t>();
+        if (begin > m_arrays.size() || length > (m_arrays.size() - begin) / sizeof(Element))
+            fail("an array lies outside");
+        std::vector<Element> elements(length);
+        if (length > 0)
+            std::memcpy(static_cast<void*>(elements.data()), m_arrays.data() + begin, length * sizeof(Element));
+        return elements;
+    }
+
+    std::vector<Vec3> points(const Json& json) const
+    {
+        std::vector<Vec3> points = array<Vec3>(json);
+        if (!std::all_of(points.begin(), points.end(), [](const Vec3& point) { return point.allFinite(); }))
+            fail("a point is not finite");
+        return points;
+    }
+
+    TriangleMesh mesh(const Json& json, std::size_t faces) const
+    {
+        TriangleMesh mesh;
+        mesh.vertices = points(json.at("vertices"));
+        mesh.triangles = array<TriangleMesh::Triangle>(json.at("triangles"));
+        mesh.faceOfTriangle = array<std::uint32_t>(json.at("faceOfTriangle"));
+        for (const TriangleMesh::Triangle& triangle : mesh.triangles)
+            for (const std::uint32_t vertex : triangle)
+                if (vertex >= mesh.vertices.size())
+                    fail("a triangle has a vertex that is not there");
+        if (!mesh.faceOfTriangle.empty() && mesh.faceOfTriangle.size() != mesh.triangles.size())
+            fail("not every triangle has a face");
+        for (const std::uint32_t face : mesh.faceOfTriangle)
+            if (face >= faces)
+                fail("a triangle has a face that is not there");
+        return mesh;
+    }
+
+    Part part(const Json& json) const
+    {
+        Part part;
+        part.name = json.at("name").get<std::string>();
+        part.path = json.at("path").get<std::string>();
+        part.color = colorOrNone(json.at("color"));
+        for (const Json& face : json.at("faces"))
+            part.faces.push_back({colorOrNone(face)});
+        part.mesh = mesh(json, part.faces.size());
+        part.solids = count(json.at("solids"));
+        part.shells = count(json.at("shells"));
+        part.edges = count(json.at("edges"));
+        part.volume = finite(json.at("volume"));
+        part.area = finite(json.at("area"));
+        if (const auto box = json.find("box"); box != json.end())
+            part.box = Box(vector(box->at(0)), vector(box->at(1)));
+        part.watertight = json.at("watertight").get<bool>();
+        part.valid = json.at("valid").get<bool>();
+        part.maxTolerance = finite(json.at("maxTolerance"));
+        part.visible = json.at("visible").get<bool>();
+        part.layer = json.at("layer").get<std::string>();
+        part.repairs = json.at("repairs").get<std::vector<std::string>>();
+        for (const Json& edge : json.at("openEdges"))
+            part.openEdges.push_back(points(edge));
+        part.warnings = json.at("warnings").get<std::vector<std::string>>();
+        return part;
+    }
+
+    /// Parents come before their children.
+    static PartNode tree(const Json& nodes, std::size_t parts)
+    {
+        std::vector<PartNode> flat;
+        std::vector<std::size_t> parents;
+        for (const Json& json : nodes) {
+            PartNode node{json.at("name").get<std::string>(), std::nullopt, {}};
+            if (!json.at("part").is_null())
+                node.part = json.at("part").get<std::size_t>();
+            if (node.part && *node.part >= parts)
+                fail("the tree names a part that is not there");
+            const auto parent = json.at("parent").get<std::int64_t>();
+            if (flat.empty() ? parent != -1 : parent < 0 || parent >= static_cast<std::int64_t>(flat.size()))
+                fail("the tree of parts is none");
+            parents.push_back(flat.empty() ? 0 : static_cast<std::size_t>(parent));
+            flat.push_back(std::move(node));
+        }
+        if (flat.empty())
+            fail("there is no tree of parts");
+        // Children move into their parents from the last on, and so arrive in reverse.
+        for (std::size_t i = flat.size() - 1; i > 0; --i) {
+            std::reverse(flat[i].children.begin(), flat[i].children.end());
+            flat[parents[i]].children.push_back(std::move(flat[i]));
+        }
+        std::reverse(flat[0].children.begin(), flat[0].children.end());
+        return std::move(flat[0]);
+    }
+
+    Json m_json;
+    std::string_view m_arrays;
+};
+
+} // namespace
+
+std::string modelToBytes(const Model& model)
+{
+    return ModelWriter().bytes(model);
+}
+
+Model modelFromBytes(std::string_view bytes)
+{
+    try {
+        return ModelReader(bytes).model();
+    } catch (const Json::exception& error) {
+        fail(error.what());
+    }
+}
+
+std::string failureToBytes(const std::string& sentence)
+{
+    return std::string(failureMark) + sentence;
+}
+
+std::string failureIn(std::string_view bytes)
+{
+    return bytes.starts_with(failureMark) ? std::string(bytes.substr(failureMark.size())) : std::string();
+}
+
+} // namespace knead

@@ -1,0 +1,402 @@
+#include "app/cad_process.h"
+#include "io/importer.h"
+#include "io/worker/isolated_import.h"
+
+#include <QtTest>
+
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+using namespace knead;
+
+namespace {
+
+const std::string program = KNEAD_PROGRAM;
+constexpr ImportLimits plenty{.memory = 0, .processorTime = 0, .wallTime = 60};
+
+std::string example(const std::string& name)
+{
+    return std::string(KNEAD_RESOURCES) + "/examples/" + name;
+}
+
+bool mentions(const std::string& sentence, const std::string& words)
+{
+    return sentence.find(words) != std::string::npos;
+}
+
+/// Cancelled once it has seen a stage.
+class CancelAt final : public TaskControl {
+public:
+    explicit CancelAt(std::string stage)
+        : m_stage(std::move(stage))
+    {
+    }
+
+    void report(double, std::string_view stage) override { m_isCancelled = m_isCancelled || stage == m_stage; }
+    bool isCancelled() const override { return m_isCancelled; }
+
+private:
+    std::string m_stage;
+    bool m_isCancelled = false;
+};
+
+class StageNames final : public TaskControl {
+public:
+    void report(double fraction, std::string_view stage) override
+    {
+        names.emplace(stage);
+        isForward = isForward && fraction >= last;
+        last = fraction;
+    }
+    bool isCancelled() const override { return false; }
+
+    std::set<std::string> names;
+    double last = 0;
+    bool isForward = true;
+};
+
+/// Files stay as small as this while it lives: what a full disk is like to those who write.
+class FullDisk {
+public:
+    explicit FullDisk(rlim_t bytes)
+    {
+        std::signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &m_before);
+        rlimit limit = m_before;
+        limit.rlim_cur = bytes;
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FullDisk() { setrlimit(RLIMIT_FSIZE, &m_before); }
+
+private:
+    rlimit m_before{};
+};
+
+} // namespace
+
+/// Reading in a process of its own, with the program itself, and with stand-ins that go astray.
+class CadProcessTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    std::string file(const std::string& name, const std::string& content)
+    {
+        const std::string path = m_folder.filePath(QString::fromStdString(name)).toStdString();
+        std::ofstream(path, std::ios::binary) << content;
+        return path;
+    }
+
+    /// A program that does what a shell script says instead of reading.
+    std::string standIn(const std::string& script)
+    {
+        const std::string path = file("stand-in.sh", "#!/bin/sh\n" + script + "\n");
+        std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+        return path;
+    }
+
+    /// What the import of a good file says when `reader` does it.
+    std::string failureOf(const std::string& reader, const ImportLimits& limits, const ImportOptions& options = {})
+    {
+        try {
+            importIsolated(reader, example("bracket.step"), options, limits, TaskControl::none());
+        } catch (const std::runtime_error& error) {
+            return error.what();
+        }
+        return {};
+    }
+
+private slots:
+    void initTestCase() { setReadingProgram(program); }
+
+    void theModelIsThatOfTheReader()
+    {
+        StageNames stages;
+        const Model model = importInChild(example("bracket.step"), {}, stages);
+        const Model direct = importFile(example("bracket.step"));
+        QCOMPARE(model.file, direct.file);
+        QCOMPARE(model.format, direct.format);
+        QCOMPARE(model.parts.size(), direct.parts.size());
+        for (std::size_t i = 0; i < model.parts.size(); ++i) {
+            QCOMPARE(model.parts[i].path, direct.parts[i].path);
+            QVERIFY(model.parts[i].mesh.vertices == direct.parts[i].mesh.vertices);
+            QVERIFY(model.parts[i].mesh.triangles == direct.parts[i].mesh.triangles);
+            QVERIFY(model.parts[i].volume == direct.parts[i].volume);
+        }
+        QVERIFY(stages.names.contains("making shapes") && stages.names.contains("measuring parts"));
+        QVERIFY(stages.isForward);
+        QCOMPARE(stages.last, 1.0);
+    }
+
+    void optionsReachTheReader()
+    {
+        ImportOptions coarse;
+        coarse.linearDeflection = 1e-3;
+        coarse.angularDeflection = 1;
+        const auto triangles = [](const ImportOptions& options) {
+            return importInChild(example("handle.step"), options, TaskControl::none()).parts[0].mesh.triangles.size();
+        };
+        QVERIFY(triangles(coarse) < triangles({}));
+    }
+
+    void refusalsOfTheReaderArriveAsTheyAre()
+    {
+        const std::string path = file("cut.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=POINT();\n");
+        try {
+            importInChild(path, {}, TaskControl::none());
+            QFAIL("A file that is cut off was read.");
+        } catch (const std::runtime_error& error) {
+            QVERIFY2(mentions(error.what(), "cut.step: the STEP file ends before its last line"), error.what());
+        }
+    }
+
+    void aCrashIsASentence_data()
+    {
+        QTest::addColumn<QString>("script");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("segv") << "echo '400000 making shapes' >&3; kill -SEGV $$"
+                              << "bracket.step: the reader crashed while making shapes (memory access). Nothing was "
+                                 "imported";
+        QTest::newRow("abort") << "kill -ABRT $$"
+                               << "bracket.step: the reader crashed (internal error).";
+        QTest::newRow("fpe") << "kill -FPE $$"
+                             << "crashed (arithmetic)";
+        QTest::newRow("killed") << "kill -KILL $$"
+                                << "ended from outside, perhaps because the machine ran out of memory";
+        QTest::newRow("status") << "exit 3"
+                                << "the reader ended without a result";
+        QTest::newRow("empty result") << "exit 0"
+                                      << "the reader's result is damaged";
+        QTest::newRow("garbage") << "head -c 100000 /dev/urandom >&4; head -c 100000 /dev/urandom >&3"
+                                 << "the reader's result is damaged";
+        QTest::newRow("endless line") << "head -c 10000000 /dev/zero >&3; exit 3"
+                                      << "ended without a result";
+        QTest::newRow("pipe closed") << "exec 3>&-; sleep 100"
+                                     << "reading took longer than 1 s";
+        QTest::newRow("hangs")
+            << "echo '100000 reading the file' >&3; sleep 100"
+            << "reading took longer than 1 s while reading the file and was ended. Nothing was imported";
+        QTest::newRow("talks for ever") << "while :; do echo '500000 making shapes' >&3; done"
+                                        << "reading took longer than 1 s while making shapes";
+    }
+
+    void aCrashIsASentence()
+    {
+        QFETCH(QString, script);
+        QFETCH(QString, words);
+        const std::string sentence = failureOf(standIn(script.toStdString()), {.wallTime = 1});
+        QVERIFY2(mentions(sentence, words.toStdString()), sentence.c_str());
+    }
+
+    void aMissingProgramIsASentence() { QVERIFY(mentions(failureOf("/no/such/program", plenty), "cannot be started")); }
+
+    void processorTimeIsLimited()
+    {
+        ImportOptions endless;
+        endless.linearDeflection = 1e-8;
+        endless.angularDeflection = 1e-3;
+        const std::string sentence = failureOf(program, {.processorTime = 1, .wallTime = 300}, endless);
+        QVERIFY2(mentions(sentence, "reading took longer than 1 s while measuring parts"), sentence.c_str());
+    }
+
+    void memoryIsLimited()
+    {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+        QSKIP("The address space of a sanitized process cannot be limited.");
+#endif
+        ImportOptions greedy;
+        greedy.linearDeflection = 1e-7;
+        greedy.angularDeflection = 5e-3;
+        const std::string sentence = failureOf(program, {.memory = 300U << 20U, .wallTime = 300}, greedy);
+        QVERIFY2(mentions(sentence, "bracket.step: the file asks for more memory than"), sentence.c_str());
+    }
+
+    void aFullDiskIsASentence()
+    {
+        const FullDisk disk(1000);
+        const std::string sentence = failureOf(program, plenty);
+        QVERIFY2(mentions(sentence, "bracket.step: the folder for temporary files takes no more"), sentence.c_str());
+    }
+
+    void aMissingTemporaryFolderIsASentence()
+    {
+        const QByteArray before = qgetenv("TMPDIR");
+        qputenv("TMPDIR", "/no/such/folder");
+        const std::string sentence = failureOf(program, plenty);
+        before.isNull() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", before);
+        QVERIFY2(mentions(sentence, "set TMPDIR"), sentence.c_str());
+    }
+
+    void cancellingEndsTheProcess()
+    {
+        const std::string note = m_folder.filePath("pid").toStdString();
+        const std::string reader = standIn("echo $$ >" + note + "; echo '100000 reading the file' >&3; sleep 100");
+        CancelAt control("reading the file");
+        QVERIFY_EXCEPTION_THROWN(importIsolated(reader, example("bar.step"), {}, plenty, control), Cancelled);
+        pid_t process = 0;
+        std::ifstream(note) >> process;
+        QVERIFY(process > 0);
+        QCOMPARE(kill(process, 0), -1);
+        QCOMPARE(errno, ESRCH);
+    }
+
+    /// A worker whose parent is gone does not go on.
+    void nothingIsLeftBehind()
+    {
+        const std::filesystem::path folder = m_folder.filePath("temporary").toStdString();
+        std::filesystem::create_directory(folder);
+        const QByteArray before = qgetenv("TMPDIR");
+        qputenv("TMPDIR", folder.c_str());
+        importInChild(example("bar.step"), {}, TaskControl::none());
+        failureOf(standIn("kill -SEGV $$"), plenty);
+        before.isNull() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", before);
+        QVERIFY(std::filesystem::is_empty(folder));
+    }
+
+    void severalFilesBecomeOneModel()
+    {
+        const std::vector<std::string> paths{example("bar.step"), example("bracket.step"), example("handle.step")};
+        const Model model = importInChildren(paths, {}, TaskControl::none());
+        std::size_t parts = 0;
+        for (const std::string& path : paths)
+            parts += importFile(path).parts.size();
+        QCOMPARE(model.parts.size(), parts);
+        QCOMPARE(model.tree.children.size(), std::size_t{3});
+        QCOMPARE(model.tree.children[1].name, std::string("bracket"));
+        QVERIFY(model.parts.back().path.starts_with("handle/"));
+        QVERIFY(model.missing.empty());
+    }
+
+    void oneBadFileOfSeveralIsMissing()
+    {
+        const std::string bad = file("bad.step", "this is no part");
+        const Model model = importInChildren({bad, example("bar.step")}, {}, TaskControl::none());
+        QCOMPARE(model.parts.size(), std::size_t{1});
+        QCOMPARE(model.missing.size(), std::size_t{1});
+        QVERIFY(mentions(model.missing[0], "bad.step"));
+        QVERIFY_EXCEPTION_THROWN(importInChildren({bad, bad}, {}, TaskControl::none()), std::runtime_error);
+    }
+
+    /// Names as people give them.
+    void anyNameOpens_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("spaces, letters, quotes")
+            << QString::fromUtf8("a name, ünïcödé 立方体 & 'quote' \"two\" #%.step");
+        QTest::newRow("250 characters") << QString(245, 'n') + ".step";
+        QTest::newRow("like an option") << "--help.step";
+        QTest::newRow("new line") << "two\nlines.step";
+        QTest::newRow("shell") << "$(touch x); rm -rf y.step";
+    }
+
+    void anyNameOpens()
+    {
+        QFETCH(QString, name);
+        QVERIFY(QFile::copy(QString::fromStdString(example("bar.step")), m_folder.filePath(name)));
+        const std::string path = m_folder.filePath(name).toStdString();
+        const Model model = importInChild(path, {}, TaskControl::none());
+        QCOMPARE(model.file, path);
+        QCOMPARE(model.parts.size(), std::size_t{1});
+        QVERIFY(!model.tree.name.empty());
+    }
+
+    void whatIsNoFileIsRefused_data()
+    {
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("loop") << "loop"
+                              << "cannot be opened";
+        QTest::newRow("folder") << "folder"
+                                << "this is a folder";
+        QTest::newRow("missing") << "missing"
+                                 << "does not exist";
+        QTest::newRow("device") << "device"
+                                << "not an ordinary file";
+        QTest::newRow("unreadable") << "unreadable"
+                                    << "cannot be opened";
+    }
+
+    void whatIsNoFileIsRefused()
+    {
+        QFETCH(QString, kind);
+        QFETCH(QString, words);
+        const std::filesystem::path path = m_folder.filePath(kind + ".step").toStdString();
+        if (kind == "loop")
+            std::filesystem::create_symlink(path, path);
+        else if (kind == "folder")
+            std::filesystem::create_directory(path);
+        else if (kind == "device")
+            std::filesystem::create_symlink("/dev/zero", path);
+        else if (kind == "unreadable") {
+            if (geteuid() == 0)
+                QSKIP("Root may read every file.");
+            std::filesystem::permissions(file("unreadable.step", "x"), std::filesystem::perms::none);
+        }
+        try {
+            importInChild(path, {}, TaskControl::none());
+            QFAIL("It was read.");
+        } catch (const std::runtime_error& error) {
+            QVERIFY2(mentions(error.what(), (kind + ".step: ").toStdString()), error.what());
+            QVERIFY2(mentions(error.what(), words.toStdString()), error.what());
+        }
+    }
+
+    /// Every file of the corpus that is known to make readers crash, hang or lie.
+    void badFilesOfTheCorpusAreSurvived_data()
+    {
+        QTest::addColumn<QString>("path");
+        const QDir folder(qEnvironmentVariable("KNEAD_CORPUS") + "/bad");
+        if (qEnvironmentVariableIsEmpty("KNEAD_CORPUS"))
+            QTest::newRow("no corpus") << QString();
+        else
+            for (const QFileInfo& bad : folder.entryInfoList(QDir::Files))
+                if (bad.suffix() != "tsv")
+                    QTest::newRow(qPrintable(bad.fileName())) << bad.filePath();
+    }
+
+    void badFilesOfTheCorpusAreSurvived()
+    {
+        QFETCH(QString, path);
+        if (path.isEmpty())
+            QSKIP("The environment variable KNEAD_CORPUS names no corpus folder.");
+        try {
+            const Model model =
+                importIsolated(program, path.toStdString(), {},
+                               {.memory = 4ULL << 30U, .processorTime = 30, .wallTime = 90}, TaskControl::none());
+            QVERIFY(!model.parts.empty());
+            for (const Part& part : model.parts)
+                QVERIFY(part.box.isEmpty() || part.box.sizes().maxCoeff() < 1e5);
+        } catch (const std::runtime_error& error) {
+            const std::string sentence = error.what();
+            QVERIFY2(mentions(sentence, QFileInfo(path).fileName().toStdString() + ": "), error.what());
+            QVERIFY2(!mentions(sentence, "reading took longer than"), error.what());
+        }
+    }
+
+    void cancellingTheLargestFileIsFeltAtOnce_data()
+    {
+        QTest::addColumn<QString>("stage");
+        for (const char* stage : {"reading the file", "making shapes", "measuring parts"})
+            QTest::newRow(stage) << stage;
+    }
+
+    void cancellingTheLargestFileIsFeltAtOnce()
+    {
+        QFETCH(QString, stage);
+        if (qEnvironmentVariableIsEmpty("KNEAD_CORPUS"))
+            QSKIP("The environment variable KNEAD_CORPUS names no corpus folder.");
+        const std::string path =
+            qEnvironmentVariable("KNEAD_CORPUS").toStdString() + "/open/o37_big_soarm_assembled.step";
+        CancelAt control(stage.toStdString());
+        QVERIFY_EXCEPTION_THROWN(importIsolated(program, path, {}, plenty, control), Cancelled);
+    }
+};
+
+QTEST_GUILESS_MAIN(CadProcessTest)
+#include "cad_process_test.moc"
