@@ -108,6 +108,11 @@ Model importInChild(const std::string& path, const ImportOptions& options, TaskC
     return importIsolated(readingProgram(), path, options, limitsFor(path), control);
 }
 
+FilePreview previewInChild(const std::string& path, TaskControl& control)
+{
+    return previewIsolated(readingProgram(), path, limitsFor(path), control);
+}
+
 Model importInChildren(const std::vector<std::string>& paths, const ImportOptions& options, TaskControl& control)
 {
     if (paths.size() == 1)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/model/file_preview.h"
 #include "core/model/import_options.h"
 #include "core/model/part.h"
 #include "core/task/task_control.h"
@@ -18,6 +19,9 @@ Model importInChild(const std::string& path, const ImportOptions& options, TaskC
 /// read is missing from it, and Model::missing says why.
 /// @throws std::runtime_error when not one of them can be read. @throws Cancelled
 Model importInChildren(const std::vector<std::string>& paths, const ImportOptions& options, TaskControl& control);
+
+/// Looks into a file in a process of its own. @throws as importInChild()
+FilePreview previewInChild(const std::string& path, TaskControl& control);
 
 /// Whether this process was started by importInChild() of another one; then it is to call readForParent() and nothing else.
 bool isReadingProcess(int argc, char** argv);

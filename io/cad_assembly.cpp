@@ -7,6 +7,7 @@
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS_Shape.hxx>
 #include <XCAFDoc_ColorTool.hxx>
@@ -43,14 +44,6 @@ std::string nameOf(const TDF_Label& label)
     return readableName(std::u16string_view(text.ToExtString(), static_cast<std::size_t>(text.Length())));
 }
 
-/// Names of instances such as "nut_1" say more than "nut", but many programs number them without meaning.
-std::string bestName(const std::string& instance, const std::string& product, const std::string& fallback)
-{
-    if (!isGeneratedName(instance))
-        return instance;
-    return isGeneratedName(product) ? fallback : product;
-}
-
 std::optional<Color> colorOf(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label)
 {
     Quantity_Color color;
@@ -63,6 +56,23 @@ std::optional<Color> colorOf(const Handle(XCAFDoc_ColorTool) & tool, const TDF_L
             return Color{static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)};
         }
     return std::nullopt;
+}
+
+bool hasFaces(const CadNode& node)
+{
+    return node.shape && TopExp_Explorer(*node.shape, TopAbs_FACE).More();
+}
+
+/// A product whose shape is in another representation arrives as an assembly of nameless parts, which then have its name: one
+/// with the faces, perhaps others with axes and planes.
+CadNode withoutSecondSelf(CadNode node)
+{
+    std::erase_if(node.children, [&](const CadNode& child) {
+        return child.name == node.name && child.children.empty() && !hasFaces(child);
+    });
+    const bool isItself =
+        node.children.size() == 1 && node.children.front().shape && node.children.front().name == node.name;
+    return isItself ? CadNode(std::move(node.children.front())) : node;
 }
 
 class AssemblyWalk {
@@ -119,7 +129,8 @@ private:
                  const CadNode& parent)
     {
         CadNode result;
-        result.name = bestName(instance == product ? std::string() : nameOf(instance), nameOf(product), parent.name);
+        result.name =
+            bestPartName(instance == product ? std::string() : nameOf(instance), nameOf(product), parent.name);
         result.color = colorOf(m_colorTool, instance);
         if (!result.color)
             result.color = colorOf(m_colorTool, product);
@@ -129,7 +140,7 @@ private:
             for (const TDF_Label& component : componentsOf(product))
                 result.children.push_back(node(component, referredBy(component),
                                                placement * XCAFDoc_ShapeTool::GetLocation(component), result));
-            return result;
+            return withoutSecondSelf(std::move(result));
         }
         rememberColors(product);
         const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(product);

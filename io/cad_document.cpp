@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <filesystem>
 #include <fstream>
 
 namespace knead {
@@ -89,12 +88,6 @@ std::string displayUnit(const std::string& name)
         if (lower == entry.name)
             return entry.shown;
     return lower;
-}
-
-std::string fallbackNameFor(const std::string& path)
-{
-    const std::string stem = readableName(std::string_view(std::filesystem::path(path).stem().string()));
-    return stem.empty() ? "part" : stem;
 }
 
 std::string stepUnit(STEPControl_Reader& reader, const std::string& path, std::vector<std::string>& warnings)
@@ -254,7 +247,7 @@ std::optional<Color> ShapeColors::find(const TopoDS_Shape& shape) const
 CadDocument readCadDocument(const std::string& path, FormatKind kind, TaskControl& control)
 {
     CadDocument result;
-    result.root.name = fallbackNameFor(path);
+    result.root.name = partNameFor(path);
     if (kind == FormatKind::Step)
         readStep(path, control, result);
     else if (kind == FormatKind::Iges)

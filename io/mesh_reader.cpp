@@ -45,12 +45,6 @@ private:
     TaskControl& m_control;
 };
 
-std::string stemOf(const std::string& path)
-{
-    const std::string stem = readableName(std::string_view(std::filesystem::path(path).stem().string()));
-    return stem.empty() ? "part" : stem;
-}
-
 std::string lowerCase(std::string text)
 {
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -149,7 +143,7 @@ public:
 
     Model run()
     {
-        m_model.tree.name = stemOf(m_path);
+        m_model.tree.name = partNameFor(m_path);
         addNode(*m_scene.mRootNode);
         checkPlaceAndSize(m_path, m_model);
         for (std::size_t i = 0; i < m_model.parts.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cstdint>
+#include <filesystem>
 
 namespace knead {
 
@@ -108,6 +109,19 @@ bool isGeneratedName(std::string_view name)
     if (name.starts_with("Open CASCADE STEP translator"))
         return true;
     return isDigits(name) || std::find(shapes.begin(), shapes.end(), name) != shapes.end();
+}
+
+std::string bestPartName(const std::string& instance, const std::string& product, const std::string& fallback)
+{
+    if (!isGeneratedName(instance))
+        return instance;
+    return isGeneratedName(product) ? fallback : product;
+}
+
+std::string partNameFor(const std::string& path)
+{
+    const std::string stem = readableName(std::string_view(std::filesystem::path(path).stem().string()));
+    return stem.empty() ? "part" : stem;
 }
 
 } // namespace knead

@@ -2,6 +2,7 @@
 
 #include "io/cad_format.h"
 #include "io/importer.h"
+#include "io/previewer.h"
 #include "io/worker/model_file.h"
 
 #include <Standard_OutOfMemory.hxx>
@@ -98,11 +99,13 @@ ImportOptions optionsOf(const Json& json)
     return options;
 }
 
-std::string bytesFor(const std::string& path, const ImportOptions& options)
+std::string bytesFor(const std::string& path, const Json& request)
 {
     PipeControl control;
     try {
-        const Model model = importFile(path, options, control);
+        if (request.at("preview").get<bool>())
+            return previewToBytes(previewFile(path, control));
+        const Model model = importFile(path, optionsOf(request), control);
         control.report(1, "handing the parts over");
         return modelToBytes(model);
     } catch (const std::bad_alloc&) {
@@ -116,7 +119,8 @@ std::string bytesFor(const std::string& path, const ImportOptions& options)
 
 std::vector<std::string> argumentsFor(const ReadingRequest& request)
 {
-    const Json json{{"linearDeflection", request.options.linearDeflection},
+    const Json json{{"preview", request.task == ReadingTask::preview},
+                    {"linearDeflection", request.options.linearDeflection},
                     {"angularDeflection", request.options.angularDeflection},
                     {"heal", request.options.heal},
                     {"unit", request.options.unit},
@@ -139,7 +143,7 @@ int runImportWorker(int, char** argv)
     outOfMemoryBytes() = failureToBytes(
         shortName(path) + ": the file asks for more memory than there is; it is damaged or far too detailed.");
     std::set_terminate(endTerminated);
-    std::string bytes = bytesFor(path, optionsOf(request));
+    std::string bytes = bytesFor(path, request);
     if (!writeAll(child_descriptors::result, bytes)) {
         const std::string reason = std::generic_category().message(errno);
         if (ftruncate(child_descriptors::result, 0) == 0 && lseek(child_descriptors::result, 0, SEEK_SET) == 0)

@@ -8,8 +8,11 @@
 
 namespace knead {
 
+enum class ReadingTask { import, preview };
+
 /// What a process that reads a file is asked for.
 struct ReadingRequest {
+    ReadingTask task = ReadingTask::import;
     std::string path;
     ImportOptions options;
     OwnLimits limits;
@@ -21,7 +24,7 @@ std::vector<std::string> argumentsFor(const ReadingRequest& request);
 /// Whether a program was started with argumentsFor() and should do nothing else.
 bool isImportWorker(int argc, char** argv);
 
-/// Reads the file of the request and leaves a model, or the reason why there is none, in the file that
+/// Reads the file of the request and leaves a model, a preview, or the reason why there is none, in the file that
 /// child_descriptors::result is; stages go through child_descriptors::lines. Crashes when the CAD reader does: that is what
 /// this process is for.
 /// @return the exit status

@@ -100,27 +100,16 @@ std::string crashReason(int signal)
                           ". Nothing was imported; export the file again.");
 }
 
-} // namespace
-
-ImportLimits limitsFor(const std::string& path)
+/// Runs the request in a process of its own and returns what it left.
+template <class Result>
+Result readIsolated(const std::string& program, const ReadingRequest& request, const ImportLimits& limits,
+                    TaskControl& control, Result (*fromBytes)(std::string_view))
 {
-    std::error_code error;
-    const std::uintmax_t found = std::filesystem::file_size(path, error);
-    const double size = error ? 0 : static_cast<double>(found);
-    const double memory = std::min(leastMemory + memoryPerByte * size, largestShare * machineMemory());
-    const double time = leastTime + timePerMebibyte * size / mebibyte;
-    return {static_cast<std::uint64_t>(memory), time, 2 * time};
-}
-
-Model importIsolated(const std::string& program, const std::string& path, const ImportOptions& options,
-                     const ImportLimits& limits, TaskControl& control)
-{
+    const std::string& path = request.path;
     control.throwIfCancelled();
     recognizeFormat(path); // what is no CAD file at all needs no process to be told so
     const NamelessFile result;
     StageList stages(control);
-    const ReadingRequest request{
-        path, options, {limits.memory, static_cast<unsigned>(std::ceil(limits.processorTime))}};
     const double wallTime = limits.wallTime > 0 ? limits.wallTime : 1e9;
     const ChildEnd end = runChild(
         program, argumentsFor(request), result, wallTime, [&](std::string_view line) { stages.take(line); },
@@ -136,14 +125,45 @@ Model importIsolated(const std::string& program, const std::string& path, const 
         throw std::runtime_error(failure);
     control.throwIfCancelled();
     try {
-        Model model = modelFromBytes(bytes);
-        model.file = path; // as given, whatever letters it is written in
+        Result read = fromBytes(bytes);
+        read.file = path; // as given, whatever letters it is written in
         control.report(1, "done");
-        return model;
+        return read;
     } catch (const std::runtime_error& error) {
         failReading(path, "the reader's result is damaged (" + std::string(error.what()) +
                               "). Nothing was imported; try again.");
     }
+}
+
+OwnLimits ownLimits(const ImportLimits& limits)
+{
+    return {limits.memory, static_cast<unsigned>(std::ceil(limits.processorTime))};
+}
+
+} // namespace
+
+ImportLimits limitsFor(const std::string& path)
+{
+    std::error_code error;
+    const std::uintmax_t found = std::filesystem::file_size(path, error);
+    const double size = error ? 0 : static_cast<double>(found);
+    const double memory = std::min(leastMemory + memoryPerByte * size, largestShare * machineMemory());
+    const double time = leastTime + timePerMebibyte * size / mebibyte;
+    return {static_cast<std::uint64_t>(memory), time, 2 * time};
+}
+
+Model importIsolated(const std::string& program, const std::string& path, const ImportOptions& options,
+                     const ImportLimits& limits, TaskControl& control)
+{
+    return readIsolated(program, {ReadingTask::import, path, options, ownLimits(limits)}, limits, control,
+                        modelFromBytes);
+}
+
+FilePreview previewIsolated(const std::string& program, const std::string& path, const ImportLimits& limits,
+                            TaskControl& control)
+{
+    return readIsolated(program, {ReadingTask::preview, path, {}, ownLimits(limits)}, limits, control,
+                        previewFromBytes);
 }
 
 } // namespace knead

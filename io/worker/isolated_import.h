@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/model/file_preview.h"
 #include "core/model/import_options.h"
 #include "core/model/part.h"
 #include "core/task/task_control.h"
@@ -27,5 +28,9 @@ ImportLimits limitsFor(const std::string& path);
 /// @throws std::runtime_error, in a sentence for the person: which file, what is wrong, what to do. @throws Cancelled
 Model importIsolated(const std::string& program, const std::string& path, const ImportOptions& options,
                      const ImportLimits& limits, TaskControl& control);
+
+/// As previewFile(), in a process of its own. @throws as importIsolated()
+FilePreview previewIsolated(const std::string& program, const std::string& path, const ImportLimits& limits,
+                            TaskControl& control);
 
 } // namespace knead

@@ -18,6 +18,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::string_view modelMark = "KNEADMDL1\n";
+constexpr std::string_view previewMark = "KNEADPRV1\n";
 constexpr std::string_view failureMark = "KNEADERR1\n";
 constexpr std::size_t headerSize = 32; // mark, length of the JSON document; arrays start at multiples of 8
 constexpr std::size_t alignment = 8;
@@ -33,6 +34,15 @@ std::size_t aligned(std::size_t size)
 }
 
 // --- writing ----------------------------------------------------------------------------------------------------------
+
+/// Flat, each node with the number of its parent, since a tree may be thousands of levels deep.
+void addNodes(const PartNode& node, std::int64_t parent, Json& nodes)
+{
+    const auto own = static_cast<std::int64_t>(nodes.size());
+    nodes.push_back({{"name", node.name}, {"parent", parent}, {"part", node.part ? Json(*node.part) : Json()}});
+    for (const PartNode& child : node.children)
+        addNodes(child, own, nodes);
+}
 
 class ModelWriter {
 public:
@@ -98,15 +108,6 @@ private:
         return json;
     }
 
-    /// Flat, each node with the number of its parent, since a tree may be thousands of levels deep.
-    static void addNodes(const PartNode& node, std::int64_t parent, Json& nodes)
-    {
-        const auto own = static_cast<std::int64_t>(nodes.size());
-        nodes.push_back({{"name", node.name}, {"parent", parent}, {"part", node.part ? Json(*node.part) : Json()}});
-        for (const PartNode& child : node.children)
-            addNodes(child, own, nodes);
-    }
-
     Json toJson(const Model& model)
     {
         Json json{{"file", model.file},         {"format", model.format},   {"unit", model.unit},
@@ -165,6 +166,34 @@ std::optional<Color> colorOrNone(const Json& json)
     return Color{channel(json.at(0)), channel(json.at(1)), channel(json.at(2))};
 }
 
+/// Parents come before their children.
+PartNode treeOf(const Json& nodes, std::size_t parts)
+{
+    std::vector<PartNode> flat;
+    std::vector<std::size_t> parents;
+    for (const Json& json : nodes) {
+        PartNode node{json.at("name").get<std::string>(), std::nullopt, {}};
+        if (!json.at("part").is_null())
+            node.part = json.at("part").get<std::size_t>();
+        if (node.part && *node.part >= parts)
+            fail("the tree names a part that is not there");
+        const auto parent = json.at("parent").get<std::int64_t>();
+        if (flat.empty() ? parent != -1 : parent < 0 || parent >= static_cast<std::int64_t>(flat.size()))
+            fail("the tree of parts is none");
+        parents.push_back(flat.empty() ? 0 : static_cast<std::size_t>(parent));
+        flat.push_back(std::move(node));
+    }
+    if (flat.empty())
+        fail("there is no tree of parts");
+    // Children move into their parents from the last on, and so arrive in reverse.
+    for (std::size_t i = flat.size() - 1; i > 0; --i) {
+        std::reverse(flat[i].children.begin(), flat[i].children.end());
+        flat[parents[i]].children.push_back(std::move(flat[i]));
+    }
+    std::reverse(flat[0].children.begin(), flat[0].children.end());
+    return std::move(flat[0]);
+}
+
 class ModelReader {
 public:
     explicit ModelReader(std::string_view bytes)
@@ -192,7 +221,7 @@ public:
             model.unitRemark = {remark->at("sentence").get<std::string>(), remark->at("unit").get<std::string>()};
         for (const Json& json : m_json.at("parts"))
             model.parts.push_back(part(json));
-        model.tree = tree(m_json.at("nodes"), model.parts.size());
+        model.tree = treeOf(m_json.at("nodes"), model.parts.size());
         return model;
     }
 
@@ -264,34 +293,6 @@ private:
         return part;
     }
 
-    /// Parents come before their children.
-    static PartNode tree(const Json& nodes, std::size_t parts)
-    {
-        std::vector<PartNode> flat;
-        std::vector<std::size_t> parents;
-        for (const Json& json : nodes) {
-            PartNode node{json.at("name").get<std::string>(), std::nullopt, {}};
-            if (!json.at("part").is_null())
-                node.part = json.at("part").get<std::size_t>();
-            if (node.part && *node.part >= parts)
-                fail("the tree names a part that is not there");
-            const auto parent = json.at("parent").get<std::int64_t>();
-            if (flat.empty() ? parent != -1 : parent < 0 || parent >= static_cast<std::int64_t>(flat.size()))
-                fail("the tree of parts is none");
-            parents.push_back(flat.empty() ? 0 : static_cast<std::size_t>(parent));
-            flat.push_back(std::move(node));
-        }
-        if (flat.empty())
-            fail("there is no tree of parts");
-        // Children move into their parents from the last on, and so arrive in reverse.
-        for (std::size_t i = flat.size() - 1; i > 0; --i) {
-            std::reverse(flat[i].children.begin(), flat[i].children.end());
-            flat[parents[i]].children.push_back(std::move(flat[i]));
-        }
-        std::reverse(flat[0].children.begin(), flat[0].children.end());
-        return std::move(flat[0]);
-    }
-
     Json m_json;
     std::string_view m_arrays;
 };
@@ -307,6 +308,33 @@ Model modelFromBytes(std::string_view bytes)
 {
     try {
         return ModelReader(bytes).model();
+    } catch (const Json::exception& error) {
+        fail(error.what());
+    }
+}
+
+std::string previewToBytes(const FilePreview& preview)
+{
+    Json json{{"size", preview.size},   {"format", preview.format}, {"solids", preview.solids},
+              {"faces", preview.faces}, {"parts", preview.parts},   {"nodes", Json::array()}};
+    addNodes(preview.tree, -1, json["nodes"]);
+    return std::string(previewMark) + json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+FilePreview previewFromBytes(std::string_view bytes)
+{
+    if (!bytes.starts_with(previewMark))
+        fail("it is no preview");
+    try {
+        const Json json = Json::parse(bytes.substr(previewMark.size()));
+        FilePreview preview;
+        preview.size = json.at("size").get<std::uint64_t>();
+        preview.format = json.at("format").get<std::string>();
+        preview.solids = static_cast<std::size_t>(count(json.at("solids")));
+        preview.faces = static_cast<std::size_t>(count(json.at("faces")));
+        preview.parts = static_cast<std::size_t>(count(json.at("parts")));
+        preview.tree = treeOf(json.at("nodes"), 0);
+        return preview;
     } catch (const Json::exception& error) {
         fail(error.what());
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/model/file_preview.h"
 #include "core/model/part.h"
 
 #include <string>
@@ -15,6 +16,10 @@ std::string modelToBytes(const Model& model);
 /// so that bytes from a process that went astray cannot hurt this one.
 /// @throws std::runtime_error, naming what is wrong, for the developer
 Model modelFromBytes(std::string_view bytes);
+
+/// A preview as bytes, and the other way with the same distrust.
+std::string previewToBytes(const FilePreview& preview);
+FilePreview previewFromBytes(std::string_view bytes);
 
 /// In place of a model: why there is none, a sentence for the person. Both are told apart by failureIn().
 std::string failureToBytes(const std::string& sentence);
