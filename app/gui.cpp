@@ -25,6 +25,7 @@ Services fileServices()
 {
     Services services;
     services.import = importInChildren;
+    services.preview = previewInChild;
     services.exportMeshes = [](const std::string& path, const std::vector<ExportBody>& bodies) {
         std::vector<MeshBody> meshes;
         for (const ExportBody& body : bodies)

@@ -23,8 +23,7 @@ namespace knead {
 namespace {
 
 constexpr double millimeter = 1e-3;
-constexpr double defaultShare = 1.0 / 2000; // of the diagonal
-constexpr double finestDeflection = 1e-4;   // [mm]
+constexpr double finestDeflection = 1e-4; // [mm]
 
 Vec3 toVec3(const gp_Pnt& point)
 {
@@ -175,7 +174,7 @@ private:
 
 Tessellation tessellationFor(double diagonal, const ImportOptions& options)
 {
-    return {options.linearDeflection > 0 ? options.linearDeflection : defaultShare * diagonal,
+    return {options.linearDeflection > 0 ? options.linearDeflection : options.relativeDeflection * diagonal,
             options.angularDeflection};
 }
 

@@ -65,6 +65,11 @@ QList<QAction*> makeToolActions(QWidget* window)
 
 Actions::Actions(QWidget* window)
     : open(make(window, {"open", "&Open...", "open", {QKeySequence("Ctrl+O")}, "Open a part"}))
+    , openWithChoices(make(window, {"openWithChoices",
+                                    "Open with &choices...",
+                                    nullptr,
+                                    {QKeySequence("Ctrl+Shift+O")},
+                                    "Look into files and choose parts, detail and units before they are opened"}))
     , exportMeshes(make(
           window, {"export", "&Export...", "export", {QKeySequence("Ctrl+E")}, "Write the deformed part to a file"}))
     , quit(make(window, {"quit", "&Quit", nullptr, {QKeySequence("Ctrl+Q")}}))
@@ -98,6 +103,8 @@ Actions::Actions(QWidget* window)
                    {"objects", "Objects", "objects", {Qt::Key_O}, "Show the objects the material is made of", true}))
     , allObjects(make(window, {"allObjects", "Inner objects too", nullptr, {QKeySequence("Shift+O")}, nullptr, true}))
     , edges(make(window, {"edges", "Edges", nullptr, {Qt::Key_E}, nullptr, true, true}))
+    , openEdges(make(
+          window, {"openEdges", "Open edges", nullptr, {}, "Show where surfaces that are not closed end", true, true}))
     , grid(make(window, {"grid", "Grid", nullptr, {}, nullptr, true, true}))
     , hide(make(window, {"hide", "Hide or show body", nullptr, {Qt::Key_H}}))
     , lightTheme(make(window, {"lightTheme", "Light", nullptr, {}, nullptr, true}))

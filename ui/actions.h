@@ -15,6 +15,7 @@ struct Actions {
     explicit Actions(QWidget* window);
 
     QAction* open;
+    QAction* openWithChoices;
     QAction* exportMeshes;
     QAction* quit;
 
@@ -42,6 +43,7 @@ struct Actions {
     QAction* objects;
     QAction* allObjects;
     QAction* edges;
+    QAction* openEdges;
     QAction* grid;
     QAction* hide;
     QAction* lightTheme;

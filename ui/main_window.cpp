@@ -3,6 +3,7 @@
 #include "ui/actions.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/home_page.h"
+#include "ui/panels/import_panel.h"
 #include "ui/panels/log_panel.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/model_tree.h"
@@ -14,6 +15,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
@@ -28,6 +30,7 @@ namespace knead {
 
 namespace {
 
+constexpr qint64 largeFile = 4'000'000;  // [bytes]; reading takes seconds, so that a person should choose first
 constexpr double standardGravity = 9.81; // [m/s^2]
 constexpr const char* defaultMaterial = "sponge-rubber";
 
@@ -76,13 +79,16 @@ MainWindow::~MainWindow()
 
 void MainWindow::connectFileActions()
 {
-    connect(m_actions->open, &QAction::triggered, this, &MainWindow::askForFile);
+    connect(m_actions->open, &QAction::triggered, this, [this] { askForFile(false); });
+    connect(m_actions->openWithChoices, &QAction::triggered, this, [this] { askForFile(true); });
+    connect(m_import, &ImportPanel::unitChosen, this, &MainWindow::takeIn);
+    connect(m_import, &ImportPanel::healingChosen, this, &MainWindow::takeHealed);
     connect(m_actions->exportMeshes, &QAction::triggered, this, &MainWindow::askForExport);
     connect(m_actions->quit, &QAction::triggered, this, &QWidget::close);
     connect(m_actions->cancel, &QAction::triggered, this, &MainWindow::cancel);
     connect(m_actions->controls, &QAction::triggered, this, &MainWindow::showControls);
     connect(m_actions->about, &QAction::triggered, this, &MainWindow::showAbout);
-    connect(m_home, &HomePage::openClicked, this, &MainWindow::askForFile);
+    connect(m_home, &HomePage::openClicked, this, [this] { askForFile(false); });
     connect(m_home, &HomePage::fileChosen, this, [this](const QString& path) { open(QStringList(path)); });
 }
 
@@ -103,7 +109,10 @@ void MainWindow::connectSimulationActions()
     connect(m_actions->fixFaces, &QAction::toggled, this, &MainWindow::showHint);
     connect(m_actions->remove, &QAction::triggered, &m_document, &Document::removeSelected);
     connect(m_material, &MaterialPanel::refillRequested, this, &MainWindow::refill);
-    connect(m_banner, &Banner::remedyClicked, &m_document, &Document::reset);
+    connect(m_banner, &Banner::remedyClicked, this, [this] {
+        if (m_remedy)
+            m_remedy();
+    });
 }
 
 void MainWindow::connectViewActions()
@@ -116,12 +125,12 @@ void MainWindow::connectViewActions()
     for (const auto& [action, direction] : views)
         connect(action, &QAction::triggered, this, [this, towards = direction] { m_viewport->lookFrom(towards); });
     connect(a.perspective, &QAction::toggled, m_viewport, &ViewportWidget::setPerspective);
-    for (QAction* action : {a.objects, a.allObjects, a.edges, a.grid})
+    for (QAction* action : {a.objects, a.allObjects, a.edges, a.openEdges, a.grid})
         connect(action, &QAction::toggled, this, &MainWindow::optionsChanged);
     connect(a.hide, &QAction::triggered, m_tree, &ModelTree::toggleSelectedBody);
-    connect(m_tree, &ModelTree::hiddenChanged, this, [this](const std::set<BodyId>& hidden) {
+    connect(m_tree, &ModelTree::hiddenChanged, this, [this](const std::set<std::size_t>& hiddenParts) {
         SceneOptions options = m_viewport->options();
-        options.hidden = hidden;
+        options.hiddenParts = hiddenParts;
         m_viewport->setOptions(options);
     });
     connect(a.lightTheme, &QAction::triggered, this, [this] { setTheme(Theme::Light); });
@@ -169,9 +178,35 @@ bool MainWindow::isBusy()
 void MainWindow::open(const QStringList& paths)
 {
     OpenRequest request;
-    for (const QString& path : paths)
+    qint64 size = 0;
+    for (const QString& path : paths) {
         request.paths.push_back(QFile::encodeName(path).toStdString());
-    open(request);
+        size += QFileInfo(path).size();
+    }
+    if (size >= largeFile)
+        openWithChoices(paths);
+    else
+        open(request);
+}
+
+void MainWindow::openWithChoices(const QStringList& paths)
+{
+    if (paths.empty() || isBusy())
+        return;
+    m_banner->hide();
+    const auto work = [services = m_services, paths](TaskControl& control) {
+        std::vector<FilePreview> previews;
+        for (const QString& path : paths) {
+            const double count = static_cast<double>(paths.size());
+            TaskPortion portion(control, static_cast<double>(previews.size()) / count,
+                                static_cast<double>(previews.size() + 1) / count);
+            previews.push_back(services.preview(QFile::encodeName(path).toStdString(), portion));
+        }
+        return previews;
+    };
+    m_tasks.run<std::vector<FilePreview>>(
+        tr("Looking into %1").arg(QFileInfo(paths.front()).fileName()), work,
+        [this](std::vector<FilePreview> previews) { askForChoices(std::move(previews)); });
 }
 
 void MainWindow::open(const OpenRequest& request)
@@ -179,16 +214,13 @@ void MainWindow::open(const OpenRequest& request)
     if (request.paths.empty() || isBusy())
         return;
     m_banner->hide();
-    const auto work = [services = m_services, request,
-                       material = startMaterial(m_services.materials)](TaskControl& control) {
-        return prepareFiles(services, request, material, control);
-    };
+    const auto work = [services = m_services, request, material = startMaterial(m_services.materials)](
+                          TaskControl& control) { return prepareFiles(services, request, material, control); };
     const QString name = QFileInfo(QFile::decodeName(request.paths.front().c_str())).fileName();
     const auto others = static_cast<int>(request.paths.size()) - 1;
     m_tasks.run<PreparedContent>(others == 0 ? tr("Opening %1").arg(name)
                                              : tr("Opening %1 and %n more", nullptr, others).arg(name),
-                                 work,
-                                 [this](PreparedContent prepared) { m_document.open(std::move(prepared)); });
+                                 work, [this](PreparedContent prepared) { m_document.open(std::move(prepared)); });
 }
 
 void MainWindow::refill(double spacing)
@@ -196,8 +228,8 @@ void MainWindow::refill(double spacing)
     if (m_document.isEmpty() || isBusy())
         return;
     m_banner->hide();
-    const auto work = [model = m_document.content().model, spacing, now = m_document.frame()->snapshot](
-                          TaskControl& control) { return prepareRefill(model, spacing, *now, control); };
+    const auto work = [before = m_document.content(), spacing, now = m_document.frame()->snapshot](
+                          TaskControl& control) { return prepareRefill(before, spacing, *now, control); };
     m_tasks.run<PreparedContent>(tr("Filling with a spacing of %1").arg(formatQuantity(spacing, Quantity::Length)),
                                  work, [this](PreparedContent prepared) { m_document.refill(std::move(prepared)); });
 }
@@ -257,6 +289,54 @@ void MainWindow::contentChanged()
                         formatReading(start.timeStep, Quantity::Time)));
     for (const std::string& warning : content.warnings)
         m_log->add(QString::fromStdString(warning), LogPanel::Kind::Warning);
+    showImport();
+}
+
+/// The report, and what matters most of it in the banner.
+void MainWindow::showImport()
+{
+    const Content& content = m_document.content();
+    const Model& model = *content.model;
+    m_import->show(content);
+    auto* dock = qobject_cast<QDockWidget*>(m_import->parentWidget());
+    if (m_import->hasRemarks())
+        dock->raise();
+    if (model.unitRemark) {
+        const QString unit = QString::fromStdString(model.unitRemark->unit);
+        showProblem(QString::fromStdString(model.unitRemark->sentence), tr("Take as %1").arg(unit),
+                    [this, unit] { takeIn(unit); });
+    } else if (!model.missing.empty()) {
+        showProblem(model.missing.size() == 1
+                        ? QString::fromStdString(model.missing.front())
+                        : tr("%1 parts of the file are missing; the import report says which and why.")
+                              .arg(formatCount(model.missing.size())),
+                    tr("Show report"), [dock] {
+                        dock->show();
+                        dock->raise();
+                    });
+    } else if (content.bodies.empty()) {
+        showProblem(tr("Nothing in this file is closed, so nothing can be filled and simulated; the import report says "
+                       "why. Open edges are drawn in color."),
+                    tr("Show report"), [dock] {
+                        dock->show();
+                        dock->raise();
+                    });
+    }
+}
+
+void MainWindow::takeIn(const QString& unit)
+{
+    OpenRequest request = m_document.content().request;
+    request.options.unit = unit.toStdString();
+    request.spacing = 0; // chosen for another size
+    open(request);
+}
+
+void MainWindow::takeHealed(bool heal)
+{
+    OpenRequest request = m_document.content().request;
+    request.options.heal = heal;
+    open(request);
 }
 
 /// The switches say what the simulation has.
@@ -287,12 +367,14 @@ void MainWindow::showHealth(const Health& health)
     if (health.message.empty())
         m_banner->hide();
     else
-        showProblem(QString::fromStdString(health.message), health.ok ? QString() : tr("Reset"));
+        showProblem(QString::fromStdString(health.message), health.ok ? QString() : tr("Reset"),
+                    [this] { m_document.reset(); });
 }
 
-void MainWindow::showProblem(const QString& sentence, const QString& remedy)
+void MainWindow::showProblem(const QString& sentence, const QString& remedyText, std::function<void()> remedy)
 {
-    m_banner->show(sentence, remedy);
+    m_remedy = std::move(remedy);
+    m_banner->show(sentence, remedyText);
     m_log->add(sentence, LogPanel::Kind::Error);
 }
 
@@ -320,6 +402,7 @@ void MainWindow::optionsChanged()
     const ObjectDisplay shown = m_actions->allObjects->isChecked() ? ObjectDisplay::All : ObjectDisplay::Surface;
     options.objects = m_actions->objects->isChecked() ? shown : ObjectDisplay::Off;
     options.edges = m_actions->edges->isChecked();
+    options.openEdges = m_actions->openEdges->isChecked();
     options.grid = m_actions->grid->isChecked();
     m_viewport->setOptions(options);
 }

@@ -7,6 +7,7 @@
 
 #include <QMainWindow>
 
+#include <functional>
 #include <memory>
 
 class QLabel;
@@ -18,6 +19,7 @@ namespace knead {
 struct Actions;
 class Banner;
 class HomePage;
+class ImportPanel;
 class LogPanel;
 class PerformancePanel;
 class MaterialPanel;
@@ -36,6 +38,8 @@ public:
     /// Opens files in the background, several as one assembly. A failure is shown in a sentence and leaves everything as it was.
     void open(const QStringList& paths);
     void open(const OpenRequest& request);
+    /// Looks into the files first and asks what is wanted of them.
+    void openWithChoices(const QStringList& paths);
     /// Writes the deformed bodies in the background; the ending decides the format.
     void exportTo(const QString& path);
     /// Fills the bodies anew in the background. @param spacing [m]
@@ -72,11 +76,16 @@ private:
     void frameChanged();
     void selectionChanged();
     void showHealth(const Health& health);
-    void showProblem(const QString& sentence, const QString& remedy = {});
+    /// @param remedy what a click on the banner's button does
+    void showProblem(const QString& sentence, const QString& remedyText = {}, std::function<void()> remedy = {});
+    void showImport();
     void optionsChanged();
     void setGravity(bool on);
     void setFloor(bool on);
-    void askForFile();
+    void askForFile(bool withChoices);
+    void askForChoices(std::vector<FilePreview> previews);
+    void takeIn(const QString& unit);
+    void takeHealed(bool heal);
     void askForExport();
     void cancel();
     void showControls();
@@ -95,12 +104,14 @@ private:
     QStackedWidget* m_properties = nullptr;
     MaterialPanel* m_material = nullptr;
     LogPanel* m_log = nullptr;
+    ImportPanel* m_import = nullptr;
     PerformancePanel* m_performance = nullptr;
     QMenu* m_addTool = nullptr;
     QLabel* m_hint = nullptr;
     StatusReadings* m_readings = nullptr;
     TaskReading* m_taskReading = nullptr;
     std::string m_shownHealth; ///< message last put into the banner
+    std::function<void()> m_remedy;
 };
 
 } // namespace knead

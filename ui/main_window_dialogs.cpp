@@ -1,6 +1,8 @@
 // The dialogs of the main window: files and help.
 #include "ui/main_window.h"
 
+#include "ui/dialogs/import_dialog.h"
+
 #include <QApplication>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -30,7 +32,7 @@ QStringList filtersOf(const std::vector<Services::Format>& formats)
 
 } // namespace
 
-void MainWindow::askForFile()
+void MainWindow::askForFile(bool withChoices)
 {
     QStringList all;
     for (const Services::Format& format : m_services.importFormats)
@@ -43,7 +45,15 @@ void MainWindow::askForFile()
     if (paths.isEmpty())
         return;
     settings.setValue("folder", QFileInfo(paths.front()).absolutePath());
-    open(paths);
+    withChoices ? openWithChoices(paths) : open(paths);
+}
+
+void MainWindow::askForChoices(std::vector<FilePreview> previews)
+{
+    auto* dialog = new ImportDialog(std::move(previews), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { open(dialog->request()); });
+    dialog->open();
 }
 
 void MainWindow::askForExport()

@@ -5,6 +5,7 @@
 #include "ui/panels/banner.h"
 #include "ui/panels/fixture_panel.h"
 #include "ui/panels/home_page.h"
+#include "ui/panels/import_panel.h"
 #include "ui/panels/log_panel.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/model_tree.h"
@@ -87,6 +88,7 @@ void MainWindow::makeDocks()
     m_properties->addWidget(scrolled(new ToolPanel(m_document)));
     m_properties->addWidget(scrolled(new FixturePanel(m_document)));
     m_log = new LogPanel(this);
+    m_import = new ImportPanel(this);
     m_performance = new PerformancePanel(this);
 
     QDockWidget* tree = makeDock(this, tr("Model"), "modelDock", m_tree, Qt::LeftDockWidgetArea);
@@ -94,7 +96,9 @@ void MainWindow::makeDocks()
     QDockWidget* log = makeDock(this, tr("Log"), "logDock", m_log, Qt::BottomDockWidgetArea);
     QDockWidget* performance =
         makeDock(this, tr("Performance"), "performanceDock", m_performance, Qt::BottomDockWidgetArea);
-    tabifyDockWidget(log, performance);
+    QDockWidget* report = makeDock(this, tr("Import report"), "importDock", m_import, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(log, report);
+    tabifyDockWidget(report, performance);
     log->raise();
     resizeDocks({tree, properties}, {leftWidth, leftWidth}, Qt::Horizontal);
     resizeDocks({tree, properties}, {1, 2}, Qt::Vertical);
@@ -105,7 +109,7 @@ void MainWindow::makeMenus()
 {
     const Actions& a = *m_actions;
     QMenu* file = menuBar()->addMenu(tr("&File"));
-    file->addActions({a.open, a.exportMeshes});
+    file->addActions({a.open, a.openWithChoices, a.exportMeshes});
     file->addSeparator();
     file->addAction(a.quit);
 
@@ -125,7 +129,7 @@ void MainWindow::makeMenus()
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addActions({a.fit, a.isometric, a.front, a.back, a.right, a.left, a.top, a.bottom});
     view->addSeparator();
-    view->addActions({a.perspective, a.edges, a.grid, a.objects, a.allObjects, a.hide});
+    view->addActions({a.perspective, a.edges, a.openEdges, a.grid, a.objects, a.allObjects, a.hide});
     view->addSeparator();
     view->addMenu(tr("Theme"))->addActions({a.lightTheme, a.darkTheme});
     QMenu* panels = view->addMenu(tr("Panels"));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/aggregate/material.h"
+#include "core/model/file_preview.h"
 #include "core/model/import_options.h"
 #include "core/model/part.h"
 #include "core/task/task_control.h"
@@ -22,6 +23,8 @@ struct ExportBody {
 struct Services {
     /// Several files become one model. @throws std::runtime_error with a sentence, Cancelled
     std::function<Model(const std::vector<std::string>& paths, const ImportOptions&, TaskControl&)> import;
+    /// @throws as import
+    std::function<FilePreview(const std::string& path, TaskControl&)> preview;
     /// The ending decides the format. @throws std::runtime_error with a sentence
     std::function<void(const std::string& path, const std::vector<ExportBody>&)> exportMeshes;
 

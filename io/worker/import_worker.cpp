@@ -92,6 +92,7 @@ ImportOptions optionsOf(const Json& json)
 {
     ImportOptions options;
     options.linearDeflection = json.at("linearDeflection").get<double>();
+    options.relativeDeflection = json.at("relativeDeflection").get<double>();
     options.angularDeflection = json.at("angularDeflection").get<double>();
     options.heal = json.at("heal").get<bool>();
     options.unit = json.at("unit").get<std::string>();
@@ -121,6 +122,7 @@ std::vector<std::string> argumentsFor(const ReadingRequest& request)
 {
     const Json json{{"preview", request.task == ReadingTask::preview},
                     {"linearDeflection", request.options.linearDeflection},
+                    {"relativeDeflection", request.options.relativeDeflection},
                     {"angularDeflection", request.options.angularDeflection},
                     {"heal", request.options.heal},
                     {"unit", request.options.unit},

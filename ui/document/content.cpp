@@ -12,8 +12,7 @@ namespace knead {
 
 namespace {
 
-constexpr double wantedObjects = 3000; // soft rubber of so many runs about in real time on a small machine
-constexpr double importShare = 0.4;    // of the progress bar
+constexpr double importShare = 0.4; // of the progress bar
 constexpr double preparedShare = 0.92;
 constexpr double surfaceDepth = 0.9; // objects less deep than this many spacings are drawn
 
@@ -35,23 +34,9 @@ std::vector<std::size_t> closedParts(const Model& model)
 std::string openSentence(const Part& part)
 {
     if (part.mesh.empty())
-        return "\"" + part.name + "\" has no surface, so it is not simulated.";
+        return "\"" + part.name + "\" has no surface, so it is not shown.";
     return "\"" + part.name +
-           "\" is not a closed solid, so it is not simulated: close its surfaces and import it again.";
-}
-
-[[noreturn]] void refuse(const Model& model)
-{
-    if (model.parts.empty())
-        throw std::runtime_error(fileName(model) +
-                                 ": there is no solid in this file. Export the part as a solid and open it again.");
-    int shells = 0;
-    for (const Part& part : model.parts)
-        shells += part.shells;
-    throw std::runtime_error(
-        fileName(model) + ": no closed solid found" +
-        (shells > 0 ? ", only " + std::to_string(shells) + " open shell" + (shells > 1 ? "s" : "") : "") +
-        ". Material needs an inside: close the surfaces and import again.");
+           "\" is not a closed solid: it is shown, and not simulated. Close its surfaces and import it again.";
 }
 
 /// To two digits: a number a person can read and type.
@@ -62,7 +47,7 @@ double roundedDown(double value)
 }
 
 /// One spacing for all bodies: the one that suits the largest, given its share of the objects.
-double chosenSpacing(const Model& model, const std::vector<std::size_t>& parts)
+double chosenSpacing(const Model& model, const std::vector<std::size_t>& parts, double objects)
 {
     double total = 0;
     std::size_t largest = parts.front();
@@ -72,7 +57,7 @@ double chosenSpacing(const Model& model, const std::vector<std::size_t>& parts)
             largest = p;
     }
     const double share = total > 0 ? model.parts[largest].volume / total : 1;
-    return roundedDown(spacingForObjectCount(model.parts[largest].mesh, std::max(500.0, wantedObjects * share)));
+    return roundedDown(spacingForObjectCount(model.parts[largest].mesh, std::max(500.0, objects * share)));
 }
 
 std::string uniqueName(const std::string& name, std::set<std::string>& taken)
@@ -113,21 +98,47 @@ std::shared_ptr<const ContentBody> makeBody(const Model& model, std::size_t inde
     return body;
 }
 
-/// Fills every closed part. @param spacing chosen when 0 [m]
-Content fillContent(std::shared_ptr<const Model> model, double spacing, TaskControl& control)
+std::shared_ptr<const ContentSurface> makeSurface(const Model& model, std::size_t index)
+{
+    const Part& part = model.parts[index];
+    auto body = std::make_shared<ContentBody>();
+    body->part = index;
+    body->name = part.name;
+    body->color = part.color.value_or(Color{});
+    body->mesh = part.mesh;
+    body->render = renderMesh(body->mesh);
+    auto surface = std::make_shared<ContentSurface>();
+    surface->frame.places = body->mesh.vertices;
+    surface->frame.points = renderPoints(body->render, body->mesh.vertices);
+    surface->frame.normals = renderNormals(body->render, surface->frame.points);
+    surface->body = std::move(body);
+    return surface;
+}
+
+/// Fills every closed part; the others become surfaces.
+Content fillContent(std::shared_ptr<const Model> model, const OpenRequest& request, TaskControl& control)
 {
     const std::vector<std::size_t> parts = closedParts(*model);
-    if (parts.empty())
-        refuse(*model);
-
     Content content;
-    content.warnings = model->warnings;
+    content.warnings = model->missing;
+    content.warnings.insert(content.warnings.end(), model->warnings.begin(), model->warnings.end());
     for (const Part& part : model->parts) {
         content.warnings.insert(content.warnings.end(), part.warnings.begin(), part.warnings.end());
         if (!part.canBeFilled())
             content.warnings.push_back(openSentence(part));
     }
-    content.spacing = spacing > 0 ? spacing : chosenSpacing(*model, parts);
+    for (std::size_t p = 0; p < model->parts.size(); ++p)
+        if (const Part& part = model->parts[p]; !part.canBeFilled() && !part.mesh.empty()) {
+            content.surfaces.push_back(makeSurface(*model, p));
+            for (const Vec3& vertex : part.mesh.vertices)
+                content.box.extend(vertex);
+        }
+    if (parts.empty() && content.surfaces.empty())
+        throw std::runtime_error(fileName(*model) + ": there is no solid and no surface in this file. Export the part "
+                                                    "as a solid and open it again.");
+    if (!parts.empty())
+        content.spacing = request.spacing > 0 ? request.spacing : chosenSpacing(*model, parts, request.objects);
+    content.request = request;
     std::set<std::string> names;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const double count = static_cast<double>(parts.size());
@@ -160,13 +171,29 @@ Color faceColor(const Part& part, std::uint32_t face)
     return face < part.faces.size() ? part.faces[face].color.value_or(own) : own;
 }
 
+std::set<std::size_t> Content::hiddenAtFirst() const
+{
+    std::set<std::size_t> hidden;
+    for (std::size_t p = 0; p < model->parts.size(); ++p)
+        if (!model->parts[p].visible)
+            hidden.insert(p);
+    return hidden;
+}
+
 PreparedContent prepareFiles(const Services& services, const OpenRequest& request, const Material& material,
                              TaskControl& control)
 {
     TaskPortion importing(control, 0, importShare);
     auto model = std::make_shared<const Model>(services.import(request.paths, request.options, importing));
-    TaskPortion filling(control, importShare, preparedShare);
-    Content content = fillContent(std::move(model), request.spacing, filling);
+    TaskPortion filling(control, importShare, 1);
+    return prepareModel(std::move(model), request, material, filling);
+}
+
+PreparedContent prepareModel(std::shared_ptr<const Model> model, const OpenRequest& request, const Material& material,
+                             TaskControl& control)
+{
+    TaskPortion filling(control, 0, preparedShare);
+    Content content = fillContent(std::move(model), request, filling);
     control.report(preparedShare, "preparing the simulation");
     Scene scene = restScene(content);
     for (Body& body : scene.bodies)
@@ -175,11 +202,12 @@ PreparedContent prepareFiles(const Services& services, const OpenRequest& reques
     return {std::move(content), std::move(simulation)};
 }
 
-PreparedContent prepareRefill(std::shared_ptr<const Model> model, double spacing, const Snapshot& now,
-                              TaskControl& control)
+PreparedContent prepareRefill(const Content& before, double spacing, const Snapshot& now, TaskControl& control)
 {
     TaskPortion filling(control, 0, preparedShare);
-    Content content = fillContent(std::move(model), spacing, filling);
+    OpenRequest request = before.request;
+    request.spacing = spacing;
+    Content content = fillContent(before.model, request, filling);
     control.report(preparedShare, "preparing the simulation");
     Scene scene = restScene(content);
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {

@@ -8,10 +8,19 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace knead {
+
+/// What a person asked to be opened, and how.
+struct OpenRequest {
+    std::vector<std::string> paths; ///< at least one
+    ImportOptions options;
+    double spacing = 0; ///< [m]; 0: so that there are about as many objects
+    int objects = 3000; ///< soft rubber of so many runs about in real time on a small machine
+};
 
 /// A body as the window shows it: the fine surface of its part and the map that carries it along. Immutable, shared
 /// between threads.
@@ -26,13 +35,33 @@ struct ContentBody {
     std::vector<ObjectIndex> surfaceObjects; ///< those a person can see
 };
 
-/// Everything made from a file, ready to be shown and simulated.
+/// The surface of a body at one moment.
+struct BodyFrame {
+    std::vector<Vec3> places;   ///< of the vertices of ContentBody::mesh [m]
+    std::vector<float> points;  ///< x y z per render vertex [m]
+    std::vector<float> normals; ///< x y z per render vertex
+};
+
+/// A part without an inside to fill: it is shown as it is and takes no part in the simulation.
+struct ContentSurface {
+    std::shared_ptr<const ContentBody> body; ///< without aggregate and skin
+    BodyFrame frame;
+};
+
+/// Everything made from files, ready to be shown and simulated.
 struct Content {
     std::shared_ptr<const Model> model;
-    std::vector<std::shared_ptr<const ContentBody>> bodies; ///< in the order of Scene::bodies
-    double spacing = 0;                                     ///< [m]
-    Box box;                                                ///< of all bodies at rest [m]
-    std::vector<std::string> warnings;                      ///< sentences for the person
+    OpenRequest request; ///< that it was made for
+    std::vector<std::shared_ptr<const ContentBody>>
+        bodies; ///< in the order of Scene::bodies; none when no part is closed
+    std::vector<std::shared_ptr<const ContentSurface>> surfaces;
+    double spacing = 0;                ///< [m]; 0 without bodies
+    Box box;                           ///< of all bodies and surfaces at rest [m]
+    std::vector<std::string> warnings; ///< sentences for the person
+
+    bool isEmpty() const { return bodies.empty() && surfaces.empty(); }
+    /// Parts that are hidden in their file, by index into Model::parts.
+    std::set<std::size_t> hiddenAtFirst() const;
 };
 
 /// The color of a CAD face.
@@ -44,22 +73,18 @@ struct PreparedContent {
     Simulation simulation;
 };
 
-/// What a person asked to be opened, and how.
-struct OpenRequest {
-    std::vector<std::string> paths; ///< at least one
-    ImportOptions options;
-    double spacing = 0; ///< [m]; 0: chosen for real time
-};
-
 /// Reads files, fills their closed parts with a material and lets them rest on a floor. Runs on a task thread.
 /// @throws std::runtime_error with a sentence, also when no part has a surface; Cancelled
 PreparedContent prepareFiles(const Services& services, const OpenRequest& request, const Material& material,
                              TaskControl& control);
 
-/// Fills a model again with another spacing [m]; materials, kinds of bodies, tools, gravity and floor stay as in `now`. Runs on a task
+/// As prepareFiles() with a model that was read already: after another choice of unit.
+PreparedContent prepareModel(std::shared_ptr<const Model> model, const OpenRequest& request, const Material& material,
+                             TaskControl& control);
+
+/// Fills the parts of a content again with another spacing [m]; materials, kinds of bodies, tools, gravity and floor stay as in `now`. Runs on a task
 /// thread.
 /// @throws as prepareFile
-PreparedContent prepareRefill(std::shared_ptr<const Model> model, double spacing, const Snapshot& now,
-                              TaskControl& control);
+PreparedContent prepareRefill(const Content& before, double spacing, const Snapshot& now, TaskControl& control);
 
 } // namespace knead

@@ -38,7 +38,7 @@ void Document::open(PreparedContent prepared)
     m_fixtures.clear();
     start(std::move(prepared));
     m_toolCount.clear();
-    m_selection = {Selection::Kind::Body, 0};
+    m_selection = m_content.bodies.empty() ? Selection{} : Selection{Selection::Kind::Body, 0};
     emit changed(Change::Content);
     emit changed(Change::Selection);
 }
@@ -48,7 +48,7 @@ void Document::refill(PreparedContent prepared)
     m_fixtures.refilled();
     start(std::move(prepared));
     if (m_selection.kind == Selection::Kind::Tool) // tools are numbered anew
-        m_selection = {Selection::Kind::Body, 0};
+        m_selection = m_content.bodies.empty() ? Selection{} : Selection{Selection::Kind::Body, 0};
     emit changed(Change::Content);
     emit changed(Change::Selection);
 }

@@ -33,7 +33,7 @@ public:
     explicit Document(QObject* parent = nullptr);
     ~Document() override;
 
-    bool isEmpty() const { return m_content.bodies.empty(); }
+    bool isEmpty() const { return m_content.isEmpty(); }
     const Content& content() const { return m_content; }
     /// The newest frame; null while empty.
     const FramePointer& frame() const { return m_frame; }

@@ -9,13 +9,6 @@
 
 namespace knead {
 
-/// The surface of a body at one moment.
-struct BodyFrame {
-    std::vector<Vec3> places;   ///< of the vertices of ContentBody::mesh [m]
-    std::vector<float> points;  ///< x y z per render vertex [m]
-    std::vector<float> normals; ///< x y z per render vertex
-};
-
 /// All that is drawn at one moment: a snapshot and the surfaces that belong to it. Immutable, shared by pointer.
 struct Frame {
     SnapshotPointer snapshot;

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kindRole = Qt::UserRole;
 constexpr int idRole = Qt::UserRole + 1;
+constexpr int partRole = Qt::UserRole + 2; ///< index into Model::parts
 
 Selection selectionOf(const QTreeWidgetItem* item)
 {
@@ -135,14 +136,24 @@ void ModelTree::addPart(std::size_t part, const QString& name, QTreeWidgetItem* 
     const auto body = std::find_if(bodies.begin(), bodies.end(), [part](const auto& b) { return b->part == part; });
     if (body == bodies.end()) {
         QTreeWidgetItem* item = makeItem(parent, name, icon("surface"));
-        item->setFlags(Qt::NoItemFlags);
+        const bool isShown = !m_document.content().model->parts[part].mesh.empty();
+        item->setFlags(isShown ? Qt::ItemIsEnabled | Qt::ItemIsUserCheckable : Qt::NoItemFlags);
         item->setToolTip(0, tr("Not a closed solid: it is not simulated."));
+        if (isShown)
+            markVisible(item, part);
         return;
     }
     QTreeWidgetItem* item = makeItem(parent, QString::fromStdString((*body)->name), swatch((*body)->color));
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-    item->setCheckState(0, Qt::Checked);
+    markVisible(item, part);
     markItem(item, {Selection::Kind::Body, static_cast<std::uint32_t>(body - bodies.begin())});
+}
+
+/// Gives an item the check box that hides its part.
+void ModelTree::markVisible(QTreeWidgetItem* item, std::size_t part)
+{
+    item->setData(0, partRole, static_cast<qulonglong>(part));
+    item->setCheckState(0, m_document.content().model->parts[part].visible ? Qt::Checked : Qt::Unchecked);
 }
 
 void ModelTree::listTools()
@@ -202,11 +213,11 @@ void ModelTree::itemChecked(QTreeWidgetItem* /*item*/)
 {
     if (m_isUpdating)
         return;
-    std::set<BodyId> hidden;
+    std::set<std::size_t> hiddenParts;
     for (QTreeWidgetItemIterator it(this); *it != nullptr; ++it)
-        if (selectionOf(*it).kind == Selection::Kind::Body && (*it)->checkState(0) == Qt::Unchecked)
-            hidden.insert(selectionOf(*it).id);
-    emit hiddenChanged(hidden);
+        if ((*it)->data(0, partRole).isValid() && (*it)->checkState(0) == Qt::Unchecked)
+            hiddenParts.insert((*it)->data(0, partRole).toULongLong());
+    emit hiddenChanged(hiddenParts);
 }
 
 void ModelTree::toggleSelectedBody()

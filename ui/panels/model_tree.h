@@ -10,7 +10,7 @@ namespace knead {
 
 /// What the document holds: parts as the file orders them, tools and fixtures. Selects together with the view; the
 /// check box of a
-/// body hides it.
+/// part hides it.
 class ModelTree final : public QTreeWidget {
     Q_OBJECT
 public:
@@ -20,7 +20,7 @@ public:
     void toggleSelectedBody();
 
 signals:
-    void hiddenChanged(const std::set<knead::BodyId>& hidden);
+    void hiddenChanged(const std::set<std::size_t>& hiddenParts);
 
 private:
     struct ListedTool {
@@ -34,6 +34,7 @@ private:
     void build();
     void addParts(const PartNode& node, QTreeWidgetItem* parent);
     void addPart(std::size_t part, const QString& name, QTreeWidgetItem* parent);
+    void markVisible(QTreeWidgetItem* item, std::size_t part);
     void listTools();
     void listFixtures();
     void showSelection();

@@ -14,6 +14,7 @@ struct SceneStyle {
     Color tool;
     Color selectedTool;
     Color force;
+    Color openEdge;  ///< where a surface ends
     Color highlight; ///< face under the cursor
     Color fixed;     ///< fixed faces
     Color cube;

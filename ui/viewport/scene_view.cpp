@@ -2,6 +2,7 @@
 
 #include "ui/viewport/grid_actor.h"
 #include "ui/viewport/object_actor.h"
+#include "ui/viewport/open_edges_actor.h"
 #include "ui/viewport/skin_actor.h"
 #include "ui/viewport/tool_actor.h"
 #include "ui/viewport/view_cube.h"
@@ -36,6 +37,8 @@ struct SceneView::Parts {
     std::unique_ptr<ViewCube> cube;
     std::unique_ptr<GridActor> grid;
     std::vector<std::unique_ptr<SkinActor>> skins;
+    std::vector<std::unique_ptr<SkinActor>> surfaces;
+    std::unique_ptr<OpenEdgesActor> openEdges;
     std::vector<std::unique_ptr<ObjectActor>> objects; ///< empty while they are not shown
     std::map<ToolId, std::unique_ptr<ToolActor>> tools;
 };
@@ -51,6 +54,7 @@ SceneView::SceneView(vtkRenderWindow* window)
     m_parts->cube = std::make_unique<ViewCube>(window);
     m_parts->grid = std::make_unique<GridActor>(m_parts->renderer);
     m_parts->grid->setVisible(false);
+    m_parts->openEdges = std::make_unique<OpenEdgesActor>(m_parts->renderer);
     setStyle(m_style);
 }
 
@@ -77,14 +81,20 @@ void SceneView::setContent(const Content& content)
 {
     m_model = content.model;
     m_bodies = content.bodies;
+    m_surfaces = content.surfaces;
     m_restBox = content.box;
     m_frame = nullptr;
     m_marks = {};
     m_parts->skins.clear();
+    m_parts->surfaces.clear();
     m_parts->objects.clear();
     m_parts->tools.clear();
     for (const auto& body : m_bodies)
         m_parts->skins.push_back(std::make_unique<SkinActor>(body, m_parts->renderer));
+    for (const auto& surface : m_surfaces) {
+        m_parts->surfaces.push_back(std::make_unique<SkinActor>(surface->body, m_parts->renderer));
+        m_parts->surfaces.back()->show(surface->frame);
+    }
     m_gridHeight = m_restBox.min().z();
     layGrid();
     colorBodies();
@@ -114,6 +124,7 @@ void SceneView::setStyle(const SceneStyle& style)
     m_parts->renderer->SetBackground(style.bottom.r, style.bottom.g, style.bottom.b);
     m_parts->renderer->SetBackground2(style.top.r, style.top.g, style.top.b);
     m_parts->cube->setStyle(style);
+    m_parts->openEdges->setColor(style.openEdge);
     layGrid();
     colorBodies();
     if (m_frame)
@@ -122,7 +133,7 @@ void SceneView::setStyle(const SceneStyle& style)
 
 void SceneView::setOptions(const SceneOptions& options)
 {
-    const bool otherObjects = options.objects != m_options.objects || options.hidden != m_options.hidden;
+    const bool otherObjects = options.objects != m_options.objects || options.hiddenParts != m_options.hiddenParts;
     m_options = options;
     if (otherObjects)
         m_parts->objects.clear();
@@ -153,15 +164,32 @@ void SceneView::colorBodies()
             return m_marks.highlighted == mark ? mix(color, m_style.highlight, tint) : color;
         });
     }
+    for (std::size_t s = 0; s < m_surfaces.size(); ++s) {
+        const Part& part = m_model->parts[m_surfaces[s]->body->part];
+        m_parts->surfaces[s]->setEdges(m_style.edge, 1.2F);
+        m_parts->surfaces[s]->setColors([&](std::uint32_t face) { return faceColor(part, face); });
+    }
 }
 
 void SceneView::showBodies()
 {
     for (BodyId b = 0; b < m_parts->skins.size(); ++b) {
-        const bool isVisible = !m_options.hidden.contains(b);
+        const bool isVisible = !m_options.hiddenParts.contains(m_bodies[b]->part);
         const bool isSkin = m_options.objects == ObjectDisplay::Off;
         m_parts->skins[b]->setVisible(isVisible && isSkin, isVisible && isSkin && m_options.edges);
     }
+    for (std::size_t s = 0; s < m_surfaces.size(); ++s) {
+        const bool isVisible = !m_options.hiddenParts.contains(m_surfaces[s]->body->part);
+        m_parts->surfaces[s]->setVisible(isVisible, isVisible && m_options.edges);
+    }
+    showOpenEdges();
+}
+
+void SceneView::showOpenEdges()
+{
+    if (m_model)
+        m_parts->openEdges->show(*m_model, [this](std::size_t part) { return m_options.hiddenParts.contains(part); });
+    m_parts->openEdges->setVisible(m_model && m_options.openEdges);
 }
 
 void SceneView::showObjects()
@@ -173,7 +201,7 @@ void SceneView::showObjects()
             m_parts->objects.push_back(std::make_unique<ObjectActor>(m_parts->renderer, body->color,
                                                                      objectRadius * body->aggregate->lattice.spacing));
     for (BodyId b = 0; b < m_bodies.size(); ++b) {
-        if (m_options.hidden.contains(b))
+        if (m_options.hiddenParts.contains(m_bodies[b]->part))
             continue;
         const bool areAll = m_options.objects == ObjectDisplay::All;
         m_parts->objects[b]->show(m_frame->snapshot->bodies[b].positions,
@@ -197,8 +225,8 @@ void SceneView::showTools()
 
 void SceneView::layGrid()
 {
-    m_parts->grid->setVisible(m_options.grid && !m_bodies.empty());
-    if (!m_bodies.empty())
+    m_parts->grid->setVisible(m_options.grid && m_model);
+    if (m_model)
         m_parts->grid->lay(m_restBox, m_gridHeight, m_style.grid);
 }
 

@@ -25,7 +25,8 @@ struct SceneOptions {
     ObjectDisplay objects = ObjectDisplay::Off;
     bool edges = true;
     bool grid = true;
-    std::set<BodyId> hidden;
+    bool openEdges = true;
+    std::set<std::size_t> hiddenParts; ///< by index into Model::parts
 };
 
 /// What is set apart by color.
@@ -78,11 +79,13 @@ private:
     void showTools();
     void layGrid();
     void showBodies();
+    void showOpenEdges();
     void clipToScene();
 
     std::unique_ptr<Parts> m_parts;
     std::shared_ptr<const Model> m_model;
     ContentBodies m_bodies;
+    std::vector<std::shared_ptr<const ContentSurface>> m_surfaces;
     Box m_restBox;
     FramePointer m_frame;
     SceneStyle m_style;

@@ -74,7 +74,7 @@ void ViewportWidget::documentChanged(Document::Change what)
 {
     switch (what) {
     case Document::Change::Content:
-        m_options.hidden.clear();
+        m_options.hiddenParts = m_document.content().hiddenAtFirst();
         m_scene->setContent(m_document.content());
         m_scene->setOptions(m_options);
         m_scene->showFrame(m_document.frame());

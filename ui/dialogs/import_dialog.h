@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/model/file_preview.h"
+#include "ui/document/content.h"
+
+#include <QDialog>
+
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QLabel;
+class QSpinBox;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace knead {
+
+/// Shows what files hold, before the work of opening them, and asks which of it a person wants and how.
+class ImportDialog final : public QDialog {
+    Q_OBJECT
+public:
+    /// @param previews at least one
+    explicit ImportDialog(std::vector<FilePreview> previews, QWidget* parent = nullptr);
+
+    /// The choices as they stand.
+    OpenRequest request() const;
+
+private:
+    QWidget* makeFacts();
+    QWidget* makeParts();
+    QWidget* makeChoices();
+    void addNodes(const PartNode& node, const QString& path, QTreeWidgetItem* parent);
+    void itemChanged(QTreeWidgetItem* item);
+    void checkAll(bool checked);
+    void addChosen(const QTreeWidgetItem* item, std::vector<std::string>& paths) const;
+    void showChosen();
+
+    std::vector<FilePreview> m_previews;
+    QTreeWidget* m_parts = nullptr; ///< none when there is nothing to choose from
+    QLabel* m_chosen = nullptr;
+    QComboBox* m_detail = nullptr;
+    QComboBox* m_unit = nullptr;
+    QSpinBox* m_objects = nullptr;
+    QCheckBox* m_heal = nullptr;
+    QDialogButtonBox* m_buttons = nullptr;
+    bool m_isUpdating = false;
+};
+
+} // namespace knead

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "ui/document/content.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+
+namespace knead {
+
+/// The report on what was opened: the unit, what was repaired part by part, what is missing or odd, and what a person may have
+/// done otherwise.
+class ImportPanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit ImportPanel(QWidget* parent = nullptr);
+
+    void show(const Content& content);
+    /// Whether there is more to say than that all went well.
+    bool hasRemarks() const;
+
+signals:
+    void unitChosen(const QString& unit); ///< lengths are to be taken in this unit
+    void healingChosen(bool heal);        ///< the shapes are wanted repaired, or as they are in the file
+
+private:
+    void listRemarks(const Content& content);
+
+    QLabel* m_summary;
+    QComboBox* m_unit;
+    QPushButton* m_heal;
+    QTreeWidget* m_remarks;
+    bool m_isHealed = true;
+};
+
+} // namespace knead
