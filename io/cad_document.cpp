@@ -1,5 +1,6 @@
 #include "io/cad_document.h"
 
+#include "core/model/length_units.h"
 #include "io/cad_assembly.h"
 #include "io/readable_name.h"
 #include "io/step_assembly_size.h"
@@ -20,8 +21,6 @@
 #include <XCAFApp_Application.hxx>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 
@@ -65,30 +64,11 @@ private:
     Handle(TDocStd_Document) m_document;
 };
 
-std::string lowerCase(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
-}
-
-/// The unit as a person writes it.
+/// The unit as a person writes it; as the file writes it when it is none that people use.
 std::string displayUnit(const std::string& name)
 {
-    struct Entry {
-        const char* name;
-        const char* shown;
-    };
-    static constexpr std::array entries{
-        Entry{"millimetre", "mm"}, Entry{"millimeter", "mm"}, Entry{"metre", "m"},       Entry{"meter", "m"},
-        Entry{"centimetre", "cm"}, Entry{"centimeter", "cm"}, Entry{"inch", "inch"},     Entry{"in", "inch"},
-        Entry{"foot", "ft"},       Entry{"feet", "ft"},       Entry{"micrometre", "um"}, Entry{"kilometre", "km"},
-        Entry{"mil", "mil"},       Entry{"uin", "uinch"},     Entry{"mi", "mile"},       Entry{"mile", "mile"},
-    };
-    const std::string lower = lowerCase(name);
-    for (const Entry& entry : entries)
-        if (lower == entry.name)
-            return entry.shown;
-    return lower;
+    const LengthUnit* unit = findLengthUnit(name);
+    return unit != nullptr ? unit->name : readableName(std::string_view(name));
 }
 
 std::string fallbackNameFor(const std::string& path)
@@ -112,8 +92,6 @@ std::string stepUnit(STEPControl_Reader& reader, const std::string& path, std::v
             warnings.push_back(shortName(path) + ": the file mixes the length units " + unit + " and " + one +
                                "; check the sizes of the parts.");
     }
-    if (unit.empty())
-        warnings.push_back(shortName(path) + ": the file states no length unit; millimetres were taken.");
     return unit;
 }
 
@@ -161,16 +139,12 @@ void readStep(const std::string& path, TaskControl& control, CadDocument& result
     transfer(reader, path, "no shape of the STEP file could be made; export the file again.", control, result);
 }
 
-std::string igesUnit(const IGESCAFControl_Reader& reader, const std::string& path, std::vector<std::string>& warnings)
+std::string igesUnit(const IGESCAFControl_Reader& reader)
 {
     const Handle(IGESData_IGESModel) model = Handle(IGESData_IGESModel)::DownCast(reader.Model());
-    if (!model.IsNull() && !model->GlobalSection().UnitName().IsNull()) {
-        const std::string unit = displayUnit(model->GlobalSection().UnitName()->ToCString());
-        if (!unit.empty())
-            return unit;
-    }
-    warnings.push_back(shortName(path) + ": the file states no length unit; millimetres were taken.");
-    return {};
+    if (model.IsNull() || model->GlobalSection().UnitName().IsNull())
+        return {};
+    return displayUnit(model->GlobalSection().UnitName()->ToCString());
 }
 
 /// Most IGES files hold nothing but single faces of one thing: they become one surface, each face with its color.
@@ -208,7 +182,7 @@ void readIges(const std::string& path, TaskControl& control, CadDocument& result
         failReading(path,
                     "the IGES text has errors that the reader cannot get over; export the file again, best as STEP.");
     control.throwIfCancelled();
-    result.unit = igesUnit(reader, path, result.warnings);
+    result.unit = igesUnit(reader);
 
     transfer(reader, path, "no shape of the IGES file could be made; export the file again, best as STEP.", control,
              result);
@@ -218,7 +192,6 @@ void readIges(const std::string& path, TaskControl& control, CadDocument& result
 void readBrep(const std::string& path, TaskControl& control, CadDocument& result)
 {
     result.format = "BREP";
-    result.warnings.push_back(shortName(path) + ": BREP files state no length unit; millimetres were taken.");
     TopoDS_Shape shape;
     std::ifstream file(path, std::ios::binary);
     file.exceptions(std::ios::failbit | std::ios::badbit); // else the reader loops for ever at the end of a cut file

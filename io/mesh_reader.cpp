@@ -215,8 +215,6 @@ Model readMesh(const std::string& path, FormatKind kind, TaskControl& control)
         failReading(path, "the " + formatName(kind) + " file is damaged and cannot be read; export it again.");
     Model model = MeshModelMaker(*scene, path, control).run();
     model.format = formatName(kind);
-    model.warnings.push_back(shortName(path) + ": " + model.format +
-                             " files state no length unit; millimetres were taken.");
     return model;
 }
 
