@@ -2,9 +2,11 @@
 
 #include "core/model/length_units.h"
 #include "io/cad_assembly.h"
+#include "io/iges_surfaces.h"
 #include "io/readable_name.h"
 #include "io/step_assembly_size.h"
 #include "io/step_check.h"
+#include "io/step_names.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -15,14 +17,12 @@
 #include <STEPControl_Reader.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TDocStd_Document.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Shape.hxx>
 #include <XCAFApp_Application.hxx>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <type_traits>
 
 namespace knead {
 
@@ -106,9 +106,12 @@ void transfer(Reader& reader, const std::string& path, const char* failure, Task
     control.throwIfCancelled();
     if (!done)
         failReading(path, failure);
+    if constexpr (std::is_same_v<Reader, IGESCAFControl_Reader>)
+        hideBlankedEntities(reader, **document);
     CadAssembly assembly = readAssembly(**document, path, result.root.name);
     result.root.children = std::move(assembly.roots);
     result.colors = std::move(assembly.colors);
+    result.displays = std::move(assembly.displays);
 }
 
 void readStep(const std::string& path, TaskControl& control, CadDocument& result)
@@ -126,7 +129,7 @@ void readStep(const std::string& path, TaskControl& control, CadDocument& result
     reader.SetNameMode(true);
     reader.SetGDTMode(false); // crashes on some files
     reader.SetPropsMode(false);
-    reader.SetLayerMode(false);
+    reader.SetLayerMode(true);
     reader.SetMatMode(false);
     if (reader.ChangeReader().ReadStream(shortName(path).c_str(), file) != IFSelect_RetDone)
         failReading(path, "the STEP text has errors that the reader cannot get over; export the file again.");
@@ -136,6 +139,7 @@ void readStep(const std::string& path, TaskControl& control, CadDocument& result
                               " parts; export the parts you need.");
     result.unit = stepUnit(reader.ChangeReader(), path, result.warnings);
 
+    markForeignNames(reader.Reader());
     transfer(reader, path, "no shape of the STEP file could be made; export the file again.", control, result);
 }
 
@@ -147,29 +151,6 @@ std::string igesUnit(const IGESCAFControl_Reader& reader)
     return displayUnit(model->GlobalSection().UnitName()->ToCString());
 }
 
-/// Most IGES files hold nothing but single faces of one thing: they become one surface, each face with its color.
-void joinLooseSurfaces(CadNode& root, ShapeColors& colors)
-{
-    TopoDS_Compound surface;
-    const BRep_Builder builder;
-    builder.MakeCompound(surface);
-    const auto isLoose = [](const CadNode& node) {
-        return node.shape && !TopExp_Explorer(*node.shape, TopAbs_SOLID).More();
-    };
-    if (std::count_if(root.children.begin(), root.children.end(), isLoose) < 2)
-        return;
-    for (const CadNode& node : root.children) {
-        if (!isLoose(node))
-            continue;
-        builder.Add(surface, *node.shape);
-        for (TopExp_Explorer faces(*node.shape, TopAbs_FACE); faces.More(); faces.Next())
-            if (node.color && !colors.find(faces.Current()))
-                colors.set(faces.Current(), *node.color);
-    }
-    std::erase_if(root.children, isLoose);
-    root.children.push_back({root.name, std::nullopt, {}, std::make_shared<const TopoDS_Shape>(surface)});
-}
-
 void readIges(const std::string& path, TaskControl& control, CadDocument& result)
 {
     result.format = "IGES";
@@ -177,7 +158,7 @@ void readIges(const std::string& path, TaskControl& control, CadDocument& result
     IGESCAFControl_Reader reader;
     reader.SetColorMode(true);
     reader.SetNameMode(true);
-    reader.SetLayerMode(false);
+    reader.SetLayerMode(true);
     if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
         failReading(path,
                     "the IGES text has errors that the reader cannot get over; export the file again, best as STEP.");
@@ -186,7 +167,7 @@ void readIges(const std::string& path, TaskControl& control, CadDocument& result
 
     transfer(reader, path, "no shape of the IGES file could be made; export the file again, best as STEP.", control,
              result);
-    joinLooseSurfaces(result.root, result.colors);
+    joinLooseSurfaces(result);
 }
 
 void readBrep(const std::string& path, TaskControl& control, CadDocument& result)
@@ -213,15 +194,9 @@ void readBrep(const std::string& path, TaskControl& control, CadDocument& result
 
 } // namespace
 
-void ShapeColors::set(const TopoDS_Shape& shape, const Color& color)
+const void* geometryOf(const TopoDS_Shape& shape)
 {
-    m_colors[shape.TShape().get()] = color;
-}
-
-std::optional<Color> ShapeColors::find(const TopoDS_Shape& shape) const
-{
-    const auto found = m_colors.find(shape.TShape().get());
-    return found == m_colors.end() ? std::nullopt : std::optional(found->second);
+    return shape.TShape().get();
 }
 
 CadDocument readCadDocument(const std::string& path, FormatKind kind, TaskControl& control)

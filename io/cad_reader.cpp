@@ -5,6 +5,7 @@
 #include "io/occt_session.h"
 #include "io/size_limits.h"
 
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <utility>
@@ -66,6 +67,7 @@ private:
             Part part = makePart(bodies[i], leaf.node->color, m_document.colors, m_options);
             part.name = numbered(leaf.node->name, i);
             part.path = parentPath + part.name;
+            takeDisplay(bodies[i], *leaf.node, part);
             const std::size_t index = m_model.parts.size();
             if (bodies.size() == 1)
                 leaf.place->part = index;
@@ -73,6 +75,28 @@ private:
                 leaf.place->children.push_back({part.name, index, {}});
             m_model.parts.push_back(std::move(part));
         }
+    }
+
+    /// What is said of the body itself, of the surfaces it consists of, or else of the leaf.
+    void takeDisplay(const TopoDS_Shape& body, const CadNode& leaf, Part& part) const
+    {
+        const ShapeDisplay own = displayOf(body);
+        part.visible = leaf.visible && own.visible;
+        part.layer = own.layer.empty() ? leaf.layer : own.layer;
+    }
+
+    ShapeDisplay displayOf(const TopoDS_Shape& body) const
+    {
+        if (const auto own = m_document.displays.find(body); own || body.ShapeType() != TopAbs_COMPOUND)
+            return own.value_or(ShapeDisplay{});
+        ShapeDisplay common{false, {}}; // hidden when all of it is
+        for (TopoDS_Iterator surfaces(body); surfaces.More(); surfaces.Next()) {
+            const ShapeDisplay one = displayOf(surfaces.Value());
+            common.visible = common.visible || one.visible;
+            if (common.layer.empty())
+                common.layer = one.layer;
+        }
+        return common;
     }
 
     const CadDocument& m_document;
