@@ -155,6 +155,7 @@ private slots:
     void stepKeepsWhatIsHidden();
     void igesKeepsNamesColorsAndLevels();
     void igesKeepsWhatIsBlanked();
+    void onlyWantedPartsAreRead();
     void escapedNamesAreReadable_data();
     void escapedNamesAreReadable();
 
@@ -295,6 +296,37 @@ void NothingLostTest::igesKeepsWhatIsBlanked()
     const Model model = importFile(file("blanked.igs"));
     QCOMPARE(model.parts.size(), std::size_t(1));
     QVERIFY(!model.parts.front().visible);
+}
+
+void NothingLostTest::onlyWantedPartsAreRead()
+{
+    const Drawing drawing;
+    const TDF_Label root = drawing.addAssembly("machine");
+    const TDF_Label group = drawing.addAssembly("group");
+    const TDF_Label block = drawing.add(box(), "block");
+    drawing.place(group, block, place(0, 0, 0), "one");
+    drawing.place(group, block, place(50, 0, 0), "two");
+    drawing.place(root, group, place(0, 0, 0), "left");
+    drawing.place(root, group, place(0, 0, 100), "left side");
+    drawing.writeStep(file("machine.step"));
+
+    const Model one = importFile(file("machine.step"), {.parts = {"machine/left side/two"}});
+    QCOMPARE(one.parts.size(), std::size_t(1));
+    QCOMPARE(one.parts[0].path, std::string("machine/left side/two"));
+    QVERIFY((one.parts[0].box.min() - Vec3(0.05, 0, 0.1)).norm() < 1e-9);
+    QVERIFY(one.missing.empty());
+    QCOMPARE(one.tree.children[0].children.size(), std::size_t(1));
+    QCOMPARE(*one.tree.children[0].children[0].children[0].part, std::size_t(0));
+
+    const Model left = importFile(file("machine.step"), {.parts = {"machine/left"}});
+    QCOMPARE(left.parts.size(), std::size_t(2)); // and not those of "left side"
+    try {
+        importFile(file("machine.step"), {.parts = {"machine/left", "machine/right"}});
+        QFAIL("a part that does not exist was read");
+    } catch (const std::runtime_error& error) {
+        QVERIFY2(std::string(error.what()).starts_with("machine.step: there is no part or assembly \"machine/right\""),
+                 error.what());
+    }
 }
 
 void NothingLostTest::escapedNamesAreReadable_data()
