@@ -7,6 +7,8 @@
 #include "io/part_selection.h"
 #include "io/size_limits.h"
 
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -67,7 +69,7 @@ private:
     /// One body is the leaf itself; several become its children.
     void addLeaf(const Leaf& leaf, double done)
     {
-        const std::vector<TopoDS_Shape> bodies = splitIntoBodies(*leaf.node->shape);
+        const std::vector<TopoDS_Shape> bodies = splitByVisibility(splitIntoBodies(*leaf.node->shape));
         const std::string& assembly = leaf.assembly;
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             const std::string name = numbered(leaf.node->name, i);
@@ -86,6 +88,29 @@ private:
                 leaf.place->children.push_back({part.name, index, {}});
             m_model.parts.push_back(std::move(part));
         }
+    }
+
+    /// Surfaces of a body that are hidden are no part of what is shown, they become a body of their own.
+    std::vector<TopoDS_Shape> splitByVisibility(const std::vector<TopoDS_Shape>& bodies) const
+    {
+        std::vector<TopoDS_Shape> result;
+        for (const TopoDS_Shape& body : bodies) {
+            if (body.ShapeType() != TopAbs_COMPOUND) {
+                result.push_back(body);
+                continue;
+            }
+            for (const bool visible : {true, false}) {
+                TopoDS_Compound surfaces;
+                const BRep_Builder builder;
+                builder.MakeCompound(surfaces);
+                for (TopoDS_Iterator parts(body); parts.More(); parts.Next())
+                    if (displayOf(parts.Value()).visible == visible)
+                        builder.Add(surfaces, parts.Value());
+                if (surfaces.NbChildren() > 0)
+                    result.push_back(surfaces);
+            }
+        }
+        return result;
     }
 
     /// What is said of the body itself, of the surfaces it consists of, or else of the leaf.

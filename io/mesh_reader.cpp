@@ -122,8 +122,9 @@ std::optional<Color> ownColorOf(const aiScene& scene, const aiMesh& mesh, Format
     aiString name;
     aiColor4D color;
     material.Get(AI_MATKEY_NAME, name);
-    const bool mayBeUnnamed = kind == FormatKind::Gltf;
-    const bool isOwn = name != aiString(AI_DEFAULT_MATERIAL_NAME) && (mayBeUnnamed || name.length > 0);
+    // In a glTF materials may have no name, and assimp's own is the last.
+    const bool isOwn = kind == FormatKind::Gltf ? mesh.mMaterialIndex + 1 < scene.mNumMaterials
+                                                : name.length > 0 && name != aiString(AI_DEFAULT_MATERIAL_NAME);
     if (!isOwn || material.Get(AI_MATKEY_COLOR_DIFFUSE, color) != AI_SUCCESS)
         return std::nullopt;
     return toColor(color);

@@ -11,9 +11,11 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
-#include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -179,7 +181,10 @@ private:
         Handle reader;
         check(NMR::lib3mf_model_queryreader(m_library.get(), "3mf", reader.out()));
         check(NMR::lib3mf_reader_setprogresscallback(reader.get(), &ThreeMfReader::onProgress, this));
-        const LIB3MFRESULT result = NMR::lib3mf_reader_readfromfileutf8(reader.get(), m_path.c_str());
+        std::ifstream file(m_path, std::ios::binary); // the library opens no file whose name is not UTF-8
+        std::string bytes{std::istreambuf_iterator<char>(file), {}};
+        const LIB3MFRESULT result =
+            NMR::lib3mf_reader_readfrombuffer(reader.get(), reinterpret_cast<BYTE*>(bytes.data()), bytes.size());
         m_control.throwIfCancelled();
         check(result);
         DWORD errors = 0;
@@ -219,7 +224,8 @@ private:
             failReading(m_path, "the 3MF builds no object; export it again with the parts in its build.");
     }
 
-    void addObject(Object object, const Placement& placement, PartNode& parent, const std::string& parentPath, int depth)
+    void addObject(Object object, const Placement& placement, PartNode& parent, const std::string& parentPath,
+                   int depth)
     {
         m_control.throwIfCancelled();
         if (++m_objects > mostObjects || depth > deepestNesting)

@@ -2,11 +2,13 @@
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
 #include <IGESCAFControl_Writer.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
@@ -26,6 +28,7 @@ namespace {
 constexpr Color red{1, 0, 0};
 constexpr Color green{0, 1, 0};
 constexpr Color blue{0, 0, 1};
+constexpr Color odd{0.2F, 0.4F, 0.6F}; // none of the numbered colors of IGES
 
 Quantity_Color toOcct(const Color& color)
 {
@@ -142,6 +145,26 @@ std::size_t paintedFaces(const Part& part, const Color& color)
                                                   [&](const PartFace& face) { return isSame(face.color, color); }));
 }
 
+std::string contentOf(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+constexpr std::size_t lineLength = 81; // of an IGES file, with its end
+
+/// Calls for each trimmed surface (entity 144) of an IGES file with its place in the directory and its number.
+template <typename Change>
+void changeTrimmedSurfaces(const std::string& path, Change change)
+{
+    std::string text = contentOf(path);
+    int surface = 0;
+    for (std::size_t line = 0; line + 2 * lineLength <= text.size(); line += lineLength)
+        if (text[line + 72] == 'D' && text.compare(line, 8, "     144") == 0 && (text[line + 79] - '0') % 2 == 1)
+            change(text, line, surface++);
+    std::ofstream(path) << text;
+}
+
 } // namespace
 
 class NothingLostTest : public QObject {
@@ -151,10 +174,13 @@ private slots:
     void stepKeepsNamesOfAnyScript();
     void stepKeepsNestedPlacements();
     void stepKeepsColorsDownToFaces();
+    void stepKeepsColorsOfSolidsInOneProduct();
     void stepKeepsLayers();
     void stepKeepsWhatIsHidden();
     void igesKeepsNamesColorsAndLevels();
+    void igesKeepsColorNumbers();
     void igesKeepsWhatIsBlanked();
+    void igesNamesMayBeUtf8();
     void onlyWantedPartsAreRead();
     void escapedNamesAreReadable_data();
     void escapedNamesAreReadable();
@@ -223,6 +249,25 @@ void NothingLostTest::stepKeepsColorsDownToFaces()
     QVERIFY(isSame(partAt(model, "machine/third").color, green));
 }
 
+void NothingLostTest::stepKeepsColorsOfSolidsInOneProduct()
+{
+    TopoDS_Compound both;
+    const BRep_Builder builder;
+    builder.MakeCompound(both);
+    const TopoDS_Shape first = box();
+    const TopoDS_Shape second = cylinder().Moved(place(100, 0, 0));
+    builder.Add(both, first);
+    builder.Add(both, second);
+    const Drawing drawing;
+    const TDF_Label product = drawing.add(both, "pair");
+    drawing.paint(drawing.shapes()->AddSubShape(product, first), odd);
+    drawing.paint(drawing.shapes()->AddSubShape(product, second), blue);
+    const Model model = throughStep(drawing);
+    QCOMPARE(model.parts.size(), std::size_t(2));
+    QVERIFY(isSame(model.parts[0].color, odd));
+    QVERIFY(isSame(model.parts[1].color, blue));
+}
+
 void NothingLostTest::stepKeepsLayers()
 {
     const Drawing drawing;
@@ -269,7 +314,7 @@ void NothingLostTest::igesKeepsNamesColorsAndLevels()
 {
     const Drawing drawing;
     const TDF_Label block = drawing.add(box(), "BLOCK");
-    drawing.paint(block, red);
+    drawing.paint(block, odd);
     drawing.putOnLayer(block, "7");
     drawing.writeIges(file("drawing.igs"));
     const Model model = importFile(file("drawing.igs"));
@@ -277,25 +322,61 @@ void NothingLostTest::igesKeepsNamesColorsAndLevels()
     const Part& part = model.parts.front();
     QCOMPARE(part.name, std::string("BLOCK"));
     QCOMPARE(part.layer, std::string("7"));
-    QVERIFY(isSame(part.color, red) || paintedFaces(part, red) == part.faces.size());
+    QVERIFY(isSame(part.color, odd));
+}
+
+void NothingLostTest::igesKeepsColorNumbers()
+{
+    const Drawing drawing;
+    drawing.add(box(), "BLOCK");
+    drawing.writeIges(file("numbered.igs"));
+    // The color is the third field of the second line; 2 is red, 3 green, 4 blue (IGES 5.3, section 2.2.4.4.13).
+    changeTrimmedSurfaces(file("numbered.igs"), [](std::string& text, std::size_t entry, int surface) {
+        if (surface < 3)
+            text.replace(entry + lineLength + 16, 8, "       " + std::to_string(2 + surface));
+    });
+    const Part part = importFile(file("numbered.igs")).parts.front();
+    QCOMPARE(part.faces.size(), std::size_t(6));
+    for (const Color& color : {red, green, blue})
+        QCOMPARE(paintedFaces(part, color), std::size_t(1));
 }
 
 void NothingLostTest::igesKeepsWhatIsBlanked()
 {
     const Drawing drawing;
     drawing.add(box(), "BLOCK");
-    drawing.writeIges(file("blanked.igs"));
-    std::ifstream in(file("blanked.igs"));
-    std::string text{std::istreambuf_iterator<char>(in), {}};
-    in.close();
     // Columns 65 and 66 of the first directory line of an entity are its blank status.
-    for (std::size_t line = 0; line + 80 <= text.size(); line = text.find('\n', line) + 1)
-        if (text[line + 72] == 'D' && text.substr(line, 8) == "     144" && (text[line + 79] - '0') % 2 == 1)
-            text.replace(line + 64, 2, "01");
-    std::ofstream(file("blanked.igs")) << text;
-    const Model model = importFile(file("blanked.igs"));
-    QCOMPARE(model.parts.size(), std::size_t(1));
-    QVERIFY(!model.parts.front().visible);
+    const auto blank = [](std::string& text, std::size_t entry, int) { text.replace(entry + 64, 2, "01"); };
+    drawing.writeIges(file("blanked.igs"));
+    changeTrimmedSurfaces(file("blanked.igs"), blank);
+    const Model hidden = importFile(file("blanked.igs"));
+    QCOMPARE(hidden.parts.size(), std::size_t(1));
+    QVERIFY(!hidden.parts.front().visible);
+
+    drawing.writeIges(file("partly.igs"));
+    changeTrimmedSurfaces(file("partly.igs"), [&](std::string& text, std::size_t entry, int surface) {
+        if (surface < 2)
+            blank(text, entry, surface);
+    });
+    const Model partly = importFile(file("partly.igs"));
+    QCOMPARE(partly.parts.size(), std::size_t(2));
+    QVERIFY(partly.parts[0].visible && !partly.parts[1].visible);
+    QCOMPARE(partly.parts[0].faces.size(), std::size_t(4));
+    QCOMPARE(partly.parts[1].faces.size(), std::size_t(2));
+}
+
+void NothingLostTest::igesNamesMayBeUtf8()
+{
+    const Drawing drawing;
+    drawing.add(box(), "BLOCK");
+    drawing.writeIges(file("named.igs"));
+    std::string text = contentOf(file("named.igs"));
+    for (std::size_t at = text.find("BLOCK"); at != std::string::npos; at = text.find("BLOCK", at))
+        text.replace(at, 5,
+                     "B\xC3\xBC"
+                     "ck");
+    std::ofstream(file("named.igs")) << text;
+    QCOMPARE(importFile(file("named.igs")).parts.front().name, std::string("Bück"));
 }
 
 void NothingLostTest::onlyWantedPartsAreRead()

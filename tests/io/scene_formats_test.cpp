@@ -283,6 +283,10 @@ void SceneFormatsTest::gltfColorBecomesSrgb()
     const Color color = importFile(write("color.gltf", gltf(plainNode))).parts.front().color.value();
     QVERIFY(std::abs(color.r - 0.5020F) < 0.002F); // #80 is 0.2159 in linear light
     QVERIFY(color.g == 0 && std::abs(color.b - 1) < 1e-5F);
+
+    std::string colorless = gltf(plainNode);
+    colorless.erase(colorless.find(R"(,"material":0)"), 13);
+    QVERIFY(!importFile(write("colorless.gltf", colorless)).parts.front().color);
 }
 
 void SceneFormatsTest::onlyWantedPartsAreRead()
