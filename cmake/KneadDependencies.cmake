@@ -32,3 +32,10 @@ endif()
 add_library(knead_occt INTERFACE)
 target_include_directories(knead_occt SYSTEM INTERFACE ${OpenCASCADE_INCLUDE_DIR})
 target_link_libraries(knead_occt INTERFACE ${knead_occt_toolkits})
+
+# lib3mf has no CMake package in Debian. Its headers include each other from their own folder.
+find_path(KNEAD_LIB3MF_INCLUDE Model/COM/NMR_DLLInterfaces.h PATH_SUFFIXES lib3mf REQUIRED)
+find_library(KNEAD_LIB3MF 3MF REQUIRED)
+add_library(knead_lib3mf INTERFACE)
+target_include_directories(knead_lib3mf SYSTEM INTERFACE ${KNEAD_LIB3MF_INCLUDE})
+target_link_libraries(knead_lib3mf INTERFACE ${KNEAD_LIB3MF})

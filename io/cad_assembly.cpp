@@ -1,6 +1,7 @@
 #include "io/cad_assembly.h"
 
 #include "io/readable_name.h"
+#include "io/step_names.h"
 
 #include <Quantity_Color.hxx>
 #include <TDF_LabelIntegerMap.hxx>
@@ -12,6 +13,7 @@
 #include <TopoDS_Shape.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_LayerTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 
 #include <algorithm>
@@ -35,13 +37,17 @@ TDF_Label referredBy(const TDF_Label& component)
     return XCAFDoc_ShapeTool::GetReferredShape(component, product) ? product : component;
 }
 
+std::string readable(const TCollection_ExtendedString& text)
+{
+    return readableName(std::u16string_view(text.ToExtString(), static_cast<std::size_t>(text.Length())));
+}
+
 std::string nameOf(const TDF_Label& label)
 {
     Handle(TDataStd_Name) name;
     if (!label.FindAttribute(TDataStd_Name::GetID(), name))
         return {};
-    const TCollection_ExtendedString& text = name->Get();
-    return readableName(std::u16string_view(text.ToExtString(), static_cast<std::size_t>(text.Length())));
+    return withoutNameMark(readable(name->Get()));
 }
 
 std::optional<Color> colorOf(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label)
@@ -80,6 +86,7 @@ public:
     AssemblyWalk(const TDocStd_Document& document, const std::string& path, const std::string& fallbackName)
         : m_shapes(XCAFDoc_DocumentTool::ShapeTool(document.Main()))
         , m_colorTool(XCAFDoc_DocumentTool::ColorTool(document.Main()))
+        , m_layerTool(XCAFDoc_DocumentTool::LayerTool(document.Main()))
         , m_path(path)
         , m_fallbackName(fallbackName)
     {
@@ -91,7 +98,7 @@ public:
         m_shapes->GetFreeShapes(roots);
         checkSize(roots);
         for (const TDF_Label& root : roots)
-            m_result.roots.push_back(node(root, root, TopLoc_Location(), {m_fallbackName, std::nullopt, {}, nullptr}));
+            m_result.roots.push_back(node(root, root, TopLoc_Location(), fileAsParent()));
         return std::move(m_result);
     }
 
@@ -125,6 +132,44 @@ private:
                                     " parts; export the parts you need.");
     }
 
+    CadNode fileAsParent() const
+    {
+        CadNode parent;
+        parent.name = m_fallbackName;
+        return parent;
+    }
+
+    /// A label is hidden by itself, or when all layers that it is on are.
+    ShapeDisplay displayOf(const TDF_Label& label) const
+    {
+        ShapeDisplay display{m_colorTool->IsVisible(label), {}};
+        TDF_LabelSequence layers;
+        m_layerTool->GetLayers(label, layers);
+        bool anyShown = layers.IsEmpty();
+        for (const TDF_Label& layer : layers) {
+            anyShown = anyShown || m_layerTool->IsVisible(layer);
+            const std::string name = layerName(layer);
+            if (!name.empty())
+                display.layer += (display.layer.empty() ? "" : ", ") + name;
+        }
+        display.visible = display.visible && anyShown;
+        return display;
+    }
+
+    std::string layerName(const TDF_Label& label) const
+    {
+        TCollection_ExtendedString name;
+        return m_layerTool->GetLayer(label, name) ? readable(name) : std::string();
+    }
+
+    void takeDisplay(const TDF_Label& instance, const TDF_Label& product, const CadNode& parent, CadNode& result) const
+    {
+        const ShapeDisplay own = displayOf(instance);
+        const ShapeDisplay ofProduct = displayOf(product);
+        result.visible = parent.visible && own.visible && ofProduct.visible;
+        result.layer = !own.layer.empty() ? own.layer : !ofProduct.layer.empty() ? ofProduct.layer : parent.layer;
+    }
+
     CadNode node(const TDF_Label& instance, const TDF_Label& product, const TopLoc_Location& placement,
                  const CadNode& parent)
     {
@@ -136,30 +181,36 @@ private:
             result.color = colorOf(m_colorTool, product);
         if (!result.color)
             result.color = parent.color;
+        takeDisplay(instance, product, parent, result);
         if (XCAFDoc_ShapeTool::IsAssembly(product)) {
             for (const TDF_Label& component : componentsOf(product))
                 result.children.push_back(node(component, referredBy(component),
                                                placement * XCAFDoc_ShapeTool::GetLocation(component), result));
             return withoutSecondSelf(std::move(result));
         }
-        rememberColors(product);
+        rememberSubShapes(product);
         const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(product);
         if (!shape.IsNull())
             result.shape = std::make_shared<const TopoDS_Shape>(shape.Moved(placement));
         return result;
     }
 
-    void rememberColors(const TDF_Label& product)
+    void rememberSubShapes(const TDF_Label& product)
     {
         TDF_LabelSequence parts;
         XCAFDoc_ShapeTool::GetSubShapes(product, parts);
-        for (const TDF_Label& part : parts)
+        for (const TDF_Label& part : parts) {
+            const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(part);
             if (const auto color = colorOf(m_colorTool, part))
-                m_result.colors.set(XCAFDoc_ShapeTool::GetShape(part), *color);
+                m_result.colors.set(shape, *color);
+            if (const ShapeDisplay display = displayOf(part); !display.visible || !display.layer.empty())
+                m_result.displays.set(shape, display);
+        }
     }
 
     Handle(XCAFDoc_ShapeTool) m_shapes;
     Handle(XCAFDoc_ColorTool) m_colorTool;
+    Handle(XCAFDoc_LayerTool) m_layerTool;
     const std::string& m_path;
     const std::string& m_fallbackName;
     TDF_LabelIntegerMap m_partCounts; // per product; instances share it

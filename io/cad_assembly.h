@@ -8,10 +8,12 @@ class TDocStd_Document;
 
 namespace knead {
 
-/// The assembly tree of a document that a CAD reader filled, with names and colors; leaves are placed in the world.
+/// The assembly tree of a document that a CAD reader filled, with names, colors, layers and what is hidden;
+/// leaves are placed in the world.
 struct CadAssembly {
     std::vector<CadNode> roots;
     ShapeColors colors;
+    ShapeDisplays displays;
 };
 
 /// @param fallbackName for shapes that have no name a person would know

@@ -1,9 +1,12 @@
 #include "io/cad_document.h"
 
+#include "core/model/length_units.h"
 #include "io/cad_assembly.h"
+#include "io/iges_surfaces.h"
 #include "io/readable_name.h"
 #include "io/step_assembly_size.h"
 #include "io/step_check.h"
+#include "io/step_names.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -14,15 +17,11 @@
 #include <STEPControl_Reader.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TDocStd_Document.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Shape.hxx>
 #include <XCAFApp_Application.hxx>
 
-#include <algorithm>
-#include <array>
-#include <cctype>
 #include <fstream>
+#include <type_traits>
 
 namespace knead {
 
@@ -64,30 +63,11 @@ private:
     Handle(TDocStd_Document) m_document;
 };
 
-std::string lowerCase(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
-}
-
-/// The unit as a person writes it.
+/// The unit as a person writes it; as the file writes it when it is none that people use.
 std::string displayUnit(const std::string& name)
 {
-    struct Entry {
-        const char* name;
-        const char* shown;
-    };
-    static constexpr std::array entries{
-        Entry{"millimetre", "mm"}, Entry{"millimeter", "mm"}, Entry{"metre", "m"},       Entry{"meter", "m"},
-        Entry{"centimetre", "cm"}, Entry{"centimeter", "cm"}, Entry{"inch", "inch"},     Entry{"in", "inch"},
-        Entry{"foot", "ft"},       Entry{"feet", "ft"},       Entry{"micrometre", "um"}, Entry{"kilometre", "km"},
-        Entry{"mil", "mil"},       Entry{"uin", "uinch"},     Entry{"mi", "mile"},       Entry{"mile", "mile"},
-    };
-    const std::string lower = lowerCase(name);
-    for (const Entry& entry : entries)
-        if (lower == entry.name)
-            return entry.shown;
-    return lower;
+    const LengthUnit* unit = findLengthUnit(name);
+    return unit != nullptr ? unit->name : readableName(std::string_view(name));
 }
 
 std::string stepUnit(STEPControl_Reader& reader, const std::string& path, std::vector<std::string>& warnings)
@@ -105,8 +85,6 @@ std::string stepUnit(STEPControl_Reader& reader, const std::string& path, std::v
             warnings.push_back(shortName(path) + ": the file mixes the length units " + unit + " and " + one +
                                "; check the sizes of the parts.");
     }
-    if (unit.empty())
-        warnings.push_back(shortName(path) + ": the file states no length unit; millimetres were taken.");
     return unit;
 }
 
@@ -121,9 +99,12 @@ void transfer(Reader& reader, const std::string& path, const char* failure, Task
     control.throwIfCancelled();
     if (!done)
         failReading(path, failure);
+    if constexpr (std::is_same_v<Reader, IGESCAFControl_Reader>)
+        hideBlankedEntities(reader, **document);
     CadAssembly assembly = readAssembly(**document, path, result.root.name);
     result.root.children = std::move(assembly.roots);
     result.colors = std::move(assembly.colors);
+    result.displays = std::move(assembly.displays);
 }
 
 void readStep(const std::string& path, TaskControl& control, CadDocument& result)
@@ -141,7 +122,7 @@ void readStep(const std::string& path, TaskControl& control, CadDocument& result
     reader.SetNameMode(true);
     reader.SetGDTMode(false); // crashes on some files
     reader.SetPropsMode(false);
-    reader.SetLayerMode(false);
+    reader.SetLayerMode(true);
     reader.SetMatMode(false);
     if (reader.ChangeReader().ReadStream(shortName(path).c_str(), file) != IFSelect_RetDone)
         failReading(path, "the STEP text has errors that the reader cannot get over; export the file again.");
@@ -151,42 +132,16 @@ void readStep(const std::string& path, TaskControl& control, CadDocument& result
                               " parts; export the parts you need.");
     result.unit = stepUnit(reader.ChangeReader(), path, result.warnings);
 
+    markForeignNames(reader.Reader());
     transfer(reader, path, "no shape of the STEP file could be made; export the file again.", control, result);
 }
 
-std::string igesUnit(const IGESCAFControl_Reader& reader, const std::string& path, std::vector<std::string>& warnings)
+std::string igesUnit(const IGESCAFControl_Reader& reader)
 {
     const Handle(IGESData_IGESModel) model = Handle(IGESData_IGESModel)::DownCast(reader.Model());
-    if (!model.IsNull() && !model->GlobalSection().UnitName().IsNull()) {
-        const std::string unit = displayUnit(model->GlobalSection().UnitName()->ToCString());
-        if (!unit.empty())
-            return unit;
-    }
-    warnings.push_back(shortName(path) + ": the file states no length unit; millimetres were taken.");
-    return {};
-}
-
-/// Most IGES files hold nothing but single faces of one thing: they become one surface, each face with its color.
-void joinLooseSurfaces(CadNode& root, ShapeColors& colors)
-{
-    TopoDS_Compound surface;
-    const BRep_Builder builder;
-    builder.MakeCompound(surface);
-    const auto isLoose = [](const CadNode& node) {
-        return node.shape && !TopExp_Explorer(*node.shape, TopAbs_SOLID).More();
-    };
-    if (std::count_if(root.children.begin(), root.children.end(), isLoose) < 2)
-        return;
-    for (const CadNode& node : root.children) {
-        if (!isLoose(node))
-            continue;
-        builder.Add(surface, *node.shape);
-        for (TopExp_Explorer faces(*node.shape, TopAbs_FACE); faces.More(); faces.Next())
-            if (node.color && !colors.find(faces.Current()))
-                colors.set(faces.Current(), *node.color);
-    }
-    std::erase_if(root.children, isLoose);
-    root.children.push_back({root.name, std::nullopt, {}, std::make_shared<const TopoDS_Shape>(surface)});
+    if (model.IsNull() || model->GlobalSection().UnitName().IsNull())
+        return {};
+    return displayUnit(model->GlobalSection().UnitName()->ToCString());
 }
 
 void readIges(const std::string& path, TaskControl& control, CadDocument& result)
@@ -196,22 +151,21 @@ void readIges(const std::string& path, TaskControl& control, CadDocument& result
     IGESCAFControl_Reader reader;
     reader.SetColorMode(true);
     reader.SetNameMode(true);
-    reader.SetLayerMode(false);
+    reader.SetLayerMode(true);
     if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
         failReading(path,
                     "the IGES text has errors that the reader cannot get over; export the file again, best as STEP.");
     control.throwIfCancelled();
-    result.unit = igesUnit(reader, path, result.warnings);
+    result.unit = igesUnit(reader);
 
     transfer(reader, path, "no shape of the IGES file could be made; export the file again, best as STEP.", control,
              result);
-    joinLooseSurfaces(result.root, result.colors);
+    joinLooseSurfaces(result);
 }
 
 void readBrep(const std::string& path, TaskControl& control, CadDocument& result)
 {
     result.format = "BREP";
-    result.warnings.push_back(shortName(path) + ": BREP files state no length unit; millimetres were taken.");
     TopoDS_Shape shape;
     std::ifstream file(path, std::ios::binary);
     file.exceptions(std::ios::failbit | std::ios::badbit); // else the reader loops for ever at the end of a cut file
@@ -233,15 +187,9 @@ void readBrep(const std::string& path, TaskControl& control, CadDocument& result
 
 } // namespace
 
-void ShapeColors::set(const TopoDS_Shape& shape, const Color& color)
+const void* geometryOf(const TopoDS_Shape& shape)
 {
-    m_colors[shape.TShape().get()] = color;
-}
-
-std::optional<Color> ShapeColors::find(const TopoDS_Shape& shape) const
-{
-    const auto found = m_colors.find(shape.TShape().get());
-    return found == m_colors.end() ? std::nullopt : std::optional(found->second);
+    return shape.TShape().get();
 }
 
 CadDocument readCadDocument(const std::string& path, FormatKind kind, TaskControl& control)

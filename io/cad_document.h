@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 class TopoDS_Shape;
@@ -20,19 +21,38 @@ constexpr int mostParts = 100'000; ///< of an assembly; no program could show mo
 struct CadNode {
     std::string name;           ///< never empty
     std::optional<Color> color; ///< of the instance, its product, or what it is part of
+    bool visible = true;        ///< false: hidden, on a hidden layer, or part of what is
+    std::string layer;          ///< of the instance, its product, or what it is part of; several are joined by ", "
     std::vector<CadNode> children;
     std::shared_ptr<const TopoDS_Shape> shape; ///< of a leaf, placed in the world [mm]
 };
 
-/// Colors given to solids, shells and faces, whatever their place and orientation.
-class ShapeColors {
+/// What instances of a shape share.
+const void* geometryOf(const TopoDS_Shape& shape);
+
+/// What a file says of single solids, shells and faces, whatever their place and orientation.
+template <typename Value>
+class ShapeNotes {
 public:
-    void set(const TopoDS_Shape& shape, const Color& color);
-    std::optional<Color> find(const TopoDS_Shape& shape) const;
+    void set(const TopoDS_Shape& shape, Value value) { m_notes.insert_or_assign(geometryOf(shape), std::move(value)); }
+    std::optional<Value> find(const TopoDS_Shape& shape) const
+    {
+        const auto found = m_notes.find(geometryOf(shape));
+        return found == m_notes.end() ? std::nullopt : std::optional(found->second);
+    }
 
 private:
-    std::unordered_map<const void*, Color> m_colors; // by the geometry that instances share
+    std::unordered_map<const void*, Value> m_notes;
 };
+
+/// Where a shape is shown.
+struct ShapeDisplay {
+    bool visible = true;
+    std::string layer; ///< empty when there is none
+};
+
+using ShapeColors = ShapeNotes<Color>;
+using ShapeDisplays = ShapeNotes<ShapeDisplay>;
 
 /// What a CAD file holds, before any measuring.
 struct CadDocument {
@@ -41,6 +61,7 @@ struct CadDocument {
     std::vector<std::string> warnings;
     CadNode root;
     ShapeColors colors;
+    ShapeDisplays displays;
 };
 
 /// Reads STEP, IGES or BREP. OpenCASCADE keeps global state: call within an OcctSession.

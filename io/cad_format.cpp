@@ -1,5 +1,7 @@
 #include "io/cad_format.h"
 
+#include "io/foreign_content.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -7,10 +9,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 namespace knead {
 
@@ -30,39 +32,6 @@ std::string_view trimmed(std::string_view text)
 {
     const std::size_t first = text.find_first_not_of(" \t\r\n\v\f");
     return first == std::string_view::npos ? std::string_view{} : text.substr(first);
-}
-
-/// What a file is when it is certainly nothing we read.
-std::optional<std::string> foreignContent(std::string_view head)
-{
-    struct Signature {
-        std::string_view bytes;
-        const char* sentence;
-    };
-    using namespace std::string_view_literals;
-    static constexpr std::array signatures{
-        Signature{"PK\x03\x04"sv, "this is a zip archive; unpack it and open the file inside."},
-        Signature{"\x1F\x8B"sv, "this is a gzip archive; unpack it and open the file inside."},
-        Signature{"BZh"sv, "this is a bzip2 archive; unpack it and open the file inside."},
-        Signature{"7z\xBC\xAF\x27\x1C"sv, "this is a 7z archive; unpack it and open the file inside."},
-        Signature{"\xFF\xFE"sv, "the text is UTF-16; save it as plain text (ASCII or UTF-8) and open it again."},
-        Signature{"\xFE\xFF"sv, "the text is UTF-16; save it as plain text (ASCII or UTF-8) and open it again."},
-        Signature{"%PDF"sv, "this is a PDF document; ask for the STEP file of the part."},
-        Signature{"\x89PNG"sv, "this is a picture; ask for the STEP file of the part."},
-        Signature{"\xFF\xD8\xFF"sv, "this is a picture; ask for the STEP file of the part."},
-        Signature{"SQLite format 3"sv, "this is a database, not a CAD or mesh file."},
-        Signature{"\xD0\xCF\x11\xE0"sv, "this is a native file of another program; export it as STEP there."},
-        Signature{"\x7F"
-                  "ELF"sv,
-                  "this is a program, not a CAD or mesh file."},
-    };
-    for (const Signature& signature : signatures)
-        if (head.starts_with(signature.bytes))
-            return signature.sentence;
-    const std::string_view text = trimmed(withoutByteOrderMark(head));
-    if (text.starts_with("<!DOCTYPE") || text.starts_with("<html"))
-        return "this is a web page, not a CAD file; the download may have failed.";
-    return std::nullopt;
 }
 
 /// IGES is in 80 columns; column 73 of the first line is S (start section), or C in the compressed form.
@@ -147,6 +116,22 @@ std::string readHead(const std::string& path)
     return head;
 }
 
+/// Looks through the whole file.
+bool holdsText(const std::string& path, std::string_view text)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::string window;
+    std::vector<char> block(1U << 20U);
+    while (file) {
+        file.read(block.data(), static_cast<std::streamsize>(block.size()));
+        window.append(block.data(), static_cast<std::size_t>(file.gcount()));
+        if (window.find(text) != std::string::npos)
+            return true;
+        window.erase(0, window.size() - std::min(window.size(), text.size()));
+    }
+    return false;
+}
+
 std::uintmax_t checkedSize(const std::string& path)
 {
     std::error_code error;
@@ -184,6 +169,10 @@ std::string formatName(FormatKind kind)
         return "OBJ";
     case FormatKind::Ply:
         return "PLY";
+    case FormatKind::ThreeMf:
+        return "3MF";
+    case FormatKind::Gltf:
+        return "glTF";
     }
     return {};
 }
@@ -192,6 +181,12 @@ FormatKind recognizeFormat(const std::string& path)
 {
     const std::uintmax_t size = checkedSize(path);
     const std::string head = readHead(path);
+    if (head.starts_with("PK\x03\x04")) {
+        const ZipContent zip = zipContent(path);
+        if (!zip.isThreeMf)
+            failReading(path, zip.sentence);
+        return FormatKind::ThreeMf;
+    }
     if (const auto sentence = foreignContent(head))
         failReading(path, *sentence);
     if (trimmed(withoutByteOrderMark(head)).starts_with("ISO-10303-21"))
@@ -206,11 +201,20 @@ FormatKind recognizeFormat(const std::string& path)
         return FormatKind::Stl;
     if (head.starts_with("ply\n") || head.starts_with("ply\r"))
         return FormatKind::Ply;
+    if (head.starts_with("glTF"))
+        return FormatKind::Gltf;
+    if (trimmed(withoutByteOrderMark(head)).starts_with('{')) {
+        if (!holdsText(path, "\"asset\""))
+            failReading(path,
+                        "this is a JSON text, but no glTF (\"asset\" is missing in it); export the part as STEP.");
+        return FormatKind::Gltf;
+    }
     if (looksLikeObj(head) || (endsIn(path, ".obj") && isText(head)))
         return FormatKind::Obj;
     if (isText(head))
-        failReading(path, "this is a text, but none of STEP, IGES, BREP, STL, OBJ or PLY; export the part as STEP.");
-    failReading(path, "the content is none of STEP, IGES, BREP, STL, OBJ or PLY; export the part as STEP.");
+        failReading(path,
+                    "this is a text, but none of STEP, IGES, BREP, STL, OBJ, PLY and glTF; export the part as STEP.");
+    failReading(path, "the content is none of STEP, IGES, BREP, STL, OBJ, PLY, 3MF and glTF; export the part as STEP.");
 }
 
 std::string shortName(const std::string& path)

@@ -4,7 +4,7 @@
 
 namespace knead {
 
-enum class FormatKind { Step, Iges, Brep, Stl, Obj, Ply };
+enum class FormatKind { Step, Iges, Brep, Stl, Obj, Ply, ThreeMf, Gltf };
 
 /// "STEP", "IGES", ...
 std::string formatName(FormatKind kind);

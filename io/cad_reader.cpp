@@ -1,10 +1,15 @@
 #include "io/cad_reader.h"
 
+#include "core/model/length_units.h"
 #include "io/cad_document.h"
 #include "io/cad_part.h"
 #include "io/occt_session.h"
+#include "io/part_selection.h"
 #include "io/size_limits.h"
 
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <utility>
@@ -16,19 +21,21 @@ namespace {
 struct Leaf {
     const CadNode* node;
     PartNode* place;
-    std::string path; ///< ends in the leaf's own name
+    std::string assembly; ///< path of what the leaf is in; empty for the file
 };
 
 /// Copies the tree without its parts and lists its leaves in order.
+/// @param path of `from`, empty for the file
 void copyTree(const CadNode& from, PartNode& to, const std::string& path, std::vector<Leaf>& leaves)
 {
     to.name = from.name;
-    if (from.shape)
-        leaves.push_back({&from, &to, path});
     to.children.resize(from.children.size());
-    for (std::size_t i = 0; i < from.children.size(); ++i)
-        copyTree(from.children[i], to.children[i],
-                 path.empty() ? from.children[i].name : path + "/" + from.children[i].name, leaves);
+    for (std::size_t i = 0; i < from.children.size(); ++i) {
+        const CadNode& child = from.children[i];
+        if (child.shape)
+            leaves.push_back({&child, &to.children[i], path});
+        copyTree(child, to.children[i], path.empty() ? child.name : path + "/" + child.name, leaves);
+    }
 }
 
 std::string numbered(const std::string& name, std::size_t index)
@@ -38,11 +45,14 @@ std::string numbered(const std::string& name, std::size_t index)
 
 class PartMaker {
 public:
-    PartMaker(const CadDocument& document, const ImportOptions& options, TaskControl& control, Model& model)
-        : m_document(document)
+    PartMaker(const std::string& path, const CadDocument& document, const ImportOptions& options, TaskControl& control,
+              Model& model)
+        : m_path(path)
+        , m_document(document)
         , m_options(options)
         , m_control(control)
         , m_model(model)
+        , m_selection(options.parts)
     {
     }
 
@@ -52,20 +62,25 @@ public:
         copyTree(m_document.root, m_model.tree, {}, leaves);
         for (std::size_t i = 0; i < leaves.size(); ++i)
             addLeaf(leaves[i], static_cast<double>(i) / static_cast<double>(leaves.size()));
+        m_selection.finish(m_path, m_model);
     }
 
 private:
     /// One body is the leaf itself; several become its children.
     void addLeaf(const Leaf& leaf, double done)
     {
-        const std::vector<TopoDS_Shape> bodies = splitIntoBodies(*leaf.node->shape);
-        const std::string parentPath = leaf.path.substr(0, leaf.path.size() - leaf.node->name.size());
+        const std::vector<TopoDS_Shape> bodies = splitByVisibility(splitIntoBodies(*leaf.node->shape));
+        const std::string& assembly = leaf.assembly;
         for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const std::string name = numbered(leaf.node->name, i);
+            if (!m_selection.wants(assembly, name))
+                continue;
             m_control.report(done, "measuring parts");
             m_control.throwIfCancelled();
             Part part = makePart(bodies[i], leaf.node->color, m_document.colors, m_options);
-            part.name = numbered(leaf.node->name, i);
-            part.path = parentPath + part.name;
+            part.name = name;
+            part.path = assembly.empty() ? name : assembly + "/" + name;
+            takeDisplay(bodies[i], *leaf.node, part);
             const std::size_t index = m_model.parts.size();
             if (bodies.size() == 1)
                 leaf.place->part = index;
@@ -75,11 +90,68 @@ private:
         }
     }
 
+    /// Surfaces of a body that are hidden are no part of what is shown, they become a body of their own.
+    std::vector<TopoDS_Shape> splitByVisibility(const std::vector<TopoDS_Shape>& bodies) const
+    {
+        std::vector<TopoDS_Shape> result;
+        for (const TopoDS_Shape& body : bodies) {
+            if (body.ShapeType() != TopAbs_COMPOUND) {
+                result.push_back(body);
+                continue;
+            }
+            for (const bool visible : {true, false}) {
+                TopoDS_Compound surfaces;
+                const BRep_Builder builder;
+                builder.MakeCompound(surfaces);
+                for (TopoDS_Iterator parts(body); parts.More(); parts.Next())
+                    if (displayOf(parts.Value()).visible == visible)
+                        builder.Add(surfaces, parts.Value());
+                if (surfaces.NbChildren() > 0)
+                    result.push_back(surfaces);
+            }
+        }
+        return result;
+    }
+
+    /// What is said of the body itself, of the surfaces it consists of, or else of the leaf.
+    void takeDisplay(const TopoDS_Shape& body, const CadNode& leaf, Part& part) const
+    {
+        const ShapeDisplay own = displayOf(body);
+        part.visible = leaf.visible && own.visible;
+        part.layer = own.layer.empty() ? leaf.layer : own.layer;
+    }
+
+    ShapeDisplay displayOf(const TopoDS_Shape& body) const
+    {
+        if (const auto own = m_document.displays.find(body); own || body.ShapeType() != TopAbs_COMPOUND)
+            return own.value_or(ShapeDisplay{});
+        ShapeDisplay common{false, {}}; // hidden when all of it is
+        for (TopoDS_Iterator surfaces(body); surfaces.More(); surfaces.Next()) {
+            const ShapeDisplay one = displayOf(surfaces.Value());
+            common.visible = common.visible || one.visible;
+            if (common.layer.empty())
+                common.layer = one.layer;
+        }
+        return common;
+    }
+
+    const std::string& m_path;
     const CadDocument& m_document;
     const ImportOptions& m_options;
     TaskControl& m_control;
     Model& m_model;
+    PartSelection m_selection;
 };
+
+/// The same wishes when the lengths of the document will be taken in another unit afterwards.
+ImportOptions inUnitOf(const CadDocument& document, ImportOptions options)
+{
+    const LengthUnit* stated = findLengthUnit(document.unit.empty() ? "mm" : document.unit);
+    const LengthUnit* wanted = findLengthUnit(options.unit);
+    if (stated != nullptr && wanted != nullptr)
+        options.linearDeflection *= stated->metres / wanted->metres;
+    return options;
+}
 
 } // namespace
 
@@ -94,7 +166,7 @@ Model readCad(const std::string& path, FormatKind kind, const ImportOptions& opt
         model.unit = document.unit;
         model.warnings = document.warnings;
         TaskPortion measuring(control, 0.5, 1);
-        PartMaker(document, options, measuring, model).run();
+        PartMaker(path, document, inUnitOf(document, options), measuring, model).run();
     });
     checkPlaceAndSize(path, model);
     return model;

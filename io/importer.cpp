@@ -1,18 +1,66 @@
 #include "io/importer.h"
 
+#include "core/model/length_units.h"
 #include "io/cad_format.h"
 #include "io/cad_reader.h"
 #include "io/mesh_reader.h"
+#include "io/size_limits.h"
+#include "io/three_mf_reader.h"
+#include "io/unit_remark.h"
+
+#include <stdexcept>
+#include <utility>
 
 namespace knead {
+
+namespace {
+
+/// Takes the lengths in the unit that was asked for, or says what can be said about the one that was taken.
+void settleUnit(const std::string& path, const std::string& wanted, Model& model)
+{
+    if (wanted.empty()) {
+        if (model.unit.empty())
+            model.warnings.push_back(shortName(path) + ": " + std::string(noUnitStated));
+        model.unitRemark = unitRemark(model);
+        return;
+    }
+    try {
+        model = takenIn(std::move(model), wanted);
+    } catch (const std::runtime_error& error) {
+        failReading(path, error.what());
+    }
+    checkPlaceAndSize(path, model);
+}
+
+Model readAs(FormatKind kind, const std::string& path, const ImportOptions& options, TaskControl& control)
+{
+    switch (kind) {
+    case FormatKind::Step:
+    case FormatKind::Iges:
+    case FormatKind::Brep:
+        return readCad(path, kind, options, control);
+    case FormatKind::ThreeMf:
+        return readThreeMf(path, options, control);
+    case FormatKind::Stl:
+    case FormatKind::Obj:
+    case FormatKind::Ply:
+    case FormatKind::Gltf:
+        break;
+    }
+    return readMesh(path, kind, options, control);
+}
+
+} // namespace
 
 Model importFile(const std::string& path, const ImportOptions& options, TaskControl& control)
 {
     control.throwIfCancelled();
+    if (!options.unit.empty() && findLengthUnit(options.unit) == nullptr)
+        failReading(path, "\"" + options.unit + "\" is no length unit; choose one of " + lengthUnitNames() + ".");
     const FormatKind kind = recognizeFormat(path);
-    const bool isMesh = kind == FormatKind::Stl || kind == FormatKind::Obj || kind == FormatKind::Ply;
-    Model model = isMesh ? readMesh(path, kind, control) : readCad(path, kind, options, control);
+    Model model = readAs(kind, path, options, control);
     model.file = path;
+    settleUnit(path, options.unit, model);
     control.throwIfCancelled();
     control.report(1, "done");
     return model;
@@ -27,6 +75,8 @@ const std::vector<FileFormat>& importFormats()
         {"STL", {"stl"}},
         {"OBJ", {"obj"}},
         {"PLY", {"ply"}},
+        {"3MF", {"3mf"}},
+        {"glTF", {"glb", "gltf"}},
     };
     return formats;
 }

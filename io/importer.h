@@ -9,8 +9,8 @@
 
 namespace knead {
 
-/// Reads any supported file: STEP, IGES, BREP with exact geometry; STL, OBJ, PLY as meshes. The content decides the format,
-/// not the ending. One import at a time per process runs (a lock inside): the CAD readers share global state.
+/// Reads any supported file: STEP, IGES, BREP with exact geometry; STL, OBJ, PLY, 3MF, glTF as meshes. The content decides
+/// the format, not the ending. One import at a time per process runs (a lock inside): the CAD readers share global state.
 /// Runs on the calling thread.
 ///
 /// @throws std::runtime_error whose text is one sentence for the person: which file, what is wrong, what to do.

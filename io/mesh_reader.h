@@ -5,8 +5,13 @@
 
 namespace knead {
 
-/// Reads STL, OBJ or PLY; every object in the file becomes a part. Numbers are taken as millimetres.
+/// Reads STL, OBJ, PLY or glTF; every object in the file becomes a part. The numbers of a glTF are metres by its format,
+/// the others are taken as millimetres.
 /// @throws std::runtime_error, in a sentence. @throws Cancelled
-Model readMesh(const std::string& path, FormatKind kind, TaskControl& control);
+Model readMesh(const std::string& path, FormatKind kind, const ImportOptions& options, TaskControl& control);
+
+/// Welds and measures the meshes of a model, and judges whether they are closed. Box, volume and the like are set.
+/// @throws std::runtime_error, in a sentence, when there is none, or one has no place or size. @throws Cancelled
+void measureMeshes(const std::string& path, Model& model, TaskControl& control);
 
 } // namespace knead

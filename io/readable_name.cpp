@@ -83,6 +83,35 @@ std::string readable(Text text)
     return name;
 }
 
+bool isUtf8(std::string_view text)
+{
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t start = at;
+        const char32_t letter = nextLetter(text, at);
+        if (letter == replacement && text.substr(start, at - start) != "\xEF\xBF\xBD")
+            return false;
+    }
+    return true;
+}
+
+/// The text as bytes when every letter of it is one; else empty.
+std::string bytesOf(std::u16string_view text)
+{
+    std::string bytes;
+    for (const char16_t letter : text) {
+        if (letter > 0xFF)
+            return {};
+        bytes += static_cast<char>(static_cast<unsigned char>(letter));
+    }
+    return bytes;
+}
+
+/// UTF-8 with letters beyond ASCII that a reader took for one letter a byte: "BÃ¼gel". Nobody means such a name.
+bool isForeignUtf8(std::string_view bytes)
+{
+    return isUtf8(bytes) && std::any_of(bytes.begin(), bytes.end(), [](unsigned char byte) { return byte >= 0x80; });
+}
+
 bool isDigits(std::string_view text)
 {
     return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
@@ -92,12 +121,18 @@ bool isDigits(std::string_view text)
 
 std::string readableName(std::string_view utf8)
 {
-    return readable(utf8);
+    if (isUtf8(utf8))
+        return readable(utf8);
+    std::u16string latin1;
+    for (const char byte : utf8)
+        latin1 += static_cast<char16_t>(static_cast<unsigned char>(byte));
+    return readable(std::u16string_view(latin1));
 }
 
 std::string readableName(std::u16string_view utf16)
 {
-    return readable(utf16);
+    const std::string bytes = bytesOf(utf16);
+    return isForeignUtf8(bytes) ? readable(std::string_view(bytes)) : readable(utf16);
 }
 
 bool isGeneratedName(std::string_view name)

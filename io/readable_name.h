@@ -6,6 +6,7 @@
 namespace knead {
 
 /// A name from a file made fit to show: valid UTF-8 on one line without control characters, at most 120 bytes.
+/// Bytes that are no UTF-8 are taken as Latin-1, and letters that are the bytes of UTF-8 as that.
 std::string readableName(std::string_view utf8);
 std::string readableName(std::u16string_view utf16);
 

@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include "core/model/length_units.h"
 #include "ui/actions.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/home_page.h"
@@ -326,10 +327,19 @@ void MainWindow::showImport()
 
 void MainWindow::takeIn(const QString& unit)
 {
+    if (m_document.isEmpty() || isBusy())
+        return;
+    m_banner->hide();
     OpenRequest request = m_document.content().request;
     request.options.unit = unit.toStdString();
     request.spacing = 0; // chosen for another size
-    open(request);
+    const auto work = [model = m_document.content().model, request,
+                       material = startMaterial(m_services.materials)](TaskControl& control) {
+        return prepareModel(std::make_shared<const Model>(takenIn(*model, request.options.unit)), request, material,
+                            control);
+    };
+    m_tasks.run<PreparedContent>(tr("Taking lengths in %1").arg(unit), work,
+                                 [this](PreparedContent prepared) { m_document.open(std::move(prepared)); });
 }
 
 void MainWindow::takeHealed(bool heal)

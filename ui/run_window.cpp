@@ -4,6 +4,7 @@
 #include "ui/viewport/viewport_bridge.h"
 
 #include <QApplication>
+#include <QFile>
 #include <QSurfaceFormat>
 
 namespace knead {
@@ -22,8 +23,11 @@ int showMainWindow(int argc, char** argv, Services services, const std::vector<s
     QApplication::setApplicationDisplayName("Knead");
     MainWindow window(std::move(services));
     window.show();
-    if (!files.empty())
-        window.open({.paths = files, .options = {}});
+    QStringList paths;
+    for (const std::string& file : files)
+        paths << QFile::decodeName(file.c_str());
+    if (!paths.empty())
+        window.open(paths);
     return QApplication::exec();
 }
 

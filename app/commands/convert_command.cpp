@@ -2,6 +2,7 @@
 
 #include "app/cad_process.h"
 #include "app/exit_status.h"
+#include "app/import_arguments.h"
 #include "app/terminal_control.h"
 #include "io/mesh_writer.h"
 #include "io/picture_writer.h"
@@ -29,6 +30,7 @@ struct ConvertOptions {
     std::string input;
     std::string output;
     double deflection = 0; ///< [mm]; 0: the importer's own
+    ImportOptions import;
 };
 
 std::string endingOf(const std::string& path)
@@ -71,7 +73,7 @@ std::optional<Model> read(const ConvertOptions& options, int& status)
 {
     TerminalControl control;
     try {
-        ImportOptions how;
+        ImportOptions how = options.import;
         how.linearDeflection = options.deflection * millimeter;
         Model model = importInChild(options.input, how, control);
         control.clear();
@@ -103,6 +105,10 @@ int convert(const ConvertOptions& options)
     }
     for (const std::string& warning : model->warnings)
         std::cerr << "knead: warning: " << warning << '\n';
+    if (model->unitRemark)
+        std::cerr << "knead: warning: " << model->unitRemark->sentence << '\n';
+    for (const std::string& sentence : model->missing)
+        std::cerr << "knead: missing: " << sentence << '\n';
     return exit_status::done;
 }
 
@@ -112,11 +118,12 @@ void addConvertCommand(CLI::App& program, int& exitStatus)
 {
     auto options = std::make_shared<ConvertOptions>();
     CLI::App* command = program.add_subcommand("convert", "Write a CAD or mesh file as triangles or as a picture");
-    command->add_option("IN", options->input, "STEP, IGES, BREP, STL, OBJ or PLY file")->required();
+    command->add_option("IN", options->input, "STEP, IGES, BREP, STL, OBJ, PLY, 3MF or glTF file")->required();
     command->add_option("OUT", options->output, "File to write: .stl, .obj, .ply or .png")->required();
     command->add_option("--deflection", options->deflection, "Largest distance of the triangles from the surface in mm")
         ->type_name("MM")
         ->check(CLI::PositiveNumber);
+    addImportArguments(*command, options->import);
     command->callback([options, &exitStatus] { exitStatus = convert(*options); });
 }
 

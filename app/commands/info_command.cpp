@@ -2,6 +2,7 @@
 
 #include "app/cad_process.h"
 #include "app/exit_status.h"
+#include "app/import_arguments.h"
 #include "app/terminal_control.h"
 
 #include <CLI/CLI.hpp>
@@ -28,6 +29,7 @@ constexpr double toMm3 = 1e9;
 struct InfoOptions {
     std::string file;
     bool json = false;
+    ImportOptions import;
 };
 
 std::string hexColor(const Color& color)
@@ -63,16 +65,20 @@ Json toJson(const Part& part)
             {"watertight", part.watertight},
             {"valid", part.valid},
             {"max_tolerance_mm", toMm * part.maxTolerance},
+            {"hidden", !part.visible},
+            {"layer", part.layer},
+            {"open_edges", part.openEdges.size()},
+            {"repairs", part.repairs},
             {"warnings", part.warnings}};
 }
 
 void printJson(const Model& model)
 {
-    Json json{{"file", model.file},
-              {"format", model.format},
-              {"unit", model.unit},
-              {"warnings", model.warnings},
+    Json json{{"file", model.file},     {"format", model.format},     {"unit", model.unit},
+              {"unit_remark", nullptr}, {"warnings", model.warnings}, {"missing", model.missing},
               {"parts", Json::array()}};
+    if (model.unitRemark)
+        json["unit_remark"] = {{"sentence", model.unitRemark->sentence}, {"unit", model.unitRemark->unit}};
     for (const Part& part : model.parts)
         json["parts"].push_back(toJson(part));
     // Paths on Linux are bytes; what is no UTF-8 is shown with replacement characters.
@@ -98,8 +104,13 @@ void printPart(const Part& part, int depth)
     if (!part.faces.empty())
         std::printf("%s, %s, ", plural(part.faces.size(), "face").c_str(),
                     plural(static_cast<std::size_t>(part.edges), "edge").c_str());
-    std::printf("%s; %s\n", plural(part.mesh.triangles.size(), "triangle").c_str(),
-                part.watertight ? "closed" : "not closed");
+    std::printf("%s; %s%s", plural(part.mesh.triangles.size(), "triangle").c_str(),
+                part.watertight ? "closed" : "not closed", part.visible ? "" : ", hidden");
+    if (!part.layer.empty())
+        std::printf(", layer %s", part.layer.c_str());
+    std::printf("\n");
+    for (const std::string& repair : part.repairs)
+        std::printf("%*s  repaired: %s\n", indent, "", repair.c_str());
     for (const std::string& warning : part.warnings)
         std::printf("%*s  warning: %s\n", indent, "", warning.c_str());
 }
@@ -126,6 +137,11 @@ void printTree(const Model& model)
                 closed, toMm3 * volume);
     for (const std::string& warning : model.warnings)
         std::printf("warning: %s\n", warning.c_str());
+    if (model.unitRemark)
+        std::printf("remark: %s Take it so with --unit %s.\n", model.unitRemark->sentence.c_str(),
+                    model.unitRemark->unit.c_str());
+    for (const std::string& sentence : model.missing)
+        std::printf("missing: %s\n", sentence.c_str());
     for (const PartNode& child : model.tree.children)
         printNode(child, model, 1);
 }
@@ -134,7 +150,7 @@ int info(const InfoOptions& options)
 {
     TerminalControl control;
     try {
-        const Model model = importInChild(options.file, {}, control);
+        const Model model = importInChild(options.file, options.import, control);
         control.clear();
         options.json ? printJson(model) : printTree(model);
         return exit_status::done;
@@ -155,8 +171,9 @@ void addInfoCommand(CLI::App& program, int& exitStatus)
 {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* command = program.add_subcommand("info", "Say what a CAD or mesh file holds");
-    command->add_option("FILE", options->file, "STEP, IGES, BREP, STL, OBJ or PLY file")->required();
+    command->add_option("FILE", options->file, "STEP, IGES, BREP, STL, OBJ, PLY, 3MF or glTF file")->required();
     command->add_flag("--json", options->json, "Print it as JSON");
+    addImportArguments(*command, options->import);
     command->callback([options, &exitStatus] { exitStatus = info(*options); });
 }
 

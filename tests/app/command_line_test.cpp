@@ -2,6 +2,10 @@
 
 #include <QtTest>
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
 #include <csignal>
 #include <fstream>
 
@@ -19,6 +23,7 @@ private slots:
     void interruptLeavesNoFiles();
     void firstRecipeCanBeRun();
     void bundledExamplesAreReadable();
+    void importOptionsAreHeeded();
 };
 
 void CommandLineTest::helpExistsEverywhere()
@@ -120,6 +125,31 @@ void CommandLineTest::bundledExamplesAreReadable()
         const Outcome outcome = knead({"run", shop.write(recipe)});
         QVERIFY2(outcome.status == 0, (name.toStdString() + ": " + outcome.errors).c_str());
     }
+}
+
+void CommandLineTest::importOptionsAreHeeded()
+{
+    const QString bracket = QString(KNEAD_RESOURCES) + "/examples/bracket.step";
+    const Outcome chosen = knead({"info", bracket, "--json", "--part", "bracket/Bushing", "--unit", "cm", "--no-heal"});
+    QVERIFY2(chosen.status == 0, chosen.errors.c_str());
+    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(chosen.out)).object();
+    QCOMPARE(json["unit"].toString(), QString("cm"));
+    QCOMPARE(json["missing"].toArray().size(), 0);
+    QVERIFY(json["unit_remark"].isNull());
+    QCOMPARE(json["parts"].toArray().size(), 1);
+    const QJsonObject part = json["parts"][0].toObject();
+    QCOMPARE(part["path"].toString(), QString("bracket/Bushing"));
+    QCOMPARE(part["hidden"].toBool(true), false);
+    QCOMPARE(part["layer"].toString("none"), QString());
+    QVERIFY(part["repairs"].isArray());
+
+    const Outcome all = knead({"info", bracket, "--json"});
+    const QJsonArray parts = QJsonDocument::fromJson(QByteArray::fromStdString(all.out)).object()["parts"].toArray();
+    QCOMPARE(parts.size(), 2);
+    QVERIFY(std::abs(part["volume_mm3"].toDouble() / parts[1].toObject()["volume_mm3"].toDouble() - 1000) < 1e-6);
+
+    QCOMPARE(knead({"info", bracket, "--unit", "parsec"}).status, 2);
+    QCOMPARE(knead({"info", bracket, "--part", "bracket/Wheel"}).status, 2);
 }
 
 QTEST_GUILESS_MAIN(CommandLineTest)

@@ -1,5 +1,6 @@
 #include "ui/dialogs/import_dialog.h"
 
+#include "core/model/length_units.h"
 #include "ui/panels/form.h"
 #include "ui/theme.h"
 #include "ui/units.h"
@@ -203,8 +204,8 @@ QWidget* ImportDialog::makeChoices()
 
     m_unit = makeChoice("importUnit", box);
     m_unit->addItem(tr("As the file says"), QString());
-    for (const char* unit : {"mm", "cm", "m", "inch", "ft"})
-        m_unit->addItem(tr(unit), QString(unit));
+    for (const LengthUnit& unit : lengthUnits())
+        m_unit->addItem(tr(unit.name), QString(unit.name));
     m_unit->setToolTip(tr("The unit that the numbers in the file are taken in"));
     form->addRow(tr("Lengths"), m_unit);
 

@@ -1,5 +1,6 @@
 #include "ui/panels/import_panel.h"
 
+#include "core/model/length_units.h"
 #include "ui/panels/form.h"
 #include "ui/theme.h"
 #include "ui/units.h"
@@ -49,8 +50,8 @@ ImportPanel::ImportPanel(QWidget* parent)
     m_remarks->setFocusPolicy(Qt::NoFocus);
     m_remarks->header()->setStretchLastSection(true);
     m_remarks->setColumnWidth(nameColumn, nameWidth);
-    for (const char* unit : {"mm", "cm", "m", "inch", "ft"})
-        m_unit->addItem(tr(unit), QString(unit));
+    for (const LengthUnit& unit : lengthUnits())
+        m_unit->addItem(tr(unit.name), QString(unit.name));
     m_unit->setToolTip(
         tr("The unit that the numbers in the file are taken in. Another one opens the part anew in it."));
 

@@ -1,0 +1,26 @@
+#include "app/import_arguments.h"
+
+#include "core/model/length_units.h"
+
+#include <CLI/CLI.hpp>
+
+namespace knead {
+
+void addImportArguments(CLI::App& command, ImportOptions& options)
+{
+    command
+        .add_option("--unit", options.unit,
+                    "Take the lengths in this unit, whatever the file says: " + lengthUnitNames())
+        ->type_name("UNIT");
+    command
+        .add_option("--part", options.parts,
+                    "Path of a part or assembly to read, as knead info --json lists them; may be given several times. "
+                    "All others are left out")
+        ->type_name("PATH")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command.add_flag_callback(
+        "--no-heal", [&options] { options.heal = false; }, "Leave shapes as they are in the file");
+}
+
+} // namespace knead

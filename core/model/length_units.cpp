@@ -1,0 +1,121 @@
+#include "core/model/length_units.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <stdexcept>
+
+namespace knead {
+
+namespace {
+
+constexpr std::array units{
+    LengthUnit{"mm", "millimetres", 1e-3}, LengthUnit{"m", "metres", 1},
+    LengthUnit{"inch", "inches", 0.0254},  LengthUnit{"cm", "centimetres", 1e-2},
+    LengthUnit{"ft", "feet", 0.3048},      LengthUnit{"um", "micrometres", 1e-6},
+    LengthUnit{"dm", "decimetres", 0.1},   LengthUnit{"mil", "thousandths of an inch", 2.54e-5},
+    LengthUnit{"nm", "nanometres", 1e-9},  LengthUnit{"km", "kilometres", 1e3},
+    LengthUnit{"mile", "miles", 1609.344}, LengthUnit{"uinch", "millionths of an inch", 2.54e-8},
+};
+
+struct Spelling {
+    std::string_view text; ///< lower case
+    std::string_view name;
+};
+constexpr std::array spellings{
+    Spelling{"in", "inch"},         Spelling{"inches", "inch"},  Spelling{"\"", "inch"},
+    Spelling{"foot", "ft"},         Spelling{"feet", "ft"},      Spelling{"'", "ft"},
+    Spelling{"\xC2\xB5m", "um"},    Spelling{"\xCE\xBCm", "um"}, Spelling{"micron", "um"},
+    Spelling{"microns", "um"},      Spelling{"thou", "mil"},     Spelling{"mils", "mil"},
+    Spelling{"microinch", "uinch"}, Spelling{"uin", "uinch"},    Spelling{"mi", "mile"},
+    Spelling{"miles", "mile"},
+};
+
+std::string lowerCase(std::string_view text)
+{
+    std::string lower(text);
+    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    return lower;
+}
+
+/// "millimetre", "millimeter", "millimetres" and "millimeters" are all "millimetres".
+std::string britishPlural(std::string text)
+{
+    if (const std::size_t end = text.rfind("meter"); end != std::string::npos)
+        text.replace(end, 5, "metre");
+    return text.ends_with("metre") ? text + "s" : text;
+}
+
+Box scaled(const Box& box, double factor)
+{
+    return box.isEmpty() ? box : Box(factor * box.min(), factor * box.max());
+}
+
+void scalePart(Part& part, double factor)
+{
+    for (Vec3& vertex : part.mesh.vertices)
+        vertex *= factor;
+    for (std::vector<Vec3>& line : part.openEdges)
+        for (Vec3& point : line)
+            point *= factor;
+    part.box = scaled(part.box, factor);
+    part.area *= factor * factor;
+    part.volume *= factor * factor * factor;
+    part.maxTolerance *= factor;
+}
+
+const LengthUnit& known(std::string_view text, const char* whose)
+{
+    const LengthUnit* unit = findLengthUnit(text);
+    if (unit == nullptr)
+        throw std::runtime_error("the length unit \"" + std::string(text) + "\" " + whose +
+                                 " is not known; known are " + lengthUnitNames() + ".");
+    return *unit;
+}
+
+} // namespace
+
+std::span<const LengthUnit> lengthUnits()
+{
+    return units;
+}
+
+const LengthUnit* findLengthUnit(std::string_view text)
+{
+    std::string name = lowerCase(text);
+    const auto spelling =
+        std::find_if(spellings.begin(), spellings.end(), [&](const Spelling& known) { return known.text == name; });
+    if (spelling != spellings.end())
+        name = spelling->name;
+    const std::string plural = britishPlural(name);
+    const auto unit = std::find_if(units.begin(), units.end(),
+                                   [&](const LengthUnit& one) { return one.name == name || one.plural == plural; });
+    return unit == units.end() ? nullptr : &*unit;
+}
+
+std::string lengthUnitNames()
+{
+    std::string names;
+    for (const LengthUnit& unit : units)
+        names += (names.empty() ? "" : ", ") + std::string(unit.name);
+    return names;
+}
+
+void scaleModel(Model& model, double factor)
+{
+    for (Part& part : model.parts)
+        scalePart(part, factor);
+}
+
+Model takenIn(Model model, std::string_view unit)
+{
+    const LengthUnit& wanted = known(unit, "that was asked for");
+    const LengthUnit& taken = known(model.unit.empty() ? "mm" : model.unit, "of the file");
+    scaleModel(model, wanted.metres / taken.metres);
+    model.unit = wanted.name;
+    model.unitRemark.reset();
+    std::erase_if(model.warnings, [](const std::string& warning) { return warning.ends_with(noUnitStated); });
+    return model;
+}
+
+} // namespace knead
