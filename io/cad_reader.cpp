@@ -2,12 +2,16 @@
 
 #include "io/cad_document.h"
 #include "io/cad_part.h"
+#include "io/healing.h"
 #include "io/occt_session.h"
 #include "io/size_limits.h"
 
+#include <Standard_Failure.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace knead {
 
@@ -31,6 +35,14 @@ void copyTree(const CadNode& from, PartNode& to, const std::string& path, std::v
                  path.empty() ? from.children[i].name : path + "/" + from.children[i].name, leaves);
 }
 
+/// What was left out leaves no node behind.
+void removeEmptyNodes(PartNode& node)
+{
+    for (PartNode& child : node.children)
+        removeEmptyNodes(child);
+    std::erase_if(node.children, [](const PartNode& child) { return !child.part && child.children.empty(); });
+}
+
 std::string numbered(const std::string& name, std::size_t index)
 {
     return index == 0 ? name : name + " (" + std::to_string(index + 1) + ")";
@@ -50,29 +62,63 @@ public:
     {
         std::vector<Leaf> leaves;
         copyTree(m_document.root, m_model.tree, {}, leaves);
-        for (std::size_t i = 0; i < leaves.size(); ++i)
-            addLeaf(leaves[i], static_cast<double>(i) / static_cast<double>(leaves.size()));
+        for (std::size_t i = 0; i < leaves.size(); ++i) {
+            m_control.report(static_cast<double>(i) / static_cast<double>(leaves.size()), "measuring parts");
+            m_control.throwIfCancelled();
+            addLeaf(leaves[i]);
+        }
+        removeEmptyNodes(m_model.tree);
     }
 
 private:
     /// One body is the leaf itself; several become its children.
-    void addLeaf(const Leaf& leaf, double done)
+    void addLeaf(const Leaf& leaf)
     {
-        const std::vector<TopoDS_Shape> bodies = splitIntoBodies(*leaf.node->shape);
+        const std::vector<Body> bodies = bodiesOf(leaf);
         const std::string parentPath = leaf.path.substr(0, leaf.path.size() - leaf.node->name.size());
         for (std::size_t i = 0; i < bodies.size(); ++i) {
-            m_control.report(done, "measuring parts");
             m_control.throwIfCancelled();
-            Part part = makePart(bodies[i], leaf.node->color, m_document.colors, m_options);
-            part.name = numbered(leaf.node->name, i);
-            part.path = parentPath + part.name;
+            const std::string name = numbered(leaf.node->name, i);
+            std::optional<Part> part = soundPart(bodies[i], *leaf.node, name);
+            if (!part)
+                continue;
+            part->name = name;
+            part->path = parentPath + name;
             const std::size_t index = m_model.parts.size();
             if (bodies.size() == 1)
                 leaf.place->part = index;
             else
-                leaf.place->children.push_back({part.name, index, {}});
-            m_model.parts.push_back(std::move(part));
+                leaf.place->children.push_back({name, index, {}});
+            m_model.parts.push_back(std::move(*part));
         }
+    }
+
+    std::vector<Body> bodiesOf(const Leaf& leaf)
+    {
+        std::vector<Body> bodies = splitIntoBodies(*leaf.node->shape);
+        if (!m_options.heal)
+            return bodies;
+        std::vector<Body> result;
+        for (const Body& body : bodies)
+            for (Body& one : healed(body, m_control))
+                result.push_back(std::move(one));
+        return result;
+    }
+
+    /// One sick part does not take the others with it: it is left out, and the model says so.
+    std::optional<Part> soundPart(const Body& body, const CadNode& node, const std::string& name)
+    {
+        try {
+            Part part = makePart(body, node.color, m_document.colors, m_options);
+            const std::optional<std::string> sickness = sicknessOf(part);
+            if (!sickness)
+                return part;
+            m_model.missing.push_back(leftOut(name, *sickness));
+        } catch (const Standard_Failure& failure) {
+            m_model.missing.push_back(
+                leftOut(name, "it could not be measured (" + std::string(failure.DynamicType()->Name()) + ")"));
+        }
+        return std::nullopt;
     }
 
     const CadDocument& m_document;
@@ -96,7 +142,7 @@ Model readCad(const std::string& path, FormatKind kind, const ImportOptions& opt
         TaskPortion measuring(control, 0.5, 1);
         PartMaker(document, options, measuring, model).run();
     });
-    checkPlaceAndSize(path, model);
+    checkAnyPart(path, model);
     return model;
 }
 

@@ -106,11 +106,15 @@ void append(const aiMesh& from, TriangleMesh& to)
             to.triangles.push_back({first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
 }
 
+/// Empty when a number is none.
 Box boxOf(const TriangleMesh& mesh)
 {
     Box box;
-    for (const Vec3& vertex : mesh.vertices)
+    for (const Vec3& vertex : mesh.vertices) {
+        if (!vertex.allFinite())
+            return {};
         box.extend(vertex);
+    }
     return box;
 }
 
@@ -151,7 +155,7 @@ public:
     {
         m_model.tree.name = stemOf(m_path);
         addNode(*m_scene.mRootNode);
-        checkPlaceAndSize(m_path, m_model);
+        checkAnyPart(m_path, m_model);
         for (std::size_t i = 0; i < m_model.parts.size(); ++i) {
             m_control.throwIfCancelled();
             m_control.report(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(m_model.parts.size()),
@@ -185,6 +189,10 @@ private:
             return;
         part.name = nameOf(node);
         part.path = part.name;
+        if (const auto sickness = sicknessOf(part)) {
+            m_model.missing.push_back(leftOut(part.name, *sickness));
+            return;
+        }
         m_model.tree.children.push_back({part.name, m_model.parts.size(), {}});
         m_model.parts.push_back(std::move(part));
     }
