@@ -4,6 +4,7 @@
 #include "io/readable_name.h"
 #include "io/step_assembly_size.h"
 #include "io/step_check.h"
+#include "io/step_lost_faces.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -24,6 +25,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 namespace knead {
 
@@ -159,6 +161,9 @@ void readStep(const std::string& path, TaskControl& control, CadDocument& result
     result.unit = stepUnit(reader.ChangeReader(), path, result.warnings);
 
     transfer(reader, path, "no shape of the STEP file could be made; export the file again.", control, result);
+    StepLosses losses = findLosses(reader.Reader());
+    result.incompleteShells = std::move(losses.incomplete);
+    result.missing = std::move(losses.missing);
 }
 
 std::string igesUnit(const IGESCAFControl_Reader& reader, const std::string& path, std::vector<std::string>& warnings)

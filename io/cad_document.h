@@ -34,11 +34,20 @@ private:
     std::unordered_map<const void*, Color> m_colors; // by the geometry that instances share
 };
 
+/// A shell of which the reader could make some faces only.
+struct IncompleteShell {
+    std::shared_ptr<const TopoDS_Shape> shape;
+    int read = 0;  ///< faces
+    int named = 0; ///< in the file
+};
+
 /// What a CAD file holds, before any measuring.
 struct CadDocument {
     std::string format; ///< "STEP AP214"
     std::string unit;   ///< as Model::unit
     std::vector<std::string> warnings;
+    std::vector<std::string> missing; ///< as Model::missing
+    std::vector<IncompleteShell> incompleteShells;
     CadNode root;
     ShapeColors colors;
 };

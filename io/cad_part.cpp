@@ -120,7 +120,7 @@ void judge(Part& part, std::size_t freeEdges)
     if (freeEdges > 0) {
         const std::string borders = describeBorders(freeEdges, part.openEdges);
         part.warnings.push_back((part.solids == 0 ? "is an open surface: " : "is not closed: ") + borders +
-                                "; it is shown and cannot be filled.");
+                                ". It is shown and cannot be filled.");
     } else if (part.solids == 0) {
         part.warnings.emplace_back("is a closed surface but no solid; it is shown and cannot be filled.");
     } else if (!isWatertight(part.mesh)) {

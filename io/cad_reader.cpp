@@ -7,6 +7,7 @@
 #include "io/size_limits.h"
 
 #include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <optional>
@@ -105,11 +106,22 @@ private:
         return result;
     }
 
+    void warnOfLostFaces(const Body& body, Part& part) const
+    {
+        for (TopExp_Explorer shells(body.original, TopAbs_SHELL); shells.More(); shells.Next())
+            for (const IncompleteShell& shell : m_document.incompleteShells)
+                if (shells.Current().IsPartner(*shell.shape))
+                    part.warnings.push_back("is incomplete: " + std::to_string(shell.read) + " of " +
+                                            std::to_string(shell.named) +
+                                            " faces of a shell could be read; the others are damaged in the file.");
+    }
+
     /// One sick part does not take the others with it: it is left out, and the model says so.
     std::optional<Part> soundPart(const Body& body, const CadNode& node, const std::string& name)
     {
         try {
             Part part = makePart(body, node.color, m_document.colors, m_options);
+            warnOfLostFaces(body, part);
             const std::optional<std::string> sickness = sicknessOf(part);
             if (!sickness)
                 return part;
@@ -139,6 +151,7 @@ Model readCad(const std::string& path, FormatKind kind, const ImportOptions& opt
         model.format = document.format;
         model.unit = document.unit;
         model.warnings = document.warnings;
+        model.missing = document.missing;
         TaskPortion measuring(control, 0.5, 1);
         PartMaker(document, options, measuring, model).run();
     });

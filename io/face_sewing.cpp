@@ -69,6 +69,12 @@ double widestGap(const TopoDS_Shape& shape)
     return gap;
 }
 
+std::string gapWords(double gap)
+{
+    constexpr double nothing = 1e-9; // [m]
+    return gap < nothing ? "" : "; the widest gap between two of them is " + lengthWords(gap);
+}
+
 class Sewer {
 public:
     explicit Sewer(const Body& body)
@@ -133,7 +139,7 @@ private:
     {
         return countOf(static_cast<std::size_t>(m_faces.Extent()), "separate face") +
                " were sewn with a tolerance of " + lengthWords(millimeter * m_tolerance) +
-               "; the widest gap between two of them is " + lengthWords(millimeter * widestGap(shape)) + ".";
+               gapWords(millimeter * widestGap(shape)) + ".";
     }
 
     const Body& m_body;

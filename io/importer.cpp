@@ -11,7 +11,7 @@ Model importFile(const std::string& path, const ImportOptions& options, TaskCont
     control.throwIfCancelled();
     const FormatKind kind = recognizeFormat(path);
     const bool isMesh = kind == FormatKind::Stl || kind == FormatKind::Obj || kind == FormatKind::Ply;
-    Model model = isMesh ? readMesh(path, kind, control) : readCad(path, kind, options, control);
+    Model model = isMesh ? readMesh(path, kind, options, control) : readCad(path, kind, options, control);
     model.file = path;
     control.throwIfCancelled();
     control.report(1, "done");

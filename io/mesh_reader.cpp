@@ -1,6 +1,8 @@
 #include "io/mesh_reader.h"
 
 #include "core/geometry/mass_properties.h"
+#include "io/mesh_repair.h"
+#include "io/open_borders.h"
 #include "io/readable_name.h"
 #include "io/size_limits.h"
 
@@ -118,23 +120,36 @@ Box boxOf(const TriangleMesh& mesh)
     return box;
 }
 
-void measure(Part& part)
+/// A mesh that is taken as it is must still face outward to be filled.
+void turnIfInsideOut(Part& part)
+{
+    if (massProperties(part.mesh).volume >= 0)
+        return;
+    part.warnings.emplace_back("was inside out and has been turned.");
+    for (TriangleMesh::Triangle& triangle : part.mesh.triangles)
+        std::swap(triangle[1], triangle[2]);
+}
+
+void measure(Part& part, bool heal)
 {
     const double diagonal = part.box.diagonal().norm();
     part.mesh = weld(part.mesh, weldingShare * diagonal);
-    const MassProperties properties = massProperties(part.mesh);
-    part.area = properties.area;
+    if (heal) {
+        RepairedMesh better = repaired(std::move(part.mesh));
+        part.mesh = std::move(better.mesh);
+        part.repairs = std::move(better.repairs);
+    }
     part.watertight = isWatertight(part.mesh);
+    part.area = massProperties(part.mesh).area;
     if (!part.watertight) {
-        part.warnings.emplace_back("is not a closed surface; it is shown and cannot be filled.");
+        part.openEdges = openBordersOf(part.mesh);
+        part.warnings.push_back("is not a closed surface: " + describeBorders(part.openEdges) +
+                                ". It is shown and cannot be filled.");
         return;
     }
-    part.volume = std::abs(properties.volume);
-    if (properties.volume < 0) {
-        part.warnings.emplace_back("was inside out and has been turned.");
-        for (TriangleMesh::Triangle& triangle : part.mesh.triangles)
-            std::swap(triangle[1], triangle[2]);
-    }
+    if (!heal)
+        turnIfInsideOut(part);
+    part.volume = std::abs(massProperties(part.mesh).volume);
     part.valid = part.volume > 0;
     if (!part.valid) {
         part.watertight = false;
@@ -144,9 +159,10 @@ void measure(Part& part)
 
 class MeshModelMaker {
 public:
-    MeshModelMaker(const aiScene& scene, const std::string& path, TaskControl& control)
+    MeshModelMaker(const aiScene& scene, const std::string& path, const ImportOptions& options, TaskControl& control)
         : m_scene(scene)
         , m_path(path)
+        , m_options(options)
         , m_control(control)
     {
     }
@@ -160,7 +176,7 @@ public:
             m_control.throwIfCancelled();
             m_control.report(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(m_model.parts.size()),
                              "measuring parts");
-            measure(m_model.parts[i]);
+            measure(m_model.parts[i], m_options.heal);
         }
         return std::move(m_model);
     }
@@ -207,13 +223,14 @@ private:
 
     const aiScene& m_scene;
     const std::string& m_path;
+    const ImportOptions& m_options;
     TaskControl& m_control;
     Model m_model;
 };
 
 } // namespace
 
-Model readMesh(const std::string& path, FormatKind kind, TaskControl& control)
+Model readMesh(const std::string& path, FormatKind kind, const ImportOptions& options, TaskControl& control)
 {
     Assimp::Importer importer;
     importer.SetProgressHandler(new AssimpProgress(control)); // the importer owns it
@@ -221,7 +238,7 @@ Model readMesh(const std::string& path, FormatKind kind, TaskControl& control)
     control.throwIfCancelled();
     if (scene == nullptr || scene->mRootNode == nullptr)
         failReading(path, "the " + formatName(kind) + " file is damaged and cannot be read; export it again.");
-    Model model = MeshModelMaker(*scene, path, control).run();
+    Model model = MeshModelMaker(*scene, path, options, control).run();
     model.format = formatName(kind);
     model.warnings.push_back(shortName(path) + ": " + model.format +
                              " files state no length unit; millimetres were taken.");

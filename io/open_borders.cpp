@@ -123,8 +123,16 @@ std::string describeBorders(std::size_t edges, const std::vector<std::vector<Vec
         length += lengthOf(border);
         largest = std::max(largest, extentOf(border));
     }
-    return countOf(edges, "open edge") + ", " + lengthWords(length) + " long in all, the largest opening " +
-           lengthWords(largest) + " across";
+    return countOf(edges, "open edge") + " in " + countOf(borders.size(), "border") + ", " + lengthWords(length) +
+           " long in all; the largest opening is " + lengthWords(largest) + " across";
+}
+
+std::string describeBorders(const std::vector<std::vector<Vec3>>& borders)
+{
+    std::size_t edges = 0;
+    for (const Polyline& border : borders)
+        edges += border.size() - 1;
+    return describeBorders(edges, borders);
 }
 
 } // namespace knead

@@ -1,6 +1,7 @@
 #include "io/slit_closing.h"
 
 #include "core/geometry/mass_properties.h"
+#include "io/mesh_repair.h"
 #include "io/open_borders.h"
 
 #include <limits>
@@ -48,9 +49,11 @@ std::vector<TriangleMesh::Triangle> triangulated(const TriangleMesh& mesh, std::
 
 TriangleMesh closeSlits(TriangleMesh mesh)
 {
-    const std::vector<OpenLoop> loops = openLoopsOf(mesh);
+    std::vector<OpenLoop> loops = openLoopsOf(mesh);
     if (loops.empty())
         return mesh;
+    mesh = withoutFolds(mesh);
+    loops = openLoopsOf(mesh);
     TriangleMesh closed = mesh;
     double area = 0;
     for (const OpenLoop& loop : loops) {
