@@ -1,6 +1,8 @@
 #include "io/cad_document.h"
 
+#include "io/brep_check.h"
 #include "io/cad_assembly.h"
+#include "io/iges_check.h"
 #include "io/readable_name.h"
 #include "io/step_assembly_size.h"
 #include "io/step_check.h"
@@ -140,6 +142,9 @@ void readStep(const std::string& path, TaskControl& control, CadDocument& result
     TaskPortion checking(control, 0, 0.05);
     const StepCheck check = checkStepText(path, checking);
     result.format = check.protocol.empty() ? "STEP" : "STEP " + check.protocol;
+    if (check.protocol.empty())
+        result.warnings.push_back(shortName(path) + ": its schema \"" + check.schema +
+                                  "\" is none for CAD parts; check that nothing is missing.");
 
     control.report(0.05, "reading the file");
     std::ifstream file(path, std::ios::binary);
@@ -155,6 +160,8 @@ void readStep(const std::string& path, TaskControl& control, CadDocument& result
     if (reader.ChangeReader().ReadStream(shortName(path).c_str(), file) != IFSelect_RetDone)
         failReading(path, "the STEP text has errors that the reader cannot get over; export the file again.");
     control.throwIfCancelled();
+    if (isCyclic(reader.Reader()))
+        failReading(path, "an assembly in the file holds itself; export the file again, or its parts one by one.");
     if (countUnfoldedParts(reader.Reader(), mostParts) >= mostParts)
         failReading(path, "the assembly unfolds to more than " + std::to_string(mostParts) +
                               " parts; export the parts you need.");
@@ -204,6 +211,7 @@ void joinLooseSurfaces(CadNode& root, ShapeColors& colors)
 void readIges(const std::string& path, TaskControl& control, CadDocument& result)
 {
     result.format = "IGES";
+    checkIgesText(path, control);
     control.report(0.05, "reading the file");
     IGESCAFControl_Reader reader;
     reader.SetColorMode(true);
@@ -224,6 +232,7 @@ void readBrep(const std::string& path, TaskControl& control, CadDocument& result
 {
     result.format = "BREP";
     result.warnings.push_back(shortName(path) + ": BREP files state no length unit; millimetres were taken.");
+    checkBrepText(path);
     TopoDS_Shape shape;
     std::ifstream file(path, std::ios::binary);
     file.exceptions(std::ios::failbit | std::ios::badbit); // else the reader loops for ever at the end of a cut file

@@ -5,12 +5,15 @@
 #include "io/number_words.h"
 #include "io/solid_making.h"
 
+#include <BRepBndLib.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepTools_ReShape.hxx>
+#include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Shape.hxx>
+#include <ShapeFix_Wire.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -24,7 +27,9 @@ namespace knead {
 
 namespace {
 
-constexpr double sameMeasure = 1e-2; // relative, of area and volume: a face that was wrong measures wrong too
+constexpr double largestToleranceShare = 1e-3; // of the diagonal
+constexpr double largestSize = 1e9;            // [mm]; what is larger is not worth healing
+constexpr double sameMeasure = 1e-2;           // relative, of area and volume: a face that was wrong measures wrong too
 
 int countOfKind(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind)
 {
@@ -50,6 +55,13 @@ double areaOf(const TopoDS_Shape& shape)
     GProp_GProps properties;
     BRepGProp::SurfaceProperties(shape, properties);
     return properties.Mass();
+}
+
+double diagonalOf(const TopoDS_Shape& shape)
+{
+    Bnd_Box box;
+    BRepBndLib::Add(shape, box, false);
+    return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
 }
 
 bool isClose(double value, double expected)
@@ -108,6 +120,8 @@ void followFaces(const Body& before, const Handle(BRepTools_ReShape) & changes, 
 std::optional<Body> rebuilt(const Body& body, const BRepCheck_Analyzer& check)
 {
     ShapeFix_Shape fix(body.shape);
+    fix.SetMaxTolerance(largestToleranceShare * diagonalOf(body.shape));
+    fix.FixWireTool()->FixIntersectingEdgesMode() = 1;
     fix.Perform();
     Body result = body;
     result.isValid = true;
@@ -143,6 +157,8 @@ Body checked(const Body& body)
 
 std::vector<Body> healed(const Body& body, TaskControl& control)
 {
+    if (!(diagonalOf(body.shape) < largestSize))
+        return {body};
     const bool isSolid = hasSolid(body.shape) && freeEdgesOf(body.shape).IsEmpty();
     std::vector<Body> bodies = isSolid ? std::vector<Body>{body} : closed(body, control);
     for (Body& one : bodies) {

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double farthest = 1e5;          // [m]
 constexpr double smallest = 1e-6;         // [m]; ten times the tolerance of the modeler
+constexpr double endless = 1e50;          // [m]; planes without edges reach to 1e97
 constexpr double widestGapShare = 0.05;   // of the size; one hundredth is warned of
 constexpr double leastVolumeShare = 1e-9; // of the cube of the size; a solid with less is flat
 
@@ -25,8 +26,9 @@ bool isWithinReach(const Box& box)
 std::optional<std::string> sicknessOf(const Part& part)
 {
     const double size = part.box.isEmpty() ? 0 : part.box.diagonal().norm();
-    if (part.box.isEmpty() || !std::isfinite(size) || !std::isfinite(part.volume) || !std::isfinite(part.area))
-        return "it has no finite size";
+    if (part.box.isEmpty() || !(size < endless) || !std::isfinite(part.volume) || !std::isfinite(part.area))
+        return "it has no finite size: numbers in it are damaged, or its edges are smaller than 0.1 um and lost; check "
+               "the length unit";
     if (!isWithinReach(part.box))
         return "it reaches farther than 100 km from the origin; check the length unit and the position";
     if (size < smallest)
