@@ -138,8 +138,8 @@ private:
     std::string sentenceFor(const TopoDS_Shape& shape) const
     {
         return countOf(static_cast<std::size_t>(m_faces.Extent()), "separate face") +
-               " were sewn with a tolerance of " + lengthWords(millimeter * m_tolerance) +
-               gapWords(millimeter * widestGap(shape)) + ".";
+               wasOrWere(static_cast<std::size_t>(m_faces.Extent())) + "sewn with a tolerance of " +
+               lengthWords(millimeter * m_tolerance) + gapWords(millimeter * widestGap(shape)) + ".";
     }
 
     const Body& m_body;

@@ -137,8 +137,8 @@ std::optional<Body> rebuilt(const Body& body, const BRepCheck_Analyzer& check)
     followFaces(body, fix.Context(), result);
     const std::size_t invalid = countInvalidFaces(body.shape, check);
     result.repairs.push_back(invalid == 0 ? "Edges that failed the geometry checks were rebuilt."
-                                          : countOf(invalid, "face") + " that failed the geometry checks " +
-                                                (invalid == 1 ? "was" : "were") + " rebuilt.");
+                                          : countOf(invalid, "face") + " that failed the geometry checks" +
+                                                wasOrWere(invalid) + "rebuilt.");
     return result;
 }
 

@@ -76,7 +76,7 @@ public:
             return;
         if (line.size() <= sectionColumn || std::string_view("SGDPT").find(line[sectionColumn]) == line.npos)
             failReading(m_path, "line " + std::to_string(m_lineNumber + 1) +
-                                    " of the IGES file lost its 80 columns; get it again, not as mail text.");
+                                    " of the IGES file is not in 80 columns; the file is damaged, get it again.");
         ++m_lineNumber;
         const char section = line[sectionColumn];
         ++m_lines[section];

@@ -85,11 +85,6 @@ bool isDoubleSided(const Stacks& stacks)
     return 4 * stacks.folds > stacks.isKept.size();
 }
 
-std::string wasOrWere(std::size_t count)
-{
-    return count == 1 ? " was " : " were ";
-}
-
 void removeStacks(RepairedMesh& result)
 {
     Stacks stacks = findStacks(result.mesh);

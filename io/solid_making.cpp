@@ -56,6 +56,15 @@ TopoDS_Solid solidOf(const TopoDS_Shell& shell)
     return solid;
 }
 
+TopoDS_Shell shellOf(const TopoDS_Shape& face)
+{
+    TopoDS_Shell shell;
+    const BRep_Builder builder;
+    builder.MakeShell(shell);
+    builder.Add(shell, face);
+    return shell;
+}
+
 /// A shell whose faces agree on which side is out, if that can be reached by turning faces.
 TopoDS_Shell oriented(const TopoDS_Shell& shell)
 {
@@ -137,8 +146,7 @@ Body solidBody(const std::vector<ClosedShell>& shells, std::size_t outer, const 
             ++voids;
         }
     if (turned > 0)
-        body.repairs.push_back(countOf(turned, "shell") + (turned == 1 ? " was" : " were") +
-                               " inside out and turned to the right side.");
+        body.repairs.push_back(countOf(turned, "shell") + wasOrWere(turned) + "inside out and turned.");
     body.repairs.push_back("The closed surface was made a solid" +
                            (voids == 0 ? "." : ", with " + countOf(voids, "void") + " in it."));
     body.shape = solid;
@@ -158,14 +166,16 @@ std::vector<Body> solidsOf(const Body& surface)
         builder.Add(open, shape);
         isAnyOpen = true;
     };
-    for (TopExp_Explorer found(surface.shape, TopAbs_SHELL); found.More(); found.Next()) {
-        if (auto closed = closedShell(TopoDS::Shell(found.Current())))
+    const auto take = [&](const TopoDS_Shell& shell, const TopoDS_Shape& asItIs) {
+        if (auto closed = closedShell(shell))
             shells.push_back(std::move(*closed));
         else
-            keepOpen(found.Current());
-    }
+            keepOpen(asItIs);
+    };
+    for (TopExp_Explorer found(surface.shape, TopAbs_SHELL); found.More(); found.Next())
+        take(TopoDS::Shell(found.Current()), found.Current());
     for (TopExp_Explorer found(surface.shape, TopAbs_FACE, TopAbs_SHELL); found.More(); found.Next())
-        keepOpen(found.Current());
+        take(shellOf(found.Current()), found.Current()); // a sphere is one face
     if (shells.empty())
         return {surface};
 
