@@ -156,7 +156,7 @@ Body checked(const Body& body)
 } // namespace
 
 std::vector<Body> healed(const Body& body, TaskControl& control)
-{
+try {
     if (!(diagonalOf(body.shape) < largestSize))
         return {body};
     const bool isSolid = hasSolid(body.shape) && freeEdgesOf(body.shape).IsEmpty();
@@ -166,6 +166,8 @@ std::vector<Body> healed(const Body& body, TaskControl& control)
         one = checked(one);
     }
     return bodies;
+} catch (const Standard_Failure&) {
+    return {body};
 }
 
 } // namespace knead

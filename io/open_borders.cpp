@@ -4,6 +4,7 @@
 #include "io/number_words.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <unordered_map>
 #include <utility>
@@ -35,6 +36,25 @@ double extentOf(const Polyline& line)
     for (const Vec3& point : line)
         box.extend(point);
     return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+/// Whether a border comes back to its start and stays within a hundredth of its size of a plane: what is missing there
+/// is one flat face.
+bool isFlatLoop(const Polyline& line)
+{
+    constexpr double flat = 0.01;
+    const double extent = extentOf(line);
+    if ((line.back() - line.front()).norm() > 1e-3 * extent)
+        return false;
+    Vec3 middle = Vec3::Zero();
+    Vec3 normal = Vec3::Zero(); // sum of cross products (Newell)
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        middle += line[i] / static_cast<double>(line.size() - 1);
+        normal += (line[i] - line.front()).cross(line[i + 1] - line.front());
+    }
+    normal.normalize();
+    return std::all_of(line.begin(), line.end(),
+                       [&](const Vec3& point) { return std::abs((point - middle).dot(normal)) <= flat * extent; });
 }
 
 } // namespace
@@ -119,12 +139,16 @@ std::string describeBorders(std::size_t edges, const std::vector<std::vector<Vec
 {
     double length = 0;
     double largest = 0;
+    bool isFlat = false;
     for (const Polyline& border : borders) {
         length += lengthOf(border);
-        largest = std::max(largest, extentOf(border));
+        if (const double extent = extentOf(border); extent > largest) {
+            largest = extent;
+            isFlat = isFlatLoop(border);
+        }
     }
     return countOf(edges, "open edge") + " in " + countOf(borders.size(), "border") + ", " + lengthWords(length) +
-           " long in all; the largest opening is " + lengthWords(largest) + " across";
+           " long in all; the largest opening is " + lengthWords(largest) + " across" + (isFlat ? " and flat" : "");
 }
 
 std::string describeBorders(const std::vector<std::vector<Vec3>>& borders)

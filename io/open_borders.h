@@ -24,7 +24,7 @@ std::vector<std::vector<Vec3>> openBordersOf(const TriangleMesh& mesh);
 /// Joins polylines at ends closer than `tolerance` [m]; each runs on as long as there is a next one.
 std::vector<std::vector<Vec3>> chained(std::vector<std::vector<Vec3>> lines, double tolerance);
 
-/// "25 open edges in 1 border, 364 mm long in all; the largest opening is 123 mm across".
+/// "25 open edges in 1 border, 364 mm long in all; the largest opening is 123 mm across and flat".
 std::string describeBorders(std::size_t edges, const std::vector<std::vector<Vec3>>& borders);
 
 /// The same for borders of a mesh, where each segment is an edge.

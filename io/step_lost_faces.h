@@ -12,7 +12,7 @@ namespace knead {
 /// What a STEP reader could not make of the shells that its file names.
 struct StepLosses {
     std::vector<IncompleteShell> incomplete;
-    std::vector<std::string> missing; ///< as Model::missing, for shells of which nothing was made
+    std::vector<std::string> missing; ///< as Model::missing, for solids and surfaces of which nothing was made
 };
 
 /// Compares shells with what they were transferred to. The reader itself is silent about faces that refer to entities
