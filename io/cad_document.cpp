@@ -6,6 +6,7 @@
 #include "io/readable_name.h"
 #include "io/step_assembly_size.h"
 #include "io/step_check.h"
+#include "io/step_geometry_check.h"
 #include "io/step_lost_faces.h"
 
 #include <BRepTools.hxx>
@@ -160,6 +161,9 @@ void readStep(const std::string& path, TaskControl& control, CadDocument& result
     if (reader.ChangeReader().ReadStream(shortName(path).c_str(), file) != IFSelect_RetDone)
         failReading(path, "the STEP text has errors that the reader cannot get over; export the file again.");
     control.throwIfCancelled();
+    if (const auto entity = hollowEntity(reader.Reader()))
+        failReading(path, "the entity " + *entity +
+                              " refers to something of the wrong kind or nothing at all; export the file again.");
     if (isCyclic(reader.Reader()))
         failReading(path, "an assembly in the file holds itself; export the file again, or its parts one by one.");
     if (countUnfoldedParts(reader.Reader(), mostParts) >= mostParts)

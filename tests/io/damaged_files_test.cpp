@@ -46,6 +46,16 @@ std::string withLines(const std::string& iges, char section, const std::function
     return result;
 }
 
+/// A line whose direction is a point, which the CAD reader would take for a direction.
+std::string lineOfTwoPoints(const std::string& step)
+{
+    const std::size_t line = step.find("LINE('',#");
+    const std::size_t point = line + 8;
+    const std::size_t comma = step.find(",", point);
+    const std::string name = step.substr(point, comma - point);
+    return std::string(step).replace(comma + 1, step.find(")", comma) - comma - 1, name);
+}
+
 bool mention(const std::vector<std::string>& sentences, const std::string& words)
 {
     return std::any_of(sentences.begin(), sentences.end(),
@@ -168,6 +178,7 @@ void DamagedFilesTest::damageIsNamed_data()
     row("brep negative", replaced(m_brep, "TShapes ", "TShapes -"), "impossible number of TShapes");
     row("brep section lost", replaced(m_brep, "Curves", "Curses"), "sections are missing");
     row("brep cut off", m_brep.substr(0, m_brep.size() * 9 / 10), "damaged");
+    row("step line of two points", lineOfTwoPoints(m_step), "of the wrong kind");
     row("step cycle",
         replaced(m_step, "ENDSEC;\nEND-ISO",
                  "#90001=PRODUCT_DEFINITION('','',$,$);\n#90002=PRODUCT_DEFINITION('','',$,$);\n"
