@@ -5,15 +5,14 @@
 #include "io/number_words.h"
 #include "io/open_borders.h"
 #include "io/shape_box.h"
+#include "io/shape_measure.h"
 #include "io/size_limits.h"
 #include "io/solid_measure.h"
 #include "io/tessellation.h"
 
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -32,26 +31,12 @@ namespace {
 
 constexpr double millimeter = 1e-3;
 
-int countDistinct(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind)
-{
-    TopTools_IndexedMapOfShape found;
-    TopExp::MapShapes(shape, kind, found);
-    return found.Extent();
-}
-
 double maxToleranceOf(const TopoDS_Shape& shape)
 {
     double tolerance = 0;
     for (const TopAbs_ShapeEnum kind : {TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX})
         tolerance = std::max(tolerance, BRep_Tool::MaxTolerance(shape, kind));
     return millimeter * tolerance;
-}
-
-double areaOf(const TopoDS_Shape& shape)
-{
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(shape, properties);
-    return std::abs(properties.Mass()) * std::pow(millimeter, 2);
 }
 
 /// The shell that a face of the file belongs to may have a color of its own.
@@ -175,7 +160,7 @@ Part makePart(const Body& body, const std::optional<Color>& defaultColor, const 
     part.valid = body.isValid ? *body.isValid : BRepCheck_Analyzer(shape).IsValid();
     part.repairs = body.repairs;
     part.box = boxOfFaces(shape);
-    part.area = areaOf(shape);
+    part.area = std::pow(millimeter, 2) * areaOf(shape);
     addColors(body, defaultColor, colors, part);
     simplifyColors(part);
 

@@ -2,14 +2,11 @@
 
 #include "io/free_edges.h"
 #include "io/number_words.h"
+#include "io/shape_measure.h"
 
 #include <BRepAdaptor_Curve.hxx>
-#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
-#include <GProp_GProps.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
@@ -31,20 +28,6 @@ constexpr double millimeter = 1e-3;
 constexpr std::array toleranceShares{1e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3}; // of the diagonal
 constexpr double sameArea = 1e-3; // relative; the area of trimmed curved faces is not integrated better
 constexpr int samplesPerEdge = 16;
-
-double diagonalOf(const TopoDS_Shape& shape)
-{
-    Bnd_Box box;
-    BRepBndLib::Add(shape, box, false);
-    return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
-}
-
-double areaOf(const TopoDS_Shape& shape)
-{
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(shape, properties);
-    return std::abs(properties.Mass());
-}
 
 /// The largest distance between the two sides of an edge that two faces share [mm].
 double widestGap(const TopoDS_Shape& shape)

@@ -3,14 +3,11 @@
 #include "io/face_sewing.h"
 #include "io/free_edges.h"
 #include "io/number_words.h"
+#include "io/shape_measure.h"
 #include "io/solid_making.h"
 
-#include <BRepBndLib.hxx>
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
 #include <BRepTools_ReShape.hxx>
-#include <Bnd_Box.hxx>
-#include <GProp_GProps.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <ShapeFix_Wire.hxx>
@@ -31,37 +28,9 @@ constexpr double largestToleranceShare = 1e-3; // of the diagonal
 constexpr double largestSize = 1e9;            // [mm]; what is larger is not worth healing
 constexpr double sameMeasure = 1e-2;           // relative, of area and volume: a face that was wrong measures wrong too
 
-int countOfKind(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind)
-{
-    TopTools_IndexedMapOfShape found;
-    TopExp::MapShapes(shape, kind, found);
-    return found.Extent();
-}
-
 bool hasSolid(const TopoDS_Shape& shape)
 {
     return TopExp_Explorer(shape, TopAbs_SOLID).More();
-}
-
-double volumeOf(const TopoDS_Shape& shape)
-{
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(shape, properties);
-    return properties.Mass();
-}
-
-double areaOf(const TopoDS_Shape& shape)
-{
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(shape, properties);
-    return properties.Mass();
-}
-
-double diagonalOf(const TopoDS_Shape& shape)
-{
-    Bnd_Box box;
-    BRepBndLib::Add(shape, box, false);
-    return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
 }
 
 bool isClose(double value, double expected)
@@ -128,7 +97,7 @@ std::optional<Body> rebuilt(const Body& body, const BRepCheck_Analyzer& check)
     result.shape = fix.Shape();
     if (result.shape.IsNull() || !BRepCheck_Analyzer(result.shape).IsValid())
         return std::nullopt;
-    const bool isSame = countOfKind(result.shape, TopAbs_SOLID) == countOfKind(body.shape, TopAbs_SOLID) &&
+    const bool isSame = countDistinct(result.shape, TopAbs_SOLID) == countDistinct(body.shape, TopAbs_SOLID) &&
                         freeEdgesOf(result.shape).Extent() <= freeEdgesOf(body.shape).Extent() &&
                         isClose(areaOf(result.shape), areaOf(body.shape)) &&
                         (!hasSolid(body.shape) || isClose(volumeOf(result.shape), volumeOf(body.shape)));

@@ -3,7 +3,6 @@
 #include "core/geometry/mass_properties.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>

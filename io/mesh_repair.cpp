@@ -1,6 +1,5 @@
 #include "io/mesh_repair.h"
 
-#include "core/geometry/mass_properties.h"
 #include "io/hole_closing.h"
 #include "io/mesh_orientation.h"
 #include "io/number_words.h"

@@ -2,14 +2,13 @@
 
 #include "io/free_edges.h"
 #include "io/number_words.h"
+#include "io/shape_measure.h"
 
 #include <BRepBndLib.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <GProp_GProps.hxx>
 #include <ShapeFix_Shell.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -39,13 +38,6 @@ struct ClosedShell {
     std::optional<std::size_t> around; // the smallest shell that holds it
     int depth = 0;                     // how many hold it
 };
-
-double volumeOf(const TopoDS_Shape& shape)
-{
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(shape, properties);
-    return properties.Mass();
-}
 
 TopoDS_Solid solidOf(const TopoDS_Shell& shell)
 {

@@ -1,6 +1,7 @@
 #include "io/step_lost_faces.h"
 
 #include "io/number_words.h"
+#include "io/shape_measure.h"
 
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
@@ -11,8 +12,6 @@
 #include <StepShape_OrientedClosedShell.hxx>
 #include <StepShape_OrientedOpenShell.hxx>
 #include <StepShape_ShellBasedSurfaceModel.hxx>
-#include <TopExp.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
@@ -25,14 +24,6 @@
 namespace knead {
 
 namespace {
-
-int countFaces(const TopoDS_Shape& shape)
-{
-    TopTools_IndexedMapOfShape faces;
-    if (!shape.IsNull())
-        TopExp::MapShapes(shape, TopAbs_FACE, faces);
-    return faces.Extent();
-}
 
 /// Of a shell as the file lists it. One that only turns another one has none of its own.
 int countNamedFaces(const Handle(Standard_Transient) & entity)
@@ -64,7 +55,7 @@ StepLosses findLosses(const STEPControl_Reader& reader)
         if (named == 0 && !isSolidOrSurface(entity))
             continue;
         const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
-        const int read = countFaces(shape);
+        const int read = shape.IsNull() ? 0 : countDistinct(shape, TopAbs_FACE);
         // The shell of a void has no shape of its own, and what nothing refers to is not part of the file's shapes.
         if (read == 0 && isSolidOrSurface(entity) && !reader.WS()->Graph().Sharings(entity).More())
             continue;
