@@ -1,11 +1,15 @@
 #include "io/cad_document.h"
 
 #include "core/model/length_units.h"
+#include "io/brep_check.h"
 #include "io/cad_assembly.h"
+#include "io/iges_check.h"
 #include "io/iges_surfaces.h"
 #include "io/readable_name.h"
 #include "io/step_assembly_size.h"
 #include "io/step_check.h"
+#include "io/step_geometry_check.h"
+#include "io/step_lost_faces.h"
 #include "io/step_names.h"
 
 #include <BRepTools.hxx>
@@ -22,6 +26,7 @@
 
 #include <fstream>
 #include <type_traits>
+#include <utility>
 
 namespace knead {
 
@@ -112,6 +117,9 @@ void readStep(const std::string& path, TaskControl& control, CadDocument& result
     TaskPortion checking(control, 0, 0.05);
     const StepCheck check = checkStepText(path, checking);
     result.format = check.protocol.empty() ? "STEP" : "STEP " + check.protocol;
+    if (check.protocol.empty())
+        result.warnings.push_back(shortName(path) + ": its schema \"" + check.schema +
+                                  "\" is none for CAD parts; check that nothing is missing.");
 
     control.report(0.05, "reading the file");
     std::ifstream file(path, std::ios::binary);
@@ -127,6 +135,11 @@ void readStep(const std::string& path, TaskControl& control, CadDocument& result
     if (reader.ChangeReader().ReadStream(shortName(path).c_str(), file) != IFSelect_RetDone)
         failReading(path, "the STEP text has errors that the reader cannot get over; export the file again.");
     control.throwIfCancelled();
+    if (const auto entity = hollowEntity(reader.Reader()))
+        failReading(path, "the entity " + *entity +
+                              " refers to something of the wrong kind or nothing at all; export the file again.");
+    if (isCyclic(reader.Reader()))
+        failReading(path, "an assembly in the file holds itself; export the file again, or its parts one by one.");
     if (countUnfoldedParts(reader.Reader(), mostParts) >= mostParts)
         failReading(path, "the assembly unfolds to more than " + std::to_string(mostParts) +
                               " parts; export the parts you need.");
@@ -134,6 +147,9 @@ void readStep(const std::string& path, TaskControl& control, CadDocument& result
 
     markForeignNames(reader.Reader());
     transfer(reader, path, "no shape of the STEP file could be made; export the file again.", control, result);
+    StepLosses losses = findLosses(reader.Reader());
+    result.incompleteShells = std::move(losses.incomplete);
+    result.missing = std::move(losses.missing);
 }
 
 std::string igesUnit(const IGESCAFControl_Reader& reader)
@@ -147,6 +163,7 @@ std::string igesUnit(const IGESCAFControl_Reader& reader)
 void readIges(const std::string& path, TaskControl& control, CadDocument& result)
 {
     result.format = "IGES";
+    checkIgesText(path, control);
     control.report(0.05, "reading the file");
     IGESCAFControl_Reader reader;
     reader.SetColorMode(true);
@@ -166,6 +183,7 @@ void readIges(const std::string& path, TaskControl& control, CadDocument& result
 void readBrep(const std::string& path, TaskControl& control, CadDocument& result)
 {
     result.format = "BREP";
+    checkBrepText(path);
     TopoDS_Shape shape;
     std::ifstream file(path, std::ios::binary);
     file.exceptions(std::ios::failbit | std::ios::badbit); // else the reader loops for ever at the end of a cut file

@@ -54,11 +54,20 @@ struct ShapeDisplay {
 using ShapeColors = ShapeNotes<Color>;
 using ShapeDisplays = ShapeNotes<ShapeDisplay>;
 
+/// A shell of which the reader could make some faces only.
+struct IncompleteShell {
+    std::shared_ptr<const TopoDS_Shape> shape;
+    int read = 0;  ///< faces
+    int named = 0; ///< in the file
+};
+
 /// What a CAD file holds, before any measuring.
 struct CadDocument {
     std::string format; ///< "STEP AP214"
     std::string unit;   ///< as Model::unit
     std::vector<std::string> warnings;
+    std::vector<std::string> missing; ///< as Model::missing
+    std::vector<IncompleteShell> incompleteShells;
     CadNode root;
     ShapeColors colors;
     ShapeDisplays displays;

@@ -1,16 +1,18 @@
 #include "io/cad_part.h"
 
 #include "core/geometry/mass_properties.h"
+#include "io/free_edges.h"
+#include "io/number_words.h"
+#include "io/open_borders.h"
 #include "io/shape_box.h"
+#include "io/shape_measure.h"
 #include "io/size_limits.h"
 #include "io/solid_measure.h"
 #include "io/tessellation.h"
 
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -20,7 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <unordered_map>
 #include <utility>
 
 namespace knead {
@@ -28,41 +30,6 @@ namespace knead {
 namespace {
 
 constexpr double millimeter = 1e-3;
-constexpr double leastVolumeShare = 1e-9; // of the cube of the diagonal; a solid with less is flat
-
-std::string percent(double share)
-{
-    std::ostringstream text;
-    text.precision(2);
-    text << 100 * share << " %";
-    return text.str();
-}
-
-int countDistinct(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind)
-{
-    TopTools_IndexedMapOfShape found;
-    TopExp::MapShapes(shape, kind, found);
-    return found.Extent();
-}
-
-/// Edges that bound a face on one side only. On a closed surface faces run along each edge as often one way as the
-/// other.
-int countFreeEdges(const TopoDS_Shape& shape)
-{
-    TopTools_IndexedMapOfShape edges;
-    TopExp::MapShapes(shape, TopAbs_EDGE, edges);
-    std::vector<int> balance(static_cast<std::size_t>(edges.Extent()), 0);
-    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
-        for (TopExp_Explorer uses(faces.Current(), TopAbs_EDGE); uses.More(); uses.Next()) {
-            const TopoDS_Edge& edge = TopoDS::Edge(uses.Current());
-            if (BRep_Tool::Degenerated(edge))
-                continue;
-            const TopAbs_Orientation orientation = edge.Orientation();
-            const int step = orientation == TopAbs_FORWARD ? 1 : orientation == TopAbs_REVERSED ? -1 : 0;
-            balance[static_cast<std::size_t>(edges.FindIndex(edge)) - 1] += step;
-        }
-    return static_cast<int>(std::count_if(balance.begin(), balance.end(), [](int b) { return b != 0; }));
-}
 
 double maxToleranceOf(const TopoDS_Shape& shape)
 {
@@ -72,30 +39,32 @@ double maxToleranceOf(const TopoDS_Shape& shape)
     return millimeter * tolerance;
 }
 
-double areaOf(const TopoDS_Shape& shape)
+/// The shell that a face of the file belongs to may have a color of its own.
+std::unordered_map<const void*, Color> colorsOfShells(const TopoDS_Shape& original, const ShapeColors& colors)
 {
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(shape, properties);
-    return std::abs(properties.Mass()) * std::pow(millimeter, 2);
+    std::unordered_map<const void*, Color> result;
+    for (TopExp_Explorer shells(original, TopAbs_SHELL); shells.More(); shells.Next())
+        if (const auto color = colors.find(shells.Current()))
+            for (TopExp_Explorer faces(shells.Current(), TopAbs_FACE); faces.More(); faces.Next())
+                result.emplace(faces.Current().TShape().get(), *color);
+    return result;
 }
 
-void addColors(const TopoDS_Shape& body, const std::optional<Color>& defaultColor, const ShapeColors& colors,
-               Part& part)
+void addColors(const Body& body, const std::optional<Color>& defaultColor, const ShapeColors& colors, Part& part)
 {
-    part.color = colors.find(body);
+    part.color = colors.find(body.original);
     if (!part.color)
         part.color = defaultColor;
+    const auto ofShells = colorsOfShells(body.original, colors);
     TopTools_IndexedMapOfShape faces;
-    TopExp::MapShapes(body, TopAbs_FACE, faces);
-    for (int face = 1; face <= faces.Extent(); ++face)
-        part.faces.push_back({colors.find(faces(face))});
-    for (TopExp_Explorer shells(body, TopAbs_SHELL); shells.More(); shells.Next())
-        if (const auto color = colors.find(shells.Current()))
-            for (TopExp_Explorer uses(shells.Current(), TopAbs_FACE); uses.More(); uses.Next()) {
-                PartFace& face = part.faces[static_cast<std::size_t>(faces.FindIndex(uses.Current())) - 1];
-                if (!face.color)
-                    face.color = color;
-            }
+    TopExp::MapShapes(body.shape, TopAbs_FACE, faces);
+    for (int i = 1; i <= faces.Extent(); ++i) {
+        const TopoDS_Shape face = body.originOf(faces(i));
+        std::optional<Color> color = colors.find(face);
+        if (const auto found = ofShells.find(face.TShape().get()); !color && found != ofShells.end())
+            color = found->second;
+        part.faces.push_back({color});
+    }
 }
 
 /// A color that all faces have is the color of the part; faces keep only what differs.
@@ -117,28 +86,28 @@ void addSolid(const TopoDS_Shape& body, const ImportOptions& options, Part& part
     part.volume = std::abs(measure.volume);
     part.mesh = std::move(measure.mesh);
     if (measure.volume < 0) {
-        part.warnings.emplace_back("was inside out and has been turned.");
+        if (options.heal)
+            part.repairs.emplace_back("The solid was inside out and has been turned.");
+        else
+            part.warnings.emplace_back("was inside out and has been turned.");
         for (TriangleMesh::Triangle& triangle : part.mesh.triangles)
             std::swap(triangle[1], triangle[2]);
     }
     if (options.linearDeflection == 0 && measure.disagreement > 1e-3 && isWatertight(part.mesh) && part.volume > 0)
         part.warnings.push_back("has faces that do not meet well: its volume is uncertain by " +
-                                percent(measure.disagreement) + ".");
+                                percentWords(measure.disagreement) + ".");
 }
 
 /// Whether objects can be filled in: the b-rep is closed, and so is its mesh.
-void judge(Part& part, int freeEdges)
+void judge(Part& part, std::size_t freeEdges)
 {
     const double diagonal = part.box.isEmpty() ? 0 : part.box.diagonal().norm();
-    const std::string edges = std::to_string(freeEdges) + (freeEdges == 1 ? " free edge" : " free edges");
-    if (part.solids == 0) {
-        part.warnings.push_back(freeEdges == 0
-                                    ? "is a closed surface but no solid; it is shown and cannot be filled."
-                                    : "is a surface with " + edges + ", no solid; it is shown and cannot be filled.");
-    } else if (freeEdges > 0) {
-        part.warnings.push_back("is not closed: " + edges + "; it cannot be filled.");
-    } else if (part.volume <= leastVolumeShare * std::pow(diagonal, 3)) {
-        part.warnings.emplace_back("has no volume; it cannot be filled.");
+    if (freeEdges > 0) {
+        const std::string borders = describeBorders(freeEdges, part.openEdges);
+        part.warnings.push_back((part.solids == 0 ? "is an open surface: " : "is not closed: ") + borders +
+                                ". It is shown and cannot be filled.");
+    } else if (part.solids == 0) {
+        part.warnings.emplace_back("is a closed surface but no solid; it is shown and cannot be filled.");
     } else if (!isWatertight(part.mesh)) {
         part.warnings.emplace_back("could not be covered with a closed net of triangles; it cannot be filled.");
     } else {
@@ -147,19 +116,20 @@ void judge(Part& part, int freeEdges)
     if (!part.valid)
         part.warnings.emplace_back("does not pass the geometry checks; look at it closely before you trust it.");
     if (part.maxTolerance > 0.01 * diagonal)
-        part.warnings.emplace_back("has gaps of up to a hundredth of its size or more.");
+        part.warnings.push_back("has gaps of up to " + lengthWords(part.maxTolerance) +
+                                ", a hundredth of its size or more.");
 }
 
 } // namespace
 
-std::vector<TopoDS_Shape> splitIntoBodies(const TopoDS_Shape& shape)
+std::vector<Body> splitIntoBodies(const TopoDS_Shape& shape)
 {
-    std::vector<TopoDS_Shape> bodies;
+    std::vector<Body> bodies;
     TopTools_IndexedMapOfShape solids;
     TopExp::MapShapes(shape, TopAbs_SOLID, solids);
     for (int solid = 1; solid <= solids.Extent(); ++solid)
         if (countDistinct(solids(solid), TopAbs_FACE) > 0)
-            bodies.push_back(solids(solid));
+            bodies.push_back({solids(solid), solids(solid), {}, {}, {}});
 
     TopoDS_Compound loose;
     const BRep_Builder builder;
@@ -174,35 +144,38 @@ std::vector<TopoDS_Shape> splitIntoBodies(const TopoDS_Shape& shape)
     add(TopAbs_SHELL, TopAbs_SOLID);
     add(TopAbs_FACE, TopAbs_SHELL);
     if (found)
-        bodies.push_back(loose);
+        bodies.push_back({loose, loose, {}, {}, {}});
     return bodies;
 }
 
-Part makePart(const TopoDS_Shape& body, const std::optional<Color>& defaultColor, const ShapeColors& colors,
+Part makePart(const Body& body, const std::optional<Color>& defaultColor, const ShapeColors& colors,
               const ImportOptions& options)
 {
+    const TopoDS_Shape& shape = body.shape;
     Part part;
-    part.solids = countDistinct(body, TopAbs_SOLID);
-    part.shells = countDistinct(body, TopAbs_SHELL);
-    part.edges = countDistinct(body, TopAbs_EDGE);
-    part.maxTolerance = maxToleranceOf(body);
-    part.valid = BRepCheck_Analyzer(body).IsValid();
-    part.box = boxOfFaces(body);
-    part.area = areaOf(body);
+    part.solids = countDistinct(shape, TopAbs_SOLID);
+    part.shells = countDistinct(shape, TopAbs_SHELL);
+    part.edges = countDistinct(shape, TopAbs_EDGE);
+    part.maxTolerance = maxToleranceOf(shape);
+    part.valid = body.isValid ? *body.isValid : BRepCheck_Analyzer(shape).IsValid();
+    part.repairs = body.repairs;
+    part.box = boxOfFaces(shape);
+    part.area = std::pow(millimeter, 2) * areaOf(shape);
     addColors(body, defaultColor, colors, part);
     simplifyColors(part);
 
-    const int freeEdges = countFreeEdges(body);
+    const int freeEdges = freeEdgesOf(shape).Extent();
     if (isWithinReach(part.box)) {
         const Tessellation start = tessellationFor(part.box.diagonal().norm(), options);
         if (part.solids > 0 && freeEdges == 0)
-            addSolid(body, options, part);
+            addSolid(shape, options, part);
         else
-            part.mesh = tessellate(body, start);
+            part.mesh = tessellate(shape, start);
         if (!part.mesh.empty())
             part.box = tightened(part.box, massProperties(part.mesh).box, start.deflection);
+        part.openEdges = freeBordersOf(shape);
     }
-    judge(part, freeEdges);
+    judge(part, static_cast<std::size_t>(freeEdges));
     return part;
 }
 

@@ -3,16 +3,21 @@
 #include "core/model/length_units.h"
 #include "io/cad_document.h"
 #include "io/cad_part.h"
+#include "io/healing.h"
 #include "io/occt_session.h"
 #include "io/part_selection.h"
 #include "io/size_limits.h"
 
 #include <BRep_Builder.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace knead {
 
@@ -60,42 +65,49 @@ public:
     {
         std::vector<Leaf> leaves;
         copyTree(m_document.root, m_model.tree, {}, leaves);
-        for (std::size_t i = 0; i < leaves.size(); ++i)
-            addLeaf(leaves[i], static_cast<double>(i) / static_cast<double>(leaves.size()));
+        for (std::size_t i = 0; i < leaves.size(); ++i) {
+            m_control.report(static_cast<double>(i) / static_cast<double>(leaves.size()), "measuring parts");
+            m_control.throwIfCancelled();
+            if (m_selection.mayWant(leaves[i].assembly, leaves[i].node->name))
+                addLeaf(leaves[i]);
+        }
         m_selection.finish(m_path, m_model);
+        removeEmptyNodes(m_model.tree);
     }
 
 private:
     /// One body is the leaf itself; several become its children.
-    void addLeaf(const Leaf& leaf, double done)
+    void addLeaf(const Leaf& leaf)
     {
-        const std::vector<TopoDS_Shape> bodies = splitByVisibility(splitIntoBodies(*leaf.node->shape));
+        const std::vector<Body> bodies = bodiesOf(leaf);
         const std::string& assembly = leaf.assembly;
+        const bool isWhole = m_selection.wants(assembly, leaf.node->name);
         for (std::size_t i = 0; i < bodies.size(); ++i) {
-            const std::string name = numbered(leaf.node->name, i);
-            if (!m_selection.wants(assembly, name))
-                continue;
-            m_control.report(done, "measuring parts");
             m_control.throwIfCancelled();
-            Part part = makePart(bodies[i], leaf.node->color, m_document.colors, m_options);
-            part.name = name;
-            part.path = assembly.empty() ? name : assembly + "/" + name;
-            takeDisplay(bodies[i], *leaf.node, part);
+            const std::string name = numbered(leaf.node->name, i);
+            if (!m_selection.wants(assembly, name) && !isWhole)
+                continue;
+            std::optional<Part> part = soundPart(bodies[i], *leaf.node, name);
+            if (!part)
+                continue;
+            part->name = name;
+            part->path = assembly.empty() ? name : assembly + "/" + name;
+            takeDisplay(bodies[i].original, *leaf.node, *part);
             const std::size_t index = m_model.parts.size();
             if (bodies.size() == 1)
                 leaf.place->part = index;
             else
-                leaf.place->children.push_back({part.name, index, {}});
-            m_model.parts.push_back(std::move(part));
+                leaf.place->children.push_back({name, index, {}});
+            m_model.parts.push_back(std::move(*part));
         }
     }
 
     /// Surfaces of a body that are hidden are no part of what is shown, they become a body of their own.
-    std::vector<TopoDS_Shape> splitByVisibility(const std::vector<TopoDS_Shape>& bodies) const
+    std::vector<Body> splitByVisibility(const std::vector<Body>& bodies) const
     {
-        std::vector<TopoDS_Shape> result;
-        for (const TopoDS_Shape& body : bodies) {
-            if (body.ShapeType() != TopAbs_COMPOUND) {
+        std::vector<Body> result;
+        for (const Body& body : bodies) {
+            if (body.shape.ShapeType() != TopAbs_COMPOUND) {
                 result.push_back(body);
                 continue;
             }
@@ -103,11 +115,11 @@ private:
                 TopoDS_Compound surfaces;
                 const BRep_Builder builder;
                 builder.MakeCompound(surfaces);
-                for (TopoDS_Iterator parts(body); parts.More(); parts.Next())
+                for (TopoDS_Iterator parts(body.shape); parts.More(); parts.Next())
                     if (displayOf(parts.Value()).visible == visible)
                         builder.Add(surfaces, parts.Value());
                 if (surfaces.NbChildren() > 0)
-                    result.push_back(surfaces);
+                    result.push_back({.shape = surfaces, .original = surfaces});
             }
         }
         return result;
@@ -133,6 +145,45 @@ private:
                 common.layer = one.layer;
         }
         return common;
+    }
+
+    std::vector<Body> bodiesOf(const Leaf& leaf)
+    {
+        std::vector<Body> bodies = splitByVisibility(splitIntoBodies(*leaf.node->shape));
+        if (!m_options.heal)
+            return bodies;
+        std::vector<Body> result;
+        for (const Body& body : bodies)
+            for (Body& one : healed(body, m_control))
+                result.push_back(std::move(one));
+        return result;
+    }
+
+    void warnOfLostFaces(const Body& body, Part& part) const
+    {
+        for (TopExp_Explorer shells(body.original, TopAbs_SHELL); shells.More(); shells.Next())
+            for (const IncompleteShell& shell : m_document.incompleteShells)
+                if (shells.Current().IsPartner(*shell.shape))
+                    part.warnings.push_back("is incomplete: " + std::to_string(shell.read) + " of " +
+                                            std::to_string(shell.named) +
+                                            " faces of a shell could be read; the others are damaged in the file.");
+    }
+
+    /// One sick part does not take the others with it: it is left out, and the model says so.
+    std::optional<Part> soundPart(const Body& body, const CadNode& node, const std::string& name)
+    {
+        try {
+            Part part = makePart(body, node.color, m_document.colors, m_options);
+            warnOfLostFaces(body, part);
+            const std::optional<std::string> sickness = sicknessOf(part);
+            if (!sickness)
+                return part;
+            m_model.missing.push_back(leftOut(name, *sickness));
+        } catch (const Standard_Failure& failure) {
+            m_model.missing.push_back(
+                leftOut(name, "it could not be measured (" + std::string(failure.DynamicType()->Name()) + ")"));
+        }
+        return std::nullopt;
     }
 
     const std::string& m_path;
@@ -165,10 +216,11 @@ Model readCad(const std::string& path, FormatKind kind, const ImportOptions& opt
         model.format = document.format;
         model.unit = document.unit;
         model.warnings = document.warnings;
+        model.missing = document.missing;
         TaskPortion measuring(control, 0.5, 1);
         PartMaker(path, document, inUnitOf(document, options), measuring, model).run();
     });
-    checkPlaceAndSize(path, model);
+    checkAnyPart(path, model);
     return model;
 }
 

@@ -29,7 +29,8 @@ void settleUnit(const std::string& path, const std::string& wanted, Model& model
     } catch (const std::runtime_error& error) {
         failReading(path, error.what());
     }
-    checkPlaceAndSize(path, model);
+    leaveOutSickParts(model);
+    checkAnyPart(path, model);
 }
 
 Model readAs(FormatKind kind, const std::string& path, const ImportOptions& options, TaskControl& control)

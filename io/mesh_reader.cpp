@@ -3,6 +3,8 @@
 #include "core/geometry/mass_properties.h"
 #include "io/gltf_check.h"
 #include "io/mesh_colors.h"
+#include "io/mesh_repair.h"
+#include "io/open_borders.h"
 #include "io/part_selection.h"
 #include "io/readable_name.h"
 #include "io/size_limits.h"
@@ -172,31 +174,48 @@ void append(const aiMesh& from, const Placement& placement, TriangleMesh& to)
     }
 }
 
+/// Empty when a number is none.
 Box boxOf(const TriangleMesh& mesh)
 {
     Box box;
-    for (const Vec3& vertex : mesh.vertices)
+    for (const Vec3& vertex : mesh.vertices) {
+        if (!vertex.allFinite())
+            return {};
         box.extend(vertex);
+    }
     return box;
 }
 
-void measure(Part& part)
+/// A mesh that is taken as it is must still face outward to be filled.
+void turnIfInsideOut(Part& part)
+{
+    if (massProperties(part.mesh).volume >= 0)
+        return;
+    part.warnings.emplace_back("was inside out and has been turned.");
+    for (TriangleMesh::Triangle& triangle : part.mesh.triangles)
+        std::swap(triangle[1], triangle[2]);
+}
+
+void measure(Part& part, bool heal)
 {
     const double diagonal = part.box.diagonal().norm();
     part.mesh = weld(part.mesh, weldingShare * diagonal);
-    const MassProperties properties = massProperties(part.mesh);
-    part.area = properties.area;
+    if (heal) {
+        RepairedMesh better = repaired(std::move(part.mesh));
+        part.mesh = std::move(better.mesh);
+        part.repairs = std::move(better.repairs);
+    }
     part.watertight = isWatertight(part.mesh);
+    part.area = massProperties(part.mesh).area;
     if (!part.watertight) {
-        part.warnings.emplace_back("is not a closed surface; it is shown and cannot be filled.");
+        part.openEdges = openBordersOf(part.mesh);
+        part.warnings.push_back("is not a closed surface: " + describeBorders(part.openEdges) +
+                                ". It is shown and cannot be filled.");
         return;
     }
-    part.volume = std::abs(properties.volume);
-    if (properties.volume < 0) {
-        part.warnings.emplace_back("was inside out and has been turned.");
-        for (TriangleMesh::Triangle& triangle : part.mesh.triangles)
-            std::swap(triangle[1], triangle[2]);
-    }
+    if (!heal)
+        turnIfInsideOut(part);
+    part.volume = std::abs(massProperties(part.mesh).volume);
     part.valid = part.volume > 0;
     if (!part.valid) {
         part.watertight = false;
@@ -316,19 +335,20 @@ Model readMesh(const std::string& path, FormatKind kind, const ImportOptions& op
     if (scene == nullptr || scene->mRootNode == nullptr)
         failReading(path, "the " + formatName(kind) + " file is damaged and cannot be read; export it again.");
     Model model = MeshModelMaker(*scene, path, kind, options).run();
-    measureMeshes(path, model, control);
+    measureMeshes(path, options.heal, model, control);
     return model;
 }
 
-void measureMeshes(const std::string& path, Model& model, TaskControl& control)
+void measureMeshes(const std::string& path, bool heal, Model& model, TaskControl& control)
 {
     for (Part& part : model.parts)
         part.box = boxOf(part.mesh);
-    checkPlaceAndSize(path, model);
+    leaveOutSickParts(model);
+    checkAnyPart(path, model);
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
         control.throwIfCancelled();
         control.report(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(model.parts.size()), "measuring parts");
-        measure(model.parts[i]);
+        measure(model.parts[i], heal);
     }
 }
 

@@ -10,8 +10,9 @@ namespace knead {
 /// @throws std::runtime_error, in a sentence. @throws Cancelled
 Model readMesh(const std::string& path, FormatKind kind, const ImportOptions& options, TaskControl& control);
 
-/// Welds and measures the meshes of a model, and judges whether they are closed. Box, volume and the like are set.
-/// @throws std::runtime_error, in a sentence, when there is none, or one has no place or size. @throws Cancelled
-void measureMeshes(const std::string& path, Model& model, TaskControl& control);
+/// Welds, repairs if wanted, and measures the meshes of a model, and judges whether they are closed. Box, volume and the like are
+/// set. Sick parts are left out.
+/// @throws std::runtime_error, in a sentence, when none is left. @throws Cancelled
+void measureMeshes(const std::string& path, bool heal, Model& model, TaskControl& control);
 
 } // namespace knead

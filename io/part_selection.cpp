@@ -1,6 +1,9 @@
 #include "io/part_selection.h"
 
 #include "io/cad_format.h"
+#include "io/size_limits.h"
+
+#include <algorithm>
 
 namespace knead {
 
@@ -10,12 +13,6 @@ bool isWithin(const std::string& path, const std::string& assembly)
 {
     return path == assembly ||
            (path.size() > assembly.size() && path.starts_with(assembly) && path[assembly.size()] == '/');
-}
-
-bool prune(PartNode& node)
-{
-    std::erase_if(node.children, prune);
-    return !node.part && node.children.empty();
 }
 
 } // namespace
@@ -38,6 +35,14 @@ bool PartSelection::wants(const std::string& assembly, const std::string& name)
     return wanted;
 }
 
+bool PartSelection::mayWant(const std::string& assembly, const std::string& leaf) const
+{
+    const std::string path = assembly.empty() ? leaf : assembly + "/" + leaf;
+    return m_wishes.empty() || std::any_of(m_wishes.begin(), m_wishes.end(), [&](const Wish& wish) {
+               return isWithin(path, wish.path) || wish.path.starts_with(path + " (");
+           });
+}
+
 void PartSelection::finish(const std::string& file, Model& model) const
 {
     for (const Wish& wish : m_wishes)
@@ -45,7 +50,7 @@ void PartSelection::finish(const std::string& file, Model& model) const
             failReading(file, "there is no part or assembly \"" + wish.path +
                                   "\" in it; knead info --json lists the paths of all parts.");
     if (!m_wishes.empty())
-        prune(model.tree);
+        removeEmptyNodes(model.tree);
 }
 
 } // namespace knead

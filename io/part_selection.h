@@ -16,6 +16,9 @@ public:
     /// @param assembly path of what the part is in, empty for the file itself
     bool wants(const std::string& assembly, const std::string& name);
 
+    /// Whether any body of a leaf could be wanted. Bodies have the name of the leaf, numbered from the second on.
+    bool mayWant(const std::string& assembly, const std::string& leaf) const;
+
     /// To be called after all parts of the file have been asked for: takes nodes without parts out of the tree.
     /// @throws std::runtime_error, in a sentence about `file`, when a path that was given is none in it
     void finish(const std::string& file, Model& model) const;

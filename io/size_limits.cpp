@@ -1,13 +1,30 @@
 #include "io/size_limits.h"
 
 #include "io/cad_format.h"
+#include "io/number_words.h"
+
+#include <cmath>
+#include <utility>
+#include <vector>
 
 namespace knead {
 
 namespace {
 
-constexpr double farthest = 1e5;  // [m]
-constexpr double smallest = 1e-6; // [m]; ten times the tolerance of the modeler
+constexpr double farthest = 1e5;          // [m]
+constexpr double smallest = 1e-6;         // [m]; ten times the tolerance of the modeler
+constexpr double endless = 1e50;          // [m]; planes without edges reach to 1e97
+constexpr double widestGapShare = 0.05;   // of the size; one hundredth is warned of
+constexpr double leastVolumeShare = 1e-9; // of the cube of the size; a solid with less is flat
+
+/// Gives the parts in a tree new numbers; those without one go.
+void renumber(PartNode& node, const std::vector<std::optional<std::size_t>>& numbers)
+{
+    if (node.part)
+        node.part = numbers[*node.part];
+    for (PartNode& child : node.children)
+        renumber(child, numbers);
+}
 
 } // namespace
 
@@ -17,21 +34,67 @@ bool isWithinReach(const Box& box)
            box.min().cwiseAbs().maxCoeff() <= farthest && box.max().cwiseAbs().maxCoeff() <= farthest;
 }
 
-void checkPlaceAndSize(const std::string& path, const Model& model)
+std::optional<std::string> sicknessOf(const Part& part)
 {
-    if (model.parts.empty())
-        failReading(path, "the file holds no solid and no surface; export the part as a solid.");
-    Box all;
-    for (const Part& part : model.parts) {
-        if (part.box.isEmpty())
-            failReading(path, "\"" + part.name + "\" has no finite size; the file is damaged, export it again.");
-        all.extend(part.box);
+    const double size = part.box.isEmpty() ? 0 : part.box.diagonal().norm();
+    if (part.box.isEmpty() || !(size < endless) || !std::isfinite(part.volume) || !std::isfinite(part.area))
+        return "it has no finite size: numbers in it are damaged, or its edges are smaller than 0.1 um and lost; check "
+               "the length unit";
+    if (!isWithinReach(part.box))
+        return "it reaches farther than 100 km from the origin; check the length unit and the position";
+    if (size < smallest)
+        return "it is smaller than a micrometre; check the length unit";
+    if (part.maxTolerance > widestGapShare * size)
+        return "its faces and edges are up to " + lengthWords(part.maxTolerance) + " apart, at a size of " +
+               lengthWords(size);
+    if (part.solids > 0 && part.openEdges.empty() && part.volume <= leastVolumeShare * std::pow(size, 3))
+        return "the solid has no volume";
+    return std::nullopt;
+}
+
+std::string leftOut(const std::string& partName, const std::string& reason)
+{
+    return "\"" + partName + "\" was left out: " + reason + ".";
+}
+
+void leaveOutSickParts(Model& model)
+{
+    std::vector<std::optional<std::size_t>> numbers;
+    std::vector<Part> sound;
+    for (Part& part : model.parts)
+        if (const std::optional<std::string> sickness = sicknessOf(part)) {
+            model.missing.push_back(leftOut(part.name, *sickness));
+            numbers.emplace_back();
+        } else {
+            numbers.emplace_back(sound.size());
+            sound.push_back(std::move(part));
+        }
+    if (sound.size() == model.parts.size()) {
+        model.parts = std::move(sound);
+        return;
     }
-    if (!isWithinReach(all))
-        failReading(path,
-                    "its shapes reach farther than 100 km from the origin; check the length unit and the position.");
-    if (all.diagonal().norm() < smallest)
-        failReading(path, "its shapes are smaller than a micrometre; check the length unit.");
+    model.parts = std::move(sound);
+    renumber(model.tree, numbers);
+    removeEmptyNodes(model.tree);
+}
+
+void removeEmptyNodes(PartNode& node)
+{
+    for (PartNode& child : node.children)
+        removeEmptyNodes(child);
+    std::erase_if(node.children, [](const PartNode& child) { return !child.part && child.children.empty(); });
+}
+
+void checkAnyPart(const std::string& path, const Model& model)
+{
+    if (!model.parts.empty())
+        return;
+    if (model.missing.empty())
+        failReading(path, "the file holds no solid and no surface; export the part as a solid.");
+    if (model.missing.size() == 1)
+        failReading(path, model.missing.front());
+    failReading(path, model.missing.front() + " Of " + std::to_string(model.missing.size()) +
+                          " parts like that none is left.");
 }
 
 } // namespace knead

@@ -2,6 +2,7 @@
 
 #include "core/model/part.h"
 
+#include <optional>
 #include <string>
 
 namespace knead {
@@ -9,8 +10,19 @@ namespace knead {
 /// Whether a box is finite and no part of it is farther than 100 km from the origin, where positions lose their digits.
 bool isWithinReach(const Box& box);
 
-/// @throws std::runtime_error, in a sentence about `path`, when the model is empty, too large, too small or too far
-///         away.
-void checkPlaceAndSize(const std::string& path, const Model& model);
+/// Why a part is of no use: "it has no volume". Nothing for a sound part.
+std::optional<std::string> sicknessOf(const Part& part);
+
+/// What Model::missing says about a part that was left out.
+std::string leftOut(const std::string& partName, const std::string& reason);
+
+/// Takes the parts that are of no use out of a model, and says so in Model::missing.
+void leaveOutSickParts(Model& model);
+
+/// Takes nodes without parts out of a tree.
+void removeEmptyNodes(PartNode& node);
+
+/// @throws std::runtime_error, in a sentence about `path` that says what is missing, when no part is left.
+void checkAnyPart(const std::string& path, const Model& model);
 
 } // namespace knead

@@ -1,10 +1,10 @@
 #include "io/slit_closing.h"
 
-#include "core/geometry/half_edges.h"
 #include "core/geometry/mass_properties.h"
+#include "io/mesh_repair.h"
+#include "io/open_borders.h"
 
 #include <limits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -14,47 +14,6 @@ namespace {
 
 constexpr double largestShare = 1e-4; // of the area of the mesh, for all slits together
 constexpr std::size_t longestLoop = 200;
-
-struct OpenEdge {
-    std::uint32_t end;
-    std::uint32_t face;
-};
-
-struct Loop {
-    std::vector<std::uint32_t> vertices; // in the order of the missing triangles
-    std::uint32_t face = 0;              // a neighbor's
-};
-
-/// Where the triangles end, run through against their direction. As many open edges start at a vertex as end there, so
-/// every walk comes back to its start.
-std::vector<Loop> findLoops(const TriangleMesh& mesh, const HalfEdges& halfEdges)
-{
-    std::unordered_multimap<std::uint32_t, OpenEdge> openEdges;
-    std::vector<std::uint32_t> starts;
-    for (std::size_t h = 0; h < halfEdges.twin.size(); ++h) {
-        const TriangleMesh::Triangle& t = mesh.triangles[h / 3];
-        const bool isCollapsed = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-        if (halfEdges.twin[h] != HalfEdges::none || isCollapsed)
-            continue;
-        const std::uint32_t start = t[(h + 1) % 3];
-        openEdges.insert({start, {t[h % 3], mesh.faceOfTriangle.empty() ? 0 : mesh.faceOfTriangle[h / 3]}});
-        starts.push_back(start);
-    }
-    std::vector<Loop> loops;
-    for (const std::uint32_t start : starts) {
-        Loop loop;
-        for (auto edge = openEdges.find(start); edge != openEdges.end(); edge = openEdges.find(loop.vertices.back())) {
-            loop.face = edge->second.face;
-            loop.vertices.push_back(edge->second.end);
-            openEdges.erase(edge);
-            if (loop.vertices.back() == start)
-                break;
-        }
-        if (loop.vertices.size() >= 3)
-            loops.push_back(std::move(loop));
-    }
-    return loops;
-}
 
 double areaOf(const TriangleMesh& mesh, const TriangleMesh::Triangle& t)
 {
@@ -90,12 +49,14 @@ std::vector<TriangleMesh::Triangle> triangulated(const TriangleMesh& mesh, std::
 
 TriangleMesh closeSlits(TriangleMesh mesh)
 {
-    const HalfEdges halfEdges = findHalfEdges(mesh);
-    if (halfEdges.unpaired == 0)
+    std::vector<OpenLoop> loops = openLoopsOf(mesh);
+    if (loops.empty())
         return mesh;
+    mesh = withoutFolds(mesh);
+    loops = openLoopsOf(mesh);
     TriangleMesh closed = mesh;
     double area = 0;
-    for (const Loop& loop : findLoops(mesh, halfEdges)) {
+    for (const OpenLoop& loop : loops) {
         if (loop.vertices.size() > longestLoop)
             return mesh;
         for (const TriangleMesh::Triangle& triangle : triangulated(mesh, loop.vertices)) {

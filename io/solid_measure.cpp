@@ -1,6 +1,7 @@
 #include "io/solid_measure.h"
 
 #include "core/geometry/mass_properties.h"
+#include "io/shape_measure.h"
 #include "io/slit_closing.h"
 #include "io/tessellation.h"
 
@@ -21,13 +22,6 @@ constexpr double goodVolume = 8e-4;        // relative; some room below the prom
 constexpr double adaptiveTolerance = 1e-5; // relative, of the adaptive integration
 constexpr int mostRefinements = 4;
 
-double quickVolume(const TopoDS_Shape& solid)
-{
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(solid, properties);
-    return cubicMillimeter * properties.Mass();
-}
-
 double adaptiveVolume(const TopoDS_Shape& solid)
 {
     GProp_GProps properties;
@@ -40,7 +34,7 @@ public:
     Refinement(const TopoDS_Shape& solid, const Tessellation& start)
         : m_solid(solid)
         , m_tessellation(start)
-        , m_volume(quickVolume(solid))
+        , m_volume(cubicMillimeter * volumeOf(solid))
         , m_mesh(closeSlits(tessellate(solid, start)))
         , m_meshVolume(massProperties(m_mesh).volume)
     {

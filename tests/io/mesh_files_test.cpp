@@ -135,7 +135,12 @@ void MeshFilesTest::insideOutMeshIsTurned()
     const Part part = importFile(path("inverted.stl")).parts.front();
     QVERIFY(part.watertight);
     QVERIFY(massProperties(part.mesh).volume > 0);
-    QCOMPARE(part.warnings.size(), std::size_t(1));
+    QCOMPARE(part.repairs.size(), std::size_t(1));
+
+    const Part asItIs = importFile(path("inverted.stl"), {.heal = false}).parts.front();
+    QVERIFY(asItIs.watertight && asItIs.repairs.empty());
+    QVERIFY(massProperties(asItIs.mesh).volume > 0);
+    QCOMPARE(asItIs.warnings.size(), std::size_t(1));
 }
 
 void MeshFilesTest::openMeshCannotBeFilled()
@@ -143,10 +148,13 @@ void MeshFilesTest::openMeshCannotBeFilled()
     TriangleMesh open = torus();
     open.triangles.pop_back();
     writeMeshes(path("open.stl"), {{"open", red, open}});
-    const Part part = importFile(path("open.stl")).parts.front();
+    const Part part = importFile(path("open.stl"), {.heal = false}).parts.front();
     QVERIFY(!part.watertight && !part.valid && !part.canBeFilled());
     QCOMPARE(part.volume, 0.0);
     QVERIFY(!part.warnings.empty());
+    QCOMPARE(part.openEdges.size(), std::size_t(1));
+    QCOMPARE(part.openEdges.front().size(), std::size_t(4)); // three corners, and back to the first
+    QVERIFY(importFile(path("open.stl")).parts.front().canBeFilled());
 }
 
 void MeshFilesTest::unknownEndingIsRefused()

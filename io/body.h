@@ -1,0 +1,24 @@
+#pragma once
+
+#include <TopTools_DataMapOfShapeShape.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace knead {
+
+/// What becomes one part: a solid, or the shells and faces that belong to none.
+struct Body {
+    TopoDS_Shape shape;                   ///< [mm]
+    TopoDS_Shape original;                ///< as the file has it
+    TopTools_DataMapOfShapeShape origins; ///< faces that healing made, and the face of the file each stands for
+    std::vector<std::string> repairs;     ///< as Part::repairs
+    std::optional<bool> isValid;          ///< what the geometry checks say, once they were made
+
+    /// The face of the file, which knows its color.
+    TopoDS_Shape originOf(const TopoDS_Shape& face) const { return origins.IsBound(face) ? origins(face) : face; }
+};
+
+} // namespace knead

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace knead {
+
+/// Looks over the text of a BREP file and refuses what hangs the reader or makes it ask for absurd memory: versions it
+/// does not know, counts that are negative or larger than the file, missing sections.
+/// @throws std::runtime_error, in a sentence
+void checkBrepText(const std::string& path);
+
+} // namespace knead

@@ -1,0 +1,142 @@
+#include "io/face_sewing.h"
+
+#include "io/free_edges.h"
+#include "io/number_words.h"
+#include "io/shape_measure.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace knead {
+
+namespace {
+
+constexpr double millimeter = 1e-3;
+constexpr std::array toleranceShares{1e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3}; // of the diagonal
+constexpr double sameArea = 1e-3; // relative; the area of trimmed curved faces is not integrated better
+constexpr int samplesPerEdge = 16;
+
+/// The largest distance between the two sides of an edge that two faces share [mm].
+double widestGap(const TopoDS_Shape& shape)
+{
+    TopTools_IndexedDataMapOfShapeListOfShape facesOfEdge;
+    TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, facesOfEdge);
+    double gap = 0;
+    for (int i = 1; i <= facesOfEdge.Extent(); ++i) {
+        const TopoDS_Edge& edge = TopoDS::Edge(facesOfEdge.FindKey(i));
+        const TopTools_ListOfShape& faces = facesOfEdge(i);
+        if (BRep_Tool::Degenerated(edge) || faces.Extent() != 2 || faces.First().IsSame(faces.Last()))
+            continue;
+        const BRepAdaptor_Curve one(edge, TopoDS::Face(faces.First()));
+        const BRepAdaptor_Curve other(edge, TopoDS::Face(faces.Last()));
+        const double first = one.FirstParameter();
+        const double last = one.LastParameter();
+        for (int sample = 0; sample <= samplesPerEdge; ++sample) {
+            const double parameter = first + (last - first) * sample / samplesPerEdge;
+            gap = std::max(gap, one.Value(parameter).Distance(other.Value(parameter)));
+        }
+    }
+    return gap;
+}
+
+std::string gapWords(double gap)
+{
+    constexpr double nothing = 1e-9; // [m]
+    return gap < nothing ? "" : "; the widest gap between two of them is " + lengthWords(gap);
+}
+
+class Sewer {
+public:
+    explicit Sewer(const Body& body)
+        : m_body(body)
+        , m_diagonal(diagonalOf(body.shape))
+        , m_area(areaOf(body.shape))
+    {
+        TopExp::MapShapes(body.shape, TopAbs_FACE, m_faces);
+    }
+
+    std::optional<Body> run(TaskControl& control)
+    {
+        std::optional<Body> best;
+        TopoDS_Shape shape = m_body.shape;
+        int fewest = freeEdgesOf(shape).Extent();
+        for (const double share : toleranceShares) {
+            if (fewest == 0 || !canBeSewn(shape, toleranceShares.back() * m_diagonal))
+                break;
+            control.throwIfCancelled();
+            const double tolerance = std::max(share * m_diagonal, Precision::Confusion());
+            std::optional<Body> candidate = sewnWith(tolerance);
+            if (!candidate)
+                continue;
+            const int free = freeEdgesOf(candidate->shape).Extent();
+            if (free >= fewest)
+                continue;
+            fewest = free;
+            m_tolerance = tolerance;
+            shape = candidate->shape;
+            best = std::move(candidate);
+        }
+        if (best)
+            best->repairs.push_back(sentenceFor(best->shape));
+        return best;
+    }
+
+private:
+    std::optional<Body> sewnWith(double tolerance) const
+    {
+        BRepBuilderAPI_Sewing sewing(tolerance);
+        for (int i = 1; i <= m_faces.Extent(); ++i)
+            sewing.Add(m_faces(i));
+        sewing.Perform();
+        const TopoDS_Shape shape = sewing.SewedShape();
+        if (shape.IsNull() || !isAllThere(shape))
+            return std::nullopt;
+        Body result{shape, m_body.original, {}, m_body.repairs, {}};
+        for (int i = 1; i <= m_faces.Extent(); ++i)
+            result.origins.Bind(sewing.ModifiedSubShape(m_faces(i)), m_body.originOf(m_faces(i)));
+        return result;
+    }
+
+    /// Features smaller than the tolerance vanish in sewing; then it is too large.
+    bool isAllThere(const TopoDS_Shape& shape) const
+    {
+        TopTools_IndexedMapOfShape faces;
+        TopExp::MapShapes(shape, TopAbs_FACE, faces);
+        return faces.Extent() == m_faces.Extent() && std::abs(areaOf(shape) - m_area) <= sameArea * m_area;
+    }
+
+    std::string sentenceFor(const TopoDS_Shape& shape) const
+    {
+        return countOf(static_cast<std::size_t>(m_faces.Extent()), "separate face") +
+               wasOrWere(static_cast<std::size_t>(m_faces.Extent())) + "sewn with a tolerance of " +
+               lengthWords(millimeter * m_tolerance) + gapWords(millimeter * widestGap(shape)) + ".";
+    }
+
+    const Body& m_body;
+    double m_diagonal;
+    double m_area;
+    double m_tolerance = 0;
+    TopTools_IndexedMapOfShape m_faces;
+};
+
+} // namespace
+
+std::optional<Body> sewn(const Body& body, TaskControl& control)
+{
+    return Sewer(body).run(control);
+}
+
+} // namespace knead

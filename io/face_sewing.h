@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/task/task_control.h"
+#include "io/body.h"
+
+#include <optional>
+
+namespace knead {
+
+/// Sews faces along edges that lie close to each other. The tolerance rises step by step from a millionth to a
+/// thousandth of the size, and no further than needed.
+/// @return nothing when no edge could be joined, or a face was lost or changed its area by it
+/// @throws Cancelled
+std::optional<Body> sewn(const Body& body, TaskControl& control);
+
+} // namespace knead

@@ -1,0 +1,142 @@
+#include "io/healing.h"
+
+#include "io/face_sewing.h"
+#include "io/free_edges.h"
+#include "io/number_words.h"
+#include "io/shape_measure.h"
+#include "io/solid_making.h"
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <ShapeBuild_ReShape.hxx>
+#include <ShapeFix_Shape.hxx>
+#include <ShapeFix_Wire.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace knead {
+
+namespace {
+
+constexpr double largestToleranceShare = 1e-3; // of the diagonal
+constexpr double largestSize = 1e9;            // [mm]; what is larger is not worth healing
+constexpr double sameMeasure = 1e-2;           // relative, of area and volume: a face that was wrong measures wrong too
+
+bool hasSolid(const TopoDS_Shape& shape)
+{
+    return TopExp_Explorer(shape, TopAbs_SOLID).More();
+}
+
+bool isClose(double value, double expected)
+{
+    return std::abs(value - expected) <= sameMeasure * std::abs(expected);
+}
+
+/// Runs a step that may fail; what fails changes nothing.
+template <typename Step>
+auto attempt(Step step) -> decltype(step())
+{
+    try {
+        return step();
+    } catch (const Standard_Failure&) {
+        return {};
+    }
+}
+
+/// Sews and makes solids of what is open, or closed but no solid.
+std::vector<Body> closed(const Body& body, TaskControl& control)
+{
+    Body surface = body;
+    if (!freeEdgesOf(body.shape).IsEmpty())
+        if (auto better = attempt([&] { return sewn(body, control); }))
+            surface = std::move(*better);
+    std::vector<Body> bodies = attempt([&] { return solidsOf(surface); });
+    if (bodies.empty())
+        return {body};
+    // A solid that cannot be closed stays as the file has it.
+    if (hasSolid(body.shape) && (bodies.size() != 1 || !hasSolid(bodies.front().shape)))
+        return {body};
+    return bodies;
+}
+
+std::size_t countInvalidFaces(const TopoDS_Shape& shape, const BRepCheck_Analyzer& check)
+{
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(shape, TopAbs_FACE, faces);
+    std::size_t count = 0;
+    for (int i = 1; i <= faces.Extent(); ++i)
+        count += check.IsValid(faces(i)) ? 0 : 1;
+    return count;
+}
+
+void followFaces(const Body& before, const Handle(BRepTools_ReShape) & changes, Body& after)
+{
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(before.shape, TopAbs_FACE, faces);
+    for (int i = 1; i <= faces.Extent(); ++i)
+        for (TopExp_Explorer made(changes->Apply(faces(i)), TopAbs_FACE); made.More(); made.Next())
+            if (!made.Current().IsSame(faces(i)))
+                after.origins.Bind(made.Current(), before.originOf(faces(i)));
+}
+
+/// What ShapeFix_Shape makes of a body that fails the checks, when it passes them then and is still the same body.
+std::optional<Body> rebuilt(const Body& body, const BRepCheck_Analyzer& check)
+{
+    ShapeFix_Shape fix(body.shape);
+    fix.SetMaxTolerance(largestToleranceShare * diagonalOf(body.shape));
+    fix.FixWireTool()->FixIntersectingEdgesMode() = 1;
+    fix.Perform();
+    Body result = body;
+    result.isValid = true;
+    result.shape = fix.Shape();
+    if (result.shape.IsNull() || !BRepCheck_Analyzer(result.shape).IsValid())
+        return std::nullopt;
+    const bool isSame = countDistinct(result.shape, TopAbs_SOLID) == countDistinct(body.shape, TopAbs_SOLID) &&
+                        freeEdgesOf(result.shape).Extent() <= freeEdgesOf(body.shape).Extent() &&
+                        isClose(areaOf(result.shape), areaOf(body.shape)) &&
+                        (!hasSolid(body.shape) || isClose(volumeOf(result.shape), volumeOf(body.shape)));
+    if (!isSame)
+        return std::nullopt;
+    followFaces(body, fix.Context(), result);
+    const std::size_t invalid = countInvalidFaces(body.shape, check);
+    result.repairs.push_back(invalid == 0 ? "Edges that failed the geometry checks were rebuilt."
+                                          : countOf(invalid, "face") + " that failed the geometry checks" +
+                                                wasOrWere(invalid) + "rebuilt.");
+    return result;
+}
+
+Body checked(const Body& body)
+{
+    const BRepCheck_Analyzer check(body.shape);
+    Body result = body;
+    result.isValid = check.IsValid();
+    if (!*result.isValid)
+        if (auto better = attempt([&] { return rebuilt(body, check); }))
+            return std::move(*better);
+    return result;
+}
+
+} // namespace
+
+std::vector<Body> healed(const Body& body, TaskControl& control)
+try {
+    if (!(diagonalOf(body.shape) < largestSize))
+        return {body};
+    const bool isSolid = hasSolid(body.shape) && freeEdgesOf(body.shape).IsEmpty();
+    std::vector<Body> bodies = isSolid ? std::vector<Body>{body} : closed(body, control);
+    for (Body& one : bodies) {
+        control.throwIfCancelled();
+        one = checked(one);
+    }
+    return bodies;
+} catch (const Standard_Failure&) {
+    return {body};
+}
+
+} // namespace knead

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/task/task_control.h"
+#include "io/body.h"
+
+#include <vector>
+
+namespace knead {
+
+/// Closes, orients and repairs a body as far as it can be done without a guess. Separate faces are sewn, closed shells
+/// become solids (several bodies when several volumes are bounded), a shell inside of another one its void, and what
+/// fails the geometry checks is rebuilt. A step that does not make things better is taken back, so a sound body comes
+/// out as it went in.
+/// @throws Cancelled
+std::vector<Body> healed(const Body& body, TaskControl& control);
+
+} // namespace knead

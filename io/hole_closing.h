@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/geometry/triangle_mesh.h"
+
+#include <cstddef>
+
+namespace knead {
+
+struct HoleClosing {
+    TriangleMesh mesh;
+    std::size_t holes = 0;
+    double addedShare = 0; ///< of the area of the mesh
+};
+
+/// Closes holes with flat patches where one may: the hole is below 1 % of the area, and its border within a tenth of
+/// its width of a plane. All other holes stay, since something is missing there.
+HoleClosing closeSmallHoles(TriangleMesh mesh);
+
+} // namespace knead

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/geometry/triangle_mesh.h"
+
+#include <string>
+#include <vector>
+
+namespace knead {
+
+/// Removes pairs of triangles that lie on each other back to back: a fold without volume. Where the triangles of a
+/// closed surface are folded, this leaves the surface closed.
+TriangleMesh withoutFolds(const TriangleMesh& mesh);
+
+struct RepairedMesh {
+    TriangleMesh mesh;
+    std::vector<std::string> repairs; ///< as Part::repairs; empty when nothing had to be done
+};
+
+/// Removes triangles that are there twice, turns those that face the other way than their neighbors, turns closed
+/// surfaces outward and closes holes that are small (below 1 % of the area) and nearly flat.
+/// @param mesh welded
+RepairedMesh repaired(TriangleMesh mesh);
+
+} // namespace knead

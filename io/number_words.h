@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace knead {
+
+/// "1 face", "12 faces": for sentences.
+std::string countOf(std::size_t count, const std::string& thing);
+
+/// " was " after one, " were " after any other number.
+std::string wasOrWere(std::size_t count);
+
+/// A length [m] with three digits in the unit that a person would take: "0.37 mm", "41.4 m", "0.02 um".
+std::string lengthWords(double length);
+
+/// A share of 1 with two digits: "0.13 %".
+std::string percentWords(double share);
+
+} // namespace knead

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/geometry/triangle_mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace knead {
+
+/// A closed walk along edges where triangles end.
+struct OpenLoop {
+    std::vector<std::uint32_t> vertices; ///< in the order of the missing triangles; the last one is joined to the first
+    std::uint32_t face = 0;              ///< of a neighbor, as in TriangleMesh::faceOfTriangle
+};
+
+/// Every edge along which the triangles of a mesh end belongs to one loop.
+std::vector<OpenLoop> openLoopsOf(const TriangleMesh& mesh);
+
+/// The loops as polylines [m] that end where they began.
+std::vector<std::vector<Vec3>> openBordersOf(const TriangleMesh& mesh);
+
+/// Joins polylines at ends closer than `tolerance` [m]; each runs on as long as there is a next one.
+std::vector<std::vector<Vec3>> chained(std::vector<std::vector<Vec3>> lines, double tolerance);
+
+/// "25 open edges in 1 border, 364 mm long in all; the largest opening is 123 mm across and flat".
+std::string describeBorders(std::size_t edges, const std::vector<std::vector<Vec3>>& borders);
+
+/// The same for borders of a mesh, where each segment is an edge.
+std::string describeBorders(const std::vector<std::vector<Vec3>>& borders);
+
+} // namespace knead

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <TopAbs_ShapeEnum.hxx>
+
+class TopoDS_Shape;
+
+namespace knead {
+
+/// How many different solids, shells, faces ... a shape holds.
+int countDistinct(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind);
+
+/// Of the box of control points, quick and somewhat large [mm]; 0 for an empty shape.
+double diagonalOf(const TopoDS_Shape& shape);
+
+/// [mm^2]
+double areaOf(const TopoDS_Shape& shape);
+
+/// Negative for a solid or closed shell that is inside out [mm^3]. Quick; off by a percent on threads and the like.
+double volumeOf(const TopoDS_Shape& shape);
+
+} // namespace knead

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "io/body.h"
+
+#include <vector>
+
+namespace knead {
+
+/// Makes solids of the closed shells in a body that has none: each is turned outward, and a shell inside of another one
+/// becomes its void. What stays open is one more body, without solids.
+/// @return the body itself when none of its shells is closed
+std::vector<Body> solidsOf(const Body& surface);
+
+} // namespace knead
