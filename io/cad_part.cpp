@@ -50,7 +50,7 @@ std::unordered_map<const void*, Color> colorsOfShells(const TopoDS_Shape& origin
     return result;
 }
 
-void addColors(const Body& body, const std::optional<Color>& defaultColor, const ShapeColors& colors, Part& part)
+void addColors(const CadBody& body, const std::optional<Color>& defaultColor, const ShapeColors& colors, Part& part)
 {
     part.color = colors.find(body.original);
     if (!part.color)
@@ -122,9 +122,9 @@ void judge(Part& part, std::size_t freeEdges)
 
 } // namespace
 
-std::vector<Body> splitIntoBodies(const TopoDS_Shape& shape)
+std::vector<CadBody> splitIntoBodies(const TopoDS_Shape& shape)
 {
-    std::vector<Body> bodies;
+    std::vector<CadBody> bodies;
     TopTools_IndexedMapOfShape solids;
     TopExp::MapShapes(shape, TopAbs_SOLID, solids);
     for (int solid = 1; solid <= solids.Extent(); ++solid)
@@ -148,7 +148,7 @@ std::vector<Body> splitIntoBodies(const TopoDS_Shape& shape)
     return bodies;
 }
 
-Part makePart(const Body& body, const std::optional<Color>& defaultColor, const ShapeColors& colors,
+Part makePart(const CadBody& body, const std::optional<Color>& defaultColor, const ShapeColors& colors,
               const ImportOptions& options)
 {
     const TopoDS_Shape& shape = body.shape;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/body.h"
+#include "io/cad_body.h"
 #include "io/cad_document.h"
 #include "io/importer.h"
 
@@ -10,11 +10,11 @@ namespace knead {
 
 /// Splits the shape of a leaf into one part per solid and one more for shells and faces that belong to no solid, since
 /// each closed solid can be filled on its own.
-std::vector<Body> splitIntoBodies(const TopoDS_Shape& shape);
+std::vector<CadBody> splitIntoBodies(const TopoDS_Shape& shape);
 
 /// Measures and tessellates one body: everything a Part holds but its name and path.
 /// @param defaultColor of the leaf the body comes from
-Part makePart(const Body& body, const std::optional<Color>& defaultColor, const ShapeColors& colors,
+Part makePart(const CadBody& body, const std::optional<Color>& defaultColor, const ShapeColors& colors,
               const ImportOptions& options);
 
 } // namespace knead

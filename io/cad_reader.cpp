@@ -79,7 +79,7 @@ private:
     /// One body is the leaf itself; several become its children.
     void addLeaf(const Leaf& leaf)
     {
-        const std::vector<Body> bodies = bodiesOf(leaf);
+        const std::vector<CadBody> bodies = bodiesOf(leaf);
         const std::string& assembly = leaf.assembly;
         const bool isWhole = m_selection.wants(assembly, leaf.node->name);
         for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -103,10 +103,10 @@ private:
     }
 
     /// Surfaces of a body that are hidden are no part of what is shown, they become a body of their own.
-    std::vector<Body> splitByVisibility(const std::vector<Body>& bodies) const
+    std::vector<CadBody> splitByVisibility(const std::vector<CadBody>& bodies) const
     {
-        std::vector<Body> result;
-        for (const Body& body : bodies) {
+        std::vector<CadBody> result;
+        for (const CadBody& body : bodies) {
             if (body.shape.ShapeType() != TopAbs_COMPOUND) {
                 result.push_back(body);
                 continue;
@@ -147,19 +147,19 @@ private:
         return common;
     }
 
-    std::vector<Body> bodiesOf(const Leaf& leaf)
+    std::vector<CadBody> bodiesOf(const Leaf& leaf)
     {
-        std::vector<Body> bodies = splitByVisibility(splitIntoBodies(*leaf.node->shape));
+        std::vector<CadBody> bodies = splitByVisibility(splitIntoBodies(*leaf.node->shape));
         if (!m_options.heal)
             return bodies;
-        std::vector<Body> result;
-        for (const Body& body : bodies)
-            for (Body& one : healed(body, m_control))
+        std::vector<CadBody> result;
+        for (const CadBody& body : bodies)
+            for (CadBody& one : healed(body, m_control))
                 result.push_back(std::move(one));
         return result;
     }
 
-    void warnOfLostFaces(const Body& body, Part& part) const
+    void warnOfLostFaces(const CadBody& body, Part& part) const
     {
         for (TopExp_Explorer shells(body.original, TopAbs_SHELL); shells.More(); shells.Next())
             for (const IncompleteShell& shell : m_document.incompleteShells)
@@ -170,7 +170,7 @@ private:
     }
 
     /// One sick part does not take the others with it: it is left out, and the model says so.
-    std::optional<Part> soundPart(const Body& body, const CadNode& node, const std::string& name)
+    std::optional<Part> soundPart(const CadBody& body, const CadNode& node, const std::string& name)
     {
         try {
             Part part = makePart(body, node.color, m_document.colors, m_options);

@@ -60,7 +60,7 @@ std::string gapWords(double gap)
 
 class Sewer {
 public:
-    explicit Sewer(const Body& body)
+    explicit Sewer(const CadBody& body)
         : m_body(body)
         , m_diagonal(diagonalOf(body.shape))
         , m_area(areaOf(body.shape))
@@ -68,9 +68,9 @@ public:
         TopExp::MapShapes(body.shape, TopAbs_FACE, m_faces);
     }
 
-    std::optional<Body> run(TaskControl& control)
+    std::optional<CadBody> run(TaskControl& control)
     {
-        std::optional<Body> best;
+        std::optional<CadBody> best;
         TopoDS_Shape shape = m_body.shape;
         int fewest = freeEdgesOf(shape).Extent();
         for (const double share : toleranceShares) {
@@ -78,7 +78,7 @@ public:
                 break;
             control.throwIfCancelled();
             const double tolerance = std::max(share * m_diagonal, Precision::Confusion());
-            std::optional<Body> candidate = sewnWith(tolerance);
+            std::optional<CadBody> candidate = sewnWith(tolerance);
             if (!candidate)
                 continue;
             const int free = freeEdgesOf(candidate->shape).Extent();
@@ -95,7 +95,7 @@ public:
     }
 
 private:
-    std::optional<Body> sewnWith(double tolerance) const
+    std::optional<CadBody> sewnWith(double tolerance) const
     {
         BRepBuilderAPI_Sewing sewing(tolerance);
         for (int i = 1; i <= m_faces.Extent(); ++i)
@@ -104,7 +104,7 @@ private:
         const TopoDS_Shape shape = sewing.SewedShape();
         if (shape.IsNull() || !isAllThere(shape))
             return std::nullopt;
-        Body result{shape, m_body.original, {}, m_body.repairs, {}};
+        CadBody result{shape, m_body.original, {}, m_body.repairs, {}};
         for (int i = 1; i <= m_faces.Extent(); ++i)
             result.origins.Bind(sewing.ModifiedSubShape(m_faces(i)), m_body.originOf(m_faces(i)));
         return result;
@@ -125,7 +125,7 @@ private:
                lengthWords(millimeter * m_tolerance) + gapWords(millimeter * widestGap(shape)) + ".";
     }
 
-    const Body& m_body;
+    const CadBody& m_body;
     double m_diagonal;
     double m_area;
     double m_tolerance = 0;
@@ -134,7 +134,7 @@ private:
 
 } // namespace
 
-std::optional<Body> sewn(const Body& body, TaskControl& control)
+std::optional<CadBody> sewn(const CadBody& body, TaskControl& control)
 {
     return Sewer(body).run(control);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/task/task_control.h"
-#include "io/body.h"
+#include "io/cad_body.h"
 
 #include <optional>
 
@@ -11,6 +11,6 @@ namespace knead {
 /// thousandth of the size, and no further than needed.
 /// @return nothing when no edge could be joined, or a face was lost or changed its area by it
 /// @throws Cancelled
-std::optional<Body> sewn(const Body& body, TaskControl& control);
+std::optional<CadBody> sewn(const CadBody& body, TaskControl& control);
 
 } // namespace knead

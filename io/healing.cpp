@@ -50,13 +50,13 @@ auto attempt(Step step) -> decltype(step())
 }
 
 /// Sews and makes solids of what is open, or closed but no solid.
-std::vector<Body> closed(const Body& body, TaskControl& control)
+std::vector<CadBody> closed(const CadBody& body, TaskControl& control)
 {
-    Body surface = body;
+    CadBody surface = body;
     if (!freeEdgesOf(body.shape).IsEmpty())
         if (auto better = attempt([&] { return sewn(body, control); }))
             surface = std::move(*better);
-    std::vector<Body> bodies = attempt([&] { return solidsOf(surface); });
+    std::vector<CadBody> bodies = attempt([&] { return solidsOf(surface); });
     if (bodies.empty())
         return {body};
     // A solid that cannot be closed stays as the file has it.
@@ -75,7 +75,7 @@ std::size_t countInvalidFaces(const TopoDS_Shape& shape, const BRepCheck_Analyze
     return count;
 }
 
-void followFaces(const Body& before, const Handle(BRepTools_ReShape) & changes, Body& after)
+void followFaces(const CadBody& before, const Handle(BRepTools_ReShape) & changes, CadBody& after)
 {
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(before.shape, TopAbs_FACE, faces);
@@ -86,13 +86,13 @@ void followFaces(const Body& before, const Handle(BRepTools_ReShape) & changes, 
 }
 
 /// What ShapeFix_Shape makes of a body that fails the checks, when it passes them then and is still the same body.
-std::optional<Body> rebuilt(const Body& body, const BRepCheck_Analyzer& check)
+std::optional<CadBody> rebuilt(const CadBody& body, const BRepCheck_Analyzer& check)
 {
     ShapeFix_Shape fix(body.shape);
     fix.SetMaxTolerance(largestToleranceShare * diagonalOf(body.shape));
     fix.FixWireTool()->FixIntersectingEdgesMode() = 1;
     fix.Perform();
-    Body result = body;
+    CadBody result = body;
     result.isValid = true;
     result.shape = fix.Shape();
     if (result.shape.IsNull() || !BRepCheck_Analyzer(result.shape).IsValid())
@@ -111,10 +111,10 @@ std::optional<Body> rebuilt(const Body& body, const BRepCheck_Analyzer& check)
     return result;
 }
 
-Body checked(const Body& body)
+CadBody checked(const CadBody& body)
 {
     const BRepCheck_Analyzer check(body.shape);
-    Body result = body;
+    CadBody result = body;
     result.isValid = check.IsValid();
     if (!*result.isValid)
         if (auto better = attempt([&] { return rebuilt(body, check); }))
@@ -124,13 +124,13 @@ Body checked(const Body& body)
 
 } // namespace
 
-std::vector<Body> healed(const Body& body, TaskControl& control)
+std::vector<CadBody> healed(const CadBody& body, TaskControl& control)
 try {
     if (!(diagonalOf(body.shape) < largestSize))
         return {body};
     const bool isSolid = hasSolid(body.shape) && freeEdgesOf(body.shape).IsEmpty();
-    std::vector<Body> bodies = isSolid ? std::vector<Body>{body} : closed(body, control);
-    for (Body& one : bodies) {
+    std::vector<CadBody> bodies = isSolid ? std::vector<CadBody>{body} : closed(body, control);
+    for (CadBody& one : bodies) {
         control.throwIfCancelled();
         one = checked(one);
     }

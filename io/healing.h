@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/task/task_control.h"
-#include "io/body.h"
+#include "io/cad_body.h"
 
 #include <vector>
 
@@ -12,6 +12,6 @@ namespace knead {
 /// fails the geometry checks is rebuilt. A step that does not make things better is taken back, so a sound body comes
 /// out as it went in.
 /// @throws Cancelled
-std::vector<Body> healed(const Body& body, TaskControl& control);
+std::vector<CadBody> healed(const CadBody& body, TaskControl& control);
 
 } // namespace knead

@@ -125,9 +125,9 @@ bool isVoid(const ClosedShell& shell)
     return shell.depth % 2 == 1;
 }
 
-Body solidBody(const std::vector<ClosedShell>& shells, std::size_t outer, const Body& from)
+CadBody solidBody(const std::vector<ClosedShell>& shells, std::size_t outer, const CadBody& from)
 {
-    Body body = from;
+    CadBody body = from;
     TopoDS_Solid solid = solidOf(shells[outer].shell);
     std::size_t turned = shells[outer].wasTurned ? 1 : 0;
     std::size_t voids = 0;
@@ -147,7 +147,7 @@ Body solidBody(const std::vector<ClosedShell>& shells, std::size_t outer, const 
 
 } // namespace
 
-std::vector<Body> solidsOf(const Body& surface)
+std::vector<CadBody> solidsOf(const CadBody& surface)
 {
     std::vector<ClosedShell> shells;
     TopoDS_Compound open;
@@ -172,12 +172,12 @@ std::vector<Body> solidsOf(const Body& surface)
         return {surface};
 
     nest(shells);
-    std::vector<Body> bodies;
+    std::vector<CadBody> bodies;
     for (std::size_t i = 0; i < shells.size(); ++i)
         if (!isVoid(shells[i]))
             bodies.push_back(solidBody(shells, i, surface));
     if (isAnyOpen) {
-        Body rest = surface;
+        CadBody rest = surface;
         rest.shape = open;
         bodies.push_back(std::move(rest));
     }

@@ -115,17 +115,18 @@ Actions::Actions(QWidget* window)
     auto* themes = new QActionGroup(window);
     themes->addAction(lightTheme);
     themes->addAction(darkTheme);
-    setDocumentOpen(false);
+    setDocumentOpen(false, false);
 }
 
-void Actions::setDocumentOpen(bool isOpen)
+void Actions::setDocumentOpen(bool isOpen, bool isSimulated)
 {
+    for (QAction* action : {fit, front, back, right, left, top, bottom, isometric, perspective, edges, openEdges, grid})
+        action->setEnabled(isOpen);
     for (QAction* action :
-         {exportMeshes, play, step, reset,  gravity,   floor,       renormalize, fixFaces,   remove, fit,  front, back,
-          right,        left, top,  bottom, isometric, perspective, objects,     allObjects, edges,  grid, hide})
-        action->setEnabled(isOpen);
+         {exportMeshes, play, step, reset, gravity, floor, renormalize, fixFaces, remove, objects, allObjects, hide})
+        action->setEnabled(isSimulated);
     for (QAction* action : addTool)
-        action->setEnabled(isOpen);
+        action->setEnabled(isSimulated);
 }
 
 void Actions::setPlaying(bool playing)

@@ -53,7 +53,8 @@ struct Actions {
     QAction* about;
 
     /// Turns on or off what only makes sense with an open part.
-    void setDocumentOpen(bool open);
+    /// @param isSimulated whether it has bodies, and not only surfaces to look at
+    void setDocumentOpen(bool isOpen, bool isSimulated);
     /// The first button says what a click will do.
     void setPlaying(bool playing);
 };

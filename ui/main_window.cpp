@@ -275,19 +275,24 @@ void MainWindow::contentChanged()
     const QString name = QFileInfo(QString::fromStdString(content.model->file)).fileName();
     setWindowTitle(tr("%1 - Knead").arg(name));
     m_pages->setCurrentWidget(m_viewport);
-    m_actions->setDocumentOpen(true);
-    m_addTool->setEnabled(true);
+    const bool isSimulated = !content.bodies.empty();
+    m_actions->setDocumentOpen(true, isSimulated);
+    m_addTool->setEnabled(isSimulated);
     m_actions->fixFaces->setChecked(false);
     showSurroundings();
-    m_readings->setVisible(true);
+    m_readings->setVisible(isSimulated);
     m_viewport->setFocus();
     m_viewport->fit();
     frameChanged();
     const Snapshot& start = *m_document.frame()->snapshot;
-    m_log->add(tr("%1: %2, %3 objects of spacing %4, %5 connections, time step %6.")
-                   .arg(name, QString::fromStdString(content.model->format), formatCount(start.objects),
-                        formatQuantity(content.spacing, Quantity::Length), formatCount(start.connections),
-                        formatReading(start.timeStep, Quantity::Time)));
+    if (!isSimulated)
+        m_log->add(tr("%1: %2, %3 surfaces to look at, nothing to simulate.")
+                       .arg(name, QString::fromStdString(content.model->format), formatCount(content.surfaces.size())));
+    else
+        m_log->add(tr("%1: %2, %3 objects of spacing %4, %5 connections, time step %6.")
+                       .arg(name, QString::fromStdString(content.model->format), formatCount(start.objects),
+                            formatQuantity(content.spacing, Quantity::Length), formatCount(start.connections),
+                            formatReading(start.timeStep, Quantity::Time)));
     for (const std::string& warning : content.warnings)
         m_log->add(QString::fromStdString(warning), LogPanel::Kind::Warning);
     showImport();
@@ -365,7 +370,7 @@ void MainWindow::frameChanged()
     m_readings->show(snapshot);
     m_performance->show(snapshot);
     m_actions->setPlaying(snapshot.playing);
-    m_actions->step->setEnabled(!snapshot.playing);
+    m_actions->step->setEnabled(!snapshot.playing && !m_document.content().bodies.empty());
     showHealth(snapshot.health);
 }
 

@@ -68,7 +68,7 @@ TopoDS_Shape moved(const TopoDS_Shape& shape, const gp_Vec& by)
     return shape.Moved(shift);
 }
 
-std::vector<Body> healed(const TopoDS_Shape& shape)
+std::vector<CadBody> healed(const TopoDS_Shape& shape)
 {
     return healed({shape, shape, {}, {}, {}}, TaskControl::none());
 }
@@ -93,7 +93,7 @@ bool mention(const std::vector<std::string>& sentences, const std::string& words
                        [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
 }
 
-Part partOf(const Body& body)
+Part partOf(const CadBody& body)
 {
     return makePart(body, {}, {}, {});
 }
@@ -147,7 +147,7 @@ void HealingTest::initTestCase()
 
 void HealingTest::separateFacesBecomeASolid()
 {
-    const std::vector<Body> bodies = healed(compound(separateFaces(box(10, 20, 30))));
+    const std::vector<CadBody> bodies = healed(compound(separateFaces(box(10, 20, 30))));
     QCOMPARE(bodies.size(), std::size_t(1));
     const Part part = partOf(bodies.front());
     QCOMPARE(part.solids, 1);
@@ -162,7 +162,7 @@ void HealingTest::separateFacesBecomeASolid()
 void HealingTest::curvedFacesBecomeASolid()
 {
     const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(5, 20).Shape();
-    const std::vector<Body> bodies = healed(compound(separateFaces(cylinder)));
+    const std::vector<CadBody> bodies = healed(compound(separateFaces(cylinder)));
     QCOMPARE(bodies.size(), std::size_t(1));
     const Part part = partOf(bodies.front());
     QVERIFY(part.canBeFilled());
@@ -172,7 +172,7 @@ void HealingTest::curvedFacesBecomeASolid()
 void HealingTest::soundSolidIsUntouched()
 {
     const TopoDS_Shape solid = box(1, 2, 3);
-    const std::vector<Body> bodies = healed(solid);
+    const std::vector<CadBody> bodies = healed(solid);
     QCOMPARE(bodies.size(), std::size_t(1));
     QVERIFY(bodies.front().shape.IsEqual(solid));
     QVERIFY(bodies.front().repairs.empty());
@@ -191,7 +191,7 @@ void HealingTest::faceColorsSurvive()
         const gp_Pnt middle = properties.CentreOfMass();
         middles.emplace_back(1e-3 * middle.X(), 1e-3 * middle.Y(), 1e-3 * middle.Z());
     }
-    const Body body = healed(compound(faces)).front();
+    const CadBody body = healed(compound(faces)).front();
     const Part part = makePart(body, {}, colors, {});
     QCOMPARE(part.faces.size(), faces.size());
     for (std::uint32_t face = 0; face < part.faces.size(); ++face) {
@@ -211,7 +211,7 @@ void HealingTest::faceColorsSurvive()
 void HealingTest::innerShellBecomesAVoid()
 {
     const TopoDS_Shape inner = BRepPrimAPI_MakeSphere(gp_Pnt(10, 10, 10), 5).Shape();
-    const std::vector<Body> bodies = healed(compound(separateFaces(box(20, 20, 20)) + separateFaces(inner)));
+    const std::vector<CadBody> bodies = healed(compound(separateFaces(box(20, 20, 20)) + separateFaces(inner)));
     QCOMPARE(bodies.size(), std::size_t(1));
     QCOMPARE(count(bodies.front().shape, TopAbs_SHELL), 2);
     const Part part = partOf(bodies.front());
@@ -223,7 +223,7 @@ void HealingTest::innerShellBecomesAVoid()
 void HealingTest::twoVolumesBecomeTwoBodies()
 {
     const Faces faces = separateFaces(box(10, 10, 10)) + separateFaces(box(5, 5, 5, gp_Pnt(50, 0, 0)));
-    const std::vector<Body> bodies = healed(compound(faces));
+    const std::vector<CadBody> bodies = healed(compound(faces));
     QCOMPARE(bodies.size(), std::size_t(2));
     QVERIFY(isClose(volumeOf(bodies[0].shape), 1000));
     QVERIFY(isClose(volumeOf(bodies[1].shape), 125));
@@ -233,7 +233,7 @@ void HealingTest::insideOutShellIsTurned()
 {
     TopoDS_Shape shell = TopExp_Explorer(box(10, 10, 10), TopAbs_SHELL).Current();
     shell.Reverse();
-    const std::vector<Body> bodies = healed(compound({shell}));
+    const std::vector<CadBody> bodies = healed(compound({shell}));
     QCOMPARE(bodies.size(), std::size_t(1));
     QCOMPARE(count(bodies.front().shape, TopAbs_SOLID), 1);
     QVERIFY(isClose(volumeOf(bodies.front().shape), 1000));
@@ -244,7 +244,7 @@ void HealingTest::turnedFaceIsTurnedBack()
 {
     Faces faces = separateFaces(box(10, 10, 10));
     faces[2].Reverse();
-    const std::vector<Body> bodies = healed(compound(faces));
+    const std::vector<CadBody> bodies = healed(compound(faces));
     QCOMPARE(bodies.size(), std::size_t(1));
     QVERIFY(freeEdgesOf(bodies.front().shape).IsEmpty());
     QVERIFY(isClose(volumeOf(bodies.front().shape), 1000));
@@ -254,7 +254,7 @@ void HealingTest::gapIsClosedAndReported()
 {
     Faces faces = separateFaces(box(10, 10, 10));
     faces[0] = moved(faces[0], gp_Vec(-0.005, 0, 0)); // 0.3 thousandths of the diagonal
-    const std::vector<Body> bodies = healed(compound(faces));
+    const std::vector<CadBody> bodies = healed(compound(faces));
     QCOMPARE(bodies.size(), std::size_t(1));
     const Part part = partOf(bodies.front());
     QVERIFY(part.canBeFilled());
@@ -266,7 +266,7 @@ void HealingTest::wideGapStaysOpen()
 {
     Faces faces = separateFaces(box(10, 10, 10));
     faces[0] = moved(faces[0], gp_Vec(-0.2, 0, 0)); // a hundredth of the diagonal
-    const std::vector<Body> bodies = healed(compound(faces));
+    const std::vector<CadBody> bodies = healed(compound(faces));
     QCOMPARE(bodies.size(), std::size_t(1));
     const Part part = partOf(bodies.front());
     QCOMPARE(part.solids, 0);
@@ -282,7 +282,7 @@ void HealingTest::thinPlateKeepsItsSides()
             face = moved(face, gp_Vec(0.1, 0, 0)); // a gap wider than the plate is thick
             break;
         }
-    for (const Body& body : healed(compound(faces))) {
+    for (const CadBody& body : healed(compound(faces))) {
         GProp_GProps area;
         BRepGProp::SurfaceProperties(body.shape, area);
         QCOMPARE(count(body.shape, TopAbs_FACE), 6);

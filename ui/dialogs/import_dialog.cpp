@@ -37,9 +37,9 @@ struct Detail {
 };
 
 constexpr std::array details{
-    Detail{QT_TRANSLATE_NOOP("ImportDialog", "Coarse: a fifth of a percent of the size"), 1.0 / 500, 0.5},
-    Detail{QT_TRANSLATE_NOOP("ImportDialog", "Normal: half a thousandth of the size"), 1.0 / 2000, 0.2},
-    Detail{QT_TRANSLATE_NOOP("ImportDialog", "Fine: an eighth of a thousandth of the size"), 1.0 / 8000, 0.1},
+    Detail{QT_TRANSLATE_NOOP("ImportDialog", "Coarse (0.2 % of the size)"), 1.0 / 500, 0.5},
+    Detail{QT_TRANSLATE_NOOP("ImportDialog", "Normal (0.05 % of the size)"), 1.0 / 2000, 0.2},
+    Detail{QT_TRANSLATE_NOOP("ImportDialog", "Fine (0.0125 % of the size)"), 1.0 / 8000, 0.1},
 };
 constexpr int normalDetail = 1;
 
@@ -115,6 +115,8 @@ ImportDialog::ImportDialog(std::vector<FilePreview> previews, QWidget* parent)
     QPushButton* open = m_buttons->button(QDialogButtonBox::Open);
     open->setObjectName("importOpen");
     open->setProperty("role", "primary");
+    for (QAbstractButton* button : m_buttons->buttons())
+        button->setIcon({});
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     const auto leaves = std::accumulate(m_previews.begin(), m_previews.end(), std::size_t{0},

@@ -158,6 +158,8 @@ void MaterialPanel::showSpacing(double spacing)
 
 void MaterialPanel::documentChanged(Document::Change what)
 {
+    if (m_document.content().bodies.empty()) // only surfaces, which have no material
+        return;
     switch (what) {
     case Document::Change::Content:
         m_isPosted = false;

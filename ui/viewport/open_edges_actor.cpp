@@ -28,6 +28,9 @@ OpenEdgesActor::OpenEdgesActor(vtkRenderer* renderer)
     : m_parts(std::make_unique<Parts>())
 {
     m_parts->renderer = renderer;
+    // In front of the feature edges that run along them.
+    m_parts->mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    m_parts->mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -8);
     m_parts->actor->SetMapper(m_parts->mapper);
     m_parts->actor->GetProperty()->LightingOff();
     m_parts->actor->GetProperty()->SetLineWidth(width);

@@ -10,7 +10,7 @@
 namespace knead {
 
 /// What becomes one part: a solid, or the shells and faces that belong to none.
-struct Body {
+struct CadBody {
     TopoDS_Shape shape;                   ///< [mm]
     TopoDS_Shape original;                ///< as the file has it
     TopTools_DataMapOfShapeShape origins; ///< faces that healing made, and the face of the file each stands for
