@@ -2,13 +2,13 @@
 
 #include "core/aggregate/cell_corners.h"
 #include "core/aggregate/cut_cells.h"
+#include "core/aggregate/spacing_choice.h"
 #include "core/geometry/half_edges.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/surface_distance.h"
 #include "core/task/parallel_progress.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -147,26 +147,12 @@ Aggregate fill(const TriangleMesh& mesh, const FillOptions& options, TaskControl
 
 double spacingForCellsAcross(const TriangleMesh& mesh, double cells)
 {
-    assert(cells > 0);
-    return massProperties(mesh).box.sizes().maxCoeff() / cells;
+    return spacingFor({SpacingChoice::Kind::CellsAlong, cells}, sizeOf(mesh));
 }
 
-/// One object per cell of the volume, and for the corners of cut cells a layer over the surface, measured as 0.95 to
-/// 1.05 cells thick for solids and sheets of any orientation.
 double spacingForObjectCount(const TriangleMesh& mesh, double objects)
 {
-    assert(objects > 0);
-    constexpr double layer = 1;
-    const MassProperties properties = massProperties(mesh);
-    const double volume = std::abs(properties.volume);
-    double few = 0; // of 1 / spacing
-    double many = std::cbrt(objects / volume);
-    for (int i = 0; i < 60; ++i) {
-        const double middle = (few + many) / 2;
-        const double count = middle * middle * (middle * volume + layer * properties.area);
-        (count < objects ? few : many) = middle;
-    }
-    return 1 / many;
+    return spacingFor({SpacingChoice::Kind::Objects, objects}, sizeOf(mesh));
 }
 
 } // namespace knead

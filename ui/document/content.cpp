@@ -1,5 +1,6 @@
 #include "ui/document/content.h"
 
+#include "core/aggregate/spacing_choice.h"
 #include "core/geometry/refine.h"
 
 #include <algorithm>
@@ -13,7 +14,9 @@ namespace knead {
 namespace {
 
 constexpr double wantedObjects = 3000; // soft rubber of so many runs about in real time on a small machine
+constexpr double mostObjects = 8000;   // unasked, for the sake of thin walls
 constexpr double importShare = 0.4;    // of the progress bar
+constexpr double measuredShare = 0.1;  // of the filling
 constexpr double preparedShare = 0.92;
 constexpr double surfaceDepth = 0.9; // objects less deep than this many spacings are drawn
 
@@ -61,18 +64,36 @@ double roundedDown(double value)
     return std::floor(value / unit) * unit;
 }
 
-/// One spacing for all bodies: the one that suits the largest, given its share of the objects.
-double chosenSpacing(const Model& model, const std::vector<std::size_t>& parts)
+/// Of the parts that are filled.
+struct FillingSizes {
+    FillingSize all;
+    FillingSize largest; ///< by volume
+};
+
+FillingSizes measure(const Model& model, const std::vector<std::size_t>& parts, TaskControl& control)
 {
-    double total = 0;
-    std::size_t largest = parts.front();
-    for (const std::size_t p : parts) {
-        total += model.parts[p].volume;
-        if (model.parts[p].volume > model.parts[largest].volume)
-            largest = p;
+    FillingSizes sizes;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const double count = static_cast<double>(parts.size());
+        TaskPortion portion(control, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+        const FillingSize size = sizeWithWalls(model.parts[parts[i]].mesh, portion);
+        if (i == 0 || size.volume > sizes.largest.volume)
+            sizes.largest = size;
+        sizes.all.add(size);
     }
-    const double share = total > 0 ? model.parts[largest].volume / total : 1;
-    return roundedDown(spacingForObjectCount(model.parts[largest].mesh, std::max(500.0, wantedObjects * share)));
+    return sizes;
+}
+
+/// One spacing for all bodies: the one that suits the largest, given its share of the objects; finer for the sake of thin
+/// walls as far as that is not much slower.
+double chosenSpacing(const FillingSizes& sizes)
+{
+    const auto& [all, largest] = sizes;
+    const double share = all.volume > 0 ? largest.volume / all.volume : 1;
+    const double usual = spacingFor({SpacingChoice::Kind::Objects, std::max(500.0, wantedObjects * share)}, largest);
+    const double forWalls = spacingFor({SpacingChoice::Kind::CellsAcrossWall, fewestCellsAcrossWall}, all);
+    const double finest = spacingFor({SpacingChoice::Kind::Objects, mostObjects}, all);
+    return roundedDown(std::min(usual, std::max(forWalls, finest)));
 }
 
 std::string uniqueName(const std::string& name, std::set<std::string>& taken)
@@ -127,11 +148,16 @@ Content fillContent(std::shared_ptr<const Model> model, double spacing, TaskCont
         if (!part.canBeFilled())
             content.warnings.push_back(openSentence(part));
     }
-    content.spacing = spacing > 0 ? spacing : chosenSpacing(*model, parts);
+    TaskPortion measuring(control, 0, measuredShare);
+    const FillingSizes sizes = measure(*model, parts, measuring);
+    content.spacing = spacing > 0 ? spacing : chosenSpacing(sizes);
+    if (const std::string warning = assessSpacing(content.spacing, sizes.all).warning; !warning.empty())
+        content.warnings.push_back(warning);
+    TaskPortion filling(control, measuredShare, 1);
     std::set<std::string> names;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const double count = static_cast<double>(parts.size());
-        TaskPortion portion(control, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+        TaskPortion portion(filling, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
         const Part& part = model->parts[parts[i]];
         content.bodies.push_back(makeBody(*model, parts[i], uniqueName(part.name, names), content.spacing, portion));
         for (const Vec3& vertex : part.mesh.vertices)
