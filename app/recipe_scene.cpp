@@ -159,6 +159,7 @@ void setWorld(const Recipe& recipe, Scene& scene)
         scene.floorHeight = recipe.floor->height;
         scene.floorFriction = recipe.floor->friction;
     }
+    scene.touching = recipe.touching;
     scene.integrator = recipe.integrator;
     scene.vicinity = recipe.vicinity;
     scene.timeStep = recipe.timeStep;

@@ -143,6 +143,8 @@ void readBodies(const JsonNode& root, const std::vector<MaterialPreset>& presets
     if (const auto node = root.find("bodies"))
         for (const std::string& name : node->keys())
             recipe.bodies.push_back(readRecipeBody(node->at(name), name));
+    if (const auto node = root.find("touching"))
+        recipe.touching = readChoice<Touching>(*node, {{"separate", Touching::separate}, {"glued", Touching::glued}});
     if (const auto node = root.find("structural_friction"))
         recipe.structuralFriction = node->number(0, 2);
     if (const auto node = root.find("fixtures"))
@@ -212,6 +214,7 @@ Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& pr
                     "manipulators",
                     "gravity_m_s2",
                     "floor",
+                    "touching",
                     "integrator",
                     "vicinity",
                     "time_step_s",

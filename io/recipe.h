@@ -129,6 +129,7 @@ struct Recipe {
     std::vector<RecipeManipulator> manipulators; ///< motions are HoldStill or FollowKeyFrames
     Vec3 gravity = Vec3::Zero();                 ///< [m/s^2]
     std::optional<RecipeFloor> floor;
+    Touching touching = Touching::separate;
     Integrator integrator = Integrator::semiImplicitEuler;
     VicinityMethod vicinity = VicinityMethod::uniformGrid;
     std::optional<double> timeStep;            ///< [s]

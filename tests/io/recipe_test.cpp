@@ -23,6 +23,7 @@ private slots:
     void smallestRecipeHasDefaults();
     void lengthsBecomeMeters();
     void spacingCanBeGivenByTheThinnestWall();
+    void touchingBodiesCanBeGlued();
     void partIsFoundBesideTheRecipe();
     void materialNumbersReplaceThoseOfThePreset();
     void bodyMaterialsStartFromTheCommonOne();
@@ -77,6 +78,14 @@ void RecipeTest::spacingCanBeGivenByTheThinnestWall()
     recipe["cells_across_wall"] = 3.5;
     QVERIFY(parse(recipe).spacing.kind == SpacingChoice::Kind::CellsAcrossWall);
     QCOMPARE(parse(recipe).spacing.value, 3.5);
+}
+
+void RecipeTest::touchingBodiesCanBeGlued()
+{
+    json recipe = smallest();
+    QVERIFY(parse(recipe).touching == Touching::separate);
+    recipe["touching"] = "glued";
+    QVERIFY(parse(recipe).touching == Touching::glued);
 }
 
 void RecipeTest::partIsFoundBesideTheRecipe()
