@@ -24,18 +24,14 @@ std::string fileName(const std::string& path)
     throw UnusableInput(fileName(recipe.file) + ": " + saying);
 }
 
-double spacingFor(const RecipeResolution& resolution, const std::vector<Part>& parts)
+/// @param control of measuring walls, where the choice is by them
+double spacingOf(const SpacingChoice& choice, const std::vector<Part>& parts, TaskControl& control)
 {
-    using Kind = RecipeResolution::Kind;
-    switch (resolution.kind) {
-    case Kind::CellsAcross:
-        return spacingForCellsAcross(joinedMesh(parts), resolution.value);
-    case Kind::Objects:
-        return spacingForObjectCount(joinedMesh(parts), resolution.value);
-    case Kind::Spacing:
-        break;
-    }
-    return resolution.value;
+    FillingSize all;
+    for (const Part& part : parts)
+        all.add(choice.kind == SpacingChoice::Kind::CellsAcrossWall ? sizeWithWalls(part.mesh, control)
+                                                                    : sizeOf(part.mesh));
+    return spacingFor(choice, all);
 }
 
 /// The filling knows no names; in an assembly they matter.
@@ -54,10 +50,12 @@ Aggregate fillPart(const Part& part, Arrangement arrangement, double spacing, Ta
 
 void fillParts(const Recipe& recipe, RecipeScene& result, TaskControl& control)
 {
-    const double spacing = spacingFor(recipe.resolution, result.parts);
+    TaskPortion measuring(control, 0, 0.1);
+    const double spacing = spacingOf(recipe.spacing, result.parts, measuring);
+    TaskPortion filling(control, 0.1, 1);
     const auto count = static_cast<double>(result.parts.size());
     for (std::size_t i = 0; i < result.parts.size(); ++i) {
-        TaskPortion portion(control, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+        TaskPortion portion(filling, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
         const Part& part = result.parts[i];
         auto aggregate = std::make_shared<const Aggregate>(fillPart(part, recipe.arrangement, spacing, portion));
         result.scene.bodies.push_back({.name = part.name,
@@ -161,6 +159,7 @@ void setWorld(const Recipe& recipe, Scene& scene)
         scene.floorHeight = recipe.floor->height;
         scene.floorFriction = recipe.floor->friction;
     }
+    scene.touching = recipe.touching;
     scene.integrator = recipe.integrator;
     scene.vicinity = recipe.vicinity;
     scene.timeStep = recipe.timeStep;

@@ -14,18 +14,21 @@ constexpr double longestDuration = 3600;  // [s]; a longer run is a mistyped num
 constexpr double shortestTimeStep = 1e-9; // [s]
 constexpr double longestTimeStep = 1;     // [s]
 
-RecipeResolution readResolution(const JsonNode& root)
+SpacingChoice readSpacing(const JsonNode& root)
 {
     const auto spacing = root.find("spacing_mm");
     const auto cells = root.find("cells_across");
+    const auto wallCells = root.find("cells_across_wall");
     const auto objects = root.find("objects");
-    if (spacing.has_value() + cells.has_value() + objects.has_value() != 1)
-        root.fail("must have exactly one of the keys spacing_mm, cells_across and objects.");
-    using Kind = RecipeResolution::Kind;
+    if (spacing.has_value() + cells.has_value() + wallCells.has_value() + objects.has_value() != 1)
+        root.fail("must have exactly one of the keys spacing_mm, cells_across, cells_across_wall and objects.");
+    using Kind = SpacingChoice::Kind;
     if (spacing)
-        return {Kind::Spacing, spacing->positive() * millimeter};
+        return {Kind::Length, spacing->positive() * millimeter};
     if (cells)
-        return {Kind::CellsAcross, cells->number(2, 1000)};
+        return {Kind::CellsAlong, cells->number(2, 1000)};
+    if (wallCells)
+        return {Kind::CellsAcrossWall, wallCells->number(0.5, 100)};
     return {Kind::Objects, objects->number(8, 2e7)};
 }
 
@@ -119,11 +122,11 @@ void readParts(const JsonNode& root, Recipe& recipe)
     if (const auto node = root.find("extra_parts"))
         for (const JsonNode& item : node->items())
             recipe.extraParts.push_back(readRecipeExtraPart(item, recipe.file));
-    recipe.resolution = readResolution(root);
+    recipe.spacing = readSpacing(root);
     if (const auto node = root.find("arrangement"))
         recipe.arrangement = readChoice<Arrangement>(
             *node, {{"cut-cells", Arrangement::cutCells}, {"published", Arrangement::published}});
-    if (recipe.arrangement == Arrangement::published && recipe.resolution.kind != RecipeResolution::Kind::Spacing)
+    if (recipe.arrangement == Arrangement::published && recipe.spacing.kind != SpacingChoice::Kind::Length)
         root.at("arrangement").fail("is \"published\", which needs spacing_mm.");
 }
 
@@ -140,6 +143,8 @@ void readBodies(const JsonNode& root, const std::vector<MaterialPreset>& presets
     if (const auto node = root.find("bodies"))
         for (const std::string& name : node->keys())
             recipe.bodies.push_back(readRecipeBody(node->at(name), name));
+    if (const auto node = root.find("touching"))
+        recipe.touching = readChoice<Touching>(*node, {{"separate", Touching::separate}, {"glued", Touching::glued}});
     if (const auto node = root.find("structural_friction"))
         recipe.structuralFriction = node->number(0, 2);
     if (const auto node = root.find("fixtures"))
@@ -192,12 +197,31 @@ bool RecipeExport::isPicture() const
 Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets)
 {
     const JsonNode root = JsonNode::readFile(path);
-    root.allowOnly({"version",        "part",         "extra_parts",  "spacing_mm",
-                    "cells_across",   "objects",      "arrangement",  "material",
-                    "body_materials", "regions",      "bodies",       "structural_friction",
-                    "fixtures",       "manipulators", "gravity_m_s2", "floor",
-                    "integrator",     "vicinity",     "time_step_s",  "mass_scaling_time_step_s",
-                    "duration_s",     "events",       "exports"});
+    root.allowOnly({"version",
+                    "part",
+                    "extra_parts",
+                    "spacing_mm",
+                    "cells_across",
+                    "cells_across_wall",
+                    "objects",
+                    "arrangement",
+                    "material",
+                    "body_materials",
+                    "regions",
+                    "bodies",
+                    "structural_friction",
+                    "fixtures",
+                    "manipulators",
+                    "gravity_m_s2",
+                    "floor",
+                    "touching",
+                    "integrator",
+                    "vicinity",
+                    "time_step_s",
+                    "mass_scaling_time_step_s",
+                    "duration_s",
+                    "events",
+                    "exports"});
     root.at("version").integer(1, 1);
 
     Recipe recipe;

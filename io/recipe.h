@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/aggregate/material.h"
+#include "core/aggregate/spacing_choice.h"
 #include "core/geometry/vec3.h"
 #include "core/mechanics/manipulator.h"
 #include "core/simulation/scene.h"
@@ -13,17 +14,6 @@
 #include <vector>
 
 namespace knead {
-
-/// How finely the parts are filled. Counts are for all parts of the file together.
-struct RecipeResolution {
-    enum class Kind {
-        Spacing,     ///< value is the lattice spacing [m]
-        CellsAcross, ///< value is the number of cells along the longest side of the box around all parts
-        Objects      ///< value is the wanted number of objects
-    };
-    Kind kind = Kind::CellsAcross;
-    double value = 0;
-};
 
 /// A material as a recipe states it: a preset, or numbers that replace those of another material, or both.
 struct RecipeMaterial {
@@ -128,7 +118,7 @@ struct Recipe {
     std::string file; ///< where it was read from
     std::string part; ///< path of the CAD or mesh file, ready to open
     std::vector<RecipeExtraPart> extraParts;
-    RecipeResolution resolution;
+    SpacingChoice spacing; ///< of all parts of the file together
     Arrangement arrangement = Arrangement::cutCells;
     Material material;                                           ///< of every body that has none of its own
     std::vector<std::pair<std::string, Material>> bodyMaterials; ///< body name and its material
@@ -139,6 +129,7 @@ struct Recipe {
     std::vector<RecipeManipulator> manipulators; ///< motions are HoldStill or FollowKeyFrames
     Vec3 gravity = Vec3::Zero();                 ///< [m/s^2]
     std::optional<RecipeFloor> floor;
+    Touching touching = Touching::separate;
     Integrator integrator = Integrator::semiImplicitEuler;
     VicinityMethod vicinity = VicinityMethod::uniformGrid;
     std::optional<double> timeStep;            ///< [s]

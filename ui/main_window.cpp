@@ -84,6 +84,7 @@ void MainWindow::connectFileActions()
     connect(m_actions->openWithChoices, &QAction::triggered, this, [this] { askForFile(true); });
     connect(m_import, &ImportPanel::unitChosen, this, &MainWindow::takeIn);
     connect(m_import, &ImportPanel::healingChosen, this, &MainWindow::takeHealed);
+    connect(m_import, &ImportPanel::fillingChosen, this, &MainWindow::fillOpenParts);
     connect(m_actions->exportMeshes, &QAction::triggered, this, &MainWindow::askForExport);
     connect(m_actions->quit, &QAction::triggered, this, &QWidget::close);
     connect(m_actions->cancel, &QAction::triggered, this, &MainWindow::cancel);
@@ -330,21 +331,36 @@ void MainWindow::showImport()
     }
 }
 
-void MainWindow::takeIn(const QString& unit)
+/// The same model, changed and filled by another request.
+void MainWindow::openAgain(const QString& title, std::function<Model(const Model&)> change, const OpenRequest& request)
 {
     if (m_document.isEmpty() || isBusy())
         return;
     m_banner->hide();
+    const auto work = [model = m_document.content().model, change = std::move(change), request,
+                       material = startMaterial(m_services.materials)](TaskControl& control) {
+        return prepareModel(std::make_shared<const Model>(change(*model)), request, material, control);
+    };
+    m_tasks.run<PreparedContent>(title, work,
+                                 [this](PreparedContent prepared) { m_document.open(std::move(prepared)); });
+}
+
+void MainWindow::takeIn(const QString& unit)
+{
     OpenRequest request = m_document.content().request;
     request.options.unit = unit.toStdString();
-    request.spacing = 0; // chosen for another size
-    const auto work = [model = m_document.content().model, request,
-                       material = startMaterial(m_services.materials)](TaskControl& control) {
-        return prepareModel(std::make_shared<const Model>(takenIn(*model, request.options.unit)), request, material,
-                            control);
-    };
-    m_tasks.run<PreparedContent>(tr("Taking lengths in %1").arg(unit), work,
-                                 [this](PreparedContent prepared) { m_document.open(std::move(prepared)); });
+    request.spacing.reset(); // it was chosen for another size
+    openAgain(
+        tr("Taking lengths in %1").arg(unit),
+        [name = request.options.unit](const Model& model) { return takenIn(model, name); }, request);
+}
+
+void MainWindow::fillOpenParts()
+{
+    OpenRequest request = m_document.content().request;
+    request.fillsOpenParts = true;
+    openAgain(
+        tr("Filling open surfaces"), [](const Model& model) { return model; }, request);
 }
 
 void MainWindow::takeHealed(bool heal)

@@ -86,6 +86,8 @@ private:
     void askForChoices(std::vector<FilePreview> previews);
     void takeIn(const QString& unit);
     void takeHealed(bool heal);
+    void fillOpenParts();
+    void openAgain(const QString& title, std::function<Model(const Model&)> change, const OpenRequest& request);
     void askForExport();
     void cancel();
     void showControls();

@@ -8,6 +8,16 @@
 
 namespace knead {
 
+/// What filling did about a surface that does not bound a volume by itself; all zero for a closed one.
+struct SurfaceRepair {
+    std::size_t removedTriangles = 0; ///< that were there twice
+    std::size_t flippedTriangles = 0; ///< that faced the other way than those around them
+    std::size_t decidedCells = 0;     ///< at holes and overlaps, decided by the winding number of the surface
+    double doubtfulShare = 0;         ///< of the volume: material that could as well be none
+
+    friend bool operator==(const SurfaceRepair&, const SurfaceRepair&) = default;
+};
+
 /// The objects of one body and their structural connections, at rest. Immutable once filled; shared between threads.
 /// Arrays have one entry per object.
 struct Aggregate {
@@ -22,9 +32,10 @@ struct Aggregate {
                                 ///< carry a lower bound >= 2a instead of the exact value
     std::vector<std::uint32_t> face; ///< CAD face nearest to the object; noFace for deep objects and plain meshes
 
-    double meshVolume = 0;   ///< of the mesh it was filled from [m^3]
+    double meshVolume = 0;   ///< of the mesh it was filled from, as far as that bounds one; else filledVolume [m^3]
     double filledVolume = 0; ///< as integrated cell by cell, thin slivers of cells included [m^3]
     std::size_t cells = 0;   ///< kept cells
+    SurfaceRepair repair;    ///< what was needed to fill it
 
     static constexpr std::uint32_t noFace = 0xffffffffU;
 

@@ -1,6 +1,7 @@
 #include "core/aggregate/cut_cells.h"
 
 #include "core/aggregate/cell_polygon.h"
+#include "core/aggregate/row_repair.h"
 #include "core/task/parallel_progress.h"
 
 #include <algorithm>
@@ -65,9 +66,12 @@ private:
 /// What the pieces of the surface add to the cells of one row.
 class RowIntegral {
 public:
-    explicit RowIntegral(std::int32_t cells)
+    /// @param repair as in cutCells()
+    RowIntegral(std::int32_t cells, const RowRepair* repair)
         : m_inCell(static_cast<std::size_t>(cells), 0)
         , m_area(static_cast<std::size_t>(cells), 0)
+        , m_isTouched(repair == nullptr ? 0 : static_cast<std::size_t>(cells), 0)
+        , m_repair(repair)
         , m_cells(cells)
     {
         forget();
@@ -77,6 +81,8 @@ public:
     void add(PolygonView polygon)
     {
         CellRange range = cellRange(polygon, 2, m_cells);
+        if (m_repair != nullptr)
+            std::fill(m_isTouched.begin() + range.first, m_isTouched.begin() + range.last + 1, std::uint8_t{1});
         if (range.first < range.last && isWall(polygon))
             return;
         m_touched = {std::min(m_touched.first, range.first), std::max(m_touched.last, range.last)};
@@ -89,8 +95,27 @@ public:
         addPiece(polygon, range.last);
     }
 
-    /// Appends the kept cells of the row to the slab and clears the row.
-    void finish(CutCells::Slab& slab, double orientation, double minimumFraction)
+    /// Appends the kept cells of row (u, v) to the slab and clears the row.
+    void finish(std::int32_t u, std::int32_t v, CutCells::Slab& slab, double orientation, double minimumFraction)
+    {
+        if (m_repair != nullptr && needsRepair(u, v))
+            takeDecided(m_repair->decide(u, v, pieces()), slab, minimumFraction);
+        else
+            takeExact(slab, orientation, minimumFraction);
+        if (m_repair != nullptr)
+            std::fill(m_isTouched.begin(), m_isTouched.end(), std::uint8_t{0});
+        forget();
+    }
+
+private:
+    RowRepair::Pieces pieces() const { return {m_inCell, m_area, m_isTouched}; }
+
+    bool needsRepair(std::int32_t u, std::int32_t v) const
+    {
+        return m_repair->isSuspect(u, v) || !m_repair->isSound(pieces());
+    }
+
+    void takeExact(CutCells::Slab& slab, double orientation, double minimumFraction)
     {
         double below = 0;
         for (std::int32_t w = m_touched.first; w <= m_touched.last; ++w) {
@@ -98,16 +123,29 @@ public:
             const double fraction = orientation * (m_inCell[cell] + below);
             below += m_area[cell];
             m_inCell[cell] = m_area[cell] = 0;
-            slab.volume += fraction;
-            if (fraction < std::max(minimumFraction - sliver, sliver))
-                continue;
-            slab.w.push_back(w);
-            slab.fraction.push_back(std::min(fraction, 1.0));
+            keep(w, fraction, slab, minimumFraction);
         }
-        forget();
     }
 
-private:
+    void takeDecided(const RowRepair::Outcome& outcome, CutCells::Slab& slab, double minimumFraction)
+    {
+        for (std::size_t w = 0; w < outcome.fraction.size(); ++w)
+            keep(static_cast<std::int32_t>(w), outcome.fraction[w], slab, minimumFraction);
+        slab.decided += outcome.decided;
+        slab.doubtful += outcome.doubtful;
+        std::fill(m_inCell.begin(), m_inCell.end(), 0.0);
+        std::fill(m_area.begin(), m_area.end(), 0.0);
+    }
+
+    static void keep(std::int32_t w, double fraction, CutCells::Slab& slab, double minimumFraction)
+    {
+        slab.volume += fraction;
+        if (fraction < std::max(minimumFraction - sliver, sliver))
+            return;
+        slab.w.push_back(w);
+        slab.fraction.push_back(std::min(fraction, 1.0));
+    }
+
     static bool isWall(PolygonView polygon)
     {
         const Projection projection = project(polygon, 0);
@@ -124,8 +162,10 @@ private:
 
     void forget() { m_touched = {std::numeric_limits<std::int32_t>::max(), -1}; }
 
-    std::vector<double> m_inCell; // volume between pieces and the top of their cell
-    std::vector<double> m_area;   // projected area of the pieces, for the cells above
+    std::vector<double> m_inCell;          // volume between pieces and the top of their cell
+    std::vector<double> m_area;            // projected area of the pieces, for the cells above
+    std::vector<std::uint8_t> m_isTouched; // by a piece; only for repairs
+    const RowRepair* m_repair;
     std::int32_t m_cells;
     CellRange m_touched;
 };
@@ -133,11 +173,13 @@ private:
 /// One triangle mesh in lattice coordinates, its triangles sorted into slabs.
 class Cutter {
 public:
-    Cutter(const TriangleMesh& mesh, const CellGrid& grid, double orientation, double minimumFraction)
+    Cutter(const TriangleMesh& mesh, const CellGrid& grid, double orientation, double minimumFraction,
+           const RowRepair* repair)
         : m_mesh(mesh)
         , m_count(grid.count)
         , m_orientation(orientation)
         , m_minimumFraction(minimumFraction)
+        , m_repair(repair)
         , m_vertices(mesh.vertices.size())
         , m_ranges(mesh.triangles.size())
     {
@@ -158,7 +200,7 @@ public:
         const Bins slabs(m_ranges, 0, m_count[0] - 1);
         forEachBlock(cells.slabs.size(), 1, control, "cutting cells", [&](std::size_t u, std::size_t) {
             const auto slab = static_cast<std::int32_t>(u);
-            cells.slabs[u] = cutRows(polygonsOfSlab(slab, slabs[slab]));
+            cells.slabs[u] = cutRows(slab, polygonsOfSlab(slab, slabs[slab]));
         });
         return cells;
     }
@@ -178,24 +220,27 @@ private:
         return polygons;
     }
 
-    CutCells::Slab cutRows(const PolygonList& polygons) const
+    CutCells::Slab cutRows(std::int32_t u, const PolygonList& polygons) const
     {
         CutCells::Slab slab;
-        if (polygons.size() == 0)
-            return slab;
         std::vector<CellRange> ranges(polygons.size());
-        CellRange rows{m_count[1], 0};
+        CellRange rows{m_count[1], -1};
+        if (m_repair != nullptr)
+            if (const CellRange suspect = m_repair->suspectRows(u); suspect.first <= suspect.last)
+                rows = suspect;
         for (std::size_t i = 0; i < polygons.size(); ++i) {
             ranges[i] = cellRange(polygons[i], 1, m_count[1]);
             rows = {std::min(rows.first, ranges[i].first), std::max(rows.last, ranges[i].last)};
         }
+        if (rows.last < rows.first)
+            return slab;
         const Bins bins(ranges, rows.first, rows.last);
-        RowIntegral row(m_count[2]);
+        RowIntegral row(m_count[2], m_repair);
         slab.firstRow = rows.first;
         for (std::int32_t v = rows.first; v <= rows.last; ++v) {
             for (const std::uint32_t i : bins[v])
                 row.add(clipToCell(polygons[i], 1, v, ranges[i]).span());
-            row.finish(slab, m_orientation, m_minimumFraction);
+            row.finish(u, v, slab, m_orientation, m_minimumFraction);
             slab.rowBegin.push_back(slab.w.size());
         }
         return slab;
@@ -205,6 +250,7 @@ private:
     Lattice::Node m_count;
     double m_orientation;
     double m_minimumFraction;
+    const RowRepair* m_repair;
     std::vector<Vec3> m_vertices;    // in lattice coordinates
     std::vector<CellRange> m_ranges; // slabs of each triangle
 };
@@ -263,10 +309,26 @@ std::size_t CutCells::size() const
     return count;
 }
 
-CutCells cutCells(const TriangleMesh& mesh, const CellGrid& grid, double orientation, double minimumFraction,
-                  TaskControl& control)
+std::size_t CutCells::decided() const
 {
-    return Cutter(mesh, grid, orientation, minimumFraction).cut(control);
+    std::size_t count = 0;
+    for (const Slab& slab : slabs)
+        count += slab.decided;
+    return count;
+}
+
+double CutCells::doubtful() const
+{
+    double sum = 0;
+    for (const Slab& slab : slabs)
+        sum += slab.doubtful;
+    return sum;
+}
+
+CutCells cutCells(const TriangleMesh& mesh, const CellGrid& grid, double orientation, double minimumFraction,
+                  TaskControl& control, const RowRepair* repair)
+{
+    return Cutter(mesh, grid, orientation, minimumFraction, repair).cut(control);
 }
 
 } // namespace knead

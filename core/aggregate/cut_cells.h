@@ -20,6 +20,8 @@ struct CellGrid {
 /// A box whose sides are multiples of the spacing gets nodes on its faces.
 CellGrid gridAround(const Box& box, double spacing);
 
+class RowRepair;
+
 /// How much of each cell of a grid is material. Only cells with enough of it are stored, row by row along w.
 struct CutCells {
     /// Kept cells with the same u and v.
@@ -34,7 +36,9 @@ struct CutCells {
         std::vector<std::size_t> rowBegin{0}; ///< per row, and the end
         std::vector<std::int32_t> w;
         std::vector<double> fraction;
-        double volume = 0; ///< material in all cells of the slab [cells], dropped ones included
+        double volume = 0;       ///< material in all cells of the slab [cells], dropped ones included
+        std::size_t decided = 0; ///< cells that RowRepair decided
+        double doubtful = 0;     ///< and how much of them could be either [cells]
 
         std::int32_t rowsEnd() const { return firstRow + static_cast<std::int32_t>(rowBegin.size()) - 1; }
         Row row(std::int32_t v) const; ///< empty outside firstRow .. rowsEnd()
@@ -42,9 +46,11 @@ struct CutCells {
 
     std::vector<Slab> slabs; ///< by u
 
-    double volume() const;     ///< material in all cells [cells], dropped ones included
-    double keptVolume() const; ///< material in the kept cells [cells]
-    std::size_t size() const;  ///< kept cells
+    double volume() const;       ///< material in all cells [cells], dropped ones included
+    double keptVolume() const;   ///< material in the kept cells [cells]
+    std::size_t size() const;    ///< kept cells
+    std::size_t decided() const; ///< cells that RowRepair decided
+    double doubtful() const;     ///< [cells]
 };
 
 /// Cuts the cells of a grid by a closed surface, exactly.
@@ -52,8 +58,9 @@ struct CutCells {
 /// Each triangle is clipped to the cells it crosses. A piece adds the volume between itself and the top of its cell to
 /// this cell, and its projected area times the cell's height to all cells above (the divergence theorem along rows).
 /// @param orientation 1 when the triangles face outwards, -1 when they face inwards
+/// @param repair decides rows that the surface does not bound; without it the surface is taken for closed
 /// @throws Cancelled
 CutCells cutCells(const TriangleMesh& mesh, const CellGrid& grid, double orientation, double minimumFraction,
-                  TaskControl& control);
+                  TaskControl& control, const RowRepair* repair = nullptr);
 
 } // namespace knead

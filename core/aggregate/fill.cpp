@@ -2,14 +2,17 @@
 
 #include "core/aggregate/cell_corners.h"
 #include "core/aggregate/cut_cells.h"
+#include "core/aggregate/row_repair.h"
+#include "core/aggregate/spacing_choice.h"
 #include "core/geometry/half_edges.h"
 #include "core/geometry/mass_properties.h"
+#include "core/geometry/surface_cleaning.h"
 #include "core/geometry/surface_distance.h"
 #include "core/task/parallel_progress.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -17,8 +20,9 @@ namespace knead {
 
 namespace {
 
-constexpr double rounding = 1e-9; // of lengths
-constexpr int exactLayers = 1;    // objects up to so many steps from the corners of cut cells get their exact depth
+constexpr double rounding = 1e-9;     // of lengths
+constexpr double mostDoubtful = 0.03; // of the volume, where the surface has holes
+constexpr int exactLayers = 1;        // objects up to so many steps from the corners of cut cells get their exact depth
 
 std::string inMillimetres(double length)
 {
@@ -33,8 +37,7 @@ std::string inMillimetres(double length)
                              std::to_string(options.maximumObjects) + " objects. Choose a larger spacing.");
 }
 
-/// @returns its half-edges
-HalfEdges checkMesh(const TriangleMesh& mesh)
+void checkVertices(const TriangleMesh& mesh)
 {
     if (mesh.empty())
         throw std::runtime_error(
@@ -43,6 +46,11 @@ HalfEdges checkMesh(const TriangleMesh& mesh)
         if (!vertex.allFinite())
             throw std::runtime_error(
                 "A vertex of the surface is not at a finite place. Repair the file and import again.");
+}
+
+/// @returns its half-edges
+HalfEdges checkClosed(const TriangleMesh& mesh)
+{
     HalfEdges halfEdges = findHalfEdges(mesh);
     if (halfEdges.unpaired > 0)
         throw std::runtime_error("The surface is not closed: " + std::to_string(halfEdges.unpaired) +
@@ -92,11 +100,33 @@ std::vector<ObjectIndex> objectsNearSurface(const CellCorners& corners)
     return objects;
 }
 
+/// How deep a flat surface through the cells around an object would be under it. For objects at holes.
+double depthFromFullness(const Aggregate& aggregate, ObjectIndex object)
+{
+    const double a = aggregate.lattice.spacing;
+    return std::clamp(2 * aggregate.volume[object] / (a * a * a) - 1, -1.0, 1.0) * a;
+}
+
+/// Depth of an object that is `distance` from a dirty surface, whose normals do not tell inside from outside.
+/// A surface object further away than any surface in the cells around it could be is at a hole.
+double depthAtDirtySurface(const CellCorners& corners, ObjectIndex object, double distance, const RowRepair& repair)
+{
+    const Lattice& lattice = corners.aggregate.lattice;
+    const double acrossCell = std::sqrt(3.0) * lattice.spacing;
+    if (corners.isSurface[object] != 0 && distance > (1 + rounding) * acrossCell)
+        return depthFromFullness(corners.aggregate, object);
+    const double winding = repair.orientation() * repair.windingNumber().at(lattice.position(object));
+    return winding >= 0.5 ? distance : -distance;
+}
+
 /// All cells within exactLayers + 1 steps of the other objects are full, so these are at least that deep, as are those to
 /// which no surface is nearer.
-void measureDepth(Aggregate& aggregate, const std::vector<ObjectIndex>& nearSurface, const TriangleMesh& mesh,
-                  HalfEdges halfEdges, double orientation, TaskControl& control)
+/// @param repair of a dirty surface, else null
+void measureDepth(CellCorners& corners, const TriangleMesh& mesh, HalfEdges halfEdges, double orientation,
+                  const RowRepair* repair, TaskControl& control)
 {
+    Aggregate& aggregate = corners.aggregate;
+    const std::vector<ObjectIndex> nearSurface = objectsNearSurface(corners);
     const double deep = (exactLayers + 1) * aggregate.lattice.spacing;
     const double reach = (1 + rounding) * deep;
     aggregate.depth.assign(aggregate.size(), deep);
@@ -108,29 +138,46 @@ void measureDepth(Aggregate& aggregate, const std::vector<ObjectIndex>& nearSurf
         for (std::size_t i = begin; i < end; ++i) {
             const ObjectIndex object = nearSurface[i];
             const auto hit = surface.nearestWithin(reach, aggregate.lattice.position(object), guess);
-            if (!hit)
+            if (!hit) {
+                if (repair != nullptr)
+                    aggregate.depth[object] = depthAtDirtySurface(corners, object, deep, *repair);
                 continue;
+            }
             guess = hit->triangle;
-            aggregate.depth[object] = -orientation * hit->signedDistance;
+            aggregate.depth[object] = repair != nullptr ? depthAtDirtySurface(corners, object, hit->distance, *repair)
+                                                        : -orientation * hit->signedDistance;
             if (!mesh.faceOfTriangle.empty())
                 aggregate.face[object] = mesh.faceOfTriangle[hit->triangle];
         }
     });
 }
 
-} // namespace
-
-Aggregate fill(const TriangleMesh& mesh, const FillOptions& options, TaskControl& control)
+void checkBoundsVolume(const CutCells& cells, bool isClosed)
 {
-    control.report(0, "checking the surface");
-    HalfEdges halfEdges = checkMesh(mesh);
+    if (isClosed && cells.decided() == 0)
+        return;
+    const double volume = cells.volume();
+    if (volume <= 0 || cells.doubtful() > mostDoubtful * volume)
+        throw std::runtime_error("The surface does not bound a volume: its holes are too large to tell inside from "
+                                 "outside. Close them and import again.");
+}
+
+/// @param cleaned what was done to the surface already; none: the surface must be closed
+Aggregate fillSurface(const TriangleMesh& mesh, HalfEdges halfEdges, const SurfaceRepair* cleaned,
+                      const FillOptions& options, TaskControl& control)
+{
     const MassProperties properties = massProperties(mesh);
     checkSize(properties, options);
 
     const double orientation = properties.volume < 0 ? -1 : 1;
     const CellGrid grid = gridAround(properties.box, options.spacing);
+    std::optional<RowRepair> repair;
+    if (cleaned != nullptr)
+        repair.emplace(mesh, halfEdges, grid, orientation);
     TaskPortion cutting(control, 0.1, 0.5);
-    const CutCells cells = cutCells(mesh, grid, orientation, options.minimumFraction, cutting);
+    const CutCells cells =
+        cutCells(mesh, grid, orientation, options.minimumFraction, cutting, repair ? &*repair : nullptr);
+    checkBoundsVolume(cells, halfEdges.unpaired == 0);
     if (cells.size() == 0)
         throw std::runtime_error("The part is too thin for a spacing of " + inMillimetres(options.spacing) +
                                  ": no cell holds enough material. Choose a smaller spacing.");
@@ -140,33 +187,40 @@ Aggregate fill(const TriangleMesh& mesh, const FillOptions& options, TaskControl
     TaskPortion joining(control, 0.5, 0.6);
     CellCorners corners = joinCells(cells, grid, joining);
     corners.aggregate.meshVolume = std::abs(properties.volume);
+    const bool isDirty = cells.decided() > 0;
+    if (isDirty)
+        corners.aggregate.meshVolume = corners.aggregate.filledVolume;
+    if (cleaned != nullptr) {
+        corners.aggregate.repair = *cleaned;
+        corners.aggregate.repair.decidedCells = cells.decided();
+        corners.aggregate.repair.doubtfulShare = cells.doubtful() / cells.volume();
+    }
     TaskPortion measuring(control, 0.6, 1);
-    measureDepth(corners.aggregate, objectsNearSurface(corners), mesh, std::move(halfEdges), orientation, measuring);
+    measureDepth(corners, mesh, std::move(halfEdges), orientation, isDirty ? &*repair : nullptr, measuring);
     return std::move(corners.aggregate);
+}
+
+} // namespace
+
+Aggregate fill(const TriangleMesh& mesh, const FillOptions& options, TaskControl& control)
+{
+    control.report(0, "checking the surface");
+    checkVertices(mesh);
+    if (options.dirty == DirtySurface::refuse)
+        return fillSurface(mesh, checkClosed(mesh), nullptr, options, control);
+    const CleanSurface clean = cleanSurface(mesh);
+    const SurfaceRepair repair{.removedTriangles = clean.removed, .flippedTriangles = clean.flipped};
+    return fillSurface(clean.mesh, findHalfEdges(clean.mesh), &repair, options, control);
 }
 
 double spacingForCellsAcross(const TriangleMesh& mesh, double cells)
 {
-    assert(cells > 0);
-    return massProperties(mesh).box.sizes().maxCoeff() / cells;
+    return spacingFor({SpacingChoice::Kind::CellsAlong, cells}, sizeOf(mesh));
 }
 
-/// One object per cell of the volume, and for the corners of cut cells a layer over the surface, measured as 0.95 to
-/// 1.05 cells thick for solids and sheets of any orientation.
 double spacingForObjectCount(const TriangleMesh& mesh, double objects)
 {
-    assert(objects > 0);
-    constexpr double layer = 1;
-    const MassProperties properties = massProperties(mesh);
-    const double volume = std::abs(properties.volume);
-    double few = 0; // of 1 / spacing
-    double many = std::cbrt(objects / volume);
-    for (int i = 0; i < 60; ++i) {
-        const double middle = (few + many) / 2;
-        const double count = middle * middle * (middle * volume + layer * properties.area);
-        (count < objects ? few : many) = middle;
-    }
-    return 1 / many;
+    return spacingFor({SpacingChoice::Kind::Objects, objects}, sizeOf(mesh));
 }
 
 } // namespace knead

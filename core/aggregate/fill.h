@@ -4,12 +4,21 @@
 #include "core/geometry/triangle_mesh.h"
 #include "core/task/task_control.h"
 
+#include <cstdint>
+
 namespace knead {
+
+/// What to do with a surface that is not closed, or overlaps itself.
+enum class DirtySurface : std::uint8_t {
+    refuse,        ///< an error when it is not closed; overlaps are not looked for
+    windingNumber, ///< cells at holes and overlaps are material where the surface winds around them more than half
+};
 
 struct FillOptions {
     double spacing = 0.002;        ///< lattice spacing a [m], > 0
     double minimumFraction = 0.25; ///< cells with less material are dropped
     std::size_t maximumObjects = 20'000'000;
+    DirtySurface dirty = DirtySurface::refuse;
 };
 
 /// Fills a closed surface with objects.
@@ -21,7 +30,13 @@ struct FillOptions {
 /// material fractions of the cells around them (cut-cell weights). The lattice is centered on the box of the part.
 /// The result does not depend on the number of threads.
 ///
-/// @throws std::runtime_error, in a sentence, when the mesh is empty or not closed, when the spacing is not positive and
+/// Of dirty surfaces double triangles are removed and flipped ones turned; rows of cells with holes or overlaps in them are
+/// decided as RowRepair says, all others are cut exactly. Aggregate::repair says how much that was. Depths around a hole
+/// are estimated from how full the cells there are. A surface whose holes are so large that 3 % of the volume is in doubt
+/// (the winding number is nearer to a half than to 0 or 1) is refused. A surface without faults gives the same bits either way.
+///
+/// @throws std::runtime_error, in a sentence, when the mesh is empty or not closed (or
+///         bounds no volume, as above), when the spacing is not positive and
 ///         finite, when no cell holds enough material, or when more than maximumObjects would be needed.
 /// @throws Cancelled
 Aggregate fill(const TriangleMesh& mesh, const FillOptions& options, TaskControl& control = TaskControl::none());

@@ -5,11 +5,12 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace knead {
 
-/// Finds the triangles of a mesh that may be nearest to a point: a perfectly balanced tree of boxes, four to a node.
+/// Finds the triangles of a mesh that may be nearest to a point or first along a ray: a perfectly balanced tree of boxes, four to a node.
 ///
 /// Node n has children 4 n + 1 .. 4 n + 4, and node j of level l holds the triangles j count / 4^l .. (j + 1) count / 4^l
 /// of the order, so that neither children nor ranges are stored. Boxes are turned with the triangles in them: around a
@@ -31,6 +32,12 @@ public:
     template <typename Visit>
     void forEachNear(const Vec3& point, double farthest, Visit&& visit) const;
 
+    /// Calls visit(begin, end) for the leaves whose boxes a ray meets not farther along than `visit` returned last [m], at
+    /// first `farthest`; near ones first.
+    /// @param direction of unit length
+    template <typename Visit>
+    void forEachAlong(const Vec3& start, const Vec3& direction, double farthest, Visit&& visit) const;
+
 private:
     using Four = Eigen::Array4f;
 
@@ -49,6 +56,10 @@ private:
     Eigen::Vector3f inUnits(const Vec3& place) const { return ((place - m_center) * m_scale).cast<float>(); }
     float squaredInUnits(double squared) const { return static_cast<float>(squared * m_scale * m_scale) * (1 + doubt); }
     Four squaredDistances(const Node& node, const Eigen::Vector3f& place) const;
+    Four entries(const Node& node, const Eigen::Vector3f& place, const Eigen::Vector3f& direction) const;
+
+    template <typename Bound, typename Distances, typename Visit>
+    void walk(float bound, Bound&& inUnitsOf, Distances&& distances, Visit&& visit) const;
 
     void sortTriangles(const TriangleMesh& mesh);
     void findBoxes(const TriangleMesh& mesh);
@@ -78,28 +89,51 @@ inline TriangleTree::Four TriangleTree::squaredDistances(const Node& node, const
     return sum;
 }
 
-template <typename Visit>
-void TriangleTree::forEachNear(const Vec3& point, double farthest, Visit&& visit) const
+/// How far along a ray the boxes of the children begin, in units; infinite for boxes that it misses.
+inline TriangleTree::Four TriangleTree::entries(const Node& node, const Eigen::Vector3f& place,
+                                                const Eigen::Vector3f& direction) const
+{
+    constexpr float leastSlope = 1e-12F; // keeps quotients finite
+    std::array<Four, 3> from;
+    for (std::size_t i = 0; i < 3; ++i)
+        from[i] = place[static_cast<Eigen::Index>(i)] - node.center[i];
+    Four enter = Four::Zero();
+    Four leave = Four::Constant(std::numeric_limits<float>::max());
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Four along = node.axes[i][0] * from[0] + node.axes[i][1] * from[1] + node.axes[i][2] * from[2];
+        const Four speed =
+            node.axes[i][0] * direction[0] + node.axes[i][1] * direction[1] + node.axes[i][2] * direction[2];
+        const Four slope = (speed.abs() < leastSlope).select(Four::Constant(leastSlope), speed);
+        const Four one = (-node.half[i] - along) / slope;
+        const Four other = (node.half[i] - along) / slope;
+        enter = enter.max(one.min(other));
+        leave = leave.min(one.max(other));
+    }
+    const auto missed = enter > leave || node.half[0] < 0;
+    return missed.select(Four::Constant(std::numeric_limits<float>::infinity()), enter);
+}
+
+/// Visits leaves by the distance of their boxes, near ones first, as far as the bound that the visits return.
+template <typename Bound, typename Distances, typename Visit>
+void TriangleTree::walk(float bound, Bound&& inUnitsOf, Distances&& distancesOf, Visit&& visit) const
 {
     struct Pending {
-        float distance; // squared, in units
+        float distance;
         std::uint32_t level;
         std::uint32_t node; // of its level
     };
     std::array<Pending, 64> stack; // three per level, and the last
     std::size_t pending = 0;
     stack[pending++] = {0, 0, 0};
-    const Eigen::Vector3f place = inUnits(point);
-    float bound = squaredInUnits(farthest);
     while (pending > 0) {
         const Pending next = stack[--pending];
         if (next.distance > bound)
             continue;
         if (next.level == m_depth) {
-            bound = squaredInUnits(visit(firstTriangle(m_depth, next.node), firstTriangle(m_depth, next.node + 1)));
+            bound = inUnitsOf(visit(firstTriangle(m_depth, next.node), firstTriangle(m_depth, next.node + 1)));
             continue;
         }
-        const Four distances = squaredDistances(m_nodes[levelBegin(next.level) + next.node], place);
+        const Four distances = distancesOf(m_nodes[levelBegin(next.level) + next.node]);
         const std::size_t first = pending;
         for (std::uint32_t child = 0; child < 4; ++child) {
             const float distance = distances[child];
@@ -111,6 +145,25 @@ void TriangleTree::forEachNear(const Vec3& point, double farthest, Visit&& visit
             stack[at] = {distance, next.level + 1, 4 * next.node + child};
         }
     }
+}
+
+template <typename Visit>
+void TriangleTree::forEachNear(const Vec3& point, double farthest, Visit&& visit) const
+{
+    const Eigen::Vector3f place = inUnits(point);
+    walk(
+        squaredInUnits(farthest), [this](double squared) { return squaredInUnits(squared); },
+        [&](const Node& node) { return squaredDistances(node, place); }, visit);
+}
+
+template <typename Visit>
+void TriangleTree::forEachAlong(const Vec3& start, const Vec3& direction, double farthest, Visit&& visit) const
+{
+    const Eigen::Vector3f place = inUnits(start);
+    const Eigen::Vector3f way = direction.cast<float>();
+    const auto boundOf = [this](double distance) { return static_cast<float>(distance * m_scale) + 10 * doubt; };
+    walk(
+        boundOf(farthest), boundOf, [&](const Node& node) { return entries(node, place, way); }, visit);
 }
 
 } // namespace knead

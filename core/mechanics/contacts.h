@@ -57,6 +57,10 @@ public:
 
     void setKind(std::uint32_t body, BodyKind kind);
 
+    /// Joins objects of bodies whose skins lie within half a spacing of each other now, as if they were one body: as stiff
+    /// as the materials, and as strong as the weaker one.
+    void glueTouching();
+
     /// Ends of newly broken connections become contact objects; where they overlap now, they keep their distance.
     void connectionsBroke();
 
@@ -160,6 +164,8 @@ private:
     void makeNewJoints();
     void noteJoint(ContactPair& pair) const;
     Joint healed(const ObjectRef& a, const ObjectRef& b) const;
+    bool touches(const ObjectRef& object, std::uint32_t other) const;
+    void glueTo(const ObjectRef& object, std::uint32_t other);
 
     std::vector<BodyView> m_bodies;
     std::vector<ContactObject> m_objects;

@@ -46,6 +46,12 @@ struct Fixture {
     Vec3 velocity = Vec3::Zero();     ///< a grip that moves pulls the material along [m/s]
 };
 
+/// What becomes of bodies whose skins touch at the start.
+enum class Touching : std::uint8_t {
+    separate, ///< they push each other, and nothing holds them together but what their materials do
+    glued,    ///< they are one, as strong at the seam as the weaker of the two
+};
+
 /// Everything a simulation starts from.
 struct Scene {
     std::vector<Body> bodies;
@@ -54,6 +60,7 @@ struct Scene {
     Vec3 gravity = Vec3::Zero();           ///< [m/s^2]
     std::optional<double> floorHeight;     ///< z of a fixed floor [m]
     double floorFriction = 0.4;
+    Touching touching = Touching::separate;
 
     Integrator integrator = Integrator::semiImplicitEuler;
     VicinityMethod vicinity = VicinityMethod::uniformGrid;

@@ -80,6 +80,7 @@ Simulation::State::State(Scene scene)
     , gravity(scene.gravity)
     , floorHeight(scene.floorHeight)
     , floorFriction(scene.floorFriction)
+    , touching(scene.touching)
     , wantedIntegrator(scene.integrator)
     , integrator(scene.integrator)
     , vicinity(scene.vicinity)
@@ -241,6 +242,8 @@ void Simulation::State::placeAtStart()
     for (auto& run : runs)
         views.push_back({&run->state, &run->connections, &run->materials, run->kind});
     contacts = std::make_unique<Contacts>(std::move(views), vicinity);
+    if (touching == Touching::glued)
+        contacts->glueTouching();
     contactReport = {};
     annealings.clear();
     recording.clear();

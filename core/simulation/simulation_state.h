@@ -127,6 +127,7 @@ struct Simulation::State {
     Vec3 gravity = Vec3::Zero();
     std::optional<double> floorHeight;
     double floorFriction = 0;
+    Touching touching = Touching::separate;
     Integrator wantedIntegrator = Integrator::semiImplicitEuler;
     Integrator integrator = Integrator::semiImplicitEuler; ///< in use; never automatic
     std::string integratorReason;

@@ -1,6 +1,7 @@
 #include "core/aggregate/fill.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/surface_distance.h"
+#include "core/geometry/wall_thickness.h"
 #include "support/shapes.h"
 
 #include <benchmark/benchmark.h>
@@ -48,6 +49,15 @@ void buildSurfaceDistance(benchmark::State& state)
     setRate(state, "triangles/s", mesh.triangles.size());
 }
 BENCHMARK(buildSurfaceDistance)->Arg(200'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void measureWalls(benchmark::State& state)
+{
+    const TriangleMesh mesh = torusOf(state.range(0));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(wallThickness(mesh));
+    setRate(state, "triangles/s", mesh.triangles.size());
+}
+BENCHMARK(measureWalls)->Arg(1'000'000)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void checkWatertight(benchmark::State& state)
 {

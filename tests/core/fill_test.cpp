@@ -275,6 +275,24 @@ private slots:
             QVERIFY(std::isfinite(depth));
     }
 
+    void voidsStayEmpty()
+    {
+        const double radius = 0.7;
+        const TriangleMesh ball = shapes::sphere(radius, 80);
+        const TriangleMesh mesh =
+            shapes::moved(shapes::together(shapes::box(Vec3(2, 2.2, 2.4)), shapes::insideOut(ball)), shapes::tilt(0.4));
+        const double a = 0.1;
+        const Aggregate aggregate = fill(mesh, {.spacing = a});
+        const double expected = 2 * 2.2 * 2.4 - massProperties(ball).volume;
+        QVERIFY(std::abs(aggregate.filledVolume / expected - 1) < 1e-12);
+        for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
+            const double fromMiddle = aggregate.lattice.position(i).norm();
+            QVERIFY(fromMiddle > radius - 1.2 * a); // the corners of cut cells stick out
+            if (fromMiddle < radius - 0.01 * a)
+                QVERIFY(aggregate.depth[i] < 0);
+        }
+    }
+
     void separatePiecesAreFilledTogether()
     {
         const TriangleMesh mesh =

@@ -64,7 +64,7 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
 
     row("other version", with("version", "2"), "version must be a whole number between 1 and 1, got 2.");
     row("two resolutions", with("spacing_mm", "2"),
-        "the file must have exactly one of the keys spacing_mm, cells_across and objects.");
+        "the file must have exactly one of the keys spacing_mm, cells_across, cells_across_wall and objects.");
     row("no duration", with("duration_s", "0"), "duration_s must be a positive number, got 0.");
     row("endless", with("duration_s", "1e9"), "duration_s must be at most 3600 s, got 1e+09.");
     row("duration text", with("duration_s", R"("2 s")"), "duration_s must be a positive number, got \"2 s\".");

@@ -22,6 +22,8 @@ class RecipeTest : public QObject {
 private slots:
     void smallestRecipeHasDefaults();
     void lengthsBecomeMeters();
+    void spacingCanBeGivenByTheThinnestWall();
+    void touchingBodiesCanBeGlued();
     void partIsFoundBesideTheRecipe();
     void materialNumbersReplaceThoseOfThePreset();
     void bodyMaterialsStartFromTheCommonOne();
@@ -43,8 +45,8 @@ void RecipeTest::smallestRecipeHasDefaults()
 {
     const Recipe recipe = parse(smallest());
     QCOMPARE(recipe.material, Material{});
-    QVERIFY(recipe.resolution.kind == RecipeResolution::Kind::Objects);
-    QCOMPARE(recipe.resolution.value, 500.0);
+    QVERIFY(recipe.spacing.kind == SpacingChoice::Kind::Objects);
+    QCOMPARE(recipe.spacing.value, 500.0);
     QCOMPARE(recipe.duration, 2.0);
     QVERIFY(recipe.gravity.isZero());
     QVERIFY(!recipe.floor);
@@ -60,13 +62,30 @@ void RecipeTest::lengthsBecomeMeters()
     recipe["floor"] = {{"height_mm", -4}, {"friction", 0.6}};
     recipe["gravity_m_s2"] = {0, 0, -9.81};
     const Recipe read = parse(recipe);
-    QCOMPARE(read.resolution.value, 0.0025);
+    QCOMPARE(read.spacing.value, 0.0025);
     QVERIFY(isNear(read.manipulators[0].size, Vec3(0.01, 0.02, 0.03)));
     QVERIFY(isNear(read.manipulators[0].pose.position, Vec3(0, 0, 0.05)));
     QVERIFY(std::abs(read.manipulators[0].speedLimit - 0.2) < 1e-15);
     QCOMPARE(read.floor->height, -0.004);
     QCOMPARE(read.floor->friction, 0.6);
     QVERIFY(isNear(read.gravity, Vec3(0, 0, -9.81)));
+}
+
+void RecipeTest::spacingCanBeGivenByTheThinnestWall()
+{
+    json recipe = smallest();
+    recipe.erase("objects");
+    recipe["cells_across_wall"] = 3.5;
+    QVERIFY(parse(recipe).spacing.kind == SpacingChoice::Kind::CellsAcrossWall);
+    QCOMPARE(parse(recipe).spacing.value, 3.5);
+}
+
+void RecipeTest::touchingBodiesCanBeGlued()
+{
+    json recipe = smallest();
+    QVERIFY(parse(recipe).touching == Touching::separate);
+    recipe["touching"] = "glued";
+    QVERIFY(parse(recipe).touching == Touching::glued);
 }
 
 void RecipeTest::partIsFoundBesideTheRecipe()

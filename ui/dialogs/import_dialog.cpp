@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QSpinBox>
+#include <QStackedWidget>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -211,20 +212,53 @@ QWidget* ImportDialog::makeChoices()
     m_unit->setToolTip(tr("The unit that the numbers in the file are taken in"));
     form->addRow(tr("Lengths"), m_unit);
 
-    m_objects = new QSpinBox(box);
-    m_objects->setObjectName("importObjects");
-    m_objects->setRange(500, 1'000'000);
-    m_objects->setSingleStep(500);
-    m_objects->setGroupSeparatorShown(true);
-    m_objects->setValue(OpenRequest().objects);
-    m_objects->setToolTip(tr("About how many objects to fill with; more are finer and slower"));
-    form->addRow(tr("Objects"), m_objects);
+    addFineness(form);
+
+    m_touching = makeChoice("importTouching", box);
+    m_touching->addItems({tr("Stay separate"), tr("Are glued together")}); // in the order of Touching
+    m_touching->setToolTip(tr("What solids do that touch each other at rest"));
+    form->addRow(tr("Touching solids"), m_touching);
 
     m_heal = new QCheckBox(tr("Repair shapes: sew surfaces, close gaps"), box);
     m_heal->setObjectName("importHeal");
     m_heal->setChecked(true);
     form->addRow(QString(), m_heal);
+    m_fillsOpen = new QCheckBox(tr("Fill surfaces with small holes too"), box);
+    m_fillsOpen->setObjectName("importFillsOpen");
+    m_fillsOpen->setToolTip(tr("Inside is where the surface winds around; what is open too wide is only shown"));
+    form->addRow(QString(), m_fillsOpen);
     return box;
+}
+
+/// How finely to fill, in the order of the pages: automatic, objects, cells across the wall, spacing.
+void ImportDialog::addFineness(QFormLayout* form)
+{
+    m_fineness = makeChoice("importFineness", this);
+    m_fineness->addItems({tr("For real time"), tr("About so many objects"), tr("Cells across the thinnest wall"),
+                          tr("Spacing of the objects")});
+    m_fineness->setToolTip(tr("How finely to fill with objects; finer is slower"));
+    m_values = new QStackedWidget(this);
+    m_values->addWidget(new QWidget(m_values));
+    m_objects = new QSpinBox(m_values);
+    m_objects->setObjectName("importObjects");
+    m_objects->setRange(100, 10'000'000);
+    m_objects->setSingleStep(1000);
+    m_objects->setGroupSeparatorShown(true);
+    m_objects->setValue(10'000);
+    m_values->addWidget(m_objects);
+    m_cells = new QSpinBox(m_values);
+    m_cells->setObjectName("importCells");
+    m_cells->setRange(1, 50);
+    m_cells->setValue(static_cast<int>(fewestCellsAcrossWall));
+    m_values->addWidget(m_cells);
+    m_spacing = makeField(Quantity::Length, "importSpacing", m_values);
+    m_spacing->setValue(1e-3);
+    m_values->addWidget(m_spacing);
+    connect(m_fineness, &QComboBox::currentIndexChanged, m_values, &QStackedWidget::setCurrentIndex);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_fineness, 2);
+    row->addWidget(m_values, 1);
+    form->addRow(tr("Filling"), row);
 }
 
 void ImportDialog::itemChanged(QTreeWidgetItem* item)
@@ -276,7 +310,14 @@ OpenRequest ImportDialog::request() const
     request.options.angularDeflection = detail.angle;
     request.options.unit = m_unit->currentData().toString().toStdString();
     request.options.heal = m_heal->isChecked();
-    request.objects = m_objects->value();
+    request.touching = static_cast<Touching>(m_touching->currentIndex());
+    request.fillsOpenParts = m_fillsOpen->isChecked();
+    if (m_values->currentWidget() == m_objects)
+        request.spacing = {SpacingChoice::Kind::Objects, static_cast<double>(m_objects->value())};
+    else if (m_values->currentWidget() == m_cells)
+        request.spacing = {SpacingChoice::Kind::CellsAcrossWall, static_cast<double>(m_cells->value())};
+    else if (m_values->currentWidget() == m_spacing)
+        request.spacing = {SpacingChoice::Kind::Length, m_spacing->value()};
     if (m_parts != nullptr &&
         countLeaves(m_parts->invisibleRootItem(), true) != countLeaves(m_parts->invisibleRootItem(), false))
         addChosen(m_parts->invisibleRootItem(), request.options.parts);

@@ -10,12 +10,16 @@
 class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
+class QFormLayout;
 class QLabel;
 class QSpinBox;
+class QStackedWidget;
 class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace knead {
+
+class QuantityField;
 
 /// Shows what files hold, before the work of opening them, and asks which of it a person wants and how.
 class ImportDialog final : public QDialog {
@@ -31,6 +35,7 @@ private:
     QWidget* makeFacts();
     QWidget* makeParts();
     QWidget* makeChoices();
+    void addFineness(QFormLayout* form);
     void addNodes(const PartNode& node, const QString& path, QTreeWidgetItem* parent);
     void itemChanged(QTreeWidgetItem* item);
     void checkAll(bool checked);
@@ -42,7 +47,13 @@ private:
     QLabel* m_chosen = nullptr;
     QComboBox* m_detail = nullptr;
     QComboBox* m_unit = nullptr;
+    QComboBox* m_fineness = nullptr;
+    QStackedWidget* m_values = nullptr; ///< one page per choice of fineness
     QSpinBox* m_objects = nullptr;
+    QSpinBox* m_cells = nullptr;
+    QuantityField* m_spacing = nullptr;
+    QComboBox* m_touching = nullptr;
+    QCheckBox* m_fillsOpen = nullptr;
     QCheckBox* m_heal = nullptr;
     QDialogButtonBox* m_buttons = nullptr;
     bool m_isUpdating = false;

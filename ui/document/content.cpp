@@ -1,5 +1,6 @@
 #include "ui/document/content.h"
 
+#include "core/aggregate/spacing_choice.h"
 #include "core/geometry/refine.h"
 
 #include <algorithm>
@@ -12,7 +13,10 @@ namespace knead {
 
 namespace {
 
-constexpr double importShare = 0.4; // of the progress bar
+constexpr double wantedObjects = 3000; // soft rubber of so many runs about in real time on a small machine
+constexpr double mostObjects = 8000;   // unasked, for the sake of thin walls
+constexpr double importShare = 0.4;    // of the progress bar
+constexpr double measuredShare = 0.1;  // of the filling
 constexpr double preparedShare = 0.92;
 constexpr double surfaceDepth = 0.9; // objects less deep than this many spacings are drawn
 
@@ -21,11 +25,11 @@ std::string fileName(const Model& model)
     return std::filesystem::path(model.file).filename().string();
 }
 
-std::vector<std::size_t> closedParts(const Model& model)
+std::vector<std::size_t> partsToFill(const Model& model, const OpenRequest& request)
 {
     std::vector<std::size_t> parts;
     for (std::size_t p = 0; p < model.parts.size(); ++p)
-        if (model.parts[p].canBeFilled())
+        if (const Part& part = model.parts[p]; part.canBeFilled() || (request.fillsOpenParts && !part.mesh.empty()))
             parts.push_back(p);
     return parts;
 }
@@ -46,18 +50,45 @@ double roundedDown(double value)
     return std::floor(value / unit) * unit;
 }
 
-/// One spacing for all bodies: the one that suits the largest, given its share of the objects.
-double chosenSpacing(const Model& model, const std::vector<std::size_t>& parts, double objects)
+/// Of the parts that are filled.
+struct FillingSizes {
+    FillingSize all;
+    FillingSize largest; ///< by volume
+};
+
+FillingSizes measure(const Model& model, const std::vector<std::size_t>& parts, TaskControl& control)
 {
-    double total = 0;
-    std::size_t largest = parts.front();
-    for (const std::size_t p : parts) {
-        total += model.parts[p].volume;
-        if (model.parts[p].volume > model.parts[largest].volume)
-            largest = p;
+    FillingSizes sizes;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const double count = static_cast<double>(parts.size());
+        TaskPortion portion(control, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+        const Part& part = model.parts[parts[i]];
+        const FillingSize size = part.canBeFilled() ? sizeWithWalls(part.mesh, portion) : sizeOf(part.mesh);
+        if (i == 0 || size.volume > sizes.largest.volume)
+            sizes.largest = size;
+        sizes.all.add(size);
     }
-    const double share = total > 0 ? model.parts[largest].volume / total : 1;
-    return roundedDown(spacingForObjectCount(model.parts[largest].mesh, std::max(500.0, objects * share)));
+    return sizes;
+}
+
+/// One spacing for all bodies: the one that suits the largest, given its share of the objects; finer for the sake of thin
+/// walls as far as that is not much slower.
+double automaticSpacing(const FillingSizes& sizes)
+{
+    const auto& [all, largest] = sizes;
+    const double share = all.volume > 0 ? largest.volume / all.volume : 1;
+    const double usual = spacingFor({SpacingChoice::Kind::Objects, std::max(500.0, wantedObjects * share)}, largest);
+    const double forWalls = spacingFor({SpacingChoice::Kind::CellsAcrossWall, fewestCellsAcrossWall}, all);
+    const double finest = spacingFor({SpacingChoice::Kind::Objects, mostObjects}, all);
+    return roundedDown(std::min(usual, std::max(forWalls, finest)));
+}
+
+double spacingOf(const OpenRequest& request, const FillingSizes& sizes)
+{
+    if (!request.spacing)
+        return automaticSpacing(sizes);
+    const double spacing = spacingFor(*request.spacing, sizes.all);
+    return spacing > 0 ? spacing : automaticSpacing(sizes);
 }
 
 std::string uniqueName(const std::string& name, std::set<std::string>& taken)
@@ -87,7 +118,8 @@ std::shared_ptr<const ContentBody> makeBody(const Model& model, std::size_t inde
     body->name = name;
     body->color = part.color.value_or(Color{});
     TaskPortion filling(control, 0, 0.6);
-    body->aggregate = std::make_shared<const Aggregate>(fill(part.mesh, {.spacing = spacing}, filling));
+    const DirtySurface dirty = part.canBeFilled() ? DirtySurface::refuse : DirtySurface::windingNumber;
+    body->aggregate = std::make_shared<const Aggregate>(fill(part.mesh, {.spacing = spacing, .dirty = dirty}, filling));
     control.report(0.6, "preparing the surface");
     body->mesh = refine(part.mesh, spacing);
     control.throwIfCancelled();
@@ -115,39 +147,60 @@ std::shared_ptr<const ContentSurface> makeSurface(const Model& model, std::size_
     return surface;
 }
 
-/// Fills every closed part; the others become surfaces.
+/// A part becomes a body, or a surface when it has no inside.
+void addPart(const Model& model, std::size_t index, std::set<std::string>& names, Content& content,
+             TaskControl& control)
+{
+    const Part& part = model.parts[index];
+    try {
+        content.bodies.push_back(makeBody(model, index, uniqueName(part.name, names), content.spacing, control));
+        return;
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        if (part.canBeFilled())
+            throw;
+        content.warnings.push_back("\"" + part.name + "\" cannot be filled: " + error.what());
+    }
+    content.surfaces.push_back(makeSurface(model, index));
+}
+
+/// Fills every part that has an inside; the others become surfaces.
 Content fillContent(std::shared_ptr<const Model> model, const OpenRequest& request, TaskControl& control)
 {
-    const std::vector<std::size_t> parts = closedParts(*model);
+    const std::vector<std::size_t> parts = partsToFill(*model, request);
     Content content;
     content.warnings = model->missing;
     content.warnings.insert(content.warnings.end(), model->warnings.begin(), model->warnings.end());
     for (const Part& part : model->parts) {
         content.warnings.insert(content.warnings.end(), part.warnings.begin(), part.warnings.end());
-        if (!part.canBeFilled())
+        if (!part.canBeFilled() && !request.fillsOpenParts)
             content.warnings.push_back(openSentence(part));
-    }
-    for (std::size_t p = 0; p < model->parts.size(); ++p)
-        if (const Part& part = model->parts[p]; !part.canBeFilled() && !part.mesh.empty()) {
-            content.surfaces.push_back(makeSurface(*model, p));
-            for (const Vec3& vertex : part.mesh.vertices)
-                content.box.extend(vertex);
-        }
-    if (parts.empty() && content.surfaces.empty())
-        throw std::runtime_error(fileName(*model) + ": there is no solid and no surface in this file. Export the part "
-                                                    "as a solid and open it again.");
-    if (!parts.empty())
-        content.spacing = request.spacing > 0 ? request.spacing : chosenSpacing(*model, parts, request.objects);
-    content.request = request;
-    std::set<std::string> names;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const double count = static_cast<double>(parts.size());
-        TaskPortion portion(control, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-        const Part& part = model->parts[parts[i]];
-        content.bodies.push_back(makeBody(*model, parts[i], uniqueName(part.name, names), content.spacing, portion));
         for (const Vec3& vertex : part.mesh.vertices)
             content.box.extend(vertex);
     }
+    if (content.box.isEmpty())
+        throw std::runtime_error(fileName(*model) + ": there is no solid and no surface in this file. Export the part "
+                                                    "as a solid and open it again.");
+    if (!parts.empty()) {
+        TaskPortion measuring(control, 0, measuredShare);
+        const FillingSizes sizes = measure(*model, parts, measuring);
+        content.spacing = spacingOf(request, sizes);
+        content.fineness = assessSpacing(content.spacing, sizes.all);
+        if (!content.fineness.warning.empty())
+            content.warnings.push_back(content.fineness.warning);
+    }
+    content.request = request;
+    TaskPortion filling(control, measuredShare, 1);
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const double count = static_cast<double>(parts.size());
+        TaskPortion portion(filling, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+        addPart(*model, parts[i], names, content, portion);
+    }
+    for (std::size_t p = 0; p < model->parts.size(); ++p)
+        if (!model->parts[p].mesh.empty() && std::find(parts.begin(), parts.end(), p) == parts.end())
+            content.surfaces.push_back(makeSurface(*model, p));
     content.model = std::move(model);
     return content;
 }
@@ -160,6 +213,7 @@ Scene restScene(const Content& content)
         scene.bodies.push_back({.name = body->name, .aggregate = body->aggregate});
     scene.floorHeight = content.box.min().z();
     scene.integrator = Integrator::automatic;
+    scene.touching = content.request.touching;
     return scene;
 }
 
@@ -206,14 +260,16 @@ PreparedContent prepareRefill(const Content& before, double spacing, const Snaps
 {
     TaskPortion filling(control, 0, preparedShare);
     OpenRequest request = before.request;
-    request.spacing = spacing;
+    request.spacing = SpacingChoice{SpacingChoice::Kind::Length, spacing};
     Content content = fillContent(before.model, request, filling);
     control.report(preparedShare, "preparing the simulation");
     Scene scene = restScene(content);
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-        scene.bodies[b].material = now.materials[b];
-        scene.bodies[b].kind = now.bodies[b].kind;
-    }
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+        for (std::size_t earlier = 0; earlier < before.bodies.size(); ++earlier)
+            if (before.bodies[earlier]->part == content.bodies[b]->part) {
+                scene.bodies[b].material = now.materials[earlier];
+                scene.bodies[b].kind = now.bodies[earlier].kind;
+            }
     for (const ToolState& tool : now.tools)
         scene.manipulators.push_back({.name = tool.name,
                                       .size = tool.size,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/aggregate/fill.h"
+#include "core/aggregate/spacing_choice.h"
 #include "core/simulation/simulation.h"
 #include "core/skin/skin.h"
 #include "ui/services.h"
@@ -18,8 +19,9 @@ namespace knead {
 struct OpenRequest {
     std::vector<std::string> paths; ///< at least one
     ImportOptions options;
-    double spacing = 0; ///< [m]; 0: so that there are about as many objects
-    int objects = 3000; ///< soft rubber of so many runs about in real time on a small machine
+    std::optional<SpacingChoice> spacing; ///< none: for real time, somewhat finer for thin walls
+    Touching touching = Touching::separate;
+    bool fillsOpenParts = false; ///< tries winding numbers on surfaces that are not closed
 };
 
 /// A body as the window shows it: the fine surface of its part and the map that carries it along. Immutable, shared
@@ -56,6 +58,7 @@ struct Content {
         bodies; ///< in the order of Scene::bodies; none when no part is closed
     std::vector<std::shared_ptr<const ContentSurface>> surfaces;
     double spacing = 0;                ///< [m]; 0 without bodies
+    SpacingAssessment fineness;        ///< what the spacing means for the walls
     Box box;                           ///< of all bodies and surfaces at rest [m]
     std::vector<std::string> warnings; ///< sentences for the person
 

@@ -36,11 +36,14 @@ ImportPanel::ImportPanel(QWidget* parent)
     , m_summary(new QLabel(this))
     , m_unit(makeChoice("takenUnit", this))
     , m_heal(new QPushButton(this))
+    , m_fill(new QPushButton(tr("Try to fill open surfaces"), this))
     , m_remarks(new QTreeWidget(this))
 {
     setObjectName("importPanel");
     m_summary->setObjectName("importSummary");
     m_heal->setObjectName("takeUnhealed");
+    m_fill->setObjectName("fillOpen");
+    m_fill->setToolTip(tr("Fills where the surface winds around; what is open too wide stays a surface"));
     m_remarks->setObjectName("importRemarks");
     m_remarks->setColumnCount(2);
     m_remarks->setHeaderLabels({tr("Part"), tr("What was found and done")});
@@ -60,6 +63,7 @@ ImportPanel::ImportPanel(QWidget* parent)
     row->addWidget(new QLabel(tr("Lengths in"), this));
     row->addWidget(m_unit);
     row->addWidget(m_heal);
+    row->addWidget(m_fill);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 6, 8, 6);
     column->addLayout(row);
@@ -68,6 +72,7 @@ ImportPanel::ImportPanel(QWidget* parent)
 
     connect(m_unit, &QComboBox::activated, this,
             [this](int index) { emit unitChosen(m_unit->itemData(index).toString()); });
+    connect(m_fill, &QPushButton::clicked, this, &ImportPanel::fillingChosen);
     connect(m_heal, &QPushButton::clicked, this, [this] { emit healingChosen(!m_isHealed); });
 }
 
@@ -89,6 +94,7 @@ void ImportPanel::show(const Content& content)
         std::any_of(model.parts.begin(), model.parts.end(), [](const Part& part) { return !part.repairs.empty(); });
     m_heal->setText(m_isHealed ? tr("Take without repairs") : tr("Repair"));
     m_heal->setVisible(wasRepaired || !m_isHealed);
+    m_fill->setVisible(!content.surfaces.empty() && !content.request.fillsOpenParts);
     listRemarks(content);
 }
 
@@ -104,6 +110,8 @@ void ImportPanel::listRemarks(const Content& content)
     const Model& model = *content.model;
     if (model.unitRemark)
         add(tr("Size"), text(model.unitRemark->sentence), "warning");
+    if (!content.fineness.warning.empty())
+        add(tr("Filling"), text(content.fineness.warning), "warning");
     for (const std::string& sentence : model.missing)
         add(tr("Missing"), text(sentence), "warning");
     for (const std::string& sentence : model.warnings)

@@ -25,6 +25,7 @@ public:
 signals:
     void unitChosen(const QString& unit); ///< lengths are to be taken in this unit
     void healingChosen(bool heal);        ///< the shapes are wanted repaired, or as they are in the file
+    void fillingChosen();                 ///< surfaces that are not closed are to be filled all the same
 
 private:
     void listRemarks(const Content& content);
@@ -32,6 +33,7 @@ private:
     QLabel* m_summary;
     QComboBox* m_unit;
     QPushButton* m_heal;
+    QPushButton* m_fill;
     QTreeWidget* m_remarks;
     bool m_isHealed = true;
 };
