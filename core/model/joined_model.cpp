@@ -50,8 +50,8 @@ Model joined(std::vector<Model> models)
         append(model.parts, all.parts);
         append(model.warnings, all.warnings);
         append(model.missing, all.missing);
-        if (!all.unitRemark)
-            all.unitRemark = std::move(model.unitRemark);
+        if (model.unitRemark)
+            all.warnings.push_back(model.unitRemark->sentence + " Open that file alone to correct it.");
         all.tree.children.push_back(std::move(model.tree));
     }
     return all;

@@ -7,7 +7,8 @@
 namespace knead {
 
 /// Models side by side as one: each is a child of the new root, and its name leads the paths of its parts. Format and unit
-/// are kept where all agree. One model alone stays as it is.
+/// are kept where all agree; a doubt about the unit becomes a warning, since the other files keep theirs. One model alone stays
+/// as it is.
 /// @param models at least one
 Model joined(std::vector<Model> models);
 

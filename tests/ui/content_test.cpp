@@ -103,6 +103,17 @@ private slots:
         QVERIFY(alone.simulation.snapshot()->health.ok);
     }
 
+    void aPartTooSmallForTheSpacingOfTheOthersIsOnlyShown()
+    {
+        Model model;
+        model.parts = {boxPart("house", {10, 10, 10}, Vec3::Zero()), boxPart("screw", {0.002, 0.002, 0.01}, {6, 0, 0})};
+        const PreparedContent prepared = prepare(model);
+        QCOMPARE(prepared.content.bodies.size(), std::size_t{1});
+        QCOMPARE(prepared.content.bodies[0]->name, std::string("house"));
+        QCOMPARE(prepared.content.surfaces.size(), std::size_t{1});
+        QVERIFY(prepared.content.unfilled.at(1).find("too thin") != std::string::npos);
+    }
+
     void aFileWithoutASurfaceIsRefused()
     {
         Model model;

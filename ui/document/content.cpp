@@ -147,7 +147,7 @@ std::shared_ptr<const ContentSurface> makeSurface(const Model& model, std::size_
     return surface;
 }
 
-/// A part becomes a body, or a surface when it has no inside.
+/// A part becomes a body; or a surface, when it has no inside or no cell of the lattice fits into it.
 void addPart(const Model& model, std::size_t index, std::set<std::string>& names, Content& content,
              TaskControl& control)
 {
@@ -158,9 +158,8 @@ void addPart(const Model& model, std::size_t index, std::set<std::string>& names
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
-        if (part.canBeFilled())
-            throw;
-        content.warnings.push_back("\"" + part.name + "\" cannot be filled: " + error.what());
+        content.unfilled[index] = error.what();
+        content.warnings.push_back("\"" + part.name + "\" is not simulated: " + error.what());
     }
     content.surfaces.push_back(makeSurface(model, index));
 }

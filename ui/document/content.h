@@ -7,6 +7,7 @@
 #include "ui/services.h"
 #include "ui/viewport/render_mesh.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -57,10 +58,11 @@ struct Content {
     std::vector<std::shared_ptr<const ContentBody>>
         bodies; ///< in the order of Scene::bodies; none when no part is closed
     std::vector<std::shared_ptr<const ContentSurface>> surfaces;
-    double spacing = 0;                ///< [m]; 0 without bodies
-    SpacingAssessment fineness;        ///< what the spacing means for the walls
-    Box box;                           ///< of all bodies and surfaces at rest [m]
-    std::vector<std::string> warnings; ///< sentences for the person
+    std::map<std::size_t, std::string> unfilled; ///< parts that were to be filled and could not be, and why
+    double spacing = 0;                          ///< [m]; 0 without bodies
+    SpacingAssessment fineness;                  ///< what the spacing means for the walls
+    Box box;                                     ///< of all bodies and surfaces at rest [m]
+    std::vector<std::string> warnings;           ///< sentences for the person
 
     bool isEmpty() const { return bodies.empty() && surfaces.empty(); }
     /// Parts that are hidden in their file, by index into Model::parts.

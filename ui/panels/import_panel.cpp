@@ -2,16 +2,14 @@
 
 #include "core/model/length_units.h"
 #include "ui/panels/form.h"
-#include "ui/theme.h"
 #include "ui/units.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QTreeWidget>
+#include <QTextBrowser>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -19,10 +17,6 @@
 namespace knead {
 
 namespace {
-
-constexpr int nameColumn = 0;
-constexpr int remarkColumn = 1;
-constexpr int nameWidth = 220;
 
 QString text(const std::string& sentence)
 {
@@ -37,7 +31,7 @@ ImportPanel::ImportPanel(QWidget* parent)
     , m_unit(makeChoice("takenUnit", this))
     , m_heal(new QPushButton(this))
     , m_fill(new QPushButton(tr("Try to fill open surfaces"), this))
-    , m_remarks(new QTreeWidget(this))
+    , m_remarks(new QTextBrowser(this))
 {
     setObjectName("importPanel");
     m_summary->setObjectName("importSummary");
@@ -45,14 +39,8 @@ ImportPanel::ImportPanel(QWidget* parent)
     m_fill->setObjectName("fillOpen");
     m_fill->setToolTip(tr("Fills where the surface winds around; what is open too wide stays a surface"));
     m_remarks->setObjectName("importRemarks");
-    m_remarks->setColumnCount(2);
-    m_remarks->setHeaderLabels({tr("Part"), tr("What was found and done")});
-    m_remarks->setRootIsDecorated(false);
-    m_remarks->setWordWrap(true);
-    m_remarks->setSelectionMode(QAbstractItemView::NoSelection);
-    m_remarks->setFocusPolicy(Qt::NoFocus);
-    m_remarks->header()->setStretchLastSection(true);
-    m_remarks->setColumnWidth(nameColumn, nameWidth);
+    m_remarks->setFrameShape(QFrame::NoFrame);
+    m_remarks->setOpenLinks(false);
     for (const LengthUnit& unit : lengthUnits())
         m_unit->addItem(tr(unit.name), QString(unit.name));
     m_unit->setToolTip(
@@ -94,42 +82,42 @@ void ImportPanel::show(const Content& content)
         std::any_of(model.parts.begin(), model.parts.end(), [](const Part& part) { return !part.repairs.empty(); });
     m_heal->setText(m_isHealed ? tr("Take without repairs") : tr("Repair"));
     m_heal->setVisible(wasRepaired || !m_isHealed);
-    m_fill->setVisible(!content.surfaces.empty() && !content.request.fillsOpenParts);
+    const bool isOpen = std::any_of(content.surfaces.begin(), content.surfaces.end(), [&](const auto& surface) {
+        return !model.parts[surface->body->part].canBeFilled();
+    });
+    m_fill->setVisible(isOpen && !content.request.fillsOpenParts);
+    m_unit->setEnabled(content.request.paths.size() == 1); // other files have units of their own
     listRemarks(content);
 }
 
 void ImportPanel::listRemarks(const Content& content)
 {
-    m_remarks->clear();
-    const auto add = [this](const QString& name, const QString& remark, const char* sign) {
-        auto* item = new QTreeWidgetItem(m_remarks, {name, remark});
-        item->setIcon(remarkColumn, icon(sign));
-        item->setToolTip(remarkColumn, remark);
-        item->setToolTip(nameColumn, name);
+    QString rows;
+    const auto add = [&rows](const QString& subject, const QString& sentence, bool isRepair = false) {
+        rows += QStringLiteral("<tr><td>%1&nbsp;</td><td><b>%2</b></td><td>%3</td></tr>")
+                    .arg(isRepair ? QString() : QStringLiteral("\u26a0"), subject.toHtmlEscaped(),
+                         sentence.toHtmlEscaped());
     };
     const Model& model = *content.model;
     if (model.unitRemark)
-        add(tr("Size"), text(model.unitRemark->sentence), "warning");
+        add(tr("Size"), text(model.unitRemark->sentence));
     if (!content.fineness.warning.empty())
-        add(tr("Filling"), text(content.fineness.warning), "warning");
+        add(tr("Filling"), text(content.fineness.warning));
     for (const std::string& sentence : model.missing)
-        add(tr("Missing"), text(sentence), "warning");
+        add(tr("Missing"), text(sentence));
     for (const std::string& sentence : model.warnings)
-        add(tr("File"), text(sentence), "warning");
+        add(tr("File"), text(sentence));
+    for (const auto& [part, reason] : content.unfilled)
+        add(text(model.parts[part].path), tr("was not filled: %1").arg(text(reason)));
     for (const Part& part : model.parts) {
         for (const std::string& sentence : part.warnings)
-            add(text(part.path), text(sentence), "warning");
+            add(text(part.path), text(sentence));
         for (const std::string& sentence : part.repairs)
-            add(text(part.path), text(sentence), "repair");
+            add(text(part.path), tr("Repaired: %1").arg(text(sentence)), true);
     }
-    if (m_remarks->topLevelItemCount() == 0)
-        add(tr("All"), tr("Nothing was wrong with this file."), "part");
-}
-
-bool ImportPanel::hasRemarks() const
-{
-    return m_remarks->topLevelItemCount() > 1 ||
-           (m_remarks->topLevelItemCount() == 1 && m_remarks->topLevelItem(0)->text(nameColumn) != tr("All"));
+    m_hasRemarks = !rows.isEmpty();
+    m_remarks->setHtml(m_hasRemarks ? "<table cellpadding=2>" + rows + "</table>"
+                                    : tr("Nothing was wrong with this file."));
 }
 
 } // namespace knead

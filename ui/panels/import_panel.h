@@ -7,7 +7,7 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
-class QTreeWidget;
+class QTextBrowser;
 
 namespace knead {
 
@@ -20,7 +20,7 @@ public:
 
     void show(const Content& content);
     /// Whether there is more to say than that all went well.
-    bool hasRemarks() const;
+    bool hasRemarks() const { return m_hasRemarks; }
 
 signals:
     void unitChosen(const QString& unit); ///< lengths are to be taken in this unit
@@ -34,7 +34,8 @@ private:
     QComboBox* m_unit;
     QPushButton* m_heal;
     QPushButton* m_fill;
-    QTreeWidget* m_remarks;
+    QTextBrowser* m_remarks;
+    bool m_hasRemarks = false;
     bool m_isHealed = true;
 };
 
