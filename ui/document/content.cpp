@@ -2,6 +2,7 @@
 
 #include "core/aggregate/spacing_choice.h"
 #include "core/geometry/refine.h"
+#include "ui/document/frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -216,6 +217,13 @@ Scene restScene(const Content& content)
     return scene;
 }
 
+PreparedContent withFrame(Content content, Scene scene)
+{
+    Simulation simulation(std::move(scene));
+    FramePointer frame = prepareFrame(content.bodies, simulation.snapshot(), nullptr);
+    return {std::move(content), std::move(simulation), std::move(frame)};
+}
+
 } // namespace
 
 Color faceColor(const Part& part, std::uint32_t face)
@@ -251,8 +259,7 @@ PreparedContent prepareModel(std::shared_ptr<const Model> model, const OpenReque
     Scene scene = restScene(content);
     for (Body& body : scene.bodies)
         body.material = material;
-    Simulation simulation(std::move(scene));
-    return {std::move(content), std::move(simulation)};
+    return withFrame(std::move(content), std::move(scene));
 }
 
 PreparedContent prepareRefill(const Content& before, double spacing, const Snapshot& now, TaskControl& control)
@@ -282,8 +289,7 @@ PreparedContent prepareRefill(const Content& before, double spacing, const Snaps
     scene.gravity = now.gravity;
     scene.integrator = now.wantedIntegrator;
     scene.floorHeight = now.floorHeight;
-    Simulation simulation(std::move(scene));
-    return {std::move(content), std::move(simulation)};
+    return withFrame(std::move(content), std::move(scene));
 }
 
 } // namespace knead

@@ -72,10 +72,13 @@ struct Content {
 /// The color of a CAD face.
 Color faceColor(const Part& part, std::uint32_t face);
 
-/// A content with the simulation of its bodies, as a task hands it over.
+struct Frame; // ui/document/frame.h
+
+/// A content with the simulation of its bodies and what is drawn at its start, as a task hands it over.
 struct PreparedContent {
     Content content;
     Simulation simulation;
+    std::shared_ptr<const Frame> frame;
 };
 
 /// Reads files, fills their closed parts with a material and lets them rest on a floor. Runs on a task thread.

@@ -5,6 +5,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -55,9 +56,9 @@ void Document::refill(PreparedContent prepared)
 
 void Document::start(PreparedContent prepared)
 {
-    m_preparer.reset();
+    retire();
     m_content = std::move(prepared.content);
-    m_frame = prepareFrame(m_content.bodies, prepared.simulation.snapshot(), nullptr);
+    m_frame = std::move(prepared.frame);
     m_simulation = std::make_unique<SimulationThread>(std::move(prepared.simulation));
     m_seen = m_simulation->latest();
     m_toolToSelect.clear();
@@ -68,6 +69,20 @@ void Document::start(PreparedContent prepared)
     });
     m_preparer->prepare(m_seen);
     m_timer->start();
+}
+
+/// Lets go of the simulation without waiting for the step it is in.
+void Document::retire()
+{
+    std::erase_if(m_retiring, [](const std::future<void>& one) {
+        return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    });
+    if (m_simulation)
+        m_retiring.push_back(std::async(
+            std::launch::async, [simulation = std::move(m_simulation), preparer = std::move(m_preparer)]() mutable {
+                preparer.reset();
+                simulation.reset();
+            }));
 }
 
 void Document::poll()

@@ -6,6 +6,7 @@
 
 #include <QObject>
 
+#include <future>
 #include <map>
 #include <memory>
 #include <optional>
@@ -79,6 +80,7 @@ signals:
 
 private:
     void start(PreparedContent prepared);
+    void retire();
     void poll();
     void accept(const FramePointer& frame, std::uint64_t generation);
     Vec3 placeAbove(const Vec3& toolSize) const;
@@ -98,6 +100,7 @@ private:
     QTimer* m_timer;
     std::unique_ptr<SimulationThread> m_simulation;
     std::unique_ptr<FramePreparer> m_preparer;
+    std::vector<std::future<void>> m_retiring; ///< earlier simulations on their way out
 };
 
 } // namespace knead
