@@ -20,6 +20,9 @@ void addImportArguments(CLI::App& command, ImportOptions& options)
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command.add_flag_callback(
+        "--close-openings", [&options] { options.capsFlatOpenings = true; },
+        "Close surfaces whose openings are all flat with plane faces");
+    command.add_flag_callback(
         "--no-heal", [&options] { options.heal = false; }, "Leave shapes as they are in the file");
 }
 

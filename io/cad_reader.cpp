@@ -154,7 +154,7 @@ private:
             return bodies;
         std::vector<CadBody> result;
         for (const CadBody& body : bodies)
-            for (CadBody& one : healed(body, m_control))
+            for (CadBody& one : healed(body, m_options.capsFlatOpenings, m_control))
                 result.push_back(std::move(one));
         return result;
     }

@@ -63,7 +63,6 @@ public:
     explicit Sewer(const CadBody& body)
         : m_body(body)
         , m_diagonal(diagonalOf(body.shape))
-        , m_area(areaOf(body.shape))
     {
         TopExp::MapShapes(body.shape, TopAbs_FACE, m_faces);
     }
@@ -78,7 +77,7 @@ public:
                 break;
             control.throwIfCancelled();
             const double tolerance = std::max(share * m_diagonal, Precision::Confusion());
-            std::optional<CadBody> candidate = sewnWith(tolerance);
+            std::optional<CadBody> candidate = sewnWith(m_body, tolerance);
             if (!candidate)
                 continue;
             const int free = freeEdgesOf(candidate->shape).Extent();
@@ -95,29 +94,6 @@ public:
     }
 
 private:
-    std::optional<CadBody> sewnWith(double tolerance) const
-    {
-        BRepBuilderAPI_Sewing sewing(tolerance);
-        for (int i = 1; i <= m_faces.Extent(); ++i)
-            sewing.Add(m_faces(i));
-        sewing.Perform();
-        const TopoDS_Shape shape = sewing.SewedShape();
-        if (shape.IsNull() || !isAllThere(shape))
-            return std::nullopt;
-        CadBody result{shape, m_body.original, {}, m_body.repairs, {}};
-        for (int i = 1; i <= m_faces.Extent(); ++i)
-            result.origins.Bind(sewing.ModifiedSubShape(m_faces(i)), m_body.originOf(m_faces(i)));
-        return result;
-    }
-
-    /// Features smaller than the tolerance vanish in sewing; then it is too large.
-    bool isAllThere(const TopoDS_Shape& shape) const
-    {
-        TopTools_IndexedMapOfShape faces;
-        TopExp::MapShapes(shape, TopAbs_FACE, faces);
-        return faces.Extent() == m_faces.Extent() && std::abs(areaOf(shape) - m_area) <= sameArea * m_area;
-    }
-
     std::string sentenceFor(const TopoDS_Shape& shape) const
     {
         return countOf(static_cast<std::size_t>(m_faces.Extent()), "separate face") +
@@ -127,12 +103,36 @@ private:
 
     const CadBody& m_body;
     double m_diagonal;
-    double m_area;
     double m_tolerance = 0;
     TopTools_IndexedMapOfShape m_faces;
 };
 
+/// Features smaller than the tolerance vanish in sewing; then it is too large.
+bool isAllThere(const TopoDS_Shape& sewn, const TopoDS_Shape& before)
+{
+    const double area = areaOf(before);
+    return countDistinct(sewn, TopAbs_FACE) == countDistinct(before, TopAbs_FACE) &&
+           std::abs(areaOf(sewn) - area) <= sameArea * area;
+}
+
 } // namespace
+
+std::optional<CadBody> sewnWith(const CadBody& body, double tolerance)
+{
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(body.shape, TopAbs_FACE, faces);
+    BRepBuilderAPI_Sewing sewing(tolerance);
+    for (int i = 1; i <= faces.Extent(); ++i)
+        sewing.Add(faces(i));
+    sewing.Perform();
+    const TopoDS_Shape shape = sewing.SewedShape();
+    if (shape.IsNull() || !isAllThere(shape, body.shape))
+        return std::nullopt;
+    CadBody result{shape, body.original, {}, body.repairs, {}};
+    for (int i = 1; i <= faces.Extent(); ++i)
+        result.origins.Bind(sewing.ModifiedSubShape(faces(i)), body.originOf(faces(i)));
+    return result;
+}
 
 std::optional<CadBody> sewn(const CadBody& body, TaskControl& control)
 {

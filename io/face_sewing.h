@@ -13,4 +13,8 @@ namespace knead {
 /// @throws Cancelled
 std::optional<CadBody> sewn(const CadBody& body, TaskControl& control);
 
+/// The same with one tolerance [mm], whatever lies how close. Faces become shells.
+/// @return nothing when a face was lost or changed its area by it
+std::optional<CadBody> sewnWith(const CadBody& body, double tolerance);
+
 } // namespace knead

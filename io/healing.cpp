@@ -1,6 +1,7 @@
 #include "io/healing.h"
 
 #include "io/face_sewing.h"
+#include "io/flat_capping.h"
 #include "io/free_edges.h"
 #include "io/number_words.h"
 #include "io/shape_measure.h"
@@ -50,11 +51,14 @@ auto attempt(Step step) -> decltype(step())
 }
 
 /// Sews and makes solids of what is open, or closed but no solid.
-std::vector<CadBody> closed(const CadBody& body, TaskControl& control)
+std::vector<CadBody> closed(const CadBody& body, bool capsFlatOpenings, TaskControl& control)
 {
     CadBody surface = body;
     if (!freeEdgesOf(body.shape).IsEmpty())
         if (auto better = attempt([&] { return sewn(body, control); }))
+            surface = std::move(*better);
+    if (capsFlatOpenings && !freeEdgesOf(surface.shape).IsEmpty())
+        if (auto better = attempt([&] { return capped(surface, control); }))
             surface = std::move(*better);
     std::vector<CadBody> bodies = attempt([&] { return solidsOf(surface); });
     if (bodies.empty())
@@ -124,12 +128,12 @@ CadBody checked(const CadBody& body)
 
 } // namespace
 
-std::vector<CadBody> healed(const CadBody& body, TaskControl& control)
+std::vector<CadBody> healed(const CadBody& body, bool capsFlatOpenings, TaskControl& control)
 try {
     if (!(diagonalOf(body.shape) < largestSize))
         return {body};
     const bool isSolid = hasSolid(body.shape) && freeEdgesOf(body.shape).IsEmpty();
-    std::vector<CadBody> bodies = isSolid ? std::vector<CadBody>{body} : closed(body, control);
+    std::vector<CadBody> bodies = isSolid ? std::vector<CadBody>{body} : closed(body, capsFlatOpenings, control);
     for (CadBody& one : bodies) {
         control.throwIfCancelled();
         one = checked(one);

@@ -15,8 +15,7 @@ namespace knead {
 
 namespace {
 
-constexpr double largestShare = 0.01; // of the area, for each hole
-constexpr double largestBump = 0.1;   // of the width of the hole, off its plane
+constexpr double largestBump = 0.1; // of the width of the hole, off its plane
 constexpr std::size_t longestLoop = 2000;
 
 using Point2 = Eigen::Vector2d;
@@ -92,7 +91,7 @@ std::optional<std::vector<Triangle>> earsOf(const TriangleMesh& mesh, std::vecto
 
 } // namespace
 
-HoleClosing closeSmallHoles(TriangleMesh mesh)
+HoleClosing closeHoles(TriangleMesh mesh, double largestShare)
 {
     const std::vector<OpenLoop> loops = openLoopsOf(mesh);
     HoleClosing result{std::move(mesh)};

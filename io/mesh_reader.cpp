@@ -196,12 +196,12 @@ void turnIfInsideOut(Part& part)
         std::swap(triangle[1], triangle[2]);
 }
 
-void measure(Part& part, bool heal)
+void measure(Part& part, const ImportOptions& options)
 {
     const double diagonal = part.box.diagonal().norm();
     part.mesh = weld(part.mesh, weldingShare * diagonal);
-    if (heal) {
-        RepairedMesh better = repaired(std::move(part.mesh));
+    if (options.heal) {
+        RepairedMesh better = repaired(std::move(part.mesh), options.capsFlatOpenings);
         part.mesh = std::move(better.mesh);
         part.repairs = std::move(better.repairs);
     }
@@ -213,7 +213,7 @@ void measure(Part& part, bool heal)
                                 ". It is shown and cannot be filled.");
         return;
     }
-    if (!heal)
+    if (!options.heal)
         turnIfInsideOut(part);
     part.volume = std::abs(massProperties(part.mesh).volume);
     part.valid = part.volume > 0;
@@ -335,11 +335,11 @@ Model readMesh(const std::string& path, FormatKind kind, const ImportOptions& op
     if (scene == nullptr || scene->mRootNode == nullptr)
         failReading(path, "the " + formatName(kind) + " file is damaged and cannot be read; export it again.");
     Model model = MeshModelMaker(*scene, path, kind, options).run();
-    measureMeshes(path, options.heal, model, control);
+    measureMeshes(path, options, model, control);
     return model;
 }
 
-void measureMeshes(const std::string& path, bool heal, Model& model, TaskControl& control)
+void measureMeshes(const std::string& path, const ImportOptions& options, Model& model, TaskControl& control)
 {
     for (Part& part : model.parts)
         part.box = boxOf(part.mesh);
@@ -348,7 +348,7 @@ void measureMeshes(const std::string& path, bool heal, Model& model, TaskControl
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
         control.throwIfCancelled();
         control.report(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(model.parts.size()), "measuring parts");
-        measure(model.parts[i], heal);
+        measure(model.parts[i], options);
     }
 }
 

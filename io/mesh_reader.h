@@ -13,6 +13,6 @@ Model readMesh(const std::string& path, FormatKind kind, const ImportOptions& op
 /// Welds, repairs if wanted, and measures the meshes of a model, and judges whether they are closed. Box, volume and the like are
 /// set. Sick parts are left out.
 /// @throws std::runtime_error, in a sentence, when none is left. @throws Cancelled
-void measureMeshes(const std::string& path, bool heal, Model& model, TaskControl& control);
+void measureMeshes(const std::string& path, const ImportOptions& options, Model& model, TaskControl& control);
 
 } // namespace knead

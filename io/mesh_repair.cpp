@@ -111,14 +111,14 @@ TriangleMesh withoutFolds(const TriangleMesh& mesh)
     return stacks.folds == 0 || isDoubleSided(stacks) ? mesh : only(mesh, stacks.isKept);
 }
 
-RepairedMesh repaired(TriangleMesh mesh)
+RepairedMesh repaired(TriangleMesh mesh, bool capsFlatOpenings)
 {
     RepairedMesh result{std::move(mesh), {}};
     removeStacks(result);
     if (const std::size_t turned = orient(result.mesh); turned > 0)
         result.repairs.push_back(countOf(turned, "triangle") + " faced the wrong way and" + wasOrWere(turned) +
                                  "turned.");
-    HoleClosing closing = closeSmallHoles(std::move(result.mesh));
+    HoleClosing closing = capsFlatOpenings ? closeHoles(std::move(result.mesh), 1) : closeHoles(std::move(result.mesh));
     result.mesh = std::move(closing.mesh);
     if (closing.holes > 0)
         result.repairs.push_back(countOf(closing.holes, "small hole") + wasOrWere(closing.holes) +

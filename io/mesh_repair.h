@@ -19,6 +19,7 @@ struct RepairedMesh {
 /// Removes triangles that are there twice, turns those that face the other way than their neighbors, turns closed
 /// surfaces outward and closes holes that are small (below 1 % of the area) and nearly flat.
 /// @param mesh welded
-RepairedMesh repaired(TriangleMesh mesh);
+/// @param capsFlatOpenings closes nearly flat holes of any size
+RepairedMesh repaired(TriangleMesh mesh, bool capsFlatOpenings = false);
 
 } // namespace knead

@@ -328,7 +328,7 @@ Model readThreeMf(const std::string& path, const ImportOptions& options, TaskCon
 {
     try {
         Model model = ThreeMfReader(path, options, control).run();
-        measureMeshes(path, options.heal, model, control);
+        measureMeshes(path, options, model, control);
         return model;
     } catch (const LibraryFailure&) {
         failReading(path, "the 3MF file is damaged and cannot be read; export it again.");

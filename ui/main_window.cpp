@@ -359,8 +359,9 @@ void MainWindow::fillOpenParts()
 {
     OpenRequest request = m_document.content().request;
     request.fillsOpenParts = true;
-    openAgain(
-        tr("Filling open surfaces"), [](const Model& model) { return model; }, request);
+    request.options.heal = true;
+    request.options.capsFlatOpenings = true;
+    open(request);
 }
 
 void MainWindow::takeHealed(bool heal)

@@ -11,6 +11,7 @@ struct ImportOptions {
     double angularDeflection = 0.2;   ///< [rad]
     double relativeDeflection = 5e-4; ///< of the diagonal of each part, where linearDeflection is 0
     bool heal = true;                 ///< false: shapes stay as they are in the file
+    bool capsFlatOpenings = false;    ///< closes surfaces whose openings are all flat with planes; needs heal
     std::string unit;                 ///< that lengths are taken in, whatever the file says; empty: as stated, or mm
     std::vector<std::string> parts;   ///< Part::path of those wanted, or of assemblies; empty: all
 };

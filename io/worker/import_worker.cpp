@@ -95,6 +95,7 @@ ImportOptions optionsOf(const Json& json)
     options.relativeDeflection = json.at("relativeDeflection").get<double>();
     options.angularDeflection = json.at("angularDeflection").get<double>();
     options.heal = json.at("heal").get<bool>();
+    options.capsFlatOpenings = json.at("capsFlatOpenings").get<bool>();
     options.unit = json.at("unit").get<std::string>();
     options.parts = json.at("parts").get<std::vector<std::string>>();
     return options;
@@ -125,6 +126,7 @@ std::vector<std::string> argumentsFor(const ReadingRequest& request)
                     {"relativeDeflection", request.options.relativeDeflection},
                     {"angularDeflection", request.options.angularDeflection},
                     {"heal", request.options.heal},
+                    {"capsFlatOpenings", request.options.capsFlatOpenings},
                     {"unit", request.options.unit},
                     {"parts", request.options.parts},
                     {"memory", request.limits.memory},

@@ -68,9 +68,9 @@ TopoDS_Shape moved(const TopoDS_Shape& shape, const gp_Vec& by)
     return shape.Moved(shift);
 }
 
-std::vector<CadBody> healed(const TopoDS_Shape& shape)
+std::vector<CadBody> healed(const TopoDS_Shape& shape, bool capsFlatOpenings = false)
 {
-    return healed({shape, shape, {}, {}, {}}, TaskControl::none());
+    return healed({shape, shape, {}, {}, {}}, capsFlatOpenings, TaskControl::none());
 }
 
 double volumeOf(const TopoDS_Shape& shape)
@@ -123,6 +123,8 @@ private slots:
     void thinPlateKeepsItsSides();
     void openBoxTellsItsBorder();
     void boxOfOneFaceLessIsNoSolid();
+    void flatOpeningIsCappedAtWish();
+    void curvedOpeningIsNotCapped();
     void importHealsUnlessToldNotTo();
     void sickPartDoesNotTakeTheOthersAlong();
     void onlySickPartsAreRefused();
@@ -321,6 +323,36 @@ void HealingTest::boxOfOneFaceLessIsNoSolid()
     builder.Add(solid, shell);
     const Part part = partOf(healed(solid).front());
     QVERIFY(!part.canBeFilled() && part.volume == 0 && !part.openEdges.empty());
+}
+
+void HealingTest::flatOpeningIsCappedAtWish()
+{
+    Faces faces = separateFaces(box(10, 20, 30));
+    faces.erase(faces.begin() + 4);
+    QCOMPARE(count(healed(compound(faces))[0].shape, TopAbs_SOLID), 0);
+    const std::vector<CadBody> bodies = healed(compound(faces), true);
+    QCOMPARE(bodies.size(), std::size_t(1));
+    QCOMPARE(count(bodies[0].shape, TopAbs_SOLID), 1);
+    QVERIFY(std::abs(volumeOf(bodies[0].shape) - 6000) < 1e-6);
+    QVERIFY(mention(bodies[0].repairs, "1 flat opening was closed with a plane face, 9 % of the area"));
+
+    // A tube: both of its ends.
+    const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(5, 20).Shape();
+    Faces tube = separateFaces(cylinder);
+    std::erase_if(tube, [](const TopoDS_Shape& face) { return count(face, TopAbs_EDGE) == 1; });
+    QCOMPARE(tube.size(), std::size_t(1));
+    const std::vector<CadBody> closed = healed(compound(tube), true);
+    QVERIFY(std::abs(volumeOf(closed[0].shape) - 500 * std::numbers::pi) < 1e-6);
+}
+
+/// Two neighboring faces of a box are missing: their border does not lie in a plane.
+void HealingTest::curvedOpeningIsNotCapped()
+{
+    Faces faces = separateFaces(box(10, 20, 30));
+    faces.erase(faces.begin() + 4);
+    faces.erase(faces.begin());
+    for (const CadBody& body : healed(compound(faces), true))
+        QCOMPARE(count(body.shape, TopAbs_SOLID), 0);
 }
 
 void HealingTest::importHealsUnlessToldNotTo()

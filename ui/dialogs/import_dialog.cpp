@@ -223,9 +223,11 @@ QWidget* ImportDialog::makeChoices()
     m_heal->setObjectName("importHeal");
     m_heal->setChecked(true);
     form->addRow(QString(), m_heal);
-    m_fillsOpen = new QCheckBox(tr("Fill surfaces with small holes too"), box);
+    m_fillsOpen = new QCheckBox(tr("Close flat openings, fill in spite of small holes"), box);
     m_fillsOpen->setObjectName("importFillsOpen");
-    m_fillsOpen->setToolTip(tr("Inside is where the surface winds around; what is open too wide is only shown"));
+    m_fillsOpen->setToolTip(
+        tr("Flat openings of any size get a plane face; other surfaces are filled where they wind around. What is open "
+           "too wide is only shown."));
     form->addRow(QString(), m_fillsOpen);
     return box;
 }
@@ -312,6 +314,7 @@ OpenRequest ImportDialog::request() const
     request.options.heal = m_heal->isChecked();
     request.touching = static_cast<Touching>(m_touching->currentIndex());
     request.fillsOpenParts = m_fillsOpen->isChecked();
+    request.options.capsFlatOpenings = m_fillsOpen->isChecked();
     if (m_values->currentWidget() == m_objects)
         request.spacing = {SpacingChoice::Kind::Objects, static_cast<double>(m_objects->value())};
     else if (m_values->currentWidget() == m_cells)

@@ -47,7 +47,7 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
     sign->setPixmap(icon("knead").pixmap(72, 72));
     sign->setAlignment(Qt::AlignCenter);
     column->addWidget(sign);
-    column->addWidget(centered(tr("Drop a STEP, IGES or BREP file here"), "big", zone));
+    column->addWidget(centered(tr("Drop STEP, IGES or mesh files here"), "big", zone));
     column->addWidget(centered(tr("It becomes a lump of real material to push, bend and squeeze."), "dimmed", zone));
     auto* open = new QPushButton(tr("Open a file..."), zone);
     open->setObjectName("homeOpen");

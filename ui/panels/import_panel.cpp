@@ -30,14 +30,15 @@ ImportPanel::ImportPanel(QWidget* parent)
     , m_summary(new QLabel(this))
     , m_unit(makeChoice("takenUnit", this))
     , m_heal(new QPushButton(this))
-    , m_fill(new QPushButton(tr("Try to fill open surfaces"), this))
+    , m_fill(new QPushButton(tr("Close and fill"), this))
     , m_remarks(new QTextBrowser(this))
 {
     setObjectName("importPanel");
     m_summary->setObjectName("importSummary");
     m_heal->setObjectName("takeUnhealed");
     m_fill->setObjectName("fillOpen");
-    m_fill->setToolTip(tr("Fills where the surface winds around; what is open too wide stays a surface"));
+    m_fill->setToolTip(
+        tr("Opens the file again: flat openings get a plane face, other surfaces are filled where they wind around"));
     m_remarks->setObjectName("importRemarks");
     m_remarks->setFrameShape(QFrame::NoFrame);
     m_remarks->setOpenLinks(false);

@@ -9,7 +9,6 @@
 #include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
-#include <QTimer>
 
 namespace knead {
 
@@ -111,21 +110,12 @@ void ViewportBridge::releaseContext()
     m_window->context = nullptr;
 }
 
-void ViewportBridge::requestRenderLater()
-{
-    m_isHeld = true;
-    QTimer::singleShot(0, this, [this] {
-        m_isHeld = false;
-        requestRender();
-    });
-}
-
 void ViewportBridge::paintGL()
 {
     vtkOpenGLState* state = m_window->render->GetState();
     state->Reset(); // Qt drew in between
     state->Push();
-    if (m_isDirty && !m_isHeld) {
+    if (m_isDirty) {
         m_isDirty = false;
         QElapsedTimer clock;
         clock.start();

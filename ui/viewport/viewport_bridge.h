@@ -21,9 +21,6 @@ public:
 
     /// The scene changed: draws it at the next opportunity, once, however often this is called.
     void requestRender();
-    /// The same once the window has had time for what else there is to do, and not before: the first drawing of a new scene
-    /// takes long enough to be felt.
-    void requestRenderLater();
 
     /// Wall time of the last drawing [s].
     double renderSeconds() const { return m_renderSeconds; }
@@ -45,7 +42,6 @@ private:
     void releaseContext();
 
     std::unique_ptr<Window> m_window;
-    bool m_isHeld = false;
     bool m_isDirty = true;
     double m_renderSeconds = 0;
 };

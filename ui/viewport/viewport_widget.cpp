@@ -78,7 +78,6 @@ void ViewportWidget::documentChanged(Document::Change what)
         m_scene->setContent(m_document.content());
         m_scene->setOptions(m_options);
         m_scene->showFrame(m_document.frame());
-        requestRenderLater();
         break;
     case Document::Change::Frame:
         m_scene->showFrame(m_document.frame());
