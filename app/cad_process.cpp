@@ -105,7 +105,7 @@ std::vector<Outcome> importAll(const std::vector<std::string>& paths, const Impo
 
 Model importInChild(const std::string& path, const ImportOptions& options, TaskControl& control)
 {
-    return importIsolated(readingProgram(), path, options, limitsFor(path), control);
+    return importIsolated(readingProgram(), path, options, limitsFor(path, options), control);
 }
 
 FilePreview previewInChild(const std::string& path, TaskControl& control)

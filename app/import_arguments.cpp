@@ -19,6 +19,18 @@ void addImportArguments(CLI::App& command, ImportOptions& options)
         ->type_name("PATH")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command
+        .add_option_function<double>(
+            "--memory-limit", [&options](double gibibytes) { options.memoryLimit = gibibytes * (1U << 30U); },
+            "Memory that reading may take")
+        ->type_name("GIB")
+        ->check(CLI::PositiveNumber);
+    command
+        .add_option_function<double>(
+            "--time-limit", [&options](double minutes) { options.timeLimit = 60 * minutes; },
+            "Processor time that reading may take")
+        ->type_name("MINUTES")
+        ->check(CLI::PositiveNumber);
     command.add_flag_callback(
         "--close-openings", [&options] { options.capsFlatOpenings = true; },
         "Close surfaces whose openings are all flat with plane faces");

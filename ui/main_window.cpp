@@ -180,6 +180,8 @@ bool MainWindow::isBusy()
 void MainWindow::open(const QStringList& paths)
 {
     OpenRequest request;
+    request.options.timeLimit = 60 * QSettings().value("import/minutes", 0).toDouble();
+    request.options.memoryLimit = (1U << 30U) * QSettings().value("import/gibibytes", 0).toDouble();
     qint64 size = 0;
     for (const QString& path : paths) {
         request.paths.push_back(QFile::encodeName(path).toStdString());

@@ -92,7 +92,7 @@ std::string crashReason(int signal)
         failReading(path,
                     "reading took longer than " + duration(outOfTime ? limits.processorTime : limits.wallTime) +
                         stages.whileLast() +
-                        " and was ended. Nothing was imported; the file is damaged, or a longer time must be allowed.");
+                        " and was ended. Nothing was imported; the file is damaged, or needs a longer time limit.");
     if (end.kind == ChildEnd::Kind::signaled)
         failReading(path, "the reader crashed" + stages.whileLast() + " (" + crashReason(end.number) +
                               "). Nothing was imported; export the file again, best as STEP.");
@@ -142,13 +142,15 @@ OwnLimits ownLimits(const ImportLimits& limits)
 
 } // namespace
 
-ImportLimits limitsFor(const std::string& path)
+ImportLimits limitsFor(const std::string& path, const ImportOptions& options)
 {
     std::error_code error;
     const std::uintmax_t found = std::filesystem::file_size(path, error);
     const double size = error ? 0 : static_cast<double>(found);
-    const double memory = std::min(leastMemory + memoryPerByte * size, largestShare * machineMemory());
-    const double time = leastTime + timePerMebibyte * size / mebibyte;
+    const double memory = options.memoryLimit > 0
+                              ? options.memoryLimit
+                              : std::min(leastMemory + memoryPerByte * size, largestShare * machineMemory());
+    const double time = options.timeLimit > 0 ? options.timeLimit : leastTime + timePerMebibyte * size / mebibyte;
     return {static_cast<std::uint64_t>(memory), time, 2 * time};
 }
 

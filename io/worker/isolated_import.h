@@ -19,7 +19,8 @@ struct ImportLimits {
 
 /// Generous for honest files: 3 GiB and 400 times the size of the file, at most three quarters of the machine's memory; two
 /// minutes of processor time and 30 s for each MB; twice that by the clock on the wall.
-ImportLimits limitsFor(const std::string& path);
+/// What a person chose instead comes first.
+ImportLimits limitsFor(const std::string& path, const ImportOptions& options = {});
 
 /// As importFile(), in a process of its own: a file that makes the CAD reader crash, hang or eat memory ends that process and
 /// gives a sentence. Cancelling ends it at once. Any number of imports may run beside each other, on threads of their own.

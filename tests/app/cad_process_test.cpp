@@ -217,6 +217,21 @@ private slots:
         QVERIFY2(mentions(sentence, "bracket.step: the file asks for more memory than"), sentence.c_str());
     }
 
+    void limitsFollowTheFileUnlessAPersonSaysOtherwise()
+    {
+        const std::string large = file("large.stl", std::string(8U << 20U, ' '));
+        const ImportLimits small = limitsFor(example("bar.step"));
+        const ImportLimits more = limitsFor(large);
+        QVERIFY(small.processorTime >= 120 && more.processorTime >= small.processorTime + 200);
+        QVERIFY(small.wallTime > small.processorTime && more.memory > small.memory);
+        ImportOptions chosen;
+        chosen.timeLimit = 5;
+        chosen.memoryLimit = 1e9;
+        const ImportLimits own = limitsFor(large, chosen);
+        QCOMPARE(own.processorTime, 5.0);
+        QCOMPARE(own.memory, std::uint64_t(1'000'000'000));
+    }
+
     void aFullDiskIsASentence()
     {
         const FullDisk disk(1000);

@@ -15,6 +15,7 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QScopedValueRollback>
+#include <QSettings>
 #include <QSpinBox>
 #include <QStackedWidget>
 #include <QToolButton>
@@ -126,7 +127,7 @@ ImportDialog::ImportDialog(std::vector<FilePreview> previews, QWidget* parent)
         column->addWidget(makeParts(), 1);
     column->addWidget(makeChoices());
     column->addWidget(m_buttons);
-    resize(520, m_parts != nullptr ? 620 : sizeHint().height());
+    resize(520, m_parts != nullptr ? 660 : sizeHint().height());
     if (m_parts != nullptr)
         showChosen();
 }
@@ -229,7 +230,31 @@ QWidget* ImportDialog::makeChoices()
         tr("Flat openings of any size get a plane face; other surfaces are filled where they wind around. What is open "
            "too wide is only shown."));
     form->addRow(QString(), m_fillsOpen);
+    addLimits(form);
     return box;
+}
+
+/// How long and with how much memory the reader may work before it is given up; remembered.
+void ImportDialog::addLimits(QFormLayout* form)
+{
+    auto* row = new QHBoxLayout;
+    const auto add = [&](const char* name, const char* key, const QString& suffix, const QString& tip, int most) {
+        auto* box = new QSpinBox(this);
+        box->setObjectName(name);
+        box->setRange(0, most);
+        box->setSpecialValueText(tr("Automatic"));
+        box->setSuffix(suffix);
+        box->setToolTip(tip);
+        box->setValue(QSettings().value(key, 0).toInt());
+        connect(this, &QDialog::accepted, box, [box, key] { QSettings().setValue(key, box->value()); });
+        row->addWidget(box);
+        return box;
+    };
+    m_minutes = add("importMinutes", "import/minutes", tr(" min"),
+                    tr("Reading is given up after this processor time; automatic: by the size of the file"), 10'000);
+    m_gibibytes = add("importMemory", "import/gibibytes", tr(" GiB"),
+                      tr("Reading is given up when it wants more memory; automatic: by the size of the file"), 1'000);
+    form->addRow(tr("Give up after"), row);
 }
 
 /// How finely to fill, in the order of the pages: automatic, objects, cells across the wall, spacing.
@@ -311,6 +336,8 @@ OpenRequest ImportDialog::request() const
     request.options.relativeDeflection = detail.relativeDeflection;
     request.options.angularDeflection = detail.angle;
     request.options.unit = m_unit->currentData().toString().toStdString();
+    request.options.timeLimit = 60.0 * m_minutes->value();
+    request.options.memoryLimit = static_cast<double>(1U << 30U) * m_gibibytes->value();
     request.options.heal = m_heal->isChecked();
     request.touching = static_cast<Touching>(m_touching->currentIndex());
     request.fillsOpenParts = m_fillsOpen->isChecked();

@@ -36,6 +36,7 @@ private:
     QWidget* makeParts();
     QWidget* makeChoices();
     void addFineness(QFormLayout* form);
+    void addLimits(QFormLayout* form);
     void addNodes(const PartNode& node, const QString& path, QTreeWidgetItem* parent);
     void itemChanged(QTreeWidgetItem* item);
     void checkAll(bool checked);
@@ -54,6 +55,8 @@ private:
     QuantityField* m_spacing = nullptr;
     QComboBox* m_touching = nullptr;
     QCheckBox* m_fillsOpen = nullptr;
+    QSpinBox* m_minutes = nullptr;
+    QSpinBox* m_gibibytes = nullptr;
     QCheckBox* m_heal = nullptr;
     QDialogButtonBox* m_buttons = nullptr;
     bool m_isUpdating = false;
