@@ -161,8 +161,10 @@ private:
             values.push_back(withoutBlanksAround(record.substr(begin, i - begin)));
             begin = i + 1;
             if (record[i] == m_end)
-                break;
+                return values;
         }
+        if (const std::string_view rest = withoutBlanksAround(record.substr(begin)); !rest.empty())
+            values.push_back(rest); // the record lacks its end
         return values;
     }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
+#include <stdexcept>
 
 namespace knead {
 
@@ -14,6 +16,7 @@ constexpr int deepestNesting = 500; // honest files stay under 20; the reader re
 
 /// Types of entities by number, as IGES 5.3 has them.
 namespace type {
+constexpr int arc = 100;
 constexpr int compositeCurve = 102;
 constexpr int line = 110;
 constexpr int ruledSurface = 118;
@@ -23,6 +26,7 @@ constexpr int splineCurve = 126;
 constexpr int splineSurface = 128;
 constexpr int offsetCurve = 130;
 constexpr int offsetSurface = 140;
+constexpr int boundary = 141;
 constexpr int curveOnSurface = 142;
 constexpr int trimmedSurface = 144;
 constexpr int solid = 186;
@@ -52,17 +56,19 @@ bool is(int number)
     return number == expected;
 }
 
-/// 0 for what is left out or no whole number.
-long long integerAt(const std::vector<std::string_view>& values, std::size_t place)
+/// Nothing for what is left out or no whole number.
+std::optional<long long> integerAt(const std::vector<std::string_view>& values, std::size_t place)
 {
     if (place >= values.size())
-        return 0;
+        return std::nullopt;
     std::string_view text = values[place];
     if (text.starts_with('+'))
         text.remove_prefix(1);
     long long number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc{} && end == text.data() + text.size() ? number : 0;
+    if (error != std::errc{} || end != text.data() + text.size())
+        return std::nullopt;
+    return number;
 }
 
 /// A number of a directory line, which has nine fields of eight columns; 0 for what is none.
@@ -117,14 +123,30 @@ void IgesEntities::takeDirectoryLine(std::string_view line)
 
 void IgesEntities::takeRecord(int entity, const std::vector<std::string_view>& values)
 {
-    m_recorded.insert(entity);
+    if (!m_failure.empty())
+        return;
+    try {
+        checkRecord(entity, values);
+    } catch (const std::runtime_error& failure) {
+        m_failure = failure.what();
+    }
+}
+
+void IgesEntities::checkRecord(int entity, const Record& values)
+{
+    if (!m_recorded.insert(entity).second)
+        failAt(entity, "has its values twice");
     if (integerAt(values, 0) != typeOf(entity))
         failAt(entity, "is of another type where its values are");
     switch (typeOf(entity)) {
     case type::group:
-        return isPlainGroup(entity) ? takeMembers(entity, values, 2, integerAt(values, 1)) : void();
+        return isPlainGroup(entity) ? takeMembers(entity, values, 2, integerAt(values, 1).value_or(0)) : void();
     case type::compositeCurve:
-        return takeMembers(entity, values, 2, integerAt(values, 1));
+        return takeMembers(entity, values, 2, integerAt(values, 1).value_or(0));
+    case type::arc:
+        return requireLength(entity, values, 8);
+    case type::line:
+        return requireLength(entity, values, 7);
     case type::ruledSurface:
         require(entity, values, 1, isCurve);
         return require(entity, values, 2, isCurve);
@@ -151,8 +173,7 @@ void IgesEntities::takeRecord(int entity, const std::vector<std::string_view>& v
     case type::curveOnSurface:
         return takeMembers(entity, values, 2, 3); // the surface and two curves
     case type::trimmedSurface:
-        takeMembers(entity, values, 1, 1);
-        return takeMembers(entity, values, 4, 1 + integerAt(values, 3)); // boundaries, the outer one first
+        return takeTrimmedSurface(entity, values);
     case type::solid:
         return takeSolid(entity, values);
     case type::vertexList:
@@ -177,6 +198,8 @@ void IgesEntities::takeRecord(int entity, const std::vector<std::string_view>& v
 
 void IgesEntities::finish() const
 {
+    if (!m_failure.empty())
+        throw std::runtime_error(m_failure);
     CycleSearch search(m_references);
     for (const auto& [entity, to] : m_references)
         if (search.leadsTooDeep(entity))
@@ -194,10 +217,23 @@ void IgesEntities::finish() const
     }
 }
 
+/// A surface that is none is left out by the reader, a boundary that is none it stumbles over.
+void IgesEntities::takeTrimmedSurface(int entity, const Record& values)
+{
+    takeMembers(entity, values, 1, 1);
+    const auto isBoundary = [](int number) { return number == type::curveOnSurface || number == type::boundary; };
+    // With 0 in the place before, the surface ends where it ends by itself.
+    if (integerAt(values, 2).value_or(0) != 0 || integerAt(values, 4).value_or(0) != 0)
+        require(entity, values, 4, isBoundary);
+    const long long inner = integerAt(values, 3) ? countAt(entity, values, 3) : 0;
+    for (long long i = 0; i < inner; ++i)
+        require(entity, values, static_cast<std::size_t>(5 + i), isBoundary);
+}
+
 void IgesEntities::takeSolid(int entity, const Record& values)
 {
     require(entity, values, 1, is<type::shell>);
-    const long long voids = countAt(entity, values, 3);
+    const long long voids = integerAt(values, 3) ? countAt(entity, values, 3) : 0;
     for (long long i = 0; i < voids; ++i)
         require(entity, values, static_cast<std::size_t>(4 + 2 * i), is<type::shell>);
 }
@@ -218,7 +254,8 @@ void IgesEntities::takeLoop(int entity, const Record& values)
         requireLength(entity, values, static_cast<long long>(place) + 5);
         const bool isVertex = integerAt(values, place) == 1;
         require(entity, values, place + 1, isVertex ? is<type::vertexList> : is<type::edgeList>);
-        m_members.push_back({integerAt(values, place + 1), integerAt(values, place + 2), entity});
+        m_members.push_back(
+            {integerAt(values, place + 1).value_or(0), integerAt(values, place + 2).value_or(0), entity});
         const long long curves = countAt(entity, values, place + 4);
         for (long long curve = 0; curve < curves; ++curve)
             require(entity, values, place + 6 + static_cast<std::size_t>(2 * curve), isCurve);
@@ -235,7 +272,8 @@ void IgesEntities::takeEdges(int entity, const Record& values)
         require(entity, values, place, isCurve);
         for (const std::size_t vertex : {place + 1, place + 3}) {
             require(entity, values, vertex, is<type::vertexList>);
-            m_members.push_back({integerAt(values, vertex), integerAt(values, vertex + 1), entity});
+            m_members.push_back(
+                {integerAt(values, vertex).value_or(0), integerAt(values, vertex + 1).value_or(0), entity});
         }
     }
 }
@@ -244,7 +282,7 @@ void IgesEntities::takeEdges(int entity, const Record& values)
 void IgesEntities::takeMembers(int entity, const Record& values, std::size_t first, long long count)
 {
     for (std::size_t place = first; place < values.size() && count > 0; ++place, --count)
-        refer(entity, integerAt(values, place));
+        refer(entity, integerAt(values, place).value_or(0));
 }
 
 void IgesEntities::requireLength(int entity, const Record& values, long long length) const
@@ -257,7 +295,7 @@ void IgesEntities::requireLength(int entity, const Record& values, long long len
 /// A number of values that follow, so no more than there are.
 long long IgesEntities::countAt(int entity, const Record& values, std::size_t place) const
 {
-    const long long count = integerAt(values, place);
+    const long long count = integerAt(values, place).value_or(-1);
     if (count < 0 || count > static_cast<long long>(values.size()))
         failAt(entity, "states an impossible count");
     return count;
@@ -265,7 +303,7 @@ long long IgesEntities::countAt(int entity, const Record& values, std::size_t pl
 
 void IgesEntities::require(int entity, const Record& values, std::size_t place, IsKind isKind)
 {
-    const long long pointer = integerAt(values, place);
+    const long long pointer = integerAt(values, place).value_or(0);
     if (!isKind(typeOf(pointer)))
         failAt(entity, "refers to something of the wrong kind or nothing at all");
     refer(entity, pointer);

@@ -21,11 +21,12 @@ public:
     /// A line of the section D; all of them come before the first record.
     void takeDirectoryLine(std::string_view line);
 
-    /// The values of the entity whose first directory line has this number.
-    /// @throws std::runtime_error, in a sentence, when they do not hold what its type must
+    /// The values of the entity whose first directory line has this number. What is wrong with them is kept for finish():
+    /// text that is plainly damaged is to be told first.
     void takeRecord(int entity, const std::vector<std::string_view>& values);
 
-    /// @throws std::runtime_error, in a sentence, when entities hold themselves or name list members that are not there
+    /// @throws std::runtime_error, in a sentence, when an entity does not hold what its type must, holds itself, or names
+    /// members of a list that are not there
     void finish() const;
 
 private:
@@ -38,6 +39,8 @@ private:
         int user = 0;
     };
 
+    void checkRecord(int entity, const Record& values);
+    void takeTrimmedSurface(int entity, const Record& values);
     void takeSolid(int entity, const Record& values);
     void takeFace(int entity, const Record& values);
     void takeLoop(int entity, const Record& values);
@@ -52,6 +55,7 @@ private:
     [[noreturn]] void failAt(int entity, const std::string& what) const;
 
     const std::string& m_path;
+    std::string m_failure;    ///< the first; empty so far
     std::vector<int> m_types; ///< of the entities, in the order of the section D
     std::vector<int> m_forms; ///< the same
     std::set<long long> m_recorded;

@@ -34,9 +34,11 @@
 #include <StepRepr_ItemDefinedTransformation.hxx>
 #include <StepRepr_MappedItem.hxx>
 #include <StepRepr_ProductDefinitionShape.hxx>
+#include <StepRepr_PropertyDefinition.hxx>
 #include <StepRepr_Representation.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepRepr_RepresentationMap.hxx>
+#include <StepRepr_RepresentedDefinition.hxx>
 #include <StepRepr_ShapeRepresentationRelationship.hxx>
 #include <StepShape_BrepWithVoids.hxx>
 #include <StepShape_ClosedShell.hxx>
@@ -54,6 +56,7 @@
 #include <StepShape_OrientedEdge.hxx>
 #include <StepShape_OrientedFace.hxx>
 #include <StepShape_PolyLoop.hxx>
+#include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <StepShape_Vertex.hxx>
 #include <StepShape_VertexPoint.hxx>
 #include <TColStd_HArray1OfReal.hxx>
@@ -132,11 +135,13 @@ bool hasGapInGrid(const Handle(StepGeom_HArray2OfCartesianPoint) & grid)
 std::vector<Rule> rulesForGeometry()
 {
     return {
-        rule<StepGeom_CartesianPoint>([](const auto& e) { return e.NbCoordinates() == 0; }),
         rule<StepGeom_Direction>([](const auto& e) { return e.DirectionRatios().IsNull(); }),
-        rule<StepGeom_Vector>([](const auto& e) { return e.Orientation().IsNull(); }),
         rule<StepGeom_Placement>([](const auto& e) { return e.Location().IsNull(); }),
-        rule<StepGeom_Line>([](const auto& e) { return e.Pnt().IsNull() || e.Dir().IsNull(); }),
+        rule<StepGeom_Line>([](const auto& e) {
+            // The reader looks at the point first, and gets over one without coordinates.
+            return e.Pnt().IsNull() || e.Dir().IsNull() ||
+                   (e.Dir()->Orientation().IsNull() && e.Pnt()->NbCoordinates() > 0);
+        }),
         rule<StepGeom_Conic>([](const auto& e) { return e.Position().IsNull(); }),
         rule<StepGeom_Polyline>([](const auto& e) { return hasGap(e.Points()); }),
         rule<StepGeom_BSplineCurve>([](const auto& e) { return hasGap(e.ControlPointsList()); }),
@@ -151,15 +156,16 @@ std::vector<Rule> rulesForGeometry()
         rule<StepGeom_CompositeCurveSegment>([](const auto& e) { return e.ParentCurve().IsNull(); }),
         rule<StepGeom_SurfaceCurve>([](const auto& e) { return e.Curve3d().IsNull() || isEndless(e.Curve3d()); }),
         rule<StepGeom_Pcurve>([](const auto& e) {
-            return e.BasisSurface().IsNull() || e.ReferenceToCurve().IsNull() ||
-                   hasGap(e.ReferenceToCurve()->Items()) || e.ReferenceToCurve()->NbItems() == 0;
+            return e.ReferenceToCurve().IsNull() || hasGap(e.ReferenceToCurve()->Items()) ||
+                   e.ReferenceToCurve()->NbItems() == 0;
         }),
         rule<StepGeom_ElementarySurface>([](const auto& e) { return e.Position().IsNull(); }),
         rule<StepGeom_BSplineSurface>([](const auto& e) { return hasGapInGrid(e.ControlPointsList()); }),
         rule<StepGeom_SurfaceOfRevolution>(
             [](const auto& e) { return e.SweptCurve().IsNull() || e.AxisPosition().IsNull(); }),
-        rule<StepGeom_SurfaceOfLinearExtrusion>(
-            [](const auto& e) { return e.SweptCurve().IsNull() || e.ExtrusionAxis().IsNull(); }),
+        rule<StepGeom_SurfaceOfLinearExtrusion>([](const auto& e) {
+            return e.SweptCurve().IsNull() || e.ExtrusionAxis().IsNull() || e.ExtrusionAxis()->Orientation().IsNull();
+        }),
         rule<StepGeom_OffsetSurface>([](const auto& e) { return e.BasisSurface().IsNull(); }),
         rule<StepGeom_RectangularTrimmedSurface>([](const auto& e) { return e.BasisSurface().IsNull(); }),
     };
@@ -185,6 +191,9 @@ std::vector<Rule> rulesForTopology()
             [](const auto& e) { return e.MappingOrigin().IsNull() || e.MappedRepresentation().IsNull(); }),
         rule<StepShape_ContextDependentShapeRepresentation>([](const auto& e) {
             return e.RepresentationRelation().IsNull() || e.RepresentedProductRelation().IsNull();
+        }),
+        rule<StepShape_ShapeDefinitionRepresentation>([](const auto& e) {
+            return e.Definition().PropertyDefinition().IsNull() || e.UsedRepresentation().IsNull();
         }),
         rule<StepRepr_ItemDefinedTransformation>(
             [](const auto& e) { return e.TransformItem1().IsNull() || e.TransformItem2().IsNull(); }),
