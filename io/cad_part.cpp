@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -98,6 +99,15 @@ void addSolid(const TopoDS_Shape& body, const ImportOptions& options, Part& part
                                 percentWords(measure.disagreement) + ".");
 }
 
+/// Faces that the modeler found no triangles for, where that leaves the mesh open.
+std::size_t countBareFaces(const Part& part)
+{
+    if (isWatertight(part.mesh))
+        return 0;
+    const std::set<std::uint32_t> covered(part.mesh.faceOfTriangle.begin(), part.mesh.faceOfTriangle.end());
+    return part.faces.size() - covered.size();
+}
+
 /// Whether objects can be filled in: the b-rep is closed, and so is its mesh.
 void judge(Part& part, std::size_t freeEdges)
 {
@@ -171,7 +181,11 @@ Part makePart(const CadBody& body, const std::optional<Color>& defaultColor, con
             addSolid(shape, options, part);
         else
             part.mesh = tessellate(shape, start);
-        if (!part.mesh.empty())
+        const std::size_t bareFaces = countBareFaces(part);
+        if (bareFaces > 0)
+            part.warnings.push_back("has " + std::to_string(bareFaces) + (bareFaces == 1 ? " face" : " faces") +
+                                    " without triangles: not shown, for the file describes what cannot be.");
+        if (!part.mesh.empty() && bareFaces == 0)
             part.box = tightened(part.box, massProperties(part.mesh).box, start.deflection);
         part.openEdges = freeBordersOf(shape);
     }

@@ -1,6 +1,7 @@
 #include "io/iges_check.h"
 
 #include "io/cad_format.h"
+#include "io/iges_entities.h"
 
 #include <algorithm>
 #include <array>
@@ -67,6 +68,7 @@ class IgesCheck {
 public:
     explicit IgesCheck(const std::string& path)
         : m_path(path)
+        , m_entities(path)
     {
     }
 
@@ -82,6 +84,8 @@ public:
         ++m_lines[section];
         if (section == 'G')
             m_global += line.substr(0, sectionColumn);
+        else if (section == 'D')
+            m_entities.takeDirectoryLine(line);
         else if (section == 'P')
             takeParameters(line);
         else if (section == 'T')
@@ -98,6 +102,7 @@ public:
                 stated && m_lines[m_terminate[place]] < *stated)
                 failReading(m_path, "the IGES file lacks lines of its section " + std::string(1, m_terminate[place]) +
                                         "; it is damaged, get it again.");
+        m_entities.finish();
     }
 
 private:
@@ -127,8 +132,12 @@ private:
 
     void endRecord()
     {
-        if (!m_record.empty())
-            checkRecord(splitRecord(m_record));
+        if (!m_record.empty()) {
+            const std::vector<std::string_view> values = splitRecord(m_record);
+            checkRecord(values);
+            if (m_entry)
+                m_entities.takeRecord(*m_entry, values);
+        }
         m_record.clear();
     }
 
@@ -152,8 +161,10 @@ private:
             values.push_back(withoutBlanksAround(record.substr(begin, i - begin)));
             begin = i + 1;
             if (record[i] == m_end)
-                break;
+                return values;
         }
+        if (const std::string_view rest = withoutBlanksAround(record.substr(begin)); !rest.empty())
+            values.push_back(rest); // the record lacks its end
         return values;
     }
 
@@ -184,6 +195,7 @@ private:
     }
 
     const std::string& m_path;
+    IgesEntities m_entities;
     std::map<char, int> m_lines; // per section
     int m_lineNumber = 0;
     std::string m_global;

@@ -6,6 +6,7 @@
 #include "io/mesh_repair.h"
 #include "io/open_borders.h"
 #include "io/part_selection.h"
+#include "io/ply_check.h"
 #include "io/readable_name.h"
 #include "io/size_limits.h"
 
@@ -90,13 +91,29 @@ std::string endingFor(const std::string& path, FormatKind kind)
     return file.peek() == 'g' ? "glb" : "gltf";
 }
 
+/// assimp trusts the numbers of vertices that a file gives.
+bool hasAllVertices(const aiScene& scene)
+{
+    const auto isWhole = [](const aiMesh* mesh) {
+        return std::all_of(mesh->mFaces, mesh->mFaces + mesh->mNumFaces, [&](const aiFace& face) {
+            return face.mNumIndices > 0 && std::all_of(face.mIndices, face.mIndices + face.mNumIndices,
+                                                       [&](unsigned vertex) { return vertex < mesh->mNumVertices; });
+        });
+    };
+    return std::all_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes, isWhole);
+}
+
 const aiScene* load(Assimp::Importer& importer, const std::string& path, FormatKind kind)
 {
     constexpr unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     auto* files = new NamedByContent(path, endingFor(path, kind));
     importer.SetIOHandler(files); // which owns it
-    return importer.ReadFile(files->shownPath(), steps);
+    const aiScene* scene = importer.ReadFile(files->shownPath(), 0);
+    if (scene != nullptr && !hasAllVertices(*scene))
+        failReading(path, "the " + formatName(kind) +
+                              " file has triangles with corners that are not there; it is damaged, get it again.");
+    return scene == nullptr ? nullptr : importer.ApplyPostProcessing(steps);
 }
 
 Color toColor(const aiColor4D& color)
@@ -328,6 +345,8 @@ Model readMesh(const std::string& path, FormatKind kind, const ImportOptions& op
 {
     if (kind == FormatKind::Gltf)
         checkGltf(path);
+    else if (kind == FormatKind::Ply)
+        checkPly(path);
     Assimp::Importer importer;
     importer.SetProgressHandler(new AssimpProgress(control)); // the importer owns it
     const aiScene* scene = load(importer, path, kind);

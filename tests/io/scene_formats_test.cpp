@@ -1,9 +1,9 @@
 #include "io/importer.h"
+#include "support/mesh_containers.h"
 #include "support/zip_file.h"
 
 #include <QtTest>
 
-#include <cstring>
 #include <fstream>
 
 using namespace knead;
@@ -25,22 +25,10 @@ std::string meshXml(int x, int y, int z, const std::string& triangleColors = "")
 
 std::string threeMf(const std::string& unit, const std::string& resources, const std::string& build)
 {
-    return zipOf(
-        {{"[Content_Types].xml",
-          "<?xml version=\"1.0\" encoding=\"UTF-8\"?><Types "
-          "xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\"><Default Extension=\"rels\" "
-          "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/><Default "
-          "Extension=\"model\" ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>"
-          "</Types>"},
-         {"_rels/.rels", "<?xml version=\"1.0\" encoding=\"UTF-8\"?><Relationships "
-                         "xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\"><Relationship "
-                         "Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
-                         "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>"},
-         {"3D/3dmodel.model",
-          "<?xml version=\"1.0\" encoding=\"UTF-8\"?><model unit=\"" + unit +
-              "\" xml:lang=\"en-US\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">"
-              "<resources>" +
-              resources + "</resources><build>" + build + "</build></model>"}});
+    return threeMfOf("<?xml version=\"1.0\" encoding=\"UTF-8\"?><model unit=\"" + unit +
+                     "\" xml:lang=\"en-US\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">"
+                     "<resources>" +
+                     resources + "</resources><build>" + build + "</build></model>");
 }
 
 const char* const oneItem = "<item objectid=\"1\"/>";
@@ -81,16 +69,7 @@ std::string gltf(const std::string& nodes, const std::string& more = "", const s
 /// The same as a GLB: a chunk of JSON and a chunk of numbers.
 std::string glb(const std::string& nodes)
 {
-    std::string json = gltfWith("", nodes, "");
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    const std::string numbers = tetrahedron().toStdString();
-    const auto chunk = [](const std::string& content, std::uint32_t kind) {
-        const std::uint32_t head[] = {static_cast<std::uint32_t>(content.size()), kind};
-        return std::string(reinterpret_cast<const char*>(head), sizeof head) + content;
-    };
-    const std::string chunks = chunk(json, 0x4E4F534A) + chunk(numbers, 0x004E4942);
-    const std::uint32_t head[] = {0x46546C67, 2, static_cast<std::uint32_t>(12 + chunks.size())};
-    return std::string(reinterpret_cast<const char*>(head), sizeof head) + chunks;
+    return glbOf(gltfWith("", nodes, ""), tetrahedron().toStdString());
 }
 
 const char* const plainNode = R"({"name":"corner","mesh":0})";
