@@ -49,10 +49,8 @@ public:
     std::vector<Input> sound() const
     {
         std::vector<Input> result;
-        for (const Sound& file : m_sound) {
-            result.push_back({file.name, packed(file.format, file.content, m_gltfNumbers), {}});
-            result.back().name = packedName(file);
-        }
+        for (const Sound& file : m_sound)
+            result.push_back({packedName(file), packed(file.format, file.content, m_gltfNumbers), {}});
         return result;
     }
 
@@ -97,11 +95,7 @@ private:
             Format::brep, Format::brep, Format::text, Format::text, Format::binary, Format::gltf,
         };
         const Format format = random.chance(4) ? Format::threeMf : random.oneOf(formats);
-        std::vector<const Sound*> candidates;
-        for (const Sound& file : m_sound)
-            if (file.format == format)
-                candidates.push_back(&file);
-        return *random.oneOf(candidates);
+        return fileOf(format, random);
     }
 
     /// One change shows what it does; several get at what one cannot.
@@ -116,9 +110,9 @@ private:
     {
         switch (format) {
         case Format::step:
-            return mutateStep(content, otherContent(format, random), random);
+            return mutateStep(content, fileOf(format, random).content, random);
         case Format::iges:
-            return mutateIges(content, otherContent(format, random), random);
+            return mutateIges(content, fileOf(format, random).content, random);
         case Format::binary:
             return mutateBytes(content, random);
         case Format::gltf:
@@ -130,13 +124,13 @@ private:
         }
     }
 
-    const std::string& otherContent(Format format, Random& random) const
+    const Sound& fileOf(Format format, Random& random) const
     {
         std::vector<const Sound*> candidates;
         for (const Sound& file : m_sound)
             if (file.format == format)
                 candidates.push_back(&file);
-        return random.oneOf(candidates)->content;
+        return *random.oneOf(candidates);
     }
 
     static std::string packed(Format format, const std::string& content, const std::string& numbers)
