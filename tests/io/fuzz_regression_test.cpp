@@ -70,6 +70,7 @@ void FuzzRegressionTest::damageIsNamed_data()
     row("spline_without_degree.igs", "(type 128) states an impossible count");
     row("line_of_six_values.igs", "(type 110) has 6 values where 7 are needed");
     row("mesh_outside_of_edges.brep", "its faces lead far away from their edges");
+    row("directory_counted_wrong.igs", "line 37 of section D of the IGES file has another number");
     row("values_twice.igs", "(type 110) has its values twice");
 }
 

@@ -65,8 +65,9 @@ public:
         std::string bytes = packed(file.format, content, numbers);
         if ((file.format == Format::threeMf || file.format == Format::gltf) && random.chance(25))
             mutateBytes(bytes, random);
+        const bool isInMillimetres = file.format != Format::step || content.find("SI_UNIT(.MILLI.") != content.npos;
         return {"seed-" + std::to_string(seed) + "-number-" + std::to_string(number) + "-" + packedName(file), bytes,
-                optionsFor(random)};
+                optionsFor(isInMillimetres, random)};
     }
 
 private:
@@ -146,10 +147,11 @@ private:
     }
 
     /// Mostly coarse, which is much faster; now and then as people have them.
-    static ImportOptions optionsFor(Random& random)
+    /// But a millimetre of a part of kilometres is not coarse.
+    static ImportOptions optionsFor(bool isInMillimetres, Random& random)
     {
         ImportOptions options;
-        if (!random.chance(10)) {
+        if (!random.chance(10) && isInMillimetres) {
             options.linearDeflection = 1e-3;
             options.angularDeflection = 0.5;
         }
