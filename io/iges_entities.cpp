@@ -12,7 +12,8 @@ namespace knead {
 
 namespace {
 
-constexpr int deepestNesting = 500; // honest files stay under 20; the reader recurses once a level
+constexpr std::size_t numberColumn = 73; // of the number of a line, counted from 0
+constexpr int deepestNesting = 500;      // honest files stay under 20; the reader recurses once a level
 
 /// Types of entities by number, as IGES 5.3 has them.
 namespace type {
@@ -71,15 +72,20 @@ std::optional<long long> integerAt(const std::vector<std::string_view>& values, 
     return number;
 }
 
-/// A number of a directory line, which has nine fields of eight columns; 0 for what is none.
-int fieldOf(std::string_view line, std::size_t field)
+/// 0 for what starts with none.
+int numberIn(std::string_view text)
 {
-    constexpr std::size_t columns = 8;
-    std::string_view text = line.substr(columns * field, columns);
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     int number = 0;
     std::from_chars(text.data(), text.data() + text.size(), number);
     return number;
+}
+
+/// A number of a directory line, which has nine fields of eight columns; 0 for what is none.
+int fieldOf(std::string_view line, std::size_t field)
+{
+    constexpr std::size_t columns = 8;
+    return numberIn(line.substr(columns * field, columns));
 }
 
 /// Whether walking down from any entity comes back to it, or does not end in time.
@@ -119,6 +125,10 @@ void IgesEntities::takeDirectoryLine(std::string_view line)
         m_types.push_back(fieldOf(line, 0));
     else
         m_forms.push_back(fieldOf(line, 4));
+    const std::size_t number = m_types.size() + m_forms.size();
+    if (m_failure.empty() && numberIn(line.substr(std::min(numberColumn, line.size()))) != static_cast<int>(number))
+        m_failure = shortName(m_path) + ": line " + std::to_string(number) +
+                    " of section D of the IGES file has another number; lines are lost, get the file again.";
 }
 
 void IgesEntities::takeRecord(int entity, const std::vector<std::string_view>& values)

@@ -77,7 +77,7 @@ private:
         while (m_file.get(character) && character != '\n' && line.size() < longestLine)
             line += character;
         if (!m_file || line.size() == longestLine)
-            failReading(m_path, "the header of the PLY file has no end; it is cut off or damaged, get it again.");
+            failEndless();
         line.resize(line.find_last_not_of(" \t\r") + 1); // npos + 1 is 0
         return line;
     }
@@ -121,10 +121,15 @@ private:
 
     [[noreturn]] void failDamaged(std::string line) const
     {
+        if (std::any_of(line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7F; }))
+            failEndless();
         line.resize(std::min<std::size_t>(line.size(), 40));
-        std::replace_if(
-            line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7F; }, '?');
         failReading(m_path, "the line \"" + line + "\" in the header of the PLY file is damaged; get it again.");
+    }
+
+    [[noreturn]] void failEndless() const
+    {
+        failReading(m_path, "the header of the PLY file has no end; it is cut off or damaged, get it again.");
     }
 
     [[noreturn]] void failCut() const

@@ -3,6 +3,7 @@
 #include "io/cad_format.h"
 #include "io/number_words.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -16,6 +17,17 @@ constexpr double smallest = 1e-6;         // [m]; ten times the tolerance of the
 constexpr double endless = 1e50;          // [m]; planes without edges reach to 1e97
 constexpr double widestGapShare = 0.05;   // of the size; one hundredth is warned of
 constexpr double leastVolumeShare = 1e-9; // of the cube of the size; a solid with less is flat
+
+/// A curve that leads away from its face takes triangles along, and the b-rep knows nothing of it.
+bool hasTrianglesFarOutside(const Part& part)
+{
+    Box wide = part.box;
+    const double size = part.box.diagonal().norm();
+    wide.min().array() -= size;
+    wide.max().array() += size;
+    return !std::all_of(part.mesh.vertices.begin(), part.mesh.vertices.end(),
+                        [&](const Vec3& vertex) { return wide.contains(vertex); });
+}
 
 /// Gives the parts in a tree new numbers; those without one go.
 void renumber(PartNode& node, const std::vector<std::optional<std::size_t>>& numbers)
@@ -42,6 +54,8 @@ std::optional<std::string> sicknessOf(const Part& part)
                "the length unit";
     if (!isWithinReach(part.box))
         return "it reaches farther than 100 km from the origin; check the length unit and the position";
+    if (hasTrianglesFarOutside(part))
+        return "its faces lead far away from their edges: numbers in it are damaged";
     if (size < smallest)
         return "it is smaller than a micrometre; check the length unit";
     if (part.maxTolerance > widestGapShare * size)

@@ -35,8 +35,10 @@ inline std::string changedNumber(std::string_view word, Random& random)
         return text.starts_with('-') ? text.substr(1) : "-" + text;
     case 1:
         return text + "000";
-    case 2:
-        return text + std::string(1 + random.below(60), static_cast<char>('0' + random.below(10)));
+    case 2: {
+        const char digit = static_cast<char>('0' + random.below(10));
+        return text + std::string(1 + random.below(60), digit);
+    }
     case 3: // one more or less, or another last digit
         return text.substr(0, text.size() - 1) + static_cast<char>('0' + random.below(10));
     case 4:
@@ -116,9 +118,11 @@ inline void mutateBytes(std::string& bytes, Random& random)
     case 1:
         bytes[place] = anyByte();
         break;
-    case 2:
-        bytes.insert(place, 1 + random.below(64), anyByte());
+    case 2: {
+        const char byte = anyByte();
+        bytes.insert(place, 1 + random.below(64), byte);
         break;
+    }
     case 3:
         bytes.erase(block.begin, block.length);
         break;

@@ -49,10 +49,8 @@ public:
     std::vector<Input> sound() const
     {
         std::vector<Input> result;
-        for (const Sound& file : m_sound) {
-            result.push_back({file.name, packed(file.format, file.content, m_gltfNumbers), {}});
-            result.back().name = packedName(file);
-        }
+        for (const Sound& file : m_sound)
+            result.push_back({packedName(file), packed(file.format, file.content, m_gltfNumbers), {}});
         return result;
     }
 
@@ -67,8 +65,9 @@ public:
         std::string bytes = packed(file.format, content, numbers);
         if ((file.format == Format::threeMf || file.format == Format::gltf) && random.chance(25))
             mutateBytes(bytes, random);
+        const bool isInMillimetres = file.format != Format::step || content.find("SI_UNIT(.MILLI.") != content.npos;
         return {"seed-" + std::to_string(seed) + "-number-" + std::to_string(number) + "-" + packedName(file), bytes,
-                optionsFor(random)};
+                optionsFor(isInMillimetres, random)};
     }
 
 private:
@@ -97,11 +96,7 @@ private:
             Format::brep, Format::brep, Format::text, Format::text, Format::binary, Format::gltf,
         };
         const Format format = random.chance(4) ? Format::threeMf : random.oneOf(formats);
-        std::vector<const Sound*> candidates;
-        for (const Sound& file : m_sound)
-            if (file.format == format)
-                candidates.push_back(&file);
-        return *random.oneOf(candidates);
+        return fileOf(format, random);
     }
 
     /// One change shows what it does; several get at what one cannot.
@@ -116,9 +111,9 @@ private:
     {
         switch (format) {
         case Format::step:
-            return mutateStep(content, otherContent(format, random), random);
+            return mutateStep(content, fileOf(format, random).content, random);
         case Format::iges:
-            return mutateIges(content, otherContent(format, random), random);
+            return mutateIges(content, fileOf(format, random).content, random);
         case Format::binary:
             return mutateBytes(content, random);
         case Format::gltf:
@@ -130,13 +125,13 @@ private:
         }
     }
 
-    const std::string& otherContent(Format format, Random& random) const
+    const Sound& fileOf(Format format, Random& random) const
     {
         std::vector<const Sound*> candidates;
         for (const Sound& file : m_sound)
             if (file.format == format)
                 candidates.push_back(&file);
-        return random.oneOf(candidates)->content;
+        return *random.oneOf(candidates);
     }
 
     static std::string packed(Format format, const std::string& content, const std::string& numbers)
@@ -152,10 +147,11 @@ private:
     }
 
     /// Mostly coarse, which is much faster; now and then as people have them.
-    static ImportOptions optionsFor(Random& random)
+    /// But a millimetre of a part of kilometres is not coarse.
+    static ImportOptions optionsFor(bool isInMillimetres, Random& random)
     {
         ImportOptions options;
-        if (!random.chance(10)) {
+        if (!random.chance(10) && isInMillimetres) {
             options.linearDeflection = 1e-3;
             options.angularDeflection = 0.5;
         }

@@ -5,7 +5,8 @@
 
 namespace knead::fuzz {
 
-/// SplitMix64 (Steele, Lea and Flood 2014): the same numbers on every machine, good ones from any seed.
+/// SplitMix64 (Steele, Lea and Flood 2014): the same numbers on every machine, good ones from any seed. Compilers differ in
+/// which argument of a call they evaluate first: let one of them at most ask for a number.
 class Random {
 public:
     explicit Random(std::uint64_t seed)

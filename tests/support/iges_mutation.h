@@ -262,6 +262,8 @@ inline void changeColumns(std::string& text, Random& random)
     if (line.length <= igesSectionColumn)
         return;
     static constexpr std::string_view letters = "SGDPTC x";
+    const std::size_t place = line.begin + random.below(line.length);
+    const std::size_t width = 1 + random.below(20);
     switch (random.below(5)) {
     case 0:
         text[line.begin + igesSectionColumn] = letters[random.below(letters.size())];
@@ -274,10 +276,10 @@ inline void changeColumns(std::string& text, Random& random)
         text.replace(line.begin + igesValueColumns, igesFieldColumns, inField(std::to_string(random.below(200))));
         break;
     case 3:
-        text.erase(line.begin + random.below(line.length), 1 + random.below(20));
+        text.erase(place, width);
         break;
     default:
-        text.insert(line.begin + random.below(line.length), std::string(1 + random.below(20), ' '));
+        text.insert(place, std::string(width, ' '));
     }
 }
 

@@ -358,7 +358,8 @@ inline void mutateStep(std::string& text, const std::string& other, Random& rand
         return;
     }
     if (random.chance(2)) { // the head of one file and the end of another
-        text = text.substr(0, random.below(text.size())) + other.substr(random.below(other.size()));
+        text.resize(random.below(text.size()));
+        text += other.substr(random.below(other.size()));
         return;
     }
     if (random.chance(2)) { // a section twice
