@@ -1,6 +1,5 @@
 #include "ui/main_window.h"
 
-#include "core/model/length_units.h"
 #include "ui/actions.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/home_page.h"
@@ -16,32 +15,18 @@
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
-#include <QMimeData>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QStackedWidget>
-
-#include <algorithm>
 
 namespace knead {
 
 namespace {
 
-constexpr qint64 largeFile = 4'000'000;  // [bytes]; reading takes seconds, so that a person should choose first
 constexpr double standardGravity = 9.81; // [m/s^2]
-constexpr const char* defaultMaterial = "sponge-rubber";
-
-Material startMaterial(const std::vector<MaterialPreset>& presets)
-{
-    const auto found = std::find_if(presets.begin(), presets.end(),
-                                    [](const MaterialPreset& preset) { return preset.id == defaultMaterial; });
-    return found == presets.end() ? Material{} : found->material;
-}
-
 } // namespace
 
 MainWindow::MainWindow(Services services, QWidget* parent)
@@ -177,84 +162,6 @@ bool MainWindow::isBusy()
     return m_tasks.isRunning();
 }
 
-void MainWindow::open(const QStringList& paths)
-{
-    OpenRequest request;
-    request.options.timeLimit = 60 * QSettings().value("import/minutes", 0).toDouble();
-    request.options.memoryLimit = (1U << 30U) * QSettings().value("import/gibibytes", 0).toDouble();
-    qint64 size = 0;
-    for (const QString& path : paths) {
-        request.paths.push_back(QFile::encodeName(path).toStdString());
-        size += QFileInfo(path).size();
-    }
-    if (size >= largeFile)
-        openWithChoices(paths);
-    else
-        open(request);
-}
-
-void MainWindow::openWithChoices(const QStringList& paths)
-{
-    if (paths.empty() || isBusy())
-        return;
-    m_banner->hide();
-    const auto work = [services = m_services, paths](TaskControl& control) {
-        std::vector<FilePreview> previews;
-        for (const QString& path : paths) {
-            const double count = static_cast<double>(paths.size());
-            TaskPortion portion(control, static_cast<double>(previews.size()) / count,
-                                static_cast<double>(previews.size() + 1) / count);
-            previews.push_back(services.preview(QFile::encodeName(path).toStdString(), portion));
-        }
-        return previews;
-    };
-    m_tasks.run<std::vector<FilePreview>>(
-        tr("Looking into %1").arg(QFileInfo(paths.front()).fileName()), work,
-        [this](std::vector<FilePreview> previews) { askForChoices(std::move(previews)); });
-}
-
-void MainWindow::open(const OpenRequest& request)
-{
-    if (request.paths.empty() || isBusy())
-        return;
-    m_banner->hide();
-    const auto work = [services = m_services, request, material = startMaterial(m_services.materials)](
-                          TaskControl& control) { return prepareFiles(services, request, material, control); };
-    const QString name = QFileInfo(QFile::decodeName(request.paths.front().c_str())).fileName();
-    const auto others = static_cast<int>(request.paths.size()) - 1;
-    m_tasks.run<PreparedContent>(others == 0 ? tr("Opening %1").arg(name)
-                                             : tr("Opening %1 and %n more", nullptr, others).arg(name),
-                                 work, [this](PreparedContent prepared) { m_document.open(std::move(prepared)); });
-}
-
-void MainWindow::refill(double spacing)
-{
-    if (m_document.isEmpty() || isBusy())
-        return;
-    m_banner->hide();
-    const auto work = [before = m_document.content(), spacing, now = m_document.frame()->snapshot](
-                          TaskControl& control) { return prepareRefill(before, spacing, *now, control); };
-    m_tasks.run<PreparedContent>(tr("Filling with a spacing of %1").arg(formatQuantity(spacing, Quantity::Length)),
-                                 work, [this](PreparedContent prepared) { m_document.refill(std::move(prepared)); });
-}
-
-void MainWindow::exportTo(const QString& path)
-{
-    if (m_document.isEmpty() || isBusy())
-        return;
-    const QString name = QFileInfo(path).fileName();
-    const auto work = [services = m_services, file = path.toStdString(),
-                       bodies = m_document.deformedBodies()](TaskControl& control) {
-        control.report(0, "writing surfaces");
-        services.exportMeshes(file, bodies);
-        return bodies.size();
-    };
-    m_tasks.run<std::size_t>(tr("Exporting %1").arg(name), work, [this, path](std::size_t bodies) {
-        m_log->add(
-            (bodies == 1 ? tr("Exported 1 body to %1.") : tr("Exported %1 bodies to %2.").arg(bodies)).arg(path));
-    });
-}
-
 void MainWindow::documentChanged(Document::Change what)
 {
     switch (what) {
@@ -299,78 +206,6 @@ void MainWindow::contentChanged()
     for (const std::string& warning : content.warnings)
         m_log->add(QString::fromStdString(warning), LogPanel::Kind::Warning);
     showImport();
-}
-
-/// The report, and what matters most of it in the banner.
-void MainWindow::showImport()
-{
-    const Content& content = m_document.content();
-    const Model& model = *content.model;
-    m_import->show(content);
-    auto* dock = qobject_cast<QDockWidget*>(m_import->parentWidget());
-    if (m_import->hasRemarks())
-        dock->raise();
-    if (model.unitRemark) {
-        const QString unit = QString::fromStdString(model.unitRemark->unit);
-        showProblem(QString::fromStdString(model.unitRemark->sentence), tr("Take as %1").arg(unit),
-                    [this, unit] { takeIn(unit); });
-    } else if (!model.missing.empty()) {
-        showProblem(model.missing.size() == 1
-                        ? QString::fromStdString(model.missing.front())
-                        : tr("%1 parts of the file are missing; the import report says which and why.")
-                              .arg(formatCount(model.missing.size())),
-                    tr("Show report"), [dock] {
-                        dock->show();
-                        dock->raise();
-                    });
-    } else if (content.bodies.empty()) {
-        showProblem(tr("Nothing in this file is closed, so nothing can be filled and simulated; the import report says "
-                       "why. Open edges are drawn in color."),
-                    tr("Show report"), [dock] {
-                        dock->show();
-                        dock->raise();
-                    });
-    }
-}
-
-/// The same model, changed and filled by another request.
-void MainWindow::openAgain(const QString& title, std::function<Model(const Model&)> change, const OpenRequest& request)
-{
-    if (m_document.isEmpty() || isBusy())
-        return;
-    m_banner->hide();
-    const auto work = [model = m_document.content().model, change = std::move(change), request,
-                       material = startMaterial(m_services.materials)](TaskControl& control) {
-        return prepareModel(std::make_shared<const Model>(change(*model)), request, material, control);
-    };
-    m_tasks.run<PreparedContent>(title, work,
-                                 [this](PreparedContent prepared) { m_document.open(std::move(prepared)); });
-}
-
-void MainWindow::takeIn(const QString& unit)
-{
-    OpenRequest request = m_document.content().request;
-    request.options.unit = unit.toStdString();
-    request.spacing.reset(); // it was chosen for another size
-    openAgain(
-        tr("Taking lengths in %1").arg(unit),
-        [name = request.options.unit](const Model& model) { return takenIn(model, name); }, request);
-}
-
-void MainWindow::fillOpenParts()
-{
-    OpenRequest request = m_document.content().request;
-    request.fillsOpenParts = true;
-    request.options.heal = true;
-    request.options.capsFlatOpenings = true;
-    open(request);
-}
-
-void MainWindow::takeHealed(bool heal)
-{
-    OpenRequest request = m_document.content().request;
-    request.options.heal = heal;
-    open(request);
 }
 
 /// The switches say what the simulation has.
@@ -463,22 +298,6 @@ void MainWindow::cancel()
         m_actions->fixFaces->setChecked(false);
     else
         m_document.select({});
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event)
-{
-    const QList<QUrl> urls = event->mimeData()->urls();
-    if (!urls.empty() && std::all_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); }))
-        event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event)
-{
-    event->acceptProposedAction();
-    QStringList paths;
-    for (const QUrl& url : event->mimeData()->urls())
-        paths << url.toLocalFile();
-    open(paths);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
