@@ -13,6 +13,12 @@ constexpr double usedShare = 0.5;
 
 } // namespace
 
+bool Contacts::mayBeInContact(const ContactObject& a, const ContactObject& b) const
+{
+    const bool bothGlue = m_bodies[a.ref.body].kind == BodyKind::glue && m_bodies[b.ref.body].kind == BodyKind::glue;
+    return !bothGlue && (a.ref.body != b.ref.body || !areNeighbors(a, b));
+}
+
 std::vector<Contacts::ContactPair> Contacts::findPairs(double margin)
 {
     std::vector<VicinitySphere> spheres;
@@ -30,16 +36,17 @@ std::vector<Contacts::ContactPair> Contacts::findPairs(double margin)
         }
         spheres.push_back(sphere);
     }
-    m_vicinity->build(spheres, margin);
+    std::vector<VicinityPair> objects;
+    for (const PairBlock& block : m_vicinity->findPairs(spheres, margin).blocks())
+        for (const VicinityPair& found : block.pairs())
+            if (mayBeInContact(m_objects[indices[found.first]], m_objects[indices[found.second]]))
+                objects.push_back({indices[found.first], indices[found.second]});
+    sortPairs(objects, m_objects.size());
     std::vector<ContactPair> pairs;
-    for (const VicinityPair& found : m_vicinity->pairs()) {
-        const VicinityPair pair{indices[found.first], indices[found.second]};
+    pairs.reserve(objects.size());
+    for (const VicinityPair& pair : objects) {
         const ContactObject& first = m_objects[pair.first];
         const ContactObject& second = m_objects[pair.second];
-        const bool bothGlue =
-            m_bodies[first.ref.body].kind == BodyKind::glue && m_bodies[second.ref.body].kind == BodyKind::glue;
-        if (bothGlue || (first.ref.body == second.ref.body && areNeighbors(first, second)))
-            continue;
         pairs.push_back(
             {.objects = pair, .nominalLength = first.radius + second.radius, .parameters = between(first, second)});
         noteJoint(pairs.back());

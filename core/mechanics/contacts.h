@@ -142,6 +142,7 @@ private:
     double travelTowardsOthers() const;
     std::vector<ContactPair> findPairs(double margin);
     bool areNeighbors(const ContactObject& a, const ContactObject& b) const;
+    bool mayBeInContact(const ContactObject& a, const ContactObject& b) const; ///< glue with glue and neighbors never are
     void keepDistances();
     double lengthOf(const ContactPair& pair) const;
     ContactParameters between(const ContactObject& a, const ContactObject& b) const;

@@ -2,21 +2,17 @@
 
 namespace knead {
 
-void BruteForce::build(std::span<const VicinitySphere> spheres, double margin)
-{
-    m_spheres.assign(spheres.begin(), spheres.end());
-    m_margin = margin;
-    m_statistics = {};
-}
-
-const std::vector<VicinityPair>& BruteForce::pairs()
+const PairBlocks& BruteForce::findPairs(std::span<const VicinitySphere> spheres, double margin)
 {
     m_pairs.clear();
-    for (std::uint32_t i = 0; i < m_spheres.size(); ++i)
-        for (std::uint32_t j = i + 1; j < m_spheres.size(); ++j)
-            if (closerThan(m_spheres[i], m_spheres[j], m_margin))
-                m_pairs.push_back({i, j});
-    const std::uint64_t count = m_spheres.size();
+    PairBlock& found = m_pairs[m_pairs.append(1)];
+    for (std::uint32_t i = 0; i < spheres.size(); ++i)
+        for (std::uint32_t j = i + 1; j < spheres.size(); ++j)
+            if (closerThan(spheres[i], spheres[j], margin)) {
+                *found.room(1) = {i, j};
+                found.wrote(1);
+            }
+    const std::uint64_t count = spheres.size();
     m_statistics.sphereTests = count < 2 ? 0 : count * (count - 1) / 2;
     return m_pairs;
 }

@@ -12,6 +12,7 @@ struct CellEntry {
 };
 
 /// Sorts entries by key; those of a cell stay in order. O(n) per eleven bits of the largest key.
-void sortByCell(std::vector<CellEntry>& entries, std::uint64_t largestKey);
+/// @param scratch memory to work in
+void sortByCell(std::vector<CellEntry>& entries, std::uint64_t largestKey, std::vector<CellEntry>& scratch);
 
 } // namespace knead

@@ -100,10 +100,8 @@ void PartitionTree::plant(Tree& tree, std::uint32_t begin, std::uint32_t end)
     }
 }
 
-void PartitionTree::build(std::span<const VicinitySphere> spheres, double margin)
+void PartitionTree::build()
 {
-    m_spheres.assign(spheres.begin(), spheres.end());
-    m_margin = margin;
     m_trees.resize(m_subsets);
     const std::size_t count = m_spheres.size();
     forEachBlock(m_subsets, 1, [&](std::size_t subset, std::size_t) {
@@ -117,7 +115,7 @@ void PartitionTree::build(std::span<const VicinitySphere> spheres, double margin
     }
 }
 
-std::uint64_t PartitionTree::examine(const Tree& tree, std::uint32_t sphere, std::vector<VicinityPair>& found) const
+std::uint64_t PartitionTree::examine(const Tree& tree, std::uint32_t sphere, PairBlock& found) const
 {
     if (tree.pool.empty())
         return 0;
@@ -133,8 +131,10 @@ std::uint64_t PartitionTree::examine(const Tree& tree, std::uint32_t sphere, std
             if (other <= sphere) // examined the other way round
                 continue;
             ++tests;
-            if (closerThan(self, m_spheres[other], m_margin))
-                found.push_back({sphere, other});
+            if (closerThan(self, m_spheres[other], m_margin)) {
+                *found.room(1) = {sphere, other};
+                found.wrote(1);
+            }
         }
         if (node.low != none && self.center[node.axis] - reach <= node.plane)
             path[waiting++] = node.low;
@@ -144,23 +144,22 @@ std::uint64_t PartitionTree::examine(const Tree& tree, std::uint32_t sphere, std
     return tests;
 }
 
-const std::vector<VicinityPair>& PartitionTree::pairs()
+const PairBlocks& PartitionTree::findPairs(std::span<const VicinitySphere> spheres, double margin)
 {
-    std::vector<std::vector<VicinityPair>> found(m_subsets);
+    m_spheres = spheres;
+    m_margin = margin;
+    build();
+    m_pairs.clear();
+    m_pairs.append(m_subsets);
     std::vector<std::uint64_t> tests(m_subsets, 0);
-    const std::size_t count = m_spheres.size();
+    const std::size_t count = spheres.size();
     forEachBlock(m_subsets, 1, [&](std::size_t subset, std::size_t) {
         for (std::size_t s = subset * count / m_subsets; s < (subset + 1) * count / m_subsets; ++s)
             for (std::size_t t = subset; t < m_subsets; ++t)
-                tests[subset] += examine(m_trees[t], static_cast<std::uint32_t>(s), found[subset]);
+                tests[subset] += examine(m_trees[t], static_cast<std::uint32_t>(s), m_pairs[subset]);
     });
-    m_pairs.clear();
-    m_statistics.sphereTests = 0;
-    for (std::size_t subset = 0; subset < m_subsets; ++subset) {
-        m_pairs.insert(m_pairs.end(), found[subset].begin(), found[subset].end());
-        m_statistics.sphereTests += tests[subset];
-    }
-    std::sort(m_pairs.begin(), m_pairs.end());
+    m_statistics.sphereTests = std::accumulate(tests.begin(), tests.end(), std::uint64_t{0});
+    m_spheres = {};
     return m_pairs;
 }
 

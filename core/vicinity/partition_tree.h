@@ -24,8 +24,7 @@ public:
     /// @param subsets n of the parallel scheme, >= 1
     explicit PartitionTree(Plane plane, std::size_t subsets = 1);
 
-    void build(std::span<const VicinitySphere> spheres, double margin) override;
-    const std::vector<VicinityPair>& pairs() override;
+    const PairBlocks& findPairs(std::span<const VicinitySphere> spheres, double margin) override;
 
 private:
     struct Node {
@@ -54,14 +53,15 @@ private:
         Box space;
     };
 
+    void build();
     void plant(Tree& tree, std::uint32_t begin, std::uint32_t end);
     void split(Tree& tree, const Work& work, std::vector<Work>& todo);
     double planeOf(Tree& tree, const Work& work, int axis) const;
-    std::uint64_t examine(const Tree& tree, std::uint32_t sphere, std::vector<VicinityPair>& found) const;
+    std::uint64_t examine(const Tree& tree, std::uint32_t sphere, PairBlock& found) const;
 
     Plane m_plane;
     std::size_t m_subsets;
-    std::vector<VicinitySphere> m_spheres;
+    std::span<const VicinitySphere> m_spheres; ///< during a call of findPairs()
     std::vector<Tree> m_trees;
     double m_margin = 0;
 };

@@ -23,9 +23,6 @@ struct Spheres {
 };
 inline constexpr std::size_t padding = 16;
 
-/// As many numbers as sortBehind() takes.
-inline constexpr std::size_t few = 16;
-
 /// Spheres begin .. end.
 struct Stretch {
     std::uint32_t begin;
@@ -35,14 +32,13 @@ struct Stretch {
 /// The sphere whose partners are looked for.
 struct Query {
     float x, y, z, reach;
-    std::int32_t group, u, v, w;
-    std::int32_t after; ///< only spheres with a higher index count
+    std::int32_t group, u, v, w, index;
 };
 
-/// Where partners are written to, by index; there must be room for all spheres of the stretches and `padding` more.
+/// Where partners are written to; there must be room for all spheres of the stretches and `padding` more.
 struct Partners {
-    std::int32_t* certain;
-    std::size_t certainCount;
+    std::uint32_t* pairs; ///< of the sphere and a partner, by index: lower, higher, lower, higher ...
+    std::size_t pairCount;
     std::int32_t* doubtful; ///< may be partners; their distance does not tell in single precision
     std::size_t doubtfulCount;
 };
@@ -52,8 +48,6 @@ struct Kernels {
     /// @param doubt by how much distances and reaches may be wrong
     void (*findPartners)(const Spheres& spheres, const Query& query, const Stretch* stretches, std::size_t count,
                          float doubt, Partners& partners);
-    /// Writes up to `few` different numbers, each behind `first`, in ascending order: first, least, first, next ...
-    void (*sortBehind)(std::uint32_t first, const std::int32_t* numbers, std::size_t count, std::uint32_t* pairs);
 
     const char* name; ///< "x86-64", "AVX2", "AVX-512"
 };

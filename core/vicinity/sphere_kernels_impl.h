@@ -12,12 +12,31 @@ namespace {
 /// Appends the values in the lanes of a mask.
 inline void append(Mask chosen, const std::int32_t* values, std::int32_t* list, std::size_t& count)
 {
-#ifdef __AVX512F__
-    _mm512_storeu_si512(list + count, _mm512_maskz_compress_epi32(static_cast<__mmask16>(chosen), loadInts(values)));
-    count += static_cast<std::size_t>(__builtin_popcount(chosen));
-#else
     for (; chosen != 0; chosen &= chosen - 1)
         list[count++] = values[__builtin_ctz(chosen)];
+}
+
+/// Appends pairs of a sphere with those in the lanes of a mask, the lower index first.
+inline void appendPairs(Mask chosen, std::int32_t sphere, const std::int32_t* others, std::uint32_t* pairs,
+                        std::size_t& count)
+{
+#ifdef __AVX512F__
+    const Ints other = _mm512_maskz_compress_epi32(static_cast<__mmask16>(chosen), loadInts(others));
+    const Ints lower = _mm512_maskz_min_epi32(0xffff, other, allInts(sphere));
+    const Ints upper = _mm512_maskz_max_epi32(0xffff, other, allInts(sphere));
+    const Ints zip = _mm512_set_epi32(23, 7, 22, 6, 21, 5, 20, 4, 19, 3, 18, 2, 17, 1, 16, 0);
+    const auto chosenCount = static_cast<std::size_t>(__builtin_popcount(chosen));
+    _mm512_storeu_si512(pairs + 2 * count, _mm512_permutex2var_epi32(lower, zip, upper));
+    if (chosenCount > 8)
+        _mm512_storeu_si512(pairs + 2 * count + 16,
+                            _mm512_permutex2var_epi32(lower, _mm512_add_epi32(zip, allInts(8)), upper));
+    count += chosenCount;
+#else
+    for (; chosen != 0; chosen &= chosen - 1, ++count) {
+        const std::int32_t other = others[__builtin_ctz(chosen)];
+        pairs[2 * count] = static_cast<std::uint32_t>(other < sphere ? other : sphere);
+        pairs[2 * count + 1] = static_cast<std::uint32_t>(other < sphere ? sphere : other);
+    }
 #endif
 }
 
@@ -37,100 +56,39 @@ void findPartners(const Spheres& spheres, const Query& query, const Stretch* str
     const Floats reach = all(query.reach);
     const Floats more = all(doubt);
     const Floats none = all(0);
-    const Ints after = allInts(query.after);
     const Ints group = allInts(query.group);
+    const Spheres there = spheres; // copies, which what is written cannot change
+    Partners found = partners;
     for (std::size_t s = 0; s < count; ++s)
         for (std::uint32_t j = stretches[s].begin; j < stretches[s].end; j += lanes) {
             const std::uint32_t left = stretches[s].end - j;
-            const Mask there = left >= lanes ? allLanes : (Mask{1} << left) - 1;
-            const Floats dx = minus(load(spheres.x + j), x);
-            const Floats dy = minus(load(spheres.y + j), y);
-            const Floats dz = minus(load(spheres.z + j), z);
+            const Mask filled = left >= lanes ? allLanes : (Mask{1} << left) - 1;
+            const Floats dx = minus(load(there.x + j), x);
+            const Floats dy = minus(load(there.y + j), y);
+            const Floats dz = minus(load(there.z + j), z);
             const Floats squared = plus(times(dx, dx), plus(times(dy, dy), times(dz, dz)));
-            const Floats sum = plus(load(spheres.reach + j), reach);
+            const Floats sum = plus(load(there.reach + j), reach);
             const Floats far = plus(sum, more);
-            Mask possible =
-                there & isNotGreaterOrEqual(squared, times(far, far)) & isGreater(loadInts(spheres.index + j), after);
+            Mask possible = filled & isNotGreaterOrEqual(squared, times(far, far));
             if (possible == 0)
                 continue;
-            const Mask same = possible & isEqual(loadInts(spheres.group + j), group);
+            const Mask same = possible & isEqual(loadInts(there.group + j), group);
             if (same != 0)
-                possible &= ~(same & within2(loadInts(spheres.u + j), allInts(query.u)) &
-                              within2(loadInts(spheres.v + j), allInts(query.v)) &
-                              within2(loadInts(spheres.w + j), allInts(query.w)));
+                possible &= ~(same & within2(loadInts(there.u + j), allInts(query.u)) &
+                              within2(loadInts(there.v + j), allInts(query.v)) &
+                              within2(loadInts(there.w + j), allInts(query.w)));
             const Floats near = larger(minus(sum, more), none);
             const Mask certain = possible & isLess(squared, times(near, near));
-            append(certain, spheres.index + j, partners.certain, partners.certainCount);
+            appendPairs(certain, query.index, there.index + j, found.pairs, found.pairCount);
             if (certain != possible)
-                append(possible & ~certain, spheres.index + j, partners.doubtful, partners.doubtfulCount);
+                append(possible & ~certain, there.index + j, found.doubtful, found.doubtfulCount);
         }
+    partners = found;
 }
-
-#ifdef __AVX512F__
-
-/// One layer of a sorting network: lanes whose bits meet `step` are compared, and the lanes in `upper` keep the larger.
-template <int step>
-inline Ints exchange(Ints numbers, __mmask16 upper)
-{
-    const Ints lane = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
-    const Ints other = _mm512_maskz_permutexvar_epi32(0xffff, _mm512_xor_si512(lane, allInts(step)), numbers);
-    const Ints smaller = _mm512_maskz_min_epi32(0xffff, numbers, other);
-    return _mm512_mask_max_epi32(smaller, upper, numbers, other);
-}
-
-/// Batcher's bitonic network in one register.
-void sortBehind(std::uint32_t first, const std::int32_t* numbers, std::size_t count, std::uint32_t* pairs)
-{
-    const auto there = static_cast<__mmask16>((1U << count) - 1);
-    Ints n = _mm512_mask_loadu_epi32(allInts(0x7fffffff), there, numbers);
-    n = exchange<1>(n, 0x6666);
-    n = exchange<2>(n, 0x3c3c);
-    n = exchange<1>(n, 0x5a5a);
-    n = exchange<4>(n, 0x0ff0);
-    n = exchange<2>(n, 0x33cc);
-    n = exchange<1>(n, 0x55aa);
-    n = exchange<8>(n, 0xff00);
-    n = exchange<4>(n, 0xf0f0);
-    n = exchange<2>(n, 0xcccc);
-    n = exchange<1>(n, 0xaaaa);
-    const Ints low = _mm512_set_epi32(7, 7, 6, 6, 5, 5, 4, 4, 3, 3, 2, 2, 1, 1, 0, 0);
-    const Ints both = allInts(static_cast<std::int32_t>(first));
-    const std::uint32_t places = count < 16 ? (1U << 2 * count) - 1 : 0xffffffffU;
-    _mm512_mask_storeu_epi32(pairs, static_cast<__mmask16>(places),
-                             _mm512_mask_permutexvar_epi32(both, 0xaaaa, low, n));
-    if (count > 8)
-        _mm512_mask_storeu_epi32(pairs + 16, static_cast<__mmask16>(places >> 16),
-                                 _mm512_mask_permutexvar_epi32(both, 0xaaaa, minus(low, allInts(-8)), n));
-}
-
-#else
-
-/// Each number goes to the place that is the count of lesser ones: no branch depends on the numbers, which would be guessed
-/// wrong as often as not.
-void sortBehind(std::uint32_t first, const std::int32_t* numbers, std::size_t count, std::uint32_t* pairs)
-{
-    std::int32_t every[few];
-    std::int32_t lesser[few];
-    for (std::size_t k = 0; k < few; ++k) {
-        every[k] = k < count ? numbers[k] : 0;
-        lesser[k] = 0;
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::int32_t number = numbers[i];
-        for (std::size_t k = 0; k < few; ++k)
-            lesser[k] += number < every[k] ? 1 : 0;
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-        pairs[2 * lesser[k]] = first;
-        pairs[2 * lesser[k] + 1] = static_cast<std::uint32_t>(every[k]);
-    }
-}
-
-#endif
 
 } // namespace
 
 extern const Kernels set;
-const Kernels set{findPartners, sortBehind, KNEAD_KERNEL_NAME};
+const Kernels set{findPartners, KNEAD_KERNEL_NAME};
 
 } // namespace knead::sphere_kernels::KNEAD_KERNEL_SET

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <numeric>
 
 namespace knead {
 
@@ -19,6 +19,7 @@ constexpr double farthestCell = (1 << 21) - 3;
 constexpr double roundingSlack = 1 + 1e-8;
 
 constexpr std::size_t blockSize = 2048; // of spheres
+constexpr std::size_t cellBlock = 1024; // of cells
 
 /// Which octave of radius a sphere belongs to; points have one of their own.
 int octaveOf(double radius)
@@ -48,7 +49,6 @@ sphere_kernels::Spheres UniformGrid::SphereArrays::view() const
             number[1].data(), number[2].data(), number[3].data(), number[4].data()};
 }
 
-/// For partners with a higher index.
 sphere_kernels::Query UniformGrid::SphereArrays::query(std::size_t i) const
 {
     return {.x = place[0][i],
@@ -59,7 +59,7 @@ sphere_kernels::Query UniformGrid::SphereArrays::query(std::size_t i) const
             .u = number[1][i],
             .v = number[2][i],
             .w = number[3][i],
-            .after = number[4][i]};
+            .index = number[4][i]};
 }
 
 std::uint64_t UniformGrid::Level::keyOf(const Vec3& place) const
@@ -69,39 +69,42 @@ std::uint64_t UniformGrid::Level::keyOf(const Vec3& place) const
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double cell = cells[static_cast<Eigen::Index>(axis)];
         const double inside = cell > 0 ? std::min(cell, lastCell[axis]) : 0;
-        key += (1 + static_cast<std::uint64_t>(inside)) * step[axis];
+        // By way of a signed number, which machines convert at once.
+        key += static_cast<std::uint64_t>(1 + static_cast<std::int64_t>(inside)) * step[axis];
     }
     return key;
 }
 
-/// Nine rows of three cells. Keys ascend, so that the places where the rows begin and end only move forward.
+/// Nine rows of three cells. Keys of cells ascend, so that the
+/// places where rows begin and end only move forward.
 class UniformGrid::Surroundings {
 public:
-    Surroundings(const Level& level, std::uint64_t key)
+    /// @param onlyBehind leaves out cells with lower keys than the one in the middle, which is then first of the stretches
+    Surroundings(const Level& level, std::uint64_t key, bool onlyBehind)
         : m_level(level)
+        , m_firstRow(onlyBehind ? 4 : 0)
     {
-        for (std::size_t row = 0; row < 9; ++row) {
+        for (std::size_t row = m_firstRow; row < 9; ++row) {
             m_offset[row] = (row % 3) * level.step[1] + (row / 3) * level.step[2];
+            if (row > 4 || !onlyBehind)
+                m_offset[row] -= level.step[0];
+            m_cells[row] = row == 4 && onlyBehind ? 2 : 3;
             const auto first = std::lower_bound(level.cellKey.begin(), level.cellKey.end(), firstOf(row, key));
             m_begin[row] = m_end[row] = static_cast<std::size_t>(first - level.cellKey.begin());
         }
-        moveTo(key);
     }
 
     void moveTo(std::uint64_t key)
     {
-        if (key == m_key)
-            return;
-        m_key = key;
         m_count = 0;
         m_spheres = 0;
         const std::vector<std::uint64_t>& keys = m_level.cellKey;
-        for (std::size_t row = 0; row < 9; ++row) {
+        for (std::size_t row = m_firstRow; row < 9; ++row) {
             const std::uint64_t first = firstOf(row, key);
             while (m_begin[row] < keys.size() && keys[m_begin[row]] < first)
                 ++m_begin[row];
             m_end[row] = std::max(m_end[row], m_begin[row]);
-            while (m_end[row] < keys.size() && keys[m_end[row]] <= first + 2)
+            while (m_end[row] < keys.size() && keys[m_end[row]] < first + m_cells[row])
                 ++m_end[row];
             if (m_begin[row] == m_end[row])
                 continue;
@@ -111,6 +114,13 @@ public:
         }
     }
 
+    /// Leaves out the first sphere that is left of the first stretch.
+    void dropFirst()
+    {
+        ++m_stretches[0].begin;
+        --m_spheres;
+    }
+
     std::span<const sphere_kernels::Stretch> stretches() const { return {m_stretches.data(), m_count}; }
     std::size_t spheres() const { return m_spheres; }
 
@@ -118,17 +128,62 @@ private:
     /// Key of the first cell of a row.
     std::uint64_t firstOf(std::size_t row, std::uint64_t key) const
     {
-        return key + m_offset[row] - m_level.step[0] - m_level.step[1] - m_level.step[2];
+        return key + m_offset[row] - m_level.step[1] - m_level.step[2];
     }
 
     const Level& m_level;
-    std::uint64_t m_key = std::numeric_limits<std::uint64_t>::max();
+    std::size_t m_firstRow;
     std::array<std::uint64_t, 9> m_offset{};
-    std::array<std::size_t, 9> m_begin{}; // of cells
+    std::array<std::uint64_t, 9> m_cells{}; // per row
+    std::array<std::size_t, 9> m_begin{};   // of cells
     std::array<std::size_t, 9> m_end{};
     std::array<sphere_kernels::Stretch, 9> m_stretches{};
     std::size_t m_count = 0;
     std::size_t m_spheres = 0;
+};
+
+/// Finds the partners of one sphere after the other among those of a level.
+class UniformGrid::Search {
+public:
+    Search(const UniformGrid& grid, const Level& level, PairBlock& found)
+        : m_grid(grid)
+        , m_level(level)
+        , m_spheres(level.spheres.view())
+        , m_found(found)
+    {
+    }
+
+    void examine(const sphere_kernels::Query& query, const Surroundings& around)
+    {
+        const std::size_t most = around.spheres() + sphere_kernels::padding;
+        if (m_doubtful.size() < most)
+            m_doubtful.resize(2 * most);
+        m_tests += around.spheres();
+        static_assert(sizeof(VicinityPair) == 2 * sizeof(std::uint32_t));
+        VicinityPair* const pairs = m_found.room(most);
+        sphere_kernels::Partners partners{&pairs->first, 0, m_doubtful.data(), 0};
+        const auto stretches = around.stretches();
+        m_grid.m_kernels.findPartners(m_spheres, query, stretches.data(), stretches.size(),
+                                      static_cast<float>(m_level.doubt), partners);
+        const auto index = static_cast<std::uint32_t>(query.index);
+        for (const std::int32_t doubtful : std::span(m_doubtful).first(partners.doubtfulCount)) {
+            const auto other = static_cast<std::uint32_t>(doubtful);
+            if (closerThan(m_grid.m_spheres[index], m_grid.m_spheres[other], m_grid.m_margin))
+                pairs[partners.pairCount++] = {std::min(index, other), std::max(index, other)};
+        }
+        m_found.wrote(partners.pairCount);
+    }
+
+    /// Distances computed.
+    std::uint64_t tests() const { return m_tests; }
+
+private:
+    const UniformGrid& m_grid;
+    const Level& m_level;
+    sphere_kernels::Spheres m_spheres;
+    PairBlock& m_found;
+    std::vector<std::int32_t> m_doubtful;
+    std::uint64_t m_tests = 0;
 };
 
 UniformGrid::UniformGrid(const sphere_kernels::Kernels& kernels)
@@ -136,50 +191,38 @@ UniformGrid::UniformGrid(const sphere_kernels::Kernels& kernels)
 {
 }
 
-void UniformGrid::build(std::span<const VicinitySphere> spheres, double margin)
-{
-    m_spheres.assign(spheres.begin(), spheres.end());
-    m_margin = margin;
-    m_statistics = {};
-    sortByRadius();
-    for (Level& level : m_levels) {
-        layOut(level);
-        sortIn(level);
-    }
-}
-
 /// Gives each sphere to the level of its radius. Levels keep their memory.
 void UniformGrid::sortByRadius()
 {
-    std::map<int, Level*> levels; // by octave
-    for (const VicinitySphere& sphere : m_spheres)
-        if (levels.empty() || octaveOf(sphere.radius) != levels.begin()->first)
-            levels.emplace(octaveOf(sphere.radius), nullptr);
-    m_levels.resize(levels.size());
-    auto place = m_levels.begin();
-    for (auto& [octave, level] : levels) {
-        level = &*place++;
-        level->members.clear();
+    for (auto& [octave, level] : m_levels) {
+        level.members.clear();
+        level.largestRadius = 0;
+        level.box.setEmpty();
     }
-    for (std::uint32_t i = 0; i < m_spheres.size(); ++i)
-        (levels.size() == 1 ? levels.begin()->second : levels[octaveOf(m_spheres[i].radius)])->members.push_back(i);
+    Level* level = nullptr;
+    double radius = 0;
+    for (std::uint32_t i = 0; i < m_spheres.size(); ++i) {
+        const VicinitySphere& sphere = m_spheres[i];
+        if (level == nullptr || sphere.radius != radius) {
+            radius = sphere.radius;
+            level = &m_levels[octaveOf(radius)];
+            level->largestRadius = std::max(level->largestRadius, radius);
+        }
+        level->members.push_back(i);
+        level->box.extend(sphere.center);
+    }
+    std::erase_if(m_levels, [](const auto& entry) { return entry.second.members.empty(); });
 }
 
 /// The place and size of a level's cells.
 void UniformGrid::layOut(Level& level) const
 {
-    Box box;
-    level.largestRadius = 0;
-    for (const std::uint32_t s : level.members) {
-        level.largestRadius = std::max(level.largestRadius, m_spheres[s].radius);
-        box.extend(m_spheres[s].center);
-    }
-    level.origin = box.min();
+    level.origin = level.box.min();
     // Cells no finer than the key can number; points without a margin would have none at all.
-    const double finest = box.sizes().maxCoeff() / farthestCell;
+    const double finest = level.box.sizes().maxCoeff() / farthestCell;
     level.cellsPerMetre = 1 / std::max({roundingSlack * (2 * level.largestRadius + m_margin),
                                         std::isfinite(finest) ? finest : 0.0, std::numeric_limits<double>::min()});
-    const Vec3 sides = level.inCells(box.max());
+    const Vec3 sides = level.inCells(level.box.max());
     for (std::size_t axis = 0; axis < 3; ++axis) {
         level.lastCell[axis] = std::min(std::floor(sides[static_cast<Eigen::Index>(axis)]), farthestCell);
         if (axis < 2) // one more cell on either side
@@ -189,7 +232,7 @@ void UniformGrid::layOut(Level& level) const
     level.doubt = 1e-6 + 4 * std::ldexp(sides.maxCoeff(), -24);
 }
 
-void UniformGrid::sortIn(Level& level) const
+void UniformGrid::sortIn(Level& level)
 {
     const std::vector<std::uint32_t>& members = level.members;
     level.entries.resize(members.size());
@@ -197,7 +240,7 @@ void UniformGrid::sortIn(Level& level) const
         for (std::size_t i = begin; i < end; ++i)
             level.entries[i] = {level.keyOf(m_spheres[members[i]].center), members[i]};
     });
-    sortByCell(level.entries, level.largestKey());
+    sortByCell(level.entries, level.largestKey(), m_scratch);
     level.cellKey.clear();
     level.cellBegin.clear();
     for (std::size_t i = 0; i < level.entries.size(); ++i)
@@ -218,7 +261,7 @@ void UniformGrid::sortIn(Level& level) const
             level.spheres.number[1][i] = sphere.u;
             level.spheres.number[2][i] = sphere.v;
             level.spheres.number[3][i] = sphere.w;
-            level.spheres.number[4][i] = static_cast<std::int32_t>(level.entries[i].sphere);
+            level.spheres.number[4][i] = sphere.index;
         }
     });
 }
@@ -235,72 +278,81 @@ sphere_kernels::Query UniformGrid::queryOf(const Level& level, std::uint32_t ind
             .u = sphere.node[0],
             .v = sphere.node[1],
             .w = sphere.node[2],
-            .after = -1};
+            .index = static_cast<std::int32_t>(index)};
 }
 
-/// Finds who is close to the spheres of a level: each sphere of a block among its own cell and those around it.
-/// @param ofThisLevel the queries are the level's own spheres, and each pair is found from its lower one
-void UniformGrid::findPartners(const Level& level, std::span<const CellEntry> queries, bool ofThisLevel,
-                               PairList& found) const
+/// Pairs of a level's own spheres: those of cells begin .. end, each with those behind it.
+/// @return the number of distances computed
+std::uint64_t UniformGrid::findPartners(const Level& level, std::size_t begin, std::size_t end, PairBlock& found) const
 {
-    std::vector<std::int32_t> doubtful;
-    const sphere_kernels::Spheres spheres = level.spheres.view();
-    const auto doubt = static_cast<float>(level.doubt);
-    Surroundings around(level, queries.front().key);
-    for (const CellEntry& entry : queries) {
-        around.moveTo(entry.key);
-        if (around.spheres() == 0)
-            continue;
-        found.sphereTests += around.spheres();
-        const std::size_t most = around.spheres() + sphere_kernels::padding;
-        if (doubtful.size() < most)
-            doubtful.resize(most);
-        const sphere_kernels::Query query =
-            ofThisLevel ? level.spheres.query(static_cast<std::size_t>(&entry - level.entries.data()))
-                        : queryOf(level, entry.sphere);
-        sphere_kernels::Partners partners{found.room(2 * most), 0, doubtful.data(), 0};
-        m_kernels.findPartners(spheres, query, around.stretches().data(), around.stretches().size(), doubt, partners);
-        for (std::size_t i = 0; i < partners.doubtfulCount; ++i)
-            if (closerThan(m_spheres[entry.sphere], m_spheres[static_cast<std::size_t>(doubtful[i])], m_margin))
-                partners.certain[partners.certainCount++] = doubtful[i];
-        if (!ofThisLevel)
-            for (std::size_t i = 0; i < partners.certainCount; ++i) {
-                // The lower one comes first.
-                const auto other = static_cast<std::uint32_t>(partners.certain[i]);
-                partners.certain[i] = static_cast<std::int32_t>(std::max(entry.sphere, other));
-                found.stretches.push_back({std::min(entry.sphere, other), 1});
-            }
-        else if (partners.certainCount > 0)
-            found.stretches.push_back({entry.sphere, static_cast<std::uint32_t>(partners.certainCount)});
-        found.used += partners.certainCount;
+    Search search(*this, level, found);
+    Surroundings around(level, level.cellKey[begin], true);
+    for (std::size_t cell = begin; cell < end; ++cell) {
+        around.moveTo(level.cellKey[cell]);
+        for (std::uint32_t i = level.cellBegin[cell]; i < level.cellBegin[cell + 1]; ++i) {
+            around.dropFirst(); // the sphere itself
+            search.examine(level.spheres.query(i), around);
+        }
     }
+    return search.tests();
 }
 
-void UniformGrid::findPartners(const Level& level, std::span<const CellEntry> queries, bool ofThisLevel)
+/// Pairs of spheres of a level with smaller ones, sorted into its cells.
+/// @return the number of distances computed
+std::uint64_t UniformGrid::findPartners(const Level& level, std::span<const CellEntry> smaller, PairBlock& found) const
 {
-    const std::size_t list = m_found.append((queries.size() + blockSize - 1) / blockSize);
-    forEachBlock(queries.size(), blockSize, [&](std::size_t begin, std::size_t end) {
-        findPartners(level, queries.subspan(begin, end - begin), ofThisLevel, m_found[list + begin / blockSize]);
+    Search search(*this, level, found);
+    std::uint64_t key = smaller.front().key;
+    Surroundings around(level, key, false);
+    around.moveTo(key);
+    for (const CellEntry& entry : smaller) {
+        if (entry.key != key)
+            around.moveTo(key = entry.key);
+        if (around.spheres() > 0)
+            search.examine(queryOf(level, entry.sphere), around);
+    }
+    return search.tests();
+}
+
+/// Calls work(begin, end, found) for blocks of 0 .. count; it returns the number of distances computed.
+template <typename Work>
+void UniformGrid::inBlocks(std::size_t count, std::size_t size, const Work& work)
+{
+    const std::size_t first = m_pairs.append((count + size - 1) / size);
+    std::vector<std::uint64_t> tests(m_pairs.blocks().size() - first, 0);
+    forEachBlock(count, size, [&](std::size_t begin, std::size_t end) {
+        tests[begin / size] = work(begin, end, m_pairs[first + begin / size]);
     });
+    m_statistics.sphereTests += std::accumulate(tests.begin(), tests.end(), std::uint64_t{0});
 }
 
-const std::vector<VicinityPair>& UniformGrid::pairs()
+const PairBlocks& UniformGrid::findPairs(std::span<const VicinitySphere> spheres, double margin)
 {
-    m_found.clear();
-    std::vector<CellEntry> smaller; // than the spheres of a level, sorted into its cells
-    for (const Level& level : m_levels) {
-        findPartners(level, level.entries, true);
-        // A smaller sphere reaches at most one cell of the larger ones to either side.
-        forEachBlock(smaller.size(), blockSize, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                smaller[i].key = level.keyOf(m_spheres[smaller[i].sphere].center);
+    m_spheres = spheres;
+    m_margin = margin;
+    m_statistics = {};
+    m_pairs.clear();
+    m_smaller.clear();
+    sortByRadius();
+    for (auto& [octave, level] : m_levels) {
+        layOut(level);
+        sortIn(level);
+        inBlocks(level.cellKey.size(), cellBlock, [&](std::size_t begin, std::size_t end, PairBlock& found) {
+            return findPartners(level, begin, end, found);
         });
-        sortByCell(smaller, level.largestKey());
-        findPartners(level, smaller, false);
-        smaller.insert(smaller.end(), level.entries.begin(), level.entries.end());
+        // A smaller sphere reaches at most one cell of the larger ones to either side.
+        forEachBlock(m_smaller.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                m_smaller[i].key = level.keyOf(spheres[m_smaller[i].sphere].center);
+        });
+        sortByCell(m_smaller, level.largestKey(), m_scratch);
+        inBlocks(m_smaller.size(), blockSize, [&](std::size_t begin, std::size_t end, PairBlock& found) {
+            return findPartners(level, std::span(m_smaller).subspan(begin, end - begin), found);
+        });
+        if (octave != m_levels.rbegin()->first)
+            m_smaller.insert(m_smaller.end(), level.entries.begin(), level.entries.end());
     }
-    m_statistics.sphereTests = m_found.sphereTests();
-    m_found.sort(m_spheres.size(), m_kernels, m_pairs);
+    m_spheres = {};
     return m_pairs;
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/vicinity/cell_order.h"
-#include "core/vicinity/pair_lists.h"
 #include "core/vicinity/sphere_kernels.h"
 #include "core/vicinity/vicinity.h"
 
 #include <array>
+#include <map>
 #include <vector>
 
 namespace knead {
@@ -18,8 +18,7 @@ class UniformGrid final : public Vicinity {
 public:
     explicit UniformGrid(const sphere_kernels::Kernels& kernels = sphere_kernels::best());
 
-    void build(std::span<const VicinitySphere> spheres, double margin) override;
-    const std::vector<VicinityPair>& pairs() override;
+    const PairBlocks& findPairs(std::span<const VicinitySphere> spheres, double margin) override;
 
 private:
     /// One array per number of sphere_kernels::Spheres, in the order of the cells.
@@ -37,6 +36,7 @@ private:
     struct Level {
         std::vector<std::uint32_t> members; ///< ascending
         double largestRadius = 0;           ///< [m]
+        Box box;                            ///< of the centers [m]
         double cellsPerMetre = 1;           ///< along a side [1/m]
         Vec3 origin = Vec3::Zero();
         std::array<std::uint64_t, 3> step{1, 1, 1}; ///< between the keys of neighbors along x, y, z
@@ -44,7 +44,7 @@ private:
         double doubt = 0;                           ///< by how much single precision may be wrong [cells]
         std::vector<CellEntry> entries;             ///< sorted by cell
         std::vector<std::uint64_t> cellKey;         ///< occupied cells, ascending
-        std::vector<std::uint32_t> cellBegin;       ///< first entry of each, and the end
+        std::vector<std::uint32_t> cellBegin;       ///< first sphere of each, and the end
         SphereArrays spheres;
 
         std::uint64_t largestKey() const { return step[2] * (3 + static_cast<std::uint64_t>(lastCell[2])); }
@@ -56,17 +56,23 @@ private:
     /// The cells around one cell, row by row; moves on to cells with higher keys.
     class Surroundings;
 
+    /// One sphere's search after another.
+    class Search;
+
     void sortByRadius();
     void layOut(Level& level) const;
-    void sortIn(Level& level) const;
-    void findPartners(const Level& level, std::span<const CellEntry> queries, bool ofThisLevel);
-    void findPartners(const Level& level, std::span<const CellEntry> queries, bool ofThisLevel, PairList& found) const;
+    void sortIn(Level& level);
+    template <typename Work>
+    void inBlocks(std::size_t count, std::size_t size, const Work& work);
+    std::uint64_t findPartners(const Level& level, std::size_t begin, std::size_t end, PairBlock& found) const;
+    std::uint64_t findPartners(const Level& level, std::span<const CellEntry> smaller, PairBlock& found) const;
     sphere_kernels::Query queryOf(const Level& level, std::uint32_t sphere) const;
 
     const sphere_kernels::Kernels& m_kernels;
-    std::vector<VicinitySphere> m_spheres;
-    std::vector<Level> m_levels; ///< smallest radii first
-    PairLists m_found;
+    std::map<int, Level> m_levels;             ///< by octave of radius
+    std::vector<CellEntry> m_smaller;          ///< spheres of lower octaves than the level in work
+    std::vector<CellEntry> m_scratch;          ///< to sort in
+    std::span<const VicinitySphere> m_spheres; ///< during a call of findPairs()
     double m_margin = 0;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/vec3.h"
+#include "core/vicinity/vicinity_pairs.h"
 
 #include <array>
 #include <cstdint>
@@ -20,13 +21,6 @@ struct VicinitySphere {
     bool loose = false;                 ///< may touch any sphere of its group
 };
 
-/// Two spheres by index, first < second.
-struct VicinityPair {
-    std::uint32_t first;
-    std::uint32_t second;
-    friend auto operator<=>(const VicinityPair&, const VicinityPair&) = default;
-};
-
 /// What a vicinity calculation cost, in numbers that do not depend on the machine.
 struct VicinityStatistics {
     std::uint64_t sphereTests = 0;   ///< distances computed
@@ -39,18 +33,17 @@ class Vicinity {
 public:
     virtual ~Vicinity() = default;
 
-    /// Takes spheres over; what was there before is forgotten, its memory kept for use.
-    virtual void build(std::span<const VicinitySphere> spheres, double margin) = 0;
+    /// All pairs that may touch whose surfaces are closer than the margin, each once; valid until the next call.
+    /// @param spheres less than 2^31
+    /// @param margin [m], >= 0
+    virtual const PairBlocks& findPairs(std::span<const VicinitySphere> spheres, double margin) = 0;
 
-    /// All pairs that may touch whose surfaces are closer than the margin, sorted; valid until the next call of either.
-    virtual const std::vector<VicinityPair>& pairs() = 0;
-
-    /// Of the last build() and pairs().
+    /// Of the last findPairs().
     const VicinityStatistics& statistics() const { return m_statistics; }
 
 protected:
     VicinityStatistics m_statistics;
-    std::vector<VicinityPair> m_pairs; ///< a member, so that its memory is there the next time
+    PairBlocks m_pairs; ///< a member, so that its memory is there the next time
 };
 
 enum class VicinityMethod {

@@ -169,8 +169,7 @@ private:
             if (index >= timedSteps(method, objects()))
                 continue;
             start = now();
-            backEnd.vicinity->build(spheres, BarPile::margin);
-            const std::size_t found = backEnd.vicinity->pairs().size();
+            const std::size_t found = backEnd.vicinity->findPairs(spheres, BarPile::margin).pairCount();
             backEnd.sums.add(now() - start, otherTime, backEnd.vicinity->statistics(), found);
             if (expected.value_or(found) != found)
                 throw std::runtime_error("The back-ends disagree: of " + std::to_string(objects()) + " objects, " +

@@ -1,4 +1,4 @@
-// One vicinity calculation: build() and pairs() of the uniform grid, on one thread. time_per_sphere is what the budget is
+// One vicinity calculation: findPairs() of the uniform grid, on one thread. time_per_sphere is what the budget is
 // about; compare sizes for growth.
 #include "core/vicinity/uniform_grid.h"
 #include "support/thread_limit.h"
@@ -90,8 +90,7 @@ void vicinity(benchmark::State& state, std::vector<VicinitySphere> (*scene)(std:
     std::size_t pairs = 0;
     onThreads(1, [&] {
         for (auto _ : state) {
-            grid.build(spheres, 0);
-            pairs = grid.pairs().size();
+            pairs = grid.findPairs(spheres, 0).pairCount();
         }
         return 0;
     });

@@ -83,8 +83,16 @@ Spheres manySizes()
 std::vector<VicinityPair> pairsBy(VicinityMethod method, const Spheres& spheres, double margin)
 {
     const auto vicinity = makeVicinity(method);
-    vicinity->build(spheres, margin);
-    return vicinity->pairs();
+    return vicinity->findPairs(spheres, margin).sorted(spheres.size());
+}
+
+/// In the order they come in.
+std::vector<VicinityPair> pairsAsFound(const PairBlocks& found)
+{
+    std::vector<VicinityPair> pairs;
+    for (const PairBlock& block : found.blocks())
+        pairs.insert(pairs.end(), block.pairs().begin(), block.pairs().end());
+    return pairs;
 }
 
 /// Who is close to one sphere, by testing it against all others.
@@ -226,7 +234,7 @@ private slots:
     {
         for (const Spheres& spheres : {closingIn(), randomSpheres(400, {0, 0, 0}, 0)}) {
             PartitionTree tree(PartitionTree::Plane::half);
-            tree.build(spheres, 0);
+            tree.findPairs(spheres, 0);
             QVERIFY(tree.statistics().depth <= 200);
         }
     }
@@ -238,8 +246,7 @@ private slots:
         for (const std::size_t subsets : {1U, 2U, 3U, 8U, 2000U})
             for (const auto plane : {PartitionTree::Plane::half, PartitionTree::Plane::median}) {
                 PartitionTree tree(plane, subsets);
-                tree.build(spheres, 0.01);
-                QVERIFY(tree.pairs() == expected);
+                QVERIFY(tree.findPairs(spheres, 0.01).sorted(spheres.size()) == expected);
             }
     }
 
@@ -251,10 +258,8 @@ private slots:
             std::vector<VicinityStatistics> statistics;
             for (const int threads : {1, 2, 4}) {
                 PartitionTree tree(plane, 8);
-                const auto pairs = onThreads(threads, [&] {
-                    tree.build(spheres, 0.01);
-                    return tree.pairs();
-                });
+                const auto pairs =
+                    onThreads(threads, [&] { return tree.findPairs(spheres, 0.01).sorted(spheres.size()); });
                 QVERIFY(pairs == expected);
                 statistics.push_back(tree.statistics());
                 QCOMPARE(statistics.back().sphereTests, statistics.front().sphereTests);
@@ -269,10 +274,10 @@ private slots:
         const Spheres spheres = randomSpheres(300, {1, 1, 1}, 0.1);
         for (const VicinityMethod method : vicinityMethods) {
             const auto vicinity = makeVicinity(method);
-            vicinity->build(randomSpheres(900, {0.5, 0.5, 0.5}, 0.2), 0);
-            vicinity->pairs();
-            vicinity->build(spheres, 0);
-            QVERIFY2(vicinity->pairs() == pairsBy(VicinityMethod::bruteForce, spheres, 0), nameOf(method).data());
+            vicinity->findPairs(randomSpheres(900, {0.5, 0.5, 0.5}, 0.2), 0);
+            QVERIFY2(vicinity->findPairs(spheres, 0).sorted(spheres.size()) ==
+                         pairsBy(VicinityMethod::bruteForce, spheres, 0),
+                     nameOf(method).data());
         }
     }
 
@@ -281,8 +286,7 @@ private slots:
         const Spheres spheres = randomSpheres(2000, {1, 1, 1}, 0.05);
         const auto statisticsOf = [&](VicinityMethod method) {
             const auto vicinity = makeVicinity(method);
-            vicinity->build(spheres, 0);
-            vicinity->pairs();
+            vicinity->findPairs(spheres, 0);
             return vicinity->statistics();
         };
         QCOMPARE(statisticsOf(VicinityMethod::bruteForce).sphereTests, std::uint64_t{2000 * 1999 / 2});
@@ -307,14 +311,15 @@ private slots:
         for (const Spheres& spheres : scenes) {
             const auto expected = pairsBy(VicinityMethod::bruteForce, spheres, 0.005);
             QVERIFY(!expected.empty());
+            std::vector<VicinityPair> asFound;
             for (const sphere_kernels::Kernels& kernels : sphere_kernels::available())
                 for (const int threads : {1, 2, 4}) {
                     UniformGrid grid(kernels);
-                    const auto pairs = onThreads(threads, [&] {
-                        grid.build(spheres, 0.005);
-                        return grid.pairs();
-                    });
-                    QVERIFY2(pairs == expected, kernels.name);
+                    const auto order = onThreads(threads, [&] { return pairsAsFound(grid.findPairs(spheres, 0.005)); });
+                    QVERIFY2(grid.findPairs(spheres, 0.005).sorted(spheres.size()) == expected, kernels.name);
+                    if (asFound.empty())
+                        asFound = order;
+                    QVERIFY2(order == asFound, kernels.name);
                 }
         }
     }
