@@ -24,7 +24,7 @@ MeshBody deformed(const Part& part, const Body& body, const Snapshot::BodyState&
     TriangleMesh mesh = refine(part.mesh, body.aggregate->lattice.spacing);
     const Skin skin(*body.aggregate, mesh.vertices, control);
     std::vector<Vec3> places(mesh.vertices.size());
-    skin.evaluate(state.displacements, places);
+    skin.evaluate(state.displacements(), places);
     mesh.vertices = std::move(places);
     return {part.name, part.color.value_or(Color{}), std::move(mesh)};
 }

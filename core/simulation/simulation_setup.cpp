@@ -129,13 +129,10 @@ void Simulation::State::setMasses()
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         BodyRun& run = *runs[b];
         const std::vector<double>& volume = bodies[b].aggregate->volume;
-        run.freeMass.resize(volume.size());
         for (ObjectIndex i = 0; i < volume.size(); ++i)
             run.state.mass[i] = run.materials.of(i).density * volume[i];
         if (massScalingTimeStep && run.deforms())
             scaleMasses(run);
-        for (std::size_t i = 0; i < volume.size(); ++i)
-            run.freeMass[i] = 1 / run.state.mass[i];
     }
     holdFixtures();
 }
@@ -160,10 +157,9 @@ void Simulation::State::scaleMasses(BodyRun& run)
 void Simulation::State::holdFixtures()
 {
     for (auto& run : runs) {
-        run->state.inverseMass = run->freeMass;
         run->anchored = run->kind == BodyKind::glue;
-        if (run->anchored)
-            std::fill(run->state.inverseMass.begin(), run->state.inverseMass.end(), 0.0);
+        for (std::size_t i = 0; i < run->state.size(); ++i)
+            run->state.inverseMass[i] = run->anchored ? 0 : 1 / run->state.mass[i];
     }
     for (const auto& fixture : fixtures) {
         if (!fixture)

@@ -9,16 +9,13 @@ namespace {
 
 constexpr std::size_t blockSize = 8192;
 
-Snapshot::BodyState copyOf(const BodyRun& run, const Lattice& lattice)
+Snapshot::BodyState copyOf(const BodyRun& run, std::shared_ptr<const Aggregate> aggregate)
 {
-    Snapshot::BodyState copy;
+    Snapshot::BodyState copy{.positions = {}, .kind = run.kind, .aggregate = std::move(aggregate)};
     copy.positions.resize(run.state.size());
-    copy.displacements.resize(run.state.size());
     forEachBlock(run.state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t i = begin; i < end; ++i)
             copy.positions[i] = run.state.position.at(i);
-            copy.displacements[i] = copy.positions[i] - lattice.position(static_cast<ObjectIndex>(i));
-        }
     });
     return copy;
 }
@@ -129,8 +126,7 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
     for (std::size_t b = 0; b < state.bodies.size(); ++b) {
         const Aggregate& aggregate = *state.bodies[b].aggregate;
         const BodyRun& run = *state.runs[b];
-        shot->bodies.push_back(copyOf(run, aggregate.lattice));
-        shot->bodies.back().kind = run.kind;
+        shot->bodies.push_back(copyOf(run, state.bodies[b].aggregate));
         shot->materials.push_back(state.bodies[b].material);
         shot->objects += aggregate.size();
         shot->connections += run.deforms() ? run.connections.count() : 0;

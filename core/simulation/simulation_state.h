@@ -24,7 +24,6 @@ struct BodyRun {
     StructuralConnections connections;
     BodyKind kind;
     std::optional<RigidMotion> rigid; ///< of a rigid body that is not held
-    LaneVector<double> freeMass;      ///< inverse masses without fixtures [1/kg]
     bool anchored = false;            ///< some object is held
 
     bool deforms() const { return kind == BodyKind::deformable; }

@@ -72,9 +72,15 @@ struct ToolState {
 /// The state of a simulation at one moment, as the window and the exporters see it. Immutable, shared by pointer.
 struct Snapshot {
     struct BodyState {
-        std::vector<Vec3> positions;     ///< per object [m]
-        std::vector<Vec3> displacements; ///< per object, from rest [m]
+        std::vector<Vec3> positions; ///< per object [m]
         BodyKind kind = BodyKind::deformable;
+        std::shared_ptr<const Aggregate> aggregate;
+
+        /// From rest [m].
+        Vec3 displacement(ObjectIndex object) const;
+
+        /// Of all objects, from rest [m]. On all threads.
+        std::vector<Vec3> displacements() const;
     };
 
     std::uint64_t step = 0;

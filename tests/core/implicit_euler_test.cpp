@@ -77,7 +77,7 @@ private slots:
             simulation.step();
         QVERIFY(std::abs(simulation.time() - 1) < 1e-9); // a step is a frame
         const auto shot = simulation.snapshot();
-        const double deflection = shot->bodies[0].displacements.back().z();
+        const double deflection = shot->bodies[0].displacements().back().z();
         QVERIFY2(std::abs(deflection / expected - 1) < 1e-3, qPrintable(QString::number(deflection / expected)));
         QVERIFY(std::abs(shot->energy.imbalance) < 0.01 * shot->energy.elastic);
     }
@@ -93,7 +93,7 @@ private slots:
             scene.integrator = integrator;
             Simulation simulation(scene);
             runUntil(simulation, 1.5);
-            return simulation.snapshot()->bodies[0].displacements.back();
+            return simulation.snapshot()->bodies[0].displacements().back();
         };
         const Vec3 explicitly = rest(Integrator::semiImplicitEuler);
         const Vec3 implicitly = rest(Integrator::implicitEuler);

@@ -50,7 +50,7 @@ double tipHeight(const Snapshot& shot, const Aggregate& aggregate)
         end = std::max(end, aggregate.lattice.position(i).x());
     for (ObjectIndex i = 0; i < aggregate.size(); ++i)
         if (aggregate.lattice.position(i).x() > end - 1e-9) {
-            sum += shot.bodies[0].displacements[i].z();
+            sum += shot.bodies[0].displacement(i).z();
             ++count;
         }
     return sum / count;
@@ -362,7 +362,7 @@ private slots:
         for (ObjectIndex i = 0; i < aggregate.size(); ++i)
             if (std::abs(aggregate.lattice.position(i).x() - reach) < 1e-6 &&
                 std::abs(aggregate.lattice.position(i).z()) < 1e-6) {
-                deflection -= shot->bodies[0].displacements[i].z();
+                deflection -= shot->bodies[0].displacement(i).z();
                 ++count;
             }
         deflection /= count;

@@ -119,8 +119,8 @@ private slots:
             double sum = 0;
             int count = 0;
             for (std::size_t i = 0; i < shot->bodies[0].positions.size(); ++i)
-                if (shot->bodies[0].positions[i].x() - shot->bodies[0].displacements[i].x() > 23.5 * spacing) {
-                    sum -= shot->bodies[0].displacements[i].z();
+                if (shot->bodies[0].positions[i].x() - shot->bodies[0].displacement(i).x() > 23.5 * spacing) {
+                    sum -= shot->bodies[0].displacement(i).z();
                     ++count;
                 }
             return sum / count;
@@ -265,7 +265,7 @@ private slots:
         double high = 0;
         double low = 0;
         for (std::size_t i = 0; i < shot->bodies[0].positions.size(); ++i) {
-            const double rest = shot->bodies[0].positions[i].z() - shot->bodies[0].displacements[i].z();
+            const double rest = shot->bodies[0].positions[i].z() - shot->bodies[0].displacement(i).z();
             if (std::abs(std::abs(rest) - 2 * spacing) < 0.1 * spacing)
                 (rest > 0 ? high : low) += shot->bodies[0].positions[i].z() / 121;
         }
@@ -356,11 +356,11 @@ private slots:
         runSteps(simulation, 200);
         auto shot = simulation.snapshot();
         for (const ObjectIndex object : held)
-            QCOMPARE(shot->bodies[0].displacements[object].norm(), 0.0);
+            QCOMPARE(shot->bodies[0].displacement(object).norm(), 0.0);
         simulation.post(RemoveFixture{0});
         runSteps(simulation, 200);
         shot = simulation.snapshot();
-        QVERIFY(shot->bodies[0].displacements[held.front()].norm() > 0);
+        QVERIFY(shot->bodies[0].displacement(held.front()).norm() > 0);
         QVERIFY(shot->fixtures.empty());
     }
 
@@ -395,7 +395,7 @@ private slots:
         runSteps(simulation, 500);
         const auto shot = simulation.snapshot();
         for (const auto& body : shot->bodies)
-            for (const Vec3& displacement : body.displacements)
+            for (const Vec3& displacement : body.displacements())
                 QVERIFY(displacement.norm() < 1e-9 * spacing);
     }
 

@@ -88,7 +88,7 @@ private slots:
         thread.reset();
         const auto shot = waitFor(thread, [](const Snapshot& s) { return s.step == 0 && !s.playing; });
         QVERIFY(shot);
-        for (const Vec3& displacement : shot->bodies[0].displacements)
+        for (const Vec3& displacement : shot->bodies[0].displacements())
             QCOMPARE(displacement.norm(), 0.0);
     }
 

@@ -185,7 +185,7 @@ private slots:
             QVERIFY(shot->health.ok);
             QVERIFY(shot->energy.kinetic < 1e-18);
             for (const auto& body : shot->bodies)
-                for (const Vec3& displacement : body.displacements)
+                for (const Vec3& displacement : body.displacements())
                     QVERIFY(displacement.norm() < 1e-7 * spacing);
         }
     }

@@ -348,7 +348,7 @@ private slots:
             int count = 0;
             for (ObjectIndex i = 0; i < aggregate.size(); ++i)
                 if (std::abs(aggregate.lattice.position(i).x() - x) < 1e-6) {
-                    sum += shot->bodies[0].displacements[i].x();
+                    sum += shot->bodies[0].displacement(i).x();
                     ++count;
                 }
             return sum / count;

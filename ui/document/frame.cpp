@@ -13,7 +13,7 @@ std::shared_ptr<const BodyFrame> bodyFrame(const ContentBody& body, const Snapsh
 {
     auto frame = std::make_shared<BodyFrame>();
     frame->places.resize(body.mesh.vertices.size());
-    body.skin->evaluate(state.displacements, frame->places);
+    body.skin->evaluate(state.displacements(), frame->places);
     frame->points = renderPoints(body.render, frame->places);
     frame->normals = renderNormals(body.render, frame->points);
     return frame;
