@@ -3,6 +3,7 @@
 #include "core/model/length_units.h"
 #include "io/cad_document.h"
 #include "io/cad_part.h"
+#include "io/exact_shapes.h"
 #include "io/healing.h"
 #include "io/occt_session.h"
 #include "io/part_selection.h"
@@ -71,11 +72,19 @@ public:
             if (m_selection.mayWant(leaves[i].assembly, leaves[i].node->name))
                 addLeaf(leaves[i]);
         }
+        keepExactShapes();
         m_selection.finish(m_path, m_model);
         removeEmptyNodes(m_model.tree);
     }
 
 private:
+    void keepExactShapes()
+    {
+        const auto bytes = std::make_shared<const std::string>(shapesToBytes(m_shapes));
+        for (Part& part : m_model.parts)
+            part.exact->bytes = bytes;
+    }
+
     /// One body is the leaf itself; several become its children.
     void addLeaf(const Leaf& leaf)
     {
@@ -93,6 +102,8 @@ private:
             part->name = name;
             part->path = assembly.empty() ? name : assembly + "/" + name;
             takeDisplay(bodies[i].original, *leaf.node, *part);
+            part->exact = ExactShape{nullptr, static_cast<std::uint32_t>(m_shapes.size())};
+            m_shapes.push_back(bodies[i].shape);
             const std::size_t index = m_model.parts.size();
             if (bodies.size() == 1)
                 leaf.place->part = index;
@@ -192,6 +203,7 @@ private:
     TaskControl& m_control;
     Model& m_model;
     PartSelection m_selection;
+    std::vector<TopoDS_Shape> m_shapes; // of the parts
 };
 
 /// The same wishes when the lengths of the document will be taken in another unit afterwards.

@@ -1,6 +1,6 @@
 // How contacts find their candidates: which pairs of objects, and which objects at surfaces. Part of Contacts.
 #include "core/mechanics/contacts.h"
-#include "core/mechanics/rigid_fit.h"
+#include "core/geometry/rigid_fit.h"
 
 #include <algorithm>
 

@@ -62,6 +62,8 @@ void scalePart(Part& part, double factor)
     part.area *= factor * factor;
     part.volume *= factor * factor * factor;
     part.maxTolerance *= factor;
+    if (part.exact)
+        part.exact->unit *= factor;
 }
 
 const LengthUnit& known(std::string_view text, const char* whose)

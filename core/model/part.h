@@ -3,6 +3,7 @@
 #include "core/geometry/triangle_mesh.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,14 +23,22 @@ struct PartFace {
     std::optional<Color> color; ///< when it differs from the part's
 };
 
+/// The boundary representation of a part, for those who write CAD again. Only the io layer understands the bytes.
+struct ExactShape {
+    std::shared_ptr<const std::string> bytes; ///< of all parts of a file together
+    std::uint32_t number = 0;                 ///< among these
+    double unit = 1e-3;                       ///< a length of 1 in it [m]
+};
+
 /// One part of an imported file: one product instance, placed in the world, or one mesh.
 /// Lengths are metres whatever the unit of the file.
 struct Part {
     std::string name;
     std::string path; ///< names from the root to the part, joined by '/'
     std::optional<Color> color;
-    std::vector<PartFace> faces; ///< empty for a mesh
-    TriangleMesh mesh;           ///< tessellation, welded, outward
+    std::vector<PartFace> faces;     ///< empty for a mesh
+    TriangleMesh mesh;               ///< tessellation, welded, outward
+    std::optional<ExactShape> exact; ///< none for a mesh
 
     int solids = 0;
     int shells = 0;

@@ -1,13 +1,11 @@
 #include "core/skin/skin.h"
 
 #include "core/skin/neighborhood.h"
-#include "core/skin/shape_functions.h"
+#include "core/skin/point_weights.h"
 #include "core/task/parallel_progress.h"
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -17,8 +15,6 @@ namespace {
 
 using Owner = NeighborhoodFinder::Owner;
 
-constexpr double support = 2.6;     // [a]
-constexpr double nodesWithin = 1.7; // [a] the support reaches so far beyond the nearest object
 constexpr std::size_t pointsPerBlock = 512;
 
 /// Influences of consecutive points of some order.
@@ -27,24 +23,10 @@ struct InfluenceList {
     std::vector<Skin::Influence> influences;
 };
 
-/// Points far from all objects, on a fin too thin for the lattice, need a wider support to find any.
-double supportFor(const std::vector<Vec3>& offsets)
-{
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Vec3& offset : offsets)
-        nearest = std::min(nearest, offset.norm());
-    return std::max(support, nearest + nodesWithin);
-}
-
 void addPoint(InfluenceList& list, const Lattice& lattice, const std::vector<ObjectIndex>& objects,
               const Vec3& coordinates)
 {
-    std::vector<Vec3> offsets(objects.size());
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        const Lattice::Node& node = lattice.nodes[objects[i]];
-        offsets[i] = Vec3(node[0], node[1], node[2]) - coordinates;
-    }
-    const std::vector<double> functions = shapeFunctions(offsets, supportFor(offsets));
+    const std::vector<double> functions = pointWeights(lattice, objects, coordinates);
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < objects.size(); ++i) {
         if (functions[i] == 0)

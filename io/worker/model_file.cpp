@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -70,6 +71,15 @@ private:
         return {begin, elements.size()};
     }
 
+    /// Parts of a file share theirs.
+    Json exactBytes(const std::shared_ptr<const std::string>& bytes)
+    {
+        const auto found = m_exact.find(bytes.get());
+        if (found != m_exact.end())
+            return found->second;
+        return m_exact[bytes.get()] = array(std::vector<char>(bytes->begin(), bytes->end()));
+    }
+
     static Json numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
     static Json colorOrNull(const std::optional<Color>& color)
@@ -99,6 +109,8 @@ private:
                   {"warnings", part.warnings}};
         if (!part.box.isEmpty())
             json["box"] = {numbers(part.box.min()), numbers(part.box.max())};
+        if (part.exact)
+            json["exact"] = {exactBytes(part.exact->bytes), part.exact->number, part.exact->unit};
         Json& faces = json["faces"] = Json::array();
         for (const PartFace& face : part.faces)
             faces.push_back(colorOrNull(face.color));
@@ -122,6 +134,7 @@ private:
     }
 
     std::string m_arrays;
+    std::map<const std::string*, Json> m_exact;
 };
 
 // --- reading ----------------------------------------------------------------------------------------------------------
@@ -265,7 +278,21 @@ private:
         return mesh;
     }
 
-    Part part(const Json& json) const
+    ExactShape exact(const Json& json)
+    {
+        const auto begin = json.at(0).at(0).get<std::uint64_t>();
+        std::shared_ptr<const std::string>& bytes = m_exact[begin];
+        if (bytes == nullptr) {
+            const std::vector<char> all = array<char>(json.at(0));
+            bytes = std::make_shared<const std::string>(all.begin(), all.end());
+        }
+        const double unit = finite(json.at(2));
+        if (unit <= 0)
+            fail("a length unit is out of range");
+        return {bytes, static_cast<std::uint32_t>(count(json.at(1))), unit};
+    }
+
+    Part part(const Json& json)
     {
         Part part;
         part.name = json.at("name").get<std::string>();
@@ -274,6 +301,8 @@ private:
         for (const Json& face : json.at("faces"))
             part.faces.push_back({colorOrNone(face)});
         part.mesh = mesh(json, part.faces.size());
+        if (const auto shape = json.find("exact"); shape != json.end())
+            part.exact = exact(*shape);
         part.solids = count(json.at("solids"));
         part.shells = count(json.at("shells"));
         part.edges = count(json.at("edges"));
@@ -295,6 +324,7 @@ private:
 
     Json m_json;
     std::string_view m_arrays;
+    std::map<std::uint64_t, std::shared_ptr<const std::string>> m_exact; ///< by where they begin
 };
 
 } // namespace

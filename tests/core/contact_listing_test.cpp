@@ -1,5 +1,5 @@
 #include "core/mechanics/contacts.h"
-#include "core/mechanics/rigid_fit.h"
+#include "core/geometry/rigid_fit.h"
 #include "support/scenes.h"
 
 #include <QtTest>

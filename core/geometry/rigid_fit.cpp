@@ -1,4 +1,4 @@
-#include "core/mechanics/rigid_fit.h"
+#include "core/geometry/rigid_fit.h"
 
 #include <Eigen/SVD>
 
@@ -19,11 +19,11 @@ Vec3 meanOf(std::span<const Vec3> points)
 } // namespace
 
 /// The best turn is that of Kabsch (1976): U V^T of the singular value decomposition of sum y x^T, a mirror image avoided.
-double deviationFromRigidMotion(std::span<const Vec3> before, std::span<const Vec3> after)
+RigidFit fitRigidMotion(std::span<const Vec3> before, std::span<const Vec3> after)
 {
     assert(before.size() == after.size());
     if (before.empty())
-        return 0;
+        return {};
     const Vec3 from = meanOf(before);
     const Vec3 to = meanOf(after);
     Mat3 covariance = Mat3::Zero();
@@ -37,7 +37,7 @@ double deviationFromRigidMotion(std::span<const Vec3> before, std::span<const Ve
     double most = 0;
     for (std::size_t i = 0; i < before.size(); ++i)
         most = std::max(most, (after[i] - to - turn * (before[i] - from)).squaredNorm());
-    return std::sqrt(most);
+    return {turn, from, to, std::sqrt(most)};
 }
 
 } // namespace knead

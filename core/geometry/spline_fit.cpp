@@ -1,0 +1,306 @@
+#include "core/geometry/spline_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+constexpr int mostRounds = 14;
+constexpr std::size_t leastLooks = 3; // at errors within a span
+constexpr std::size_t mostLooks = 24; // features that small are below any sensible span
+constexpr std::size_t mostLines = 24; // along which errors are looked for, per direction
+constexpr double lastSlack = 1.5;     // by which errors between the lines may be larger than along them
+
+/// How often to look at a span, and where: nowhere near its ends, at which interpolation is good by itself.
+std::vector<double> looksInto(double begin, double end, double feature)
+{
+    const double wanted = std::ceil(1.5 * (end - begin) / feature);
+    const auto count =
+        static_cast<std::size_t>(std::clamp(wanted, static_cast<double>(leastLooks), static_cast<double>(mostLooks)));
+    std::vector<double> looks;
+    for (std::size_t i = 0; i < count; ++i)
+        looks.push_back(begin + (end - begin) * (static_cast<double>(i) + 0.45) / static_cast<double>(count));
+    return looks;
+}
+
+/// Every so many of a list, its first included.
+std::size_t strideFor(std::size_t count)
+{
+    return std::max<std::size_t>(1, count / mostLines);
+}
+
+bool anyOf(const std::vector<bool>& marks)
+{
+    return std::find(marks.begin(), marks.end(), true) != marks.end();
+}
+
+class CurveFitter {
+public:
+    CurveFitter(const CurveTarget& target, const SplineKnots& start, double feature, const SplineFitOptions& options)
+        : m_target(target)
+        , m_knots(start)
+        , m_feature(feature)
+        , m_options(options)
+    {
+    }
+
+    SplineFit<SplineCurve> run()
+    {
+        SplineFit<SplineCurve> fit;
+        for (int round = 0; round < mostRounds; ++round) {
+            const SplineBasis basis(m_knots, m_options.degree);
+            std::vector<Vec3> poles(basis.size());
+            m_target(basis.greville(), poles);
+            basis.interpolate(poles.data(), 1);
+            const std::vector<bool> missed = findMisses(basis, poles, fit.error);
+            fit.spline = {{m_knots.values, basis.multiplicities()}, m_options.degree, std::move(poles)};
+            fit.converged = !anyOf(missed);
+            if (fit.converged)
+                break;
+            m_knots = m_knots.split(missed);
+            if (m_knots.spans() > m_options.mostSpans)
+                break;
+        }
+        return fit;
+    }
+
+private:
+    std::vector<bool> findMisses(const SplineBasis& basis, const std::vector<Vec3>& poles, double& error) const
+    {
+        std::vector<double> parameters;
+        std::vector<std::size_t> spans;
+        for (std::size_t span = 0; span < m_knots.spans(); ++span)
+            for (const double parameter : looksInto(m_knots.values[span], m_knots.values[span + 1], m_feature)) {
+                parameters.push_back(parameter);
+                spans.push_back(span);
+            }
+        std::vector<Vec3> places(parameters.size());
+        m_target(parameters, places);
+        std::vector<bool> missed(m_knots.spans(), false);
+        error = 0;
+        for (std::size_t i = 0; i < parameters.size(); ++i) {
+            SplineBasis::Values values;
+            const std::size_t first = basis.functionsAt(parameters[i], values);
+            Vec3 place = Vec3::Zero();
+            for (std::size_t k = 0; k <= static_cast<std::size_t>(m_options.degree); ++k)
+                place += values[k] * poles[first + k];
+            const double distance = (place - places[i]).norm();
+            error = std::max(error, distance);
+            if (!(distance <= m_options.tolerance))
+                missed[spans[i]] = true;
+        }
+        return missed;
+    }
+
+    const CurveTarget& m_target;
+    SplineKnots m_knots;
+    double m_feature;
+    const SplineFitOptions& m_options;
+};
+
+class SurfaceFitter {
+public:
+    SurfaceFitter(const SurfaceToFit& wanted, const SplineFitOptions& options)
+        : m_wanted(wanted)
+        , m_options(options)
+        , m_knots{wanted.u, wanted.v}
+        , m_checks(wanted.checks.size())
+    {
+        m_wanted.target(m_wanted.checks, m_checks);
+    }
+
+    SplineFit<SplineSurface> run()
+    {
+        for (int round = 0; round < mostRounds; ++round) {
+            interpolate();
+            m_error = 0;
+            m_errors = {std::vector<double>(m_knots[0].spans(), 0), std::vector<double>(m_knots[1].spans(), 0)};
+            std::array<std::vector<bool>, 2> missed{lookAlong(0), lookAlong(1)};
+            if (!anyOf(missed[0]) && !anyOf(missed[1]))
+                lookAllOver(missed);
+            if (!anyOf(missed[0]) && !anyOf(missed[1]))
+                return result(true);
+            if (!refine(missed))
+                break;
+        }
+        return result(false);
+    }
+
+private:
+    struct Look {
+        Vec2 at;
+        std::size_t span;
+    };
+
+    void interpolate()
+    {
+        m_bases.clear();
+        for (const SplineKnots& knots : m_knots)
+            m_bases.emplace_back(knots, m_options.degree);
+        const std::size_t nu = m_bases[0].size();
+        const std::size_t nv = m_bases[1].size();
+        std::vector<Vec2> parameters;
+        parameters.reserve(nu * nv);
+        for (const double u : m_bases[0].greville())
+            for (const double v : m_bases[1].greville())
+                parameters.emplace_back(u, v);
+        m_poles.resize(parameters.size());
+        m_wanted.target(parameters, m_poles);
+        for (std::size_t j = 0; j < nv; ++j)
+            m_bases[0].interpolate(&m_poles[j], nv);
+        for (std::size_t i = 0; i < nu; ++i)
+            m_bases[1].interpolate(&m_poles[i * nv], 1);
+    }
+
+    Vec3 at(const Vec2& parameters) const
+    {
+        SplineBasis::Values u;
+        SplineBasis::Values v;
+        const std::size_t firstU = m_bases[0].functionsAt(parameters[0], u);
+        const std::size_t firstV = m_bases[1].functionsAt(parameters[1], v);
+        const auto degree = static_cast<std::size_t>(m_options.degree);
+        Vec3 place = Vec3::Zero();
+        for (std::size_t i = 0; i <= degree; ++i) {
+            const Vec3* row = &m_poles[(firstU + i) * m_bases[1].size() + firstV];
+            Vec3 sum = Vec3::Zero();
+            for (std::size_t j = 0; j <= degree; ++j)
+                sum += v[j] * row[j];
+            place += u[i] * sum;
+        }
+        return place;
+    }
+
+    /// Errors inside the spans of one direction, along the Greville lines of the other: the spline meets the target at every
+    /// Greville point, so these errors come from this direction alone.
+    std::vector<bool> lookAlong(std::size_t direction)
+    {
+        const std::size_t across = 1 - direction;
+        const std::vector<double>& lines = m_bases[across].greville();
+        std::vector<Vec2> parameters;
+        std::vector<std::size_t> spans;
+        const SplineKnots& knots = m_knots[direction];
+        for (std::size_t span = 0; span < knots.spans(); ++span)
+            for (const double look : looksInto(knots.values[span], knots.values[span + 1],
+                                               m_wanted.feature[static_cast<Eigen::Index>(direction)]))
+                for (std::size_t line = 0; line < lines.size(); line += strideFor(lines.size())) {
+                    const Vec2 at = direction == 0 ? Vec2(look, lines[line]) : Vec2(lines[line], look);
+                    if (!m_wanted.counts(at))
+                        continue;
+                    parameters.push_back(at);
+                    spans.push_back(span);
+                }
+        std::vector<bool> missed(knots.spans(), false);
+        forEachError(parameters, [&](std::size_t i, double error) {
+            m_errors[direction][spans[i]] = std::max(m_errors[direction][spans[i]], error);
+            if (!(error <= m_options.tolerance))
+                missed[spans[i]] = true;
+        });
+        return missed;
+    }
+
+    /// At the places that matter most, then in the middle of every patch, or more often where features are smaller.
+    void lookAllOver(std::array<std::vector<bool>, 2>& missed)
+    {
+        const auto note = [&](const Vec2& at, double error) {
+            m_error = std::max(m_error, error);
+            if (error <= lastSlack * m_options.tolerance)
+                return;
+            const std::size_t u = m_knots[0].spanOf(at[0]);
+            const std::size_t v = m_knots[1].spanOf(at[1]);
+            // The direction with the larger error of its own, or both.
+            const bool alongU = m_errors[0][u] > 0.5 * m_errors[1][v];
+            const bool alongV = m_errors[1][v] > 0.5 * m_errors[0][u];
+            missed[0][u] = missed[0][u] || alongU || !alongV;
+            missed[1][v] = missed[1][v] || alongV || !alongU;
+        };
+        for (std::size_t i = 0; i < m_checks.size(); ++i)
+            note(m_wanted.checks[i], (at(m_wanted.checks[i]) - m_checks[i]).norm());
+        if (anyOf(missed[0]) || anyOf(missed[1]))
+            return;
+        std::vector<Vec2> parameters;
+        for (const double u : middles(0))
+            for (const double v : middles(1))
+                if (const Vec2 at(u, v); m_wanted.counts(at))
+                    parameters.push_back(at);
+        forEachError(parameters, [&](std::size_t i, double error) { note(parameters[i], error); });
+    }
+
+    std::vector<double> middles(std::size_t direction) const
+    {
+        const SplineKnots& knots = m_knots[direction];
+        std::vector<double> all;
+        for (std::size_t span = 0; span < knots.spans(); ++span) {
+            const double length = knots.values[span + 1] - knots.values[span];
+            const double feature = m_wanted.feature[static_cast<Eigen::Index>(direction)];
+            const auto count =
+                static_cast<int>(std::clamp(std::ceil(length / feature), 1.0, static_cast<double>(mostLooks)));
+            for (int i = 0; i < count; ++i)
+                all.push_back(knots.values[span] + length * (i + 0.5) / count);
+        }
+        return all;
+    }
+
+    template <typename Visit>
+    void forEachError(const std::vector<Vec2>& parameters, Visit&& visit)
+    {
+        std::vector<Vec3> places(parameters.size());
+        m_wanted.target(parameters, places);
+        for (std::size_t i = 0; i < parameters.size(); ++i) {
+            const double error = (at(parameters[i]) - places[i]).norm();
+            m_error = std::max(m_error, error);
+            visit(i, error);
+        }
+    }
+
+    /// @return whether there was anything left to refine
+    bool refine(const std::array<std::vector<bool>, 2>& missed)
+    {
+        std::array<SplineKnots, 2> finer = m_knots;
+        for (std::size_t direction = 0; direction < 2; ++direction)
+            if (const SplineKnots split = m_knots[direction].split(missed[direction]);
+                split.spans() <= m_options.mostSpans)
+                finer[direction] = split;
+        const auto degree = static_cast<std::size_t>(m_options.degree);
+        const bool changed = finer[0].spans() + finer[1].spans() > m_knots[0].spans() + m_knots[1].spans();
+        if (!changed || (finer[0].spans() + degree) * (finer[1].spans() + degree) > m_options.mostPoles)
+            return false;
+        m_knots = std::move(finer);
+        return true;
+    }
+
+    SplineFit<SplineSurface> result(bool converged)
+    {
+        return {{{m_knots[0].values, m_bases[0].multiplicities()},
+                 {m_knots[1].values, m_bases[1].multiplicities()},
+                 m_options.degree,
+                 std::move(m_poles)},
+                m_error,
+                converged};
+    }
+
+    const SurfaceToFit& m_wanted;
+    const SplineFitOptions& m_options;
+    std::array<SplineKnots, 2> m_knots;
+    std::vector<SplineBasis> m_bases;
+    std::vector<Vec3> m_poles;
+    std::vector<Vec3> m_checks;                  // places wanted there
+    std::array<std::vector<double>, 2> m_errors; // largest per span, along lines
+    double m_error = 0;
+};
+
+} // namespace
+
+SplineFit<SplineCurve> fitCurve(const CurveTarget& target, const SplineKnots& start, double feature,
+                                const SplineFitOptions& options)
+{
+    return CurveFitter(target, start, feature, options).run();
+}
+
+SplineFit<SplineSurface> fitSurface(const SurfaceToFit& wanted, const SplineFitOptions& options)
+{
+    return SurfaceFitter(wanted, options).run();
+}
+
+} // namespace knead

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/geometry/spline_basis.h"
+#include "core/geometry/vec3.h"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace knead {
+
+/// A place in the parameters of a surface.
+using Vec2 = Eigen::Vector2d;
+
+/// A polynomial B-spline curve.
+struct SplineCurve {
+    SplineKnots knots;
+    int degree = 0;
+    std::vector<Vec3> poles;
+};
+
+/// A polynomial tensor-product B-spline surface of the same degree in both directions.
+struct SplineSurface {
+    SplineKnots u;
+    SplineKnots v;
+    int degree = 0;
+    std::vector<Vec3> poles; ///< those of a u beside each other
+};
+
+/// What is fitted: places for parameters, as many as asked for. The same parameters always give the same places.
+using CurveTarget = std::function<void(std::span<const double> parameters, std::span<Vec3> places)>;
+using SurfaceTarget = std::function<void(std::span<const Vec2> parameters, std::span<Vec3> places)>;
+
+struct SplineFitOptions {
+    int degree = 5;
+    double tolerance = 1e-6;     ///< largest distance at equal parameters
+    std::size_t mostSpans = 160; ///< per direction
+    std::size_t mostPoles = 60'000;
+};
+
+template <typename Spline>
+struct SplineFit {
+    Spline spline;
+    double error = 0;       ///< largest distance that was seen
+    bool converged = false; ///< within the tolerance
+};
+
+/// Interpolates a curve at Greville points and splits the spans in which it misses the tolerance, until it does not.
+/// @param start knots where the target is not smooth, with multiplicities that leave it so
+/// @param feature a length of parameter in which the target has no features: it is looked at that often at least, > 0
+SplineFit<SplineCurve> fitCurve(const CurveTarget& target, const SplineKnots& start, double feature,
+                                const SplineFitOptions& options);
+
+/// What a surface is fitted to and where.
+struct SurfaceToFit {
+    SurfaceTarget target;
+    SplineKnots u; ///< as `start` of fitCurve()
+    SplineKnots v;
+    Vec2 feature = Vec2::Ones();             ///< as `feature` of fitCurve(), along u and v
+    std::function<bool(const Vec2&)> counts; ///< whether errors matter at a place
+    std::vector<Vec2> checks;                ///< places where they matter most
+};
+
+/// As fitCurve(), for a surface: interpolation in both directions one after the other. Errors are looked for along lines of
+/// constant u and v first, which tell the direction to refine, then all over.
+SplineFit<SplineSurface> fitSurface(const SurfaceToFit& wanted, const SplineFitOptions& options);
+
+} // namespace knead

@@ -1,0 +1,48 @@
+#include "core/skin/skin_map.h"
+
+#include "core/skin/point_weights.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+namespace knead {
+
+SkinMap::SkinMap(const Aggregate& aggregate, std::vector<Vec3> displacements)
+    : m_aggregate(aggregate)
+    , m_finder(aggregate)
+    , m_displacements(std::move(displacements))
+{
+    if (aggregate.size() == 0)
+        throw std::invalid_argument("SkinMap: the aggregate has no objects");
+    if (m_displacements.size() != aggregate.size())
+        throw std::invalid_argument("SkinMap: as many displacements as objects are needed");
+}
+
+/// Points with the same owner come one after the other, since they share its neighborhood.
+void SkinMap::evaluate(std::span<const Vec3> points, std::span<Vec3> places) const
+{
+    const Lattice& lattice = m_aggregate.lattice;
+    std::vector<NeighborhoodFinder::Owner> owners;
+    owners.reserve(points.size());
+    for (const Vec3& point : points)
+        owners.push_back(m_finder.owner(lattice.coordinates(point)));
+    std::vector<std::uint32_t> order(points.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return owners[a] < owners[b]; });
+    std::vector<ObjectIndex> objects;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const std::uint32_t point = order[i];
+        if (i == 0 || owners[point] != owners[order[i - 1]])
+            objects = m_finder.gather(owners[point]);
+        const std::vector<double> weights = pointWeights(lattice, objects, lattice.coordinates(points[point]));
+        const Vec3 common = m_displacements[objects.front()];
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t k = 0; k < objects.size(); ++k)
+            sum += weights[k] * (m_displacements[objects[k]] - common);
+        places[point] = points[point] + (common + sum);
+    }
+}
+
+} // namespace knead

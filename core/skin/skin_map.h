@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/aggregate/aggregate.h"
+#include "core/geometry/smooth_map.h"
+#include "core/skin/neighborhood.h"
+
+#include <vector>
+
+namespace knead {
+
+/// The map x(X) that carries the skin (see skin.h), at any place and in double precision: what takes exact shapes to the
+/// deformed body. Where no object has moved, points stay exactly where they are.
+class SkinMap final : public SmoothMap {
+public:
+    /// The aggregate must outlive it.
+    /// @param displacements one per object, from rest [m]
+    /// @throws std::invalid_argument for an aggregate without objects
+    SkinMap(const Aggregate& aggregate, std::vector<Vec3> displacements);
+
+    void evaluate(std::span<const Vec3> points, std::span<Vec3> places) const override;
+
+    /// The spacing of the objects: the map knows nothing finer [m].
+    double featureSize() const override { return m_aggregate.lattice.spacing; }
+
+private:
+    const Aggregate& m_aggregate;
+    NeighborhoodFinder m_finder;
+    std::vector<Vec3> m_displacements;
+};
+
+} // namespace knead

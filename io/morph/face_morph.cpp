@@ -1,0 +1,257 @@
+#include "io/morph/face_morph.h"
+
+#include "io/morph/millimetre_map.h"
+#include "io/morph/rigid_piece.h"
+#include "io/morph/spline_geometry.h"
+#include "io/morph/trim_mask.h"
+#include "io/morph/trimmed_face.h"
+
+#include <Eigen/Eigenvalues>
+#include <Geom2dAdaptor_Curve.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
+#include <Geom_Plane.hxx>
+#include <Standard_Failure.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace knead {
+
+namespace {
+
+constexpr int samplesPerEdge = 16;
+constexpr double leastLooks = 6; // into a face, per direction
+constexpr double mostLooks = 60;
+
+Handle(Geom2d_Curve) withoutTrim(Handle(Geom2d_Curve) curve)
+{
+    for (;;) {
+        const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve);
+        if (trimmed.IsNull())
+            return curve;
+        curve = trimmed->BasisCurve();
+    }
+}
+
+/// Lines, circles, ellipses and plain B-splines may stay; STEP readers fail on hyperbolas and parabolas, and turn the others
+/// into curves with another parameter.
+bool mayStay(const Geom2dAdaptor_Curve& curve)
+{
+    switch (curve.GetType()) {
+    case GeomAbs_Line:
+    case GeomAbs_Circle:
+    case GeomAbs_Ellipse:
+        return true;
+    case GeomAbs_BSplineCurve:
+        return !curve.IsPeriodic() && !curve.IsRational();
+    default:
+        return false;
+    }
+}
+
+class FaceMorpher {
+public:
+    FaceMorpher(const TopoDS_Face& face, const SmoothMap& map, const MorphOptions& options)
+        : m_face(face)
+        , m_mask(m_face)
+        , m_map(map)
+        , m_options(options)
+        , m_border(m_face.borderSamples(samplesPerEdge))
+    {
+        const Vec2 perFeature = m_face.lengths() / map.featureSize();
+        m_feature = (m_face.high() - m_face.low()).cwiseQuotient(perFeature.cwiseMax(1e-9));
+        for (Eigen::Index axis = 0; axis < 2; ++axis)
+            m_looks[axis] = std::floor(std::clamp(2 * perFeature[axis] + 1, leastLooks, mostLooks));
+    }
+
+    MorphedFace run()
+    {
+        MorphedFace result;
+        if (staysRigid(result) || staysPlane(result))
+            return result;
+        fit(result);
+        addCurves(result, false);
+        return result;
+    }
+
+private:
+    std::vector<Vec3> pointsAt(std::span<const Vec2> parameters) const
+    {
+        std::vector<Vec3> points;
+        points.reserve(parameters.size());
+        for (const Vec2& at : parameters)
+            points.push_back(m_face.at(at));
+        return points;
+    }
+
+    /// Border and inside, often enough to see what the map does.
+    std::vector<Vec3> samples() const
+    {
+        std::vector<Vec2> parameters = m_border;
+        for (double i = 0; i <= m_looks[0]; ++i)
+            for (double j = 0; j <= m_looks[1]; ++j) {
+                const Vec2 share(i / m_looks[0], j / m_looks[1]);
+                const Vec2 at = m_face.low() + share.cwiseProduct(m_face.high() - m_face.low());
+                if (m_mask.isNear(at))
+                    parameters.push_back(at);
+            }
+        return pointsAt(parameters);
+    }
+
+    bool staysRigid(MorphedFace& result) const
+    {
+        if (!m_border.empty() && !rigidMotionOf(m_map, pointsAt(m_border), m_options.rigidTolerance()))
+            return false; // seen early, without looking inside
+        const auto motion = rigidMotionOf(m_map, samples(), m_options.rigidTolerance());
+        if (!motion)
+            return false;
+        result.kind = motion->Form() == gp_Identity ? MorphedFaceKind::kept : MorphedFaceKind::moved;
+        result.surface = moved(m_face.surface().Surface(), *motion * m_face.location());
+        addCurves(result, true);
+        return true;
+    }
+
+    /// A plane that the map takes to a plane: its edges say all the rest.
+    bool staysPlane(MorphedFace& result) const
+    {
+        if (m_face.surface().GetType() != GeomAbs_Plane)
+            return false;
+        const std::vector<Vec3> points = samples();
+        std::vector<Vec3> places(points.size());
+        m_map.evaluate(points, places);
+        const Vec3 middle =
+            std::accumulate(places.begin(), places.end(), Vec3(Vec3::Zero())) / static_cast<double>(places.size());
+        Mat3 spread = Mat3::Zero();
+        for (const Vec3& place : places)
+            spread += (place - middle) * (place - middle).transpose();
+        const Eigen::SelfAdjointEigenSolver<Mat3> axes(spread);
+        Vec3 normal = axes.eigenvectors().col(0);
+        for (const Vec3& place : places)
+            if (!(std::abs((place - middle).dot(normal)) <= m_options.rigidTolerance()))
+                return false;
+        // Turned as the map turns the face, at a place on its border.
+        const Vec2 at = m_border.empty() ? m_face.low() : m_border.front();
+        const Vec2 step = 1e-3 * (m_face.high() - m_face.low());
+        const std::array<Vec3, 3> corner{m_face.at(at), m_face.at({at[0] + step[0], at[1]}),
+                                         m_face.at({at[0], at[1] + step[1]})};
+        std::array<Vec3, 3> image;
+        m_map.evaluate(corner, image);
+        if ((image[1] - image[0]).cross(image[2] - image[0]).dot(normal) < 0)
+            normal = -normal;
+        const Vec3 side = axes.eigenvectors().col(2);
+        result.kind = MorphedFaceKind::planar;
+        result.surface = new Geom_Plane(
+            gp_Ax3(toPoint(middle), gp_Dir(normal.x(), normal.y(), normal.z()), gp_Dir(side.x(), side.y(), side.z())));
+        return true;
+    }
+
+    void fit(MorphedFace& result) const
+    {
+        const Vec2 low = m_face.low();
+        const Vec2 high = m_face.high();
+        const GeomAdaptor_Surface part(m_face.surface().Surface(), low[0], high[0], low[1], high[1]);
+        const SurfaceToFit wanted{
+            .target = [&](std::span<const Vec2> parameters,
+                          std::span<Vec3> places) { m_map.evaluate(pointsAt(parameters), places); },
+            .u = knotsOf(part, SurfaceDirection::u, low[0], high[0], m_options.degree),
+            .v = knotsOf(part, SurfaceDirection::v, low[1], high[1], m_options.degree),
+            .feature = m_feature,
+            .counts = [&](const Vec2& at) { return m_mask.isNear(at); },
+            .checks = m_border,
+        };
+        const auto fitted = fitSurface(wanted, {.degree = m_options.degree, .tolerance = m_options.faceTolerance()});
+        result.kind = MorphedFaceKind::fitted;
+        result.surface = toGeometry(fitted.spline);
+        result.error = fitted.error;
+        result.converged = fitted.converged;
+        result.poles = static_cast<int>(fitted.spline.poles.size());
+    }
+
+    /// @param isExact the surface is what it was, so curves may stay whatever they are
+    void addCurves(MorphedFace& result, bool isExact) const
+    {
+        if (isExact && m_face.surface().GetType() == GeomAbs_Plane)
+            return;
+        for (const FaceEdge& edge : m_face.edges()) {
+            MorphedFace::EdgeCurves& curves = result.edges.emplace_back();
+            curves.edge = edge.edge;
+            curves.first = edge.first;
+            curves.last = edge.last;
+            if (isExact) {
+                curves.curves = edge.curves;
+                continue;
+            }
+            std::size_t side = 0;
+            for (const Handle(Geom2d_Curve) & curve : edge.shifted())
+                curves.curves[side++] = plain(curve, edge.first, edge.last);
+        }
+    }
+
+    /// A curve that STEP can hold, in the same parameter.
+    Handle(Geom2d_Curve) plain(const Handle(Geom2d_Curve) & trimmed, double first, double last) const
+    {
+        const Handle(Geom2d_Curve) curve = withoutTrim(trimmed);
+        if (mayStay(Geom2dAdaptor_Curve(curve)))
+            return curve;
+        const Geom2dAdaptor_Curve adaptor(curve, first, last);
+        const Vec2 scale = metric(adaptor, first, last);
+        const CurveTarget target = [&](std::span<const double> parameters, std::span<Vec3> places) {
+            for (std::size_t i = 0; i < parameters.size(); ++i) {
+                const gp_Pnt2d at = adaptor.Value(parameters[i]);
+                places[i] = Vec3(at.X() * scale.x(), at.Y() * scale.y(), 0);
+            }
+        };
+        const auto fitted = fitCurve(
+            target, knotsOf(adaptor, first, last, m_options.degree), 0.3 * (last - first),
+            {.degree = m_options.degree, .tolerance = std::max(1e-9, 0.01 * m_options.tolerance), .mostSpans = 640});
+        return toPlaneGeometry(fitted.spline, scale);
+    }
+
+    /// How far a step along u and v goes in space at most, along a curve [mm].
+    Vec2 metric(const Geom2dAdaptor_Curve& curve, double first, double last) const
+    {
+        Vec2 most = Vec2::Constant(1e-30);
+        for (int i = 0; i <= 12; ++i) {
+            const gp_Pnt2d at = curve.Value(first + (last - first) * i / 12);
+            for (Eigen::Index axis = 0; axis < 2; ++axis) {
+                Vec2 there(at.X(), at.Y());
+                const Vec3 here = m_face.at(there);
+                const double step = 1e-4 * (m_face.high() - m_face.low())[axis];
+                there[axis] += step;
+                most[axis] = std::max(most[axis], (m_face.at(there) - here).norm() / step);
+            }
+        }
+        return most;
+    }
+
+    TrimmedFace m_face;
+    TrimMask m_mask;
+    const SmoothMap& m_map;
+    const MorphOptions& m_options;
+    std::vector<Vec2> m_border;
+    Vec2 m_feature = Vec2::Ones(); // in parameters
+    Vec2 m_looks = Vec2::Ones();
+};
+
+} // namespace
+
+MorphedFace morphFace(const TopoDS_Face& face, const SmoothMap& map, const MorphOptions& options)
+{
+    const auto failed = [](const char* why) {
+        MorphedFace result;
+        result.converged = false;
+        result.problem = why;
+        return result;
+    };
+    try {
+        return FaceMorpher(face, map, options).run();
+    } catch (const Standard_Failure& failure) {
+        return failed(failure.GetMessageString());
+    } catch (const std::runtime_error& error) {
+        return failed(error.what());
+    }
+}
+
+} // namespace knead

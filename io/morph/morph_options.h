@@ -1,0 +1,19 @@
+#pragma once
+
+#include <algorithm>
+
+namespace knead {
+
+/// How closely a morphed shape follows its map. Lengths in millimetres, as the shapes are.
+struct MorphOptions {
+    double tolerance = 0.01; ///< largest distance between a face and where the map takes it, > 0 [mm]
+    int degree = 5;          ///< of splines: fewer poles than 3 at such tolerances, and smoother across edges
+
+    double faceTolerance() const { return 0.3 * tolerance; }
+    double edgeTolerance() const { return std::max(1e-8, 0.1 * tolerance); } ///< several faces meet there
+
+    /// What moves as a rigid thing up to this stays exactly what it was.
+    double rigidTolerance() const { return std::max(1e-7, 0.01 * tolerance); }
+};
+
+} // namespace knead

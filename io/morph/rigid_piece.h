@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/geometry/smooth_map.h"
+
+#include <gp_Trsf.hxx>
+
+#include <optional>
+#include <span>
+
+namespace knead {
+
+/// The rigid motion that a map is for all points, up to a tolerance; the identity where it leaves them in place.
+std::optional<gp_Trsf> rigidMotionOf(const SmoothMap& map, std::span<const Vec3> points, double tolerance);
+
+/// A curve or surface, moved; itself when the motion is the identity.
+template <typename GeometryHandle>
+GeometryHandle moved(const GeometryHandle& geometry, const gp_Trsf& motion)
+{
+    if (motion.Form() == gp_Identity)
+        return geometry;
+    return GeometryHandle::DownCast(geometry->Transformed(motion));
+}
+
+} // namespace knead

@@ -1,0 +1,108 @@
+#include "io/morph/trim_mask.h"
+
+#include <BRepTopAdaptor_FClass2d.hxx>
+
+#include <algorithm>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+constexpr int piecesPerCurve = 96;
+
+} // namespace
+
+TrimMask::TrimMask(const TrimmedFace& face)
+    : m_low(face.low())
+    , m_high(face.high())
+    , m_near(std::size_t{side} * side, face.edges().empty())
+{
+    if (face.edges().empty())
+        return;
+    markBorder(face);
+    fillInside(face);
+    widen();
+}
+
+int TrimMask::cellOf(double parameter, Eigen::Index axis) const
+{
+    const double share = (parameter - m_low[axis]) / (m_high[axis] - m_low[axis]);
+    return static_cast<int>(std::clamp(std::floor(side * share), 0.0, side - 1.0));
+}
+
+bool TrimMask::isNear(const Vec2& parameters) const
+{
+    return m_near[static_cast<std::size_t>(cellOf(parameters[0], 0) * side + cellOf(parameters[1], 1))];
+}
+
+/// All cells that an edge goes through.
+void TrimMask::markBorder(const TrimmedFace& face)
+{
+    const Vec2 cell = (m_high - m_low) / side;
+    for (const FaceEdge& edge : face.edges())
+        for (const Handle(Geom2d_Curve) & curve : edge.shifted()) {
+            const auto at = [&](int i) {
+                const gp_Pnt2d point = curve->Value(edge.first + (edge.last - edge.first) * i / piecesPerCurve);
+                return Vec2(point.X(), point.Y());
+            };
+            Vec2 begin = at(0);
+            for (int i = 1; i <= piecesPerCurve; ++i) {
+                const Vec2 end = at(i);
+                const double cells = (end - begin).cwiseQuotient(cell).cwiseAbs().maxCoeff();
+                const int steps = 1 + static_cast<int>(std::min(2 * cells, 4.0 * side));
+                for (int step = 0; step <= steps; ++step) {
+                    const Vec2 place = begin + (end - begin) * step / steps;
+                    m_near[static_cast<std::size_t>(cellOf(place[0], 0) * side + cellOf(place[1], 1))] = true;
+                }
+                begin = end;
+            }
+        }
+}
+
+/// Cells that no edge separates are all inside or all outside: one point of each such region tells.
+void TrimMask::fillInside(const TrimmedFace& face)
+{
+    const BRepTopAdaptor_FClass2d classifier(face.face(), 1e-9);
+    std::vector<bool> seen = m_near;
+    const Vec2 cell = (m_high - m_low) / side;
+    for (int start = 0; start < side * side; ++start) {
+        if (seen[static_cast<std::size_t>(start)])
+            continue;
+        std::vector<int> region{start};
+        seen[static_cast<std::size_t>(start)] = true;
+        for (std::size_t next = 0; next < region.size(); ++next) {
+            const int row = region[next] / side;
+            const int column = region[next] % side;
+            const auto visit = [&](int r, int c) {
+                if (r < 0 || r >= side || c < 0 || c >= side || seen[static_cast<std::size_t>(r * side + c)])
+                    return;
+                seen[static_cast<std::size_t>(r * side + c)] = true;
+                region.push_back(r * side + c);
+            };
+            visit(row - 1, column);
+            visit(row + 1, column);
+            visit(row, column - 1);
+            visit(row, column + 1);
+        }
+        const int middle = region[region.size() / 2];
+        const Vec2 at = m_low + cell.cwiseProduct(Vec2(middle / side + 0.5, middle % side + 0.5));
+        if (classifier.Perform(gp_Pnt2d(at[0], at[1]), true) != TopAbs_OUT)
+            for (const int place : region)
+                m_near[static_cast<std::size_t>(place)] = true;
+    }
+}
+
+/// By one cell to all sides.
+void TrimMask::widen()
+{
+    const std::vector<bool> before = m_near;
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column)
+            if (before[static_cast<std::size_t>(row * side + column)])
+                for (int r = std::max(0, row - 1); r <= std::min(side - 1, row + 1); ++r)
+                    for (int c = std::max(0, column - 1); c <= std::min(side - 1, column + 1); ++c)
+                        m_near[static_cast<std::size_t>(r * side + c)] = true;
+}
+
+} // namespace knead
