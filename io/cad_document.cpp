@@ -5,24 +5,24 @@
 #include "io/cad_assembly.h"
 #include "io/iges_check.h"
 #include "io/iges_surfaces.h"
+#include "io/occt_progress.h"
 #include "io/readable_name.h"
 #include "io/step_assembly_size.h"
 #include "io/step_check.h"
 #include "io/step_geometry_check.h"
 #include "io/step_lost_faces.h"
 #include "io/step_names.h"
+#include "io/xcaf_document.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESData_IGESModel.hxx>
-#include <Message_ProgressIndicator.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPControl_Reader.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopoDS_Shape.hxx>
-#include <XCAFApp_Application.hxx>
 
 #include <fstream>
 #include <type_traits>
@@ -33,40 +33,6 @@ namespace knead {
 namespace {
 
 constexpr const char* transferStage = "making shapes";
-
-/// Hands OpenCASCADE's progress on, and the wish to stop back.
-class OcctProgress final : public Message_ProgressIndicator {
-public:
-    OcctProgress(TaskControl& control, const char* stage)
-        : m_control(control)
-        , m_stage(stage)
-    {
-    }
-
-    Standard_Boolean UserBreak() override { return m_control.isCancelled(); }
-    void Show(const Message_ProgressScope&, const Standard_Boolean) override
-    {
-        m_control.report(GetPosition(), m_stage);
-    }
-
-private:
-    TaskControl& m_control;
-    const char* m_stage;
-};
-
-/// A document that is closed in any case.
-class ScopedDocument {
-public:
-    ScopedDocument() { XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", m_document); }
-    ~ScopedDocument() { XCAFApp_Application::GetApplication()->Close(m_document); }
-    ScopedDocument(const ScopedDocument&) = delete;
-    ScopedDocument& operator=(const ScopedDocument&) = delete;
-
-    Handle(TDocStd_Document) & operator*() { return m_document; }
-
-private:
-    Handle(TDocStd_Document) m_document;
-};
 
 /// The unit as a person writes it; as the file writes it when it is none that people use.
 std::string displayUnit(const std::string& name)

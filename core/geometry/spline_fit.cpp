@@ -1,5 +1,7 @@
 #include "core/geometry/spline_fit.h"
 
+#include "core/geometry/grid_completion.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -136,6 +138,7 @@ private:
 
     void interpolate()
     {
+        m_fitted = m_knots;
         m_bases.clear();
         for (const SplineKnots& knots : m_knots)
             m_bases.emplace_back(knots, m_options.degree);
@@ -146,12 +149,44 @@ private:
         for (const double u : m_bases[0].greville())
             for (const double v : m_bases[1].greville())
                 parameters.emplace_back(u, v);
-        m_poles.resize(parameters.size());
-        m_wanted.target(parameters, m_poles);
+        m_poles = placesAt(parameters);
         for (std::size_t j = 0; j < nv; ++j)
             m_bases[0].interpolate(&m_poles[j], nv);
         for (std::size_t i = 0; i < nu; ++i)
             m_bases[1].interpolate(&m_poles[i * nv], 1);
+    }
+
+    /// The target where it counts, and something smooth that goes with it elsewhere: there it may be anything, and jump.
+    std::vector<Vec3> placesAt(const std::vector<Vec2>& grid) const
+    {
+        std::vector<bool> counts(grid.size());
+        std::vector<Vec2> asked;
+        for (std::size_t i = 0; i < grid.size(); ++i)
+            if (counts[i] = m_wanted.counts(grid[i]); counts[i])
+                asked.push_back(grid[i]);
+        std::vector<Vec3> places(asked.size());
+        m_wanted.target(asked, places);
+        if (asked.size() == grid.size())
+            return places;
+        std::vector<Vec3> rest(grid.size());
+        m_wanted.rest(grid, rest);
+        std::vector<Vec3> displacements(grid.size(), Vec3::Zero());
+        for (std::size_t i = 0, next = 0; i < grid.size(); ++i)
+            if (counts[i])
+                displacements[i] = places[next++] - rest[i];
+        completeGrid(linesOf(0), linesOf(1), counts, displacements);
+        for (std::size_t i = 0; i < grid.size(); ++i)
+            rest[i] += displacements[i];
+        return rest;
+    }
+
+    /// Greville lines in features, which are about the same length in both directions.
+    std::vector<double> linesOf(std::size_t direction) const
+    {
+        std::vector<double> lines = m_bases[direction].greville();
+        for (double& line : lines)
+            line /= m_wanted.feature[static_cast<Eigen::Index>(direction)];
+        return lines;
     }
 
     Vec3 at(const Vec2& parameters) const
@@ -272,8 +307,8 @@ private:
 
     SplineFit<SplineSurface> result(bool converged)
     {
-        return {{{m_knots[0].values, m_bases[0].multiplicities()},
-                 {m_knots[1].values, m_bases[1].multiplicities()},
+        return {{{m_fitted[0].values, m_bases[0].multiplicities()},
+                 {m_fitted[1].values, m_bases[1].multiplicities()},
                  m_options.degree,
                  std::move(m_poles)},
                 m_error,
@@ -282,7 +317,8 @@ private:
 
     const SurfaceToFit& m_wanted;
     const SplineFitOptions& m_options;
-    std::array<SplineKnots, 2> m_knots;
+    std::array<SplineKnots, 2> m_knots;  // of the present round, finer from one to the next
+    std::array<SplineKnots, 2> m_fitted; // that the poles belong to
     std::vector<SplineBasis> m_bases;
     std::vector<Vec3> m_poles;
     std::vector<Vec3> m_checks;                  // places wanted there

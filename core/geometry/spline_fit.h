@@ -54,6 +54,9 @@ SplineFit<SplineCurve> fitCurve(const CurveTarget& target, const SplineKnots& st
 /// What a surface is fitted to and where.
 struct SurfaceToFit {
     SurfaceTarget target;
+    SurfaceTarget
+        rest;      ///< what the target is a deformation of. Where errors do not matter the target is not asked: it is
+                   ///< this, displaced in a way that goes on smoothly from where they do
     SplineKnots u; ///< as `start` of fitCurve()
     SplineKnots v;
     Vec2 feature = Vec2::Ones();             ///< as `feature` of fitCurve(), along u and v

@@ -127,7 +127,8 @@ private:
             m_builder.MakeEdge(image);
             m_builder.Degenerated(image, isDegenerated);
         } else {
-            m_builder.MakeEdge(image, geometry.curve, 1e-7);
+            // What moves as a whole is as exact as it was.
+            m_builder.MakeEdge(image, geometry.curve, geometry.isExact ? BRep_Tool::Tolerance(edge) : 1e-7);
             m_builder.Range(image, geometry.first, geometry.last);
         }
         for (TopoDS_Iterator child(edge); child.More(); child.Next()) {
@@ -286,7 +287,7 @@ MorphedShape morphShape(const TopoDS_Shape& shape, const SmoothMap& map, const M
     }
     control.throwIfCancelled();
     control.report(0.85, "measuring tolerances");
-    result.largestEdgeTolerance = measureTolerances(result.shape);
+    result.largestEdgeTolerance = raiseTolerances(result.shape);
     copy.markSmoothEdges();
     control.throwIfCancelled();
     control.report(0.9, "checking");

@@ -155,6 +155,11 @@ private:
         const SurfaceToFit wanted{
             .target = [&](std::span<const Vec2> parameters,
                           std::span<Vec3> places) { m_map.evaluate(pointsAt(parameters), places); },
+            .rest =
+                [&](std::span<const Vec2> parameters, std::span<Vec3> places) {
+                    std::transform(parameters.begin(), parameters.end(), places.begin(),
+                                   [&](const Vec2& at) { return m_face.at(at); });
+                },
             .u = knotsOf(part, SurfaceDirection::u, low[0], high[0], m_options.degree),
             .v = knotsOf(part, SurfaceDirection::v, low[1], high[1], m_options.degree),
             .feature = m_feature,

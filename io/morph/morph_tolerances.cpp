@@ -166,7 +166,7 @@ void findTouchingWires(const TopoDS_Face& face, TopTools_IndexedMapOfShape& vert
 
 } // namespace
 
-double measureTolerances(const TopoDS_Shape& shape)
+double raiseTolerances(const TopoDS_Shape& shape)
 {
     TopTools_IndexedDataMapOfShapeListOfShape facesOfEdge;
     TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, facesOfEdge);
@@ -183,8 +183,8 @@ double measureTolerances(const TopoDS_Shape& shape)
     for (std::size_t i = 0; i < misses.size(); ++i) {
         const TopoDS_Edge edge = TopoDS::Edge(facesOfEdge.FindKey(static_cast<int>(i) + 1).Oriented(TopAbs_FORWARD));
         const double tolerance = std::max(leastTolerance, edgeMargin * misses[i].edge + rounding);
-        builder.UpdateEdge(edge, tolerance);
-        largest = std::max(largest, tolerance);
+        builder.UpdateEdge(edge, tolerance); // keeps a larger one
+        largest = std::max(largest, BRep_Tool::Tolerance(edge));
         const auto update = [&](const TopoDS_Vertex& vertex, double miss) {
             if (!vertex.IsNull())
                 builder.UpdateVertex(vertex, std::max(tolerance, vertexMargin * miss + rounding));

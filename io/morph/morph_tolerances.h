@@ -5,10 +5,10 @@
 
 namespace knead {
 
-/// Sets the tolerances of all edges and vertices of a shape to what their curves and surfaces really miss each other by, with
+/// Raises the tolerances of all edges and vertices of a shape to what their curves and surfaces really miss each other by, with
 /// a small margin. In parallel.
 /// @return the largest of an edge [mm]
-double measureTolerances(const TopoDS_Shape& shape);
+double raiseTolerances(const TopoDS_Shape& shape);
 
 /// Edges that leave a vertex almost in one direction may cross just outside its ball, which is the shape's tolerance for that;
 /// doubles the tolerance of such vertices until the checks pass or nothing is left to widen.

@@ -22,7 +22,6 @@ TrimMask::TrimMask(const TrimmedFace& face)
         return;
     markBorder(face);
     fillInside(face);
-    widen();
 }
 
 int TrimMask::cellOf(double parameter, Eigen::Index axis) const
@@ -91,18 +90,6 @@ void TrimMask::fillInside(const TrimmedFace& face)
             for (const int place : region)
                 m_near[static_cast<std::size_t>(place)] = true;
     }
-}
-
-/// By one cell to all sides.
-void TrimMask::widen()
-{
-    const std::vector<bool> before = m_near;
-    for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column)
-            if (before[static_cast<std::size_t>(row * side + column)])
-                for (int r = std::max(0, row - 1); r <= std::min(side - 1, row + 1); ++r)
-                    for (int c = std::max(0, column - 1); c <= std::min(side - 1, column + 1); ++c)
-                        m_near[static_cast<std::size_t>(r * side + c)] = true;
 }
 
 } // namespace knead

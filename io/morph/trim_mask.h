@@ -6,7 +6,7 @@
 
 namespace knead {
 
-/// Which parts of a face's box of parameters are in the face or close to it: within about a fiftieth of the box.
+/// Which parts of a face's box of parameters are in the face or close to it: within a sixtieth of the box.
 class TrimMask {
 public:
     explicit TrimMask(const TrimmedFace& face);
@@ -19,7 +19,6 @@ private:
     int cellOf(double parameter, Eigen::Index axis) const;
     void markBorder(const TrimmedFace& face);
     void fillInside(const TrimmedFace& face);
-    void widen();
 
     Vec2 m_low;
     Vec2 m_high;

@@ -21,7 +21,8 @@ void MorphCorpusTest::table()
     const QString folder = qEnvironmentVariable("KNEAD_CORPUS");
     if (folder.isEmpty())
         QSKIP("no corpus");
-    const QStringList files = QDir(folder + "/open").entryList({qEnvironmentVariable("KNEAD_FILES", "o*")}, QDir::Files);
+    const QStringList files =
+        QDir(folder + "/open").entryList({qEnvironmentVariable("KNEAD_FILES", "o*")}, QDir::Files);
     int pairs = 0, good = 0;
     for (const QString& file : files) {
         Model model;
@@ -57,7 +58,8 @@ void MorphCorpusTest::table()
                 }
                 ++pairs;
                 good += result.isValid && !failed && !unconverged;
-                std::printf("%-34s %-20.20s %-8s %5zu faces %4d kept %s fail %d unconv %d poles %6d tol/asked %8.4f wid %d %6.0f ms\n",
+                std::printf("%-34s %-20.20s %-8s %5zu faces %4d kept %s fail %d unconv %d poles %6d tol/asked %8.4f "
+                            "wid %d %6.0f ms\n",
                             qPrintable(file), part.name.c_str(), name, result.notes.size(), kept,
                             result.isValid ? "valid " : "INVALID", failed, unconverged, poles,
                             result.largestEdgeTolerance / options.tolerance, result.widenedVertices,

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace knead {
+
+/// What was found when one exported part was read back.
+struct PartExportReport {
+    enum class Form {
+        exact,   ///< smooth trimmed faces, one for each of the original
+        faceted, ///< a solid of flat triangles
+        mesh,    ///< triangles, in a mesh format
+    };
+
+    std::string name;
+    Form form = Form::exact;
+    std::string reason; ///< why it is not exact, a sentence; empty when it is
+
+    // Before and after.
+    int solidsBefore = 0;
+    int solidsAfter = 0;
+    int facesBefore = 0;
+    int facesAfter = 0;
+    int edgesBefore = 0;
+    int edgesAfter = 0;
+    double restVolume = 0; ///< of the part as imported [m^3]
+    double skinVolume = 0; ///< of the deformed skin: what the file should hold [m^3]
+    double volume = 0;     ///< of what was read back [m^3]
+    double density = 0;    ///< of its material [kg/m^3]; 0: none
+
+    // Of what was read back.
+    bool valid = false;  ///< by the geometry checks; for a mesh: closed and outward
+    bool closed = false; ///< no free edge, and can be covered with a closed net of triangles
+    std::size_t freeEdges = 0;
+    double maxTolerance = 0;     ///< [m]
+    double tolerance = 0;        ///< asked for [m]
+    double largestDeviation = 0; ///< between samples of faces and where the skin has them [m]
+    double meanDeviation = 0;    ///< [m]
+    std::size_t samples = 0;     ///< that were measured; 0 where nothing could be compared
+    int keptFaces = 0;           ///< exactly where and what they were
+    bool nameKept = false;
+    bool colorsKept = false;
+
+    /// Whether a person can rely on it.
+    bool isSound() const;
+
+    /// Relative error of the volume; 0 for parts without one.
+    double volumeError() const;
+};
+
+/// What came of an export.
+struct ExportReport {
+    std::string file;
+    std::string format; ///< "STEP AP242"
+    std::string unit;
+    std::uint64_t bytes = 0;
+    double seconds = 0; ///< that it took
+    std::vector<PartExportReport> parts;
+    std::vector<std::string> warnings; ///< sentences about the whole
+
+    bool isSound() const;
+};
+
+/// Largest volume error of a sound part.
+inline constexpr double largestVolumeError = 2e-3;
+
+/// The report as lines for a person to read.
+std::vector<std::string> linesOf(const ExportReport& report);
+
+} // namespace knead

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "io/export/exact_part.h"
+
+#include <vector>
+
+namespace knead {
+
+/// Compares a file that was read back with what was written, part by part, and completes the reports of these.
+/// @param written in the order of the tree
+/// @param model what reading gave, with its exact shapes
+/// @return sentences about what does not belong to one part
+std::vector<std::string> checkWritten(std::vector<ReadyPart>& written, const Model& model, TaskControl& control);
+
+} // namespace knead

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/aggregate/aggregate.h"
+#include "core/model/export_options.h"
+#include "core/model/part.h"
+
+#include <memory>
+#include <vector>
+
+namespace knead {
+
+/// A part and how its material lies now.
+struct PartToExport {
+    Part part;                                  ///< as imported
+    std::shared_ptr<const Aggregate> aggregate; ///< its objects; null: the part is written as imported
+    std::vector<Vec3> displacements;            ///< per object, from rest [m]
+    double density = 0;                         ///< [kg/m^3], for the report; 0: none
+};
+
+/// What is to be written into one file.
+struct ExportJob {
+    std::vector<PartToExport> parts;
+    PartNode tree; ///< of these parts
+    ExportOptions options;
+};
+
+} // namespace knead
