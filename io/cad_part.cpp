@@ -1,6 +1,7 @@
 #include "io/cad_part.h"
 
 #include "core/geometry/mass_properties.h"
+#include "io/face_integral.h"
 #include "io/free_edges.h"
 #include "io/number_words.h"
 #include "io/open_borders.h"
@@ -81,10 +82,11 @@ void simplifyColors(Part& part)
 }
 
 /// Measures and triangles of a closed solid, turned outward.
-void addSolid(const TopoDS_Shape& body, const ImportOptions& options, Part& part)
+void addSolid(const TopoDS_Shape& body, double volume, const ImportOptions& options, Part& part)
 {
-    SolidMeasure measure = measureSolid(body, part.box.diagonal().norm(), options);
+    SolidMeasure measure = measureSolid(body, volume, part.box.diagonal().norm(), options);
     part.volume = std::abs(measure.volume);
+    part.watertight = measure.isWatertight;
     part.mesh = std::move(measure.mesh);
     if (measure.volume < 0) {
         if (options.heal)
@@ -94,7 +96,7 @@ void addSolid(const TopoDS_Shape& body, const ImportOptions& options, Part& part
         for (TriangleMesh::Triangle& triangle : part.mesh.triangles)
             std::swap(triangle[1], triangle[2]);
     }
-    if (options.linearDeflection == 0 && measure.disagreement > 1e-3 && isWatertight(part.mesh) && part.volume > 0)
+    if (options.linearDeflection == 0 && measure.disagreement > 1e-3 && measure.isWatertight && part.volume > 0)
         part.warnings.push_back("has faces that do not meet well: its volume is uncertain by " +
                                 percentWords(measure.disagreement) + ".");
 }
@@ -102,7 +104,7 @@ void addSolid(const TopoDS_Shape& body, const ImportOptions& options, Part& part
 /// Faces that the modeler found no triangles for, where that leaves the mesh open.
 std::size_t countBareFaces(const Part& part)
 {
-    if (isWatertight(part.mesh))
+    if (part.watertight || isWatertight(part.mesh))
         return 0;
     const std::set<std::uint32_t> covered(part.mesh.faceOfTriangle.begin(), part.mesh.faceOfTriangle.end());
     return part.faces.size() - covered.size();
@@ -118,10 +120,8 @@ void judge(Part& part, std::size_t freeEdges)
                                 ". It is shown and cannot be filled.");
     } else if (part.solids == 0) {
         part.warnings.emplace_back("is a closed surface but no solid; it is shown and cannot be filled.");
-    } else if (!isWatertight(part.mesh)) {
+    } else if (!part.watertight) {
         part.warnings.emplace_back("could not be covered with a closed net of triangles; it cannot be filled.");
-    } else {
-        part.watertight = true;
     }
     if (!part.valid)
         part.warnings.emplace_back("does not pass the geometry checks; look at it closely before you trust it.");
@@ -159,26 +159,30 @@ std::vector<CadBody> splitIntoBodies(const TopoDS_Shape& shape)
 }
 
 Part makePart(const CadBody& body, const std::optional<Color>& defaultColor, const ShapeColors& colors,
-              const ImportOptions& options)
+              const ImportOptions& options, TaskControl& control)
 {
+    control.report(0, "measuring parts");
     const TopoDS_Shape& shape = body.shape;
     Part part;
     part.solids = countDistinct(shape, TopAbs_SOLID);
     part.shells = countDistinct(shape, TopAbs_SHELL);
     part.edges = countDistinct(shape, TopAbs_EDGE);
     part.maxTolerance = maxToleranceOf(shape);
-    part.valid = body.isValid ? *body.isValid : BRepCheck_Analyzer(shape).IsValid();
+    part.valid = body.isValid ? *body.isValid : BRepCheck_Analyzer(shape, true, true).IsValid();
     part.repairs = body.repairs;
     part.box = boxOfFaces(shape);
-    part.area = std::pow(millimeter, 2) * areaOf(shape);
+    const FaceIntegrals integrals = body.measured();
+    part.area = std::pow(millimeter, 2) * integrals.area;
     addColors(body, defaultColor, colors, part);
     simplifyColors(part);
 
     const int freeEdges = freeEdgesOf(shape).Extent();
+    control.throwIfCancelled();
+    control.report(0.3, "making triangles");
     if (isWithinReach(part.box)) {
         const Tessellation start = tessellationFor(part.box.diagonal().norm(), options);
         if (part.solids > 0 && freeEdges == 0)
-            addSolid(shape, options, part);
+            addSolid(shape, std::pow(millimeter, 3) * integrals.volume, options, part);
         else
             part.mesh = tessellate(shape, start);
         const std::size_t bareFaces = countBareFaces(part);

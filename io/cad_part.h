@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/task/task_control.h"
 #include "io/cad_body.h"
 #include "io/cad_document.h"
 #include "io/importer.h"
@@ -14,7 +15,8 @@ std::vector<CadBody> splitIntoBodies(const TopoDS_Shape& shape);
 
 /// Measures and tessellates one body: everything a Part holds but its name and path.
 /// @param defaultColor of the leaf the body comes from
+/// @throws Cancelled
 Part makePart(const CadBody& body, const std::optional<Color>& defaultColor, const ShapeColors& colors,
-              const ImportOptions& options);
+              const ImportOptions& options, TaskControl& control = TaskControl::none());
 
 } // namespace knead

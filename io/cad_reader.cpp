@@ -1,6 +1,7 @@
 #include "io/cad_reader.h"
 
 #include "core/model/length_units.h"
+#include "io/body_check.h"
 #include "io/cad_document.h"
 #include "io/cad_part.h"
 #include "io/exact_shapes.h"
@@ -26,6 +27,7 @@ namespace {
 
 struct Leaf {
     const CadNode* node;
+    std::vector<CadBody> bodies; ///< of the leaf, when it is wanted
     PartNode* place;
     std::string assembly; ///< path of what the leaf is in; empty for the file
 };
@@ -39,7 +41,7 @@ void copyTree(const CadNode& from, PartNode& to, const std::string& path, std::v
     for (std::size_t i = 0; i < from.children.size(); ++i) {
         const CadNode& child = from.children[i];
         if (child.shape)
-            leaves.push_back({&child, &to.children[i], path});
+            leaves.push_back({&child, {}, &to.children[i], path});
         copyTree(child, to.children[i], path.empty() ? child.name : path + "/" + child.name, leaves);
     }
 }
@@ -47,6 +49,12 @@ void copyTree(const CadNode& from, PartNode& to, const std::string& path, std::v
 std::string numbered(const std::string& name, std::size_t index)
 {
     return index == 0 ? name : name + " (" + std::to_string(index + 1) + ")";
+}
+
+TaskPortion portionOf(TaskControl& control, std::size_t index, std::size_t count)
+{
+    const auto total = static_cast<double>(count);
+    return {control, static_cast<double>(index) / total, static_cast<double>(index + 1) / total};
 }
 
 class PartMaker {
@@ -66,12 +74,17 @@ public:
     {
         std::vector<Leaf> leaves;
         copyTree(m_document.root, m_model.tree, {}, leaves);
+        splitLeaves(leaves);
+        TaskPortion checking(m_control, 0, 0.2);
+        checkSolids(leaves, checking);
+        TaskPortion making(m_control, 0.2, 1);
         for (std::size_t i = 0; i < leaves.size(); ++i) {
-            m_control.report(static_cast<double>(i) / static_cast<double>(leaves.size()), "measuring parts");
             m_control.throwIfCancelled();
-            if (m_selection.mayWant(leaves[i].assembly, leaves[i].node->name))
-                addLeaf(leaves[i]);
+            TaskPortion ofLeaf = portionOf(making, i, leaves.size());
+            if (!leaves[i].bodies.empty())
+                addLeaf(leaves[i], ofLeaf);
         }
+        m_control.report(1, "keeping the exact shapes");
         keepExactShapes();
         m_selection.finish(m_path, m_model);
         removeEmptyNodes(m_model.tree);
@@ -85,18 +98,39 @@ private:
             part.exact->bytes = bytes;
     }
 
-    /// One body is the leaf itself; several become its children.
-    void addLeaf(const Leaf& leaf)
+    void splitLeaves(std::vector<Leaf>& leaves)
     {
-        const std::vector<CadBody> bodies = bodiesOf(leaf);
+        for (Leaf& leaf : leaves)
+            if (m_selection.mayWant(leaf.assembly, leaf.node->name))
+                leaf.bodies = splitByVisibility(splitIntoBodies(*leaf.node->shape));
+    }
+
+    /// What is no solid changes before it is checked.
+    static void checkSolids(std::vector<Leaf>& leaves, TaskControl& control)
+    {
+        std::vector<CadBody*> solids;
+        for (Leaf& leaf : leaves)
+            for (CadBody& body : leaf.bodies)
+                if (body.shape.ShapeType() == TopAbs_SOLID)
+                    solids.push_back(&body);
+        checkBodies(solids, control);
+    }
+
+    /// One body is the leaf itself; several become its children.
+    void addLeaf(const Leaf& leaf, TaskControl& control)
+    {
+        TaskPortion healing(control, 0, 0.4);
+        TaskPortion measuring(control, 0.4, 1);
+        const std::vector<CadBody> bodies = bodiesOf(leaf, healing);
         const std::string& assembly = leaf.assembly;
         const bool isWhole = m_selection.wants(assembly, leaf.node->name);
         for (std::size_t i = 0; i < bodies.size(); ++i) {
-            m_control.throwIfCancelled();
+            control.throwIfCancelled();
             const std::string name = numbered(leaf.node->name, i);
             if (!m_selection.wants(assembly, name) && !isWhole)
                 continue;
-            std::optional<Part> part = soundPart(bodies[i], *leaf.node, name);
+            TaskPortion ofBody = portionOf(measuring, i, bodies.size());
+            std::optional<Part> part = soundPart(bodies[i], *leaf.node, name, ofBody);
             if (!part)
                 continue;
             part->name = name;
@@ -158,15 +192,17 @@ private:
         return common;
     }
 
-    std::vector<CadBody> bodiesOf(const Leaf& leaf)
+    std::vector<CadBody> bodiesOf(const Leaf& leaf, TaskControl& control)
     {
-        std::vector<CadBody> bodies = splitByVisibility(splitIntoBodies(*leaf.node->shape));
+        const std::vector<CadBody>& bodies = leaf.bodies;
         if (!m_options.heal)
             return bodies;
         std::vector<CadBody> result;
-        for (const CadBody& body : bodies)
-            for (CadBody& one : healed(body, m_options.capsFlatOpenings, m_control))
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            TaskPortion ofBody = portionOf(control, i, bodies.size());
+            for (CadBody& one : healed(bodies[i], m_options.capsFlatOpenings, ofBody))
                 result.push_back(std::move(one));
+        }
         return result;
     }
 
@@ -181,10 +217,11 @@ private:
     }
 
     /// One sick part does not take the others with it: it is left out, and the model says so.
-    std::optional<Part> soundPart(const CadBody& body, const CadNode& node, const std::string& name)
+    std::optional<Part> soundPart(const CadBody& body, const CadNode& node, const std::string& name,
+                                  TaskControl& control)
     {
         try {
-            Part part = makePart(body, node.color, m_document.colors, m_options);
+            Part part = makePart(body, node.color, m_document.colors, m_options, control);
             warnOfLostFaces(body, part);
             const std::optional<std::string> sickness = sicknessOf(part);
             if (!sickness)

@@ -58,34 +58,44 @@ std::string gapWords(double gap)
     return gap < nothing ? "" : "; the widest gap between two of them is " + lengthWords(gap);
 }
 
+/// Features smaller than the tolerance vanish in sewing; then it is too large.
+bool isAllThere(const CadBody& sewn, const CadBody& before)
+{
+    const double area = before.measured().area;
+    return countDistinct(sewn.shape, TopAbs_FACE) == countDistinct(before.shape, TopAbs_FACE) &&
+           std::abs(sewn.measured().area - area) <= sameArea * area;
+}
+
 class Sewer {
 public:
     explicit Sewer(const CadBody& body)
         : m_body(body)
         , m_diagonal(diagonalOf(body.shape))
     {
+        m_body.integrals = body.measured();
         TopExp::MapShapes(body.shape, TopAbs_FACE, m_faces);
     }
 
     std::optional<CadBody> run(TaskControl& control)
     {
-        std::optional<CadBody> best;
-        TopoDS_Shape shape = m_body.shape;
-        int fewest = freeEdgesOf(shape).Extent();
+        std::optional<CadBody> best; // is sewn on: what is joined stays joined
+        int fewest = freeEdgesOf(m_body.shape).Extent();
         for (const double share : toleranceShares) {
-            if (fewest == 0 || !canBeSewn(shape, toleranceShares.back() * m_diagonal))
+            if (fewest == 0)
                 break;
             control.throwIfCancelled();
             const double tolerance = std::max(share * m_diagonal, Precision::Confusion());
-            std::optional<CadBody> candidate = sewnWith(m_body, tolerance);
-            if (!candidate)
+            const CadBody& before = best ? *best : m_body;
+            if (!canBeSewn(before.shape, tolerance))
+                continue;
+            std::optional<CadBody> candidate = sewnWith(before, tolerance);
+            if (!candidate || !isAllThere(*candidate, m_body))
                 continue;
             const int free = freeEdgesOf(candidate->shape).Extent();
             if (free >= fewest)
                 continue;
             fewest = free;
             m_tolerance = tolerance;
-            shape = candidate->shape;
             best = std::move(candidate);
         }
         if (best)
@@ -101,19 +111,11 @@ private:
                lengthWords(millimeter * m_tolerance) + gapWords(millimeter * widestGap(shape)) + ".";
     }
 
-    const CadBody& m_body;
+    CadBody m_body; // with its integrals
     double m_diagonal;
     double m_tolerance = 0;
     TopTools_IndexedMapOfShape m_faces;
 };
-
-/// Features smaller than the tolerance vanish in sewing; then it is too large.
-bool isAllThere(const TopoDS_Shape& sewn, const TopoDS_Shape& before)
-{
-    const double area = areaOf(before);
-    return countDistinct(sewn, TopAbs_FACE) == countDistinct(before, TopAbs_FACE) &&
-           std::abs(areaOf(sewn) - area) <= sameArea * area;
-}
 
 } // namespace
 
@@ -125,10 +127,12 @@ std::optional<CadBody> sewnWith(const CadBody& body, double tolerance)
     for (int i = 1; i <= faces.Extent(); ++i)
         sewing.Add(faces(i));
     sewing.Perform();
-    const TopoDS_Shape shape = sewing.SewedShape();
-    if (shape.IsNull() || !isAllThere(shape, body.shape))
+    CadBody result{.shape = sewing.SewedShape(), .original = body.original, .repairs = body.repairs};
+    if (result.shape.IsNull())
         return std::nullopt;
-    CadBody result{shape, body.original, {}, body.repairs, {}};
+    result.integrals = faceIntegralsOf(result.shape);
+    if (!isAllThere(result, body))
+        return std::nullopt;
     for (int i = 1; i <= faces.Extent(); ++i)
         result.origins.Bind(sewing.ModifiedSubShape(faces(i)), body.originOf(faces(i)));
     return result;

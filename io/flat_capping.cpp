@@ -80,10 +80,11 @@ std::optional<CadBody> capped(const CadBody& surface, TaskControl& control)
     }
     CadBody open = surface;
     open.shape = all;
+    open.integrals.reset();
     std::optional<CadBody> result = sewnWith(open, flatness);
     if (!result || !freeEdgesOf(result->shape).IsEmpty())
         return std::nullopt;
-    const double added = 1 - areaOf(surface.shape) / areaOf(result->shape);
+    const double added = 1 - surface.measured().area / result->measured().area;
     const auto count = static_cast<std::size_t>(borders->Length());
     result->repairs = surface.repairs;
     result->repairs.push_back(countOf(count, "flat opening") + wasOrWere(count) + "closed with " +

@@ -46,6 +46,14 @@ Polyline pointsOf(const TopoDS_Edge& edge)
     return points;
 }
 
+double lengthOf(const Polyline& line)
+{
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        length += (line[i + 1] - line[i]).norm();
+    return length;
+}
+
 double distanceToSegment(const Vec3& point, const Vec3& a, const Vec3& b)
 {
     const Vec3 along = b - a;
@@ -110,13 +118,20 @@ bool canBeSewn(const TopoDS_Shape& shape, double distance)
     for (const TopoDS_Shape& edge : edges)
         if (Polyline points = pointsOf(TopoDS::Edge(edge)); !points.empty())
             lines.push_back(std::move(points));
+    std::vector<Box> boxes(lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        for (const Vec3& point : lines[i])
+            boxes[i].extend(point);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const Polyline& line = lines[i];
+        if (lengthOf(line) <= 2 * distance) // near its neighbors in any case; sewing would make a point of it
+            continue;
         // A curve lies off its polyline by a share of a segment; two that coincide may be cut at different places.
         const double slack = distance + 0.02 * (line[1] - line[0]).norm();
         const Vec3 middle = line.size() == 2 ? Vec3(0.5 * (line[0] + line[1])) : line[line.size() / 2];
         for (std::size_t other = 0; other < lines.size(); ++other)
-            if (other != i && isNear(middle, lines[other], slack))
+            if (other != i && boxes[other].squaredExteriorDistance(middle) <= slack * slack &&
+                isNear(middle, lines[other], slack))
                 return true;
     }
     return false;

@@ -17,7 +17,8 @@ TopTools_ListOfShape freeEdgesOf(const TopoDS_Shape& shape);
 /// The same as polylines [m], chained where one ends and the next begins; a closed one ends where it began.
 std::vector<std::vector<Vec3>> freeBordersOf(const TopoDS_Shape& shape);
 
-/// Whether a free edge runs within a distance of another one, so that sewing could join the two.
+/// Whether a free edge runs within a distance of another one, so that sewing could join the two. Edges no longer than
+/// twice the distance do not count: they are near their neighbors in any case.
 /// @param distance [mm]
 bool canBeSewn(const TopoDS_Shape& shape, double distance);
 

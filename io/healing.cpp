@@ -1,5 +1,6 @@
 #include "io/healing.h"
 
+#include "io/body_check.h"
 #include "io/face_sewing.h"
 #include "io/flat_capping.h"
 #include "io/free_edges.h"
@@ -10,12 +11,15 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <ShapeBuild_ReShape.hxx>
+#include <ShapeFix_Face.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <ShapeFix_Wire.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
 
 #include <cmath>
 #include <cstddef>
@@ -89,39 +93,85 @@ void followFaces(const CadBody& before, const Handle(BRepTools_ReShape) & change
                 after.origins.Bind(made.Current(), before.originOf(faces(i)));
 }
 
-/// What ShapeFix_Shape makes of a body that fails the checks, when it passes them then and is still the same body.
-std::optional<CadBody> rebuilt(const CadBody& body, const BRepCheck_Analyzer& check)
+struct Rebuilding {
+    TopoDS_Shape shape;
+    Handle(BRepTools_ReShape) changes;
+};
+
+/// Rebuilds the faces that fail the checks and leaves the others alone.
+Rebuilding rebuildFaces(const TopoDS_Shape& shape, const BRepCheck_Analyzer& check)
 {
-    ShapeFix_Shape fix(body.shape);
-    fix.SetMaxTolerance(largestToleranceShare * diagonalOf(body.shape));
+    Handle(ShapeBuild_ReShape) changes = new ShapeBuild_ReShape;
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(shape, TopAbs_FACE, faces);
+    for (int i = 1; i <= faces.Extent(); ++i) {
+        if (check.IsValid(faces(i)))
+            continue;
+        ShapeFix_Face fix(TopoDS::Face(faces(i)));
+        fix.SetContext(changes);
+        fix.SetMaxTolerance(largestToleranceShare * diagonalOf(shape));
+        fix.FixWireTool()->FixIntersectingEdgesMode() = 1;
+        fix.Perform();
+        changes->Replace(faces(i), fix.Result());
+    }
+    return {changes->Apply(shape), changes};
+}
+
+Rebuilding rebuildAll(const TopoDS_Shape& shape)
+{
+    ShapeFix_Shape fix(shape);
+    fix.SetMaxTolerance(largestToleranceShare * diagonalOf(shape));
     fix.FixWireTool()->FixIntersectingEdgesMode() = 1;
     fix.Perform();
+    return {fix.Shape(), fix.Context()};
+}
+
+/// The body rebuilt, when it passes the checks then and is still the same body.
+std::optional<CadBody> accepted(const CadBody& body, const Rebuilding& rebuilding)
+{
     CadBody result = body;
     result.isValid = true;
-    result.shape = fix.Shape();
-    if (result.shape.IsNull() || !BRepCheck_Analyzer(result.shape).IsValid())
+    result.failure.reset();
+    result.shape = rebuilding.shape;
+    result.integrals.reset();
+    if (result.shape.IsNull() || !BRepCheck_Analyzer(result.shape, true, true).IsValid())
         return std::nullopt;
+    const FaceIntegrals before = body.measured();
+    result.integrals = result.measured();
     const bool isSame = countDistinct(result.shape, TopAbs_SOLID) == countDistinct(body.shape, TopAbs_SOLID) &&
                         freeEdgesOf(result.shape).Extent() <= freeEdgesOf(body.shape).Extent() &&
-                        isClose(areaOf(result.shape), areaOf(body.shape)) &&
-                        (!hasSolid(body.shape) || isClose(volumeOf(result.shape), volumeOf(body.shape)));
+                        isClose(result.integrals->area, before.area) &&
+                        (!hasSolid(body.shape) || isClose(result.integrals->volume, before.volume));
     if (!isSame)
         return std::nullopt;
-    followFaces(body, fix.Context(), result);
-    const std::size_t invalid = countInvalidFaces(body.shape, check);
-    result.repairs.push_back(invalid == 0 ? "Edges that failed the geometry checks were rebuilt."
-                                          : countOf(invalid, "face") + " that failed the geometry checks" +
-                                                wasOrWere(invalid) + "rebuilt.");
+    followFaces(body, rebuilding.changes, result);
     return result;
 }
 
-CadBody checked(const CadBody& body)
+/// A body that fails the checks, made to pass them: by as few changes as will do.
+std::optional<CadBody> rebuilt(const CadBody& body, const BRepCheck_Analyzer& check)
 {
-    const BRepCheck_Analyzer check(body.shape);
+    const std::size_t invalid = countInvalidFaces(body.shape, check);
+    std::optional<CadBody> result;
+    if (invalid > 0)
+        result = attempt([&] { return accepted(body, rebuildFaces(body.shape, check)); });
+    if (!result)
+        result = attempt([&] { return accepted(body, rebuildAll(body.shape)); });
+    if (result)
+        result->repairs.push_back(invalid == 0 ? "Edges that failed the geometry checks were rebuilt."
+                                               : countOf(invalid, "face") + " that failed the geometry checks" +
+                                                     wasOrWere(invalid) + "rebuilt.");
+    return result;
+}
+
+/// Makes the checks unless they are made.
+CadBody checked(const CadBody& body, TaskControl& control)
+{
     CadBody result = body;
-    result.isValid = check.IsValid();
-    if (!*result.isValid)
-        if (auto better = attempt([&] { return rebuilt(body, check); }))
+    if (!result.isValid)
+        checkBodies({&result}, control);
+    if (result.failure)
+        if (auto better = rebuilt(result, *result.failure))
             return std::move(*better);
     return result;
 }
@@ -130,13 +180,15 @@ CadBody checked(const CadBody& body)
 
 std::vector<CadBody> healed(const CadBody& body, bool capsFlatOpenings, TaskControl& control)
 try {
+    control.report(0, "healing parts");
     if (!(diagonalOf(body.shape) < largestSize))
         return {body};
     const bool isSolid = hasSolid(body.shape) && freeEdgesOf(body.shape).IsEmpty();
     std::vector<CadBody> bodies = isSolid ? std::vector<CadBody>{body} : closed(body, capsFlatOpenings, control);
+    control.report(0.5, "checking parts");
     for (CadBody& one : bodies) {
         control.throwIfCancelled();
-        one = checked(one);
+        one = checked(one, control);
     }
     return bodies;
 } catch (const Standard_Failure&) {

@@ -12,10 +12,4 @@ int countDistinct(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind);
 /// Of the box of control points, quick and somewhat large [mm]; 0 for an empty shape.
 double diagonalOf(const TopoDS_Shape& shape);
 
-/// [mm^2]
-double areaOf(const TopoDS_Shape& shape);
-
-/// Negative for a solid or closed shell that is inside out [mm^3]. Quick; off by a percent on threads and the like.
-double volumeOf(const TopoDS_Shape& shape);
-
 } // namespace knead

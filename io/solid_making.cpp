@@ -31,8 +31,8 @@ namespace {
 constexpr double leastVolumeShare = 1e-9; // of the cube of the diagonal; what has less is flat
 
 struct ClosedShell {
-    TopoDS_Shell shell; // outward
-    double volume = 0;  // [mm^3], positive
+    TopoDS_Shell shell;      // outward
+    FaceIntegrals integrals; // volume positive
     Bnd_Box box;
     bool wasTurned = false;
     std::optional<std::size_t> around; // the smallest shell that holds it
@@ -67,18 +67,20 @@ TopoDS_Shell oriented(const TopoDS_Shell& shell)
     return fix.NbShells() == 1 ? fix.Shell() : shell;
 }
 
-std::optional<ClosedShell> closedShell(const TopoDS_Shell& given)
+/// @param known integrals of the shell as it is given
+std::optional<ClosedShell> closedShell(const TopoDS_Shell& given, const std::optional<FaceIntegrals>& known)
 {
     ClosedShell result;
     result.shell = oriented(given);
     if (!freeEdgesOf(result.shell).IsEmpty())
         return std::nullopt;
     BRepBndLib::Add(result.shell, result.box, false);
-    const double volume = volumeOf(result.shell);
+    result.integrals = known && result.shell.IsEqual(given) ? *known : faceIntegralsOf(result.shell);
+    const double volume = result.integrals.volume;
     if (result.box.IsVoid() ||
         !(std::abs(volume) > leastVolumeShare * std::pow(std::sqrt(result.box.SquareExtent()), 3)))
         return std::nullopt;
-    result.volume = std::abs(volume);
+    result.integrals.volume = std::abs(volume);
     result.wasTurned = volume < 0;
     if (result.wasTurned)
         result.shell.Reverse();
@@ -110,8 +112,9 @@ bool holds(const ClosedShell& outer, const ClosedShell& inner)
 /// From large to small, so that what holds a shell stands before it.
 void nest(std::vector<ClosedShell>& shells)
 {
-    std::stable_sort(shells.begin(), shells.end(),
-                     [](const ClosedShell& a, const ClosedShell& b) { return a.volume > b.volume; });
+    std::stable_sort(shells.begin(), shells.end(), [](const ClosedShell& a, const ClosedShell& b) {
+        return a.integrals.volume > b.integrals.volume;
+    });
     for (std::size_t inner = 0; inner < shells.size(); ++inner)
         for (std::size_t outer = 0; outer < inner; ++outer)
             if (holds(shells[outer], shells[inner])) {
@@ -128,12 +131,15 @@ bool isVoid(const ClosedShell& shell)
 CadBody solidBody(const std::vector<ClosedShell>& shells, std::size_t outer, const CadBody& from)
 {
     CadBody body = from;
+    FaceIntegrals integrals = shells[outer].integrals;
     TopoDS_Solid solid = solidOf(shells[outer].shell);
     std::size_t turned = shells[outer].wasTurned ? 1 : 0;
     std::size_t voids = 0;
     for (const ClosedShell& shell : shells)
         if (isVoid(shell) && shell.around == outer) {
             BRep_Builder().Add(solid, shell.shell.Reversed());
+            integrals.area += shell.integrals.area;
+            integrals.volume -= shell.integrals.volume;
             turned += shell.wasTurned ? 0 : 1;
             ++voids;
         }
@@ -142,6 +148,9 @@ CadBody solidBody(const std::vector<ClosedShell>& shells, std::size_t outer, con
     body.repairs.push_back("The closed surface was made a solid" +
                            (voids == 0 ? "." : ", with " + countOf(voids, "void") + " in it."));
     body.shape = solid;
+    body.isValid.reset();
+    body.failure.reset();
+    body.integrals = integrals;
     return body;
 }
 
@@ -158,8 +167,9 @@ std::vector<CadBody> solidsOf(const CadBody& surface)
         builder.Add(open, shape);
         isAnyOpen = true;
     };
+    const bool isOneShell = surface.shape.ShapeType() == TopAbs_SHELL;
     const auto take = [&](const TopoDS_Shell& shell, const TopoDS_Shape& asItIs) {
-        if (auto closed = closedShell(shell))
+        if (auto closed = closedShell(shell, isOneShell ? surface.integrals : std::nullopt))
             shells.push_back(std::move(*closed));
         else
             keepOpen(asItIs);
@@ -179,6 +189,9 @@ std::vector<CadBody> solidsOf(const CadBody& surface)
     if (isAnyOpen) {
         CadBody rest = surface;
         rest.shape = open;
+        rest.isValid.reset();
+        rest.failure.reset();
+        rest.integrals.reset();
         bodies.push_back(std::move(rest));
     }
     return bodies;

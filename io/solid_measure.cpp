@@ -1,12 +1,16 @@
 #include "io/solid_measure.h"
 
 #include "core/geometry/mass_properties.h"
-#include "io/shape_measure.h"
 #include "io/slit_closing.h"
 #include "io/tessellation.h"
 
 #include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <algorithm>
@@ -17,9 +21,11 @@ namespace knead {
 
 namespace {
 
+constexpr double squareMillimeter = 1e-6;
 constexpr double cubicMillimeter = 1e-9;
 constexpr double goodVolume = 8e-4;        // relative; some room below the promised thousandth
 constexpr double adaptiveTolerance = 1e-5; // relative, of the adaptive integration
+constexpr double gaping = 1e-2;            // of the volume; no integration is better than what gaps leave open
 constexpr int mostRefinements = 4;
 
 double adaptiveVolume(const TopoDS_Shape& solid)
@@ -29,29 +35,69 @@ double adaptiveVolume(const TopoDS_Shape& solid)
     return cubicMillimeter * properties.Mass();
 }
 
+/// What the volume is uncertain by when the faces of a solid meet at its edges no better than their tolerances say: strips
+/// of that width count or not, each at up to half the diagonal from the middle [m^3].
+double volumeOfGaps(const TopoDS_Shape& solid, double diagonal)
+{
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(solid, TopAbs_EDGE, edges);
+    double area = 0; // [mm^2]
+    for (int i = 1; i <= edges.Extent(); ++i) {
+        GProp_GProps length;
+        BRepGProp::LinearProperties(edges(i), length);
+        area += length.Mass() * BRep_Tool::Tolerance(TopoDS::Edge(edges(i)));
+    }
+    return squareMillimeter * area * diagonal / 6;
+}
+
 class Refinement {
 public:
-    Refinement(const TopoDS_Shape& solid, const Tessellation& start)
+    Refinement(const TopoDS_Shape& solid, double volume, double diagonal, const Tessellation& start)
         : m_solid(solid)
+        , m_diagonal(diagonal)
         , m_tessellation(start)
-        , m_volume(cubicMillimeter * volumeOf(solid))
+        , m_volume(volume)
         , m_mesh(closeSlits(tessellate(solid, start)))
         , m_meshVolume(massProperties(m_mesh).volume)
+        , m_isWatertight(isWatertight(m_mesh))
     {
     }
 
     SolidMeasure run(bool mayRefine)
     {
-        for (int i = 0; mayRefine && i < mostRefinements && !isGood(); ++i)
+        const bool isDone = !mayRefine || isGood() || (m_isWatertight && settleWithSameTriangles());
+        for (int i = 0; !isDone && i < mostRefinements && !isGood(); ++i)
             if (!refine())
                 break;
-        return {m_volume, std::move(m_mesh), disagreement()};
+        return {m_volume, std::move(m_mesh), disagreement(), m_isWatertight};
     }
 
 private:
-    double disagreement() const { return m_volume == 0 ? 1 : std::abs(m_meshVolume / m_volume - 1); }
+    double disagreement() const { return disagreementOf(m_meshVolume); }
+    double disagreementOf(double volume) const { return m_volume == 0 ? 1 : std::abs(volume / m_volume - 1); }
 
-    bool isGood() const { return isWatertight(m_mesh) && disagreement() <= goodVolume; }
+    bool isGood() const { return m_isWatertight && disagreement() <= goodVolume; }
+
+    /// The same triangles with their vertices off the curved faces hold what finer and finer triangles would come to.
+    /// @return false when that is another volume
+    bool settleWithSameTriangles()
+    {
+        TriangleMesh mesh = closeSlits(collectTriangles(m_solid, m_tessellation, VertexPlace::volumeTrue));
+        const double meshVolume = massProperties(mesh).volume;
+        if (disagreementOf(meshVolume) > goodVolume) {
+            const double ofGaps = volumeOfGaps(m_solid, m_diagonal);
+            if (ofGaps > gaping * std::abs(m_volume) && std::abs(meshVolume - m_volume) <= ofGaps)
+                return true;
+            chooseVolumeNear(meshVolume);
+        }
+        if (isGood())
+            return true;
+        if (disagreementOf(meshVolume) > goodVolume)
+            return false;
+        m_mesh = std::move(mesh);
+        m_meshVolume = meshVolume;
+        return true;
+    }
 
     /// The error of the volume is proportional to the deflection, and to the square of the angle.
     /// @return false when a finer mesh is no better: then the faces themselves do not say what the volume is
@@ -65,8 +111,9 @@ private:
         chooseVolumeNear(limit);
 
         const double before = disagreement();
-        const bool isOpen = !isWatertight(m_mesh);
-        if (isWatertight(mesh) || isOpen) {
+        const bool isOpen = !m_isWatertight;
+        if (const bool isClosed = isWatertight(mesh); isClosed || isOpen) {
+            m_isWatertight = isClosed;
             m_mesh = std::move(mesh);
             m_meshVolume = meshVolume;
             m_tessellation = finer;
@@ -85,18 +132,20 @@ private:
     }
 
     const TopoDS_Shape& m_solid;
+    double m_diagonal; // [m]
     Tessellation m_tessellation;
     double m_volume;
     TriangleMesh m_mesh;
     double m_meshVolume;
+    bool m_isWatertight;
     bool m_triedAdaptive = false;
 };
 
 } // namespace
 
-SolidMeasure measureSolid(const TopoDS_Shape& solid, double diagonal, const ImportOptions& options)
+SolidMeasure measureSolid(const TopoDS_Shape& solid, double volume, double diagonal, const ImportOptions& options)
 {
-    return Refinement(solid, tessellationFor(diagonal, options)).run(options.linearDeflection == 0);
+    return Refinement(solid, volume, diagonal, tessellationFor(diagonal, options)).run(options.linearDeflection == 0);
 }
 
 } // namespace knead

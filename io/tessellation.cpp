@@ -1,5 +1,7 @@
 #include "io/tessellation.h"
 
+#include "io/volume_fit.h"
+
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <IMeshTools_Parameters.hxx>
@@ -33,7 +35,9 @@ Vec3 toVec3(const gp_Pnt& point)
 /// Collects faces with nodes of their own, then joins the nodes that lie on common edges and vertices.
 class MeshCollector {
 public:
-    explicit MeshCollector(const TopoDS_Shape& shape)
+    MeshCollector(const TopoDS_Shape& shape, VertexPlace place, double deflection)
+        : m_place(place)
+        , m_deflection(deflection)
     {
         TopExp::MapShapes(shape, TopAbs_FACE, m_faces);
         TopExp::MapShapes(shape, TopAbs_EDGE, m_edges);
@@ -46,6 +50,8 @@ public:
     {
         for (int face = 1; face <= m_faces.Extent(); ++face)
             addFace(TopoDS::Face(m_faces(face)), static_cast<std::uint32_t>(face - 1));
+        if (m_place == VertexPlace::volumeTrue)
+            moveVertices();
         return joined();
     }
 
@@ -77,6 +83,8 @@ private:
             m_mesh.triangles.push_back({node(a), node(b), node(c)});
             m_mesh.faceOfTriangle.push_back(index);
         }
+        if (m_place == VertexPlace::volumeTrue)
+            m_fit.addFace(face, *triangulation, m_mesh, first);
         for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
             addEdge(TopoDS::Edge(edges.Current()), triangulation, location, first);
     }
@@ -139,6 +147,16 @@ private:
         m_parent[std::max(a, b)] = std::min(a, b);
     }
 
+    void moveVertices()
+    {
+        std::vector<std::uint32_t> points;
+        for (std::uint32_t node = 0; node < m_parent.size(); ++node)
+            points.push_back(find(node));
+        const std::vector<Vec3> moves = m_fit.moves(m_mesh, points, m_deflection);
+        for (std::size_t node = 0; node < moves.size(); ++node)
+            m_mesh.vertices[node] += moves[node];
+    }
+
     TriangleMesh joined()
     {
         TriangleMesh result;
@@ -161,10 +179,13 @@ private:
         return result;
     }
 
+    VertexPlace m_place;
+    double m_deflection; // [m]
     TopTools_IndexedMapOfShape m_faces;
     TopTools_IndexedMapOfShape m_edges;
     TopTools_IndexedMapOfShape m_vertices;
     TriangleMesh m_mesh;
+    VolumeFit m_fit;
     std::vector<std::uint32_t> m_parent;
     std::vector<std::vector<std::uint32_t>> m_nodesOfEdge;
     std::vector<std::uint32_t> m_nodeOfVertex;
@@ -185,7 +206,12 @@ TriangleMesh tessellate(const TopoDS_Shape& shape, const Tessellation& tessellat
     parameters.Angle = tessellation.angle;
     parameters.InParallel = true;
     const BRepMesh_IncrementalMesh triangulated(shape, parameters);
-    return MeshCollector(shape).run();
+    return collectTriangles(shape, tessellation, VertexPlace::onFaces);
+}
+
+TriangleMesh collectTriangles(const TopoDS_Shape& shape, const Tessellation& tessellation, VertexPlace place)
+{
+    return MeshCollector(shape, place, tessellation.deflection).run();
 }
 
 } // namespace knead

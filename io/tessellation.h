@@ -13,6 +13,12 @@ struct Tessellation {
     double angle = 0.2;    ///< between neighboring chords [rad]
 };
 
+/// Where the vertices of triangles lie.
+enum class VertexPlace {
+    onFaces,    ///< exactly
+    volumeTrue, ///< moved off curved faces, by the deflection at most, so that the triangles hold the volume of the shape
+};
+
 /// What the options ask for a shape of this size.
 Tessellation tessellationFor(double diagonal, const ImportOptions& options);
 
@@ -23,5 +29,8 @@ Tessellation tessellationFor(double diagonal, const ImportOptions& options);
 /// differently the mesh stays open.
 /// @param shape lengths in mm
 TriangleMesh tessellate(const TopoDS_Shape& shape, const Tessellation& tessellation);
+
+/// The triangles that tessellate() left on the faces of the shape, with the vertices elsewhere.
+TriangleMesh collectTriangles(const TopoDS_Shape& shape, const Tessellation& tessellation, VertexPlace place);
 
 } // namespace knead

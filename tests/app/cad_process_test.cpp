@@ -202,7 +202,7 @@ private slots:
         endless.linearDeflection = 1e-8;
         endless.angularDeflection = 1e-3;
         const std::string sentence = failureOf(program, {.processorTime = 1, .wallTime = 300}, endless);
-        QVERIFY2(mentions(sentence, "reading took longer than 1 s while measuring parts"), sentence.c_str());
+        QVERIFY2(mentions(sentence, "reading took longer than 1 s while making triangles"), sentence.c_str());
     }
 
     void memoryIsLimited()

@@ -5,17 +5,23 @@
 #include "io/importer.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <gp_Trsf.hxx>
 
 #include <QtTest>
@@ -113,6 +119,8 @@ private slots:
     void separateFacesBecomeASolid();
     void curvedFacesBecomeASolid();
     void soundSolidIsUntouched();
+    void sickFacesAreRebuilt();
+    void shortEdgesAreNotNearTheirNeighbors();
     void faceColorsSurvive();
     void innerShellBecomesAVoid();
     void twoVolumesBecomeTwoBodies();
@@ -178,6 +186,35 @@ void HealingTest::soundSolidIsUntouched()
     QCOMPARE(bodies.size(), std::size_t(1));
     QVERIFY(bodies.front().shape.IsEqual(solid));
     QVERIFY(bodies.front().repairs.empty());
+}
+
+/// A corner that lies off the edges and faces that meet there.
+void HealingTest::sickFacesAreRebuilt()
+{
+    const TopoDS_Shape solid = box(10, 20, 30);
+    const TopoDS_Vertex corner = TopoDS::Vertex(TopExp_Explorer(solid, TopAbs_VERTEX).Current());
+    BRep_Builder().UpdateVertex(corner, BRep_Tool::Pnt(corner).Translated({1e-3, 1e-3, 1e-3}), 1e-7);
+    QVERIFY(!BRepCheck_Analyzer(solid).IsValid());
+    const std::vector<CadBody> bodies = healed(solid);
+    QCOMPARE(bodies.size(), std::size_t(1));
+    QVERIFY(BRepCheck_Analyzer(bodies.front().shape).IsValid());
+    QCOMPARE(bodies.front().repairs.size(), std::size_t(1));
+    QVERIFY2(mention(bodies.front().repairs, "3 faces that failed the geometry checks were rebuilt"),
+             bodies.front().repairs.front().c_str());
+    QVERIFY(isClose(volumeOf(bodies.front().shape), 6000));
+}
+
+/// The border of this plate has a cut corner that is shorter than the distance.
+void HealingTest::shortEdgesAreNotNearTheirNeighbors()
+{
+    BRepBuilderAPI_MakePolygon border;
+    for (const gp_Pnt& corner :
+         {gp_Pnt(0, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(10, 9.99, 0), gp_Pnt(9.99, 10, 0), gp_Pnt(0, 10, 0)})
+        border.Add(corner);
+    border.Close();
+    const TopoDS_Shape plate = BRepBuilderAPI_MakeFace(border.Wire()).Shape();
+    QVERIFY(!canBeSewn(plate, 0.01));
+    QVERIFY(canBeSewn(compound({plate, moved(plate, {0, 0, 0.005})}), 0.01));
 }
 
 void HealingTest::faceColorsSurvive()

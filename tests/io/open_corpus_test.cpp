@@ -16,9 +16,10 @@ using namespace knead;
 
 namespace {
 
-/// The quick integration that the table used is off by 1.3 % on this thread; adaptive integration and the limit of
-/// finer and finer triangles agree on the value here.
-const std::map<std::string, double> correctedVolume{{"o21_build123d_m6_screw.step", 336.736}}; // [mm^3]
+/// The quick integration that the table used is off by 1.3 % on this thread and by 0.16 % on faces cut by long splines;
+/// adaptive integration and the limit of finer and finer triangles agree on the values here.
+const std::map<std::string, double> correctedVolume{{"o21_build123d_m6_screw.step", 336.736},
+                                                    {"o26_soarm_handle.step", 69665.4}}; // [mm^3]
 
 /// Its faces overlap by up to 0.06 mm: the volume is not known better than to a percent.
 const std::set<std::string> uncertainVolume{"o24_axom_boxed_sphere_cm.step"};
