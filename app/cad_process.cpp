@@ -1,7 +1,9 @@
 #include "app/cad_process.h"
 
 #include "core/model/joined_model.h"
+#include "io/worker/export_worker.h"
 #include "io/worker/import_worker.h"
+#include "io/worker/isolated_export.h"
 #include "io/worker/isolated_import.h"
 
 #include <algorithm>
@@ -17,7 +19,7 @@ namespace knead {
 namespace {
 
 /// The running program, even when its file was replaced meanwhile.
-std::string& readingProgram()
+std::string& cadProgram()
 {
     static std::string path = "/proc/self/exe";
     return path;
@@ -105,12 +107,17 @@ std::vector<Outcome> importAll(const std::vector<std::string>& paths, const Impo
 
 Model importInChild(const std::string& path, const ImportOptions& options, TaskControl& control)
 {
-    return importIsolated(readingProgram(), path, options, limitsFor(path, options), control);
+    return importIsolated(cadProgram(), path, options, limitsFor(path, options), control);
+}
+
+ExportReport exportInChild(const std::string& path, const ExportJob& job, TaskControl& control)
+{
+    return exportIsolated(cadProgram(), path, job, control);
 }
 
 FilePreview previewInChild(const std::string& path, TaskControl& control)
 {
-    return previewIsolated(readingProgram(), path, limitsFor(path), control);
+    return previewIsolated(cadProgram(), path, limitsFor(path), control);
 }
 
 Model importInChildren(const std::vector<std::string>& paths, const ImportOptions& options, TaskControl& control)
@@ -133,19 +140,21 @@ Model importInChildren(const std::vector<std::string>& paths, const ImportOption
     return all;
 }
 
-bool isReadingProcess(int argc, char** argv)
+bool isCadProcess(int argc, char** argv)
 {
-    return isImportWorker(argc, argv);
+    return isImportWorker(argc, argv) || isExportWorker(argc, argv);
 }
 
-int readForParent(int argc, char** argv)
+int workForParent(int argc, char** argv)
 {
-    return runImportWorker(argc, argv);
+    if (isExportWorker(argc, argv))
+        runExportWorker(argc, argv);
+    runImportWorker(argc, argv);
 }
 
-void setReadingProgram(const std::string& path)
+void setCadProgram(const std::string& path)
 {
-    readingProgram() = path;
+    cadProgram() = path;
 }
 
 } // namespace knead

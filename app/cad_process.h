@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/model/export_job.h"
+#include "core/model/export_report.h"
 #include "core/model/file_preview.h"
 #include "core/model/import_options.h"
 #include "core/model/part.h"
@@ -23,12 +25,16 @@ Model importInChildren(const std::vector<std::string>& paths, const ImportOption
 /// Looks into a file in a process of its own. @throws as importInChild()
 FilePreview previewInChild(const std::string& path, TaskControl& control);
 
-/// Whether this process was started by importInChild() of another one; then it is to call readForParent() and nothing else.
-bool isReadingProcess(int argc, char** argv);
-/// @return the exit status
-int readForParent(int argc, char** argv);
+/// Writes parts to STEP, IGES or BREP in a process of its own, reads that back and compares.
+/// @throws std::runtime_error, in a sentence for the person; the file that was there before is there still. @throws Cancelled
+ExportReport exportInChild(const std::string& path, const ExportJob& job, TaskControl& control);
 
-/// Which program reads files when it is told to; by default the running one. For programs that are not knead, such as tests.
-void setReadingProgram(const std::string& path);
+/// Whether this process was started by a function above in another one; then it is to call workForParent() and nothing else.
+bool isCadProcess(int argc, char** argv);
+/// @return the exit status
+int workForParent(int argc, char** argv);
+
+/// Which program reads and writes CAD files when it is told to; by default the running one. For programs that are not knead, such as tests.
+void setCadProgram(const std::string& path);
 
 } // namespace knead

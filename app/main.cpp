@@ -3,5 +3,5 @@
 
 int main(int argc, char** argv)
 {
-    return knead::isReadingProcess(argc, argv) ? knead::readForParent(argc, argv) : knead::runProgram(argc, argv);
+    return knead::isCadProcess(argc, argv) ? knead::workForParent(argc, argv) : knead::runProgram(argc, argv);
 }

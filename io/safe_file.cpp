@@ -91,4 +91,9 @@ void writeFileSafely(const std::string& path, std::string_view bytes)
     file.keep();
 }
 
+void checkIsWritable(const std::string& path)
+{
+    const TemporaryFile file(path);
+}
+
 } // namespace knead

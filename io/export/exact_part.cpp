@@ -5,7 +5,7 @@
 #include "core/skin/skin.h"
 #include "core/skin/skin_map.h"
 #include "io/export/faceted_solid.h"
-#include "io/shape_measure.h"
+#include "io/face_integral.h"
 
 #include <BRepBuilderAPI_Transform.hxx>
 #include <gp_Trsf.hxx>
@@ -161,7 +161,7 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
         static_cast<int>(std::count_if(morphed.notes.begin(), morphed.notes.end(),
                                        [](const MorphedFaceNote& note) { return note.kind == MorphedFaceKind::kept; }));
     ready.notes = std::move(morphed.notes);
-    ready.out.shape = volumeOf(morphed.shape) < 0 ? morphed.shape.Reversed() : morphed.shape;
+    ready.out.shape = faceIntegralsOf(morphed.shape).volume < 0 ? morphed.shape.Reversed() : morphed.shape;
     return ready;
 }
 

@@ -11,8 +11,6 @@
 #include <map>
 #include <stdexcept>
 
-#include <unistd.h>
-
 namespace knead {
 
 namespace {
@@ -51,13 +49,8 @@ std::vector<ReadyPart> makeAllReady(const ExportJob& job, TaskControl& control)
 
 Model readBack(FormatKind kind, const std::string& bytes, TaskControl& control)
 {
-    const NamelessFile file;
-    for (std::size_t done = 0; done < bytes.size();) {
-        const ssize_t count = write(file.descriptor(), bytes.data() + done, bytes.size() - done);
-        if (count <= 0)
-            throw std::runtime_error("The folder for temporary files takes no more; make room there, or set TMPDIR.");
-        done += static_cast<std::size_t>(count);
-    }
+    NamelessFile file;
+    file.write(bytes);
     return readCad("/proc/self/fd/" + std::to_string(file.descriptor()), kind, {.heal = false}, control);
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/model/export_job.h"
 #include "core/model/export_report.h"
 #include "core/task/task_control.h"
 #include "io/cad_format.h"
-#include "io/export/export_job.h"
 
 #include <string>
 

@@ -242,6 +242,19 @@ NamelessFile::~NamelessFile()
     close(m_descriptor);
 }
 
+void NamelessFile::write(std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(m_descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count < 0)
+            fail("The folder for temporary files takes no more; make room there, or set TMPDIR to another folder",
+                 errno);
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+}
+
 std::string NamelessFile::content() const
 {
     struct stat facts {};

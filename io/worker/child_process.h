@@ -20,6 +20,9 @@ public:
 
     int descriptor() const { return m_descriptor; }
 
+    /// Appends. @throws std::runtime_error, in a sentence, when the folder takes no more
+    void write(std::string_view bytes);
+
     /// All that was written, by whomever. @throws std::runtime_error, in a sentence
     std::string content() const;
 

@@ -24,14 +24,7 @@ std::vector<std::string> argumentsFor(const ReadingRequest& request);
 /// Whether a program was started with argumentsFor() and should do nothing else.
 bool isImportWorker(int argc, char** argv);
 
-/// Reads the file of the request and leaves a model, a preview, or the reason why there is none, in the file that
-/// child_descriptors::result is; stages go through child_descriptors::lines. Crashes when the CAD reader does: that is what
-/// this process is for.
-/// @return the exit status
-int runImportWorker(int argc, char** argv);
-
-/// A stage as it goes through the pipe, and back.
-std::string stageLine(double fraction, std::string_view stage);
-bool readStageLine(std::string_view line, double& fraction, std::string& stage);
+/// Reads the file of the request and leaves a model, a preview, or the reason why there is none: see serveParent().
+[[noreturn]] int runImportWorker(int argc, char** argv);
 
 } // namespace knead

@@ -113,7 +113,7 @@ class CadProcessTest : public QObject {
     }
 
 private slots:
-    void initTestCase() { setReadingProgram(program); }
+    void initTestCase() { setCadProgram(program); }
 
     void theModelIsThatOfTheReader()
     {

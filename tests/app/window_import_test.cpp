@@ -259,9 +259,9 @@ private slots:
         const auto model = document().content().model;
         const QString reader = write("reader.sh", "#!/bin/sh\necho '500000 making shapes' >&3\nkill -SEGV $$\n");
         QFile::setPermissions(reader, QFile::ReadOwner | QFile::ExeOwner);
-        setReadingProgram(reader.toStdString());
+        setCadProgram(reader.toStdString());
         openAndWait({example("bracket.step")});
-        setReadingProgram(KNEAD_PROGRAM);
+        setCadProgram(KNEAD_PROGRAM);
         QCOMPARE(m_window->banner().sentence(),
                  QString("bracket.step: the reader crashed while making shapes (memory access). Nothing was imported; "
                          "export the file again, best as STEP."));

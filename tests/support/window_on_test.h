@@ -81,7 +81,7 @@ protected:
         QStandardPaths::setTestModeEnabled(true);
         QApplication::setOrganizationName("knead-test");
         QApplication::setApplicationName("window-test");
-        setReadingProgram(KNEAD_PROGRAM);
+        setCadProgram(KNEAD_PROGRAM);
         m_services = fileServices();
     }
 };

@@ -1,0 +1,302 @@
+#include "io/export/job_file.h"
+
+#include "io/worker/model_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstring>
+#include <map>
+#include <stdexcept>
+#include <type_traits>
+
+namespace knead {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// Blocks of bytes, each behind its length.
+class BlockWriter {
+public:
+    void add(std::string_view block)
+    {
+        const std::uint64_t length = block.size();
+        m_bytes.append(reinterpret_cast<const char*>(&length), sizeof length);
+        m_bytes.append(block);
+    }
+
+    template <typename Element>
+    void add(const std::vector<Element>& elements)
+    {
+        add(std::string_view(reinterpret_cast<const char*>(elements.data()), elements.size() * sizeof(Element)));
+    }
+
+    std::string bytes() && { return std::move(m_bytes); }
+
+private:
+    std::string m_bytes;
+};
+
+class BlockReader {
+public:
+    explicit BlockReader(std::string_view bytes)
+        : m_bytes(bytes)
+    {
+    }
+
+    std::string_view next()
+    {
+        std::uint64_t length = 0;
+        if (m_bytes.size() < sizeof length)
+            throw std::runtime_error("export job: it is cut off");
+        std::memcpy(&length, m_bytes.data(), sizeof length);
+        m_bytes.remove_prefix(sizeof length);
+        if (length > m_bytes.size())
+            throw std::runtime_error("export job: it is cut off");
+        const std::string_view block = m_bytes.substr(0, length);
+        m_bytes.remove_prefix(length);
+        return block;
+    }
+
+    template <typename Element>
+    std::vector<Element> nextArray()
+    {
+        const std::string_view block = next();
+        std::vector<Element> elements(block.size() / sizeof(Element));
+        std::memcpy(static_cast<void*>(elements.data()), block.data(), elements.size() * sizeof(Element));
+        return elements;
+    }
+
+private:
+    std::string_view m_bytes;
+};
+
+Json numbers(const Vec3& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
+Vec3 vector(const Json& json)
+{
+    return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+/// Which connections an object has, a bit for each direction.
+std::vector<std::uint16_t> connectionsOf(const Aggregate& aggregate)
+{
+    std::vector<std::uint16_t> bits(aggregate.size(), 0);
+    for (std::size_t d = 0; d < Lattice::isotropicCount; ++d)
+        for (std::size_t i = 0; i < aggregate.weight[d].size(); ++i)
+            if (aggregate.weight[d][i] > 0)
+                bits[i] = static_cast<std::uint16_t>(bits[i] | 1U << d);
+    return bits;
+}
+
+void addAggregate(const Aggregate& aggregate, BlockWriter& blocks)
+{
+    const Lattice& lattice = aggregate.lattice;
+    const Json json{
+        {"origin", numbers(lattice.origin)},
+        {"spacing", lattice.spacing},
+        {"axes", {numbers(lattice.axes.col(0)), numbers(lattice.axes.col(1)), numbers(lattice.axes.col(2))}}};
+    blocks.add(std::string_view(json.dump()));
+    blocks.add(lattice.nodes);
+    blocks.add(connectionsOf(aggregate));
+}
+
+std::shared_ptr<const Aggregate> nextAggregate(BlockReader& blocks)
+{
+    const Json json = Json::parse(blocks.next());
+    auto aggregate = std::make_shared<Aggregate>();
+    Lattice& lattice = aggregate->lattice;
+    lattice.origin = vector(json.at("origin"));
+    lattice.spacing = json.at("spacing").get<double>();
+    for (int axis = 0; axis < 3; ++axis)
+        lattice.axes.col(axis) = vector(json.at("axes").at(static_cast<std::size_t>(axis)));
+    lattice.nodes = blocks.nextArray<Lattice::Node>();
+    const std::vector<std::uint16_t> bits = blocks.nextArray<std::uint16_t>();
+    if (bits.size() != lattice.nodes.size())
+        throw std::runtime_error("export job: not every object has its connections");
+    for (std::size_t d = 0; d < Lattice::isotropicCount; ++d) {
+        aggregate->weight[d].resize(bits.size());
+        for (std::size_t i = 0; i < bits.size(); ++i)
+            aggregate->weight[d][i] = bits[i] >> d & 1U;
+    }
+    return aggregate;
+}
+
+Json toJson(const ExportOptions& options)
+{
+    return {{"unit", options.unit},
+            {"tolerance", options.tolerance},
+            {"ap214", options.useAp214},
+            {"text", options.isText},
+            {"onlyVisible", options.onlyVisible}};
+}
+
+ExportOptions optionsFrom(const Json& json)
+{
+    return {.unit = json.at("unit").get<std::string>(),
+            .tolerance = json.at("tolerance").get<double>(),
+            .useAp214 = json.at("ap214").get<bool>(),
+            .isText = json.at("text").get<bool>(),
+            .onlyVisible = json.at("onlyVisible").get<bool>()};
+}
+
+const std::map<PartExportReport::Form, std::string>& formNames()
+{
+    static const std::map<PartExportReport::Form, std::string> names{{PartExportReport::Form::exact, "smooth faces"},
+                                                                     {PartExportReport::Form::faceted, "flat faces"},
+                                                                     {PartExportReport::Form::mesh, "mesh"}};
+    return names;
+}
+
+Json toJson(const PartExportReport& part)
+{
+    return {{"name", part.name},
+            {"form", formNames().at(part.form)},
+            {"reason", part.reason},
+            {"sound", part.isSound()},
+            {"solids", {{"before", part.solidsBefore}, {"after", part.solidsAfter}}},
+            {"faces", {{"before", part.facesBefore}, {"after", part.facesAfter}, {"kept", part.keptFaces}}},
+            {"edges", {{"before", part.edgesBefore}, {"after", part.edgesAfter}}},
+            {"volume_m3", {{"rest", part.restVolume}, {"skin", part.skinVolume}, {"file", part.volume}}},
+            {"density_kg_per_m3", part.density},
+            {"valid", part.valid},
+            {"closed", part.closed},
+            {"free_edges", part.freeEdges},
+            {"largest_tolerance_m", part.maxTolerance},
+            {"deviation_m",
+             {{"allowed", part.tolerance},
+              {"largest", part.largestDeviation},
+              {"mean", part.meanDeviation},
+              {"samples", part.samples}}},
+            {"name_kept", part.nameKept},
+            {"colors_kept", part.colorsKept}};
+}
+
+PartExportReport partFrom(const Json& json)
+{
+    PartExportReport part;
+    part.name = json.at("name").get<std::string>();
+    for (const auto& [form, name] : formNames())
+        if (json.at("form") == name)
+            part.form = form;
+    part.reason = json.at("reason").get<std::string>();
+    part.solidsBefore = json.at("solids").at("before").get<int>();
+    part.solidsAfter = json.at("solids").at("after").get<int>();
+    part.facesBefore = json.at("faces").at("before").get<int>();
+    part.facesAfter = json.at("faces").at("after").get<int>();
+    part.keptFaces = json.at("faces").at("kept").get<int>();
+    part.edgesBefore = json.at("edges").at("before").get<int>();
+    part.edgesAfter = json.at("edges").at("after").get<int>();
+    part.restVolume = json.at("volume_m3").at("rest").get<double>();
+    part.skinVolume = json.at("volume_m3").at("skin").get<double>();
+    part.volume = json.at("volume_m3").at("file").get<double>();
+    part.density = json.at("density_kg_per_m3").get<double>();
+    part.valid = json.at("valid").get<bool>();
+    part.closed = json.at("closed").get<bool>();
+    part.freeEdges = json.at("free_edges").get<std::size_t>();
+    part.maxTolerance = json.at("largest_tolerance_m").get<double>();
+    part.tolerance = json.at("deviation_m").at("allowed").get<double>();
+    part.largestDeviation = json.at("deviation_m").at("largest").get<double>();
+    part.meanDeviation = json.at("deviation_m").at("mean").get<double>();
+    part.samples = json.at("deviation_m").at("samples").get<std::size_t>();
+    part.nameKept = json.at("name_kept").get<bool>();
+    part.colorsKept = json.at("colors_kept").get<bool>();
+    return part;
+}
+
+} // namespace
+
+std::string jobToBytes(const ExportJob& job)
+{
+    BlockWriter blocks;
+    Model model;
+    model.tree = job.tree;
+    Json parts = Json::array();
+    for (const PartToExport& part : job.parts) {
+        model.parts.push_back(part.part);
+        parts.push_back({{"density", part.density}, {"hasObjects", part.aggregate != nullptr}});
+    }
+    blocks.add(std::string_view(Json{{"options", toJson(job.options)}, {"parts", parts}}.dump()));
+    blocks.add(std::string_view(modelToBytes(model)));
+    for (const PartToExport& part : job.parts)
+        if (part.aggregate != nullptr) {
+            addAggregate(*part.aggregate, blocks);
+            blocks.add(part.displacements);
+        }
+    return std::move(blocks).bytes();
+}
+
+ExportJob jobFromBytes(std::string_view bytes)
+{
+    try {
+        BlockReader blocks(bytes);
+        const Json json = Json::parse(blocks.next());
+        Model model = modelFromBytes(blocks.next());
+        ExportJob job;
+        job.options = optionsFrom(json.at("options"));
+        job.tree = std::move(model.tree);
+        for (std::size_t i = 0; i < model.parts.size(); ++i) {
+            PartToExport& part = job.parts.emplace_back();
+            part.part = std::move(model.parts[i]);
+            part.density = json.at("parts").at(i).at("density").get<double>();
+            if (!json.at("parts").at(i).at("hasObjects").get<bool>())
+                continue;
+            part.aggregate = nextAggregate(blocks);
+            part.displacements = blocks.nextArray<Vec3>();
+        }
+        return job;
+    } catch (const Json::exception& error) {
+        throw std::runtime_error(std::string("export job: ") + error.what());
+    }
+}
+
+std::string exportedToBytes(const ExportedFile& file)
+{
+    BlockWriter blocks;
+    blocks.add(std::string_view(reportToJson(file.report)));
+    blocks.add(std::string_view(file.bytes));
+    return std::move(blocks).bytes();
+}
+
+ExportedFile exportedFromBytes(std::string_view bytes)
+{
+    BlockReader blocks(bytes);
+    ExportedFile file;
+    file.report = reportFromJson(blocks.next());
+    file.bytes = blocks.next();
+    return file;
+}
+
+std::string reportToJson(const ExportReport& report)
+{
+    Json json{{"file", report.file},         {"format", report.format},   {"unit", report.unit},
+              {"bytes", report.bytes},       {"seconds", report.seconds}, {"sound", report.isSound()},
+              {"warnings", report.warnings}, {"parts", Json::array()}};
+    for (const PartExportReport& part : report.parts)
+        json["parts"].push_back(toJson(part));
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+ExportReport reportFromJson(std::string_view text)
+{
+    try {
+        const Json json = Json::parse(text);
+        ExportReport report;
+        report.file = json.at("file").get<std::string>();
+        report.format = json.at("format").get<std::string>();
+        report.unit = json.at("unit").get<std::string>();
+        report.bytes = json.at("bytes").get<std::uint64_t>();
+        report.seconds = json.at("seconds").get<double>();
+        report.warnings = json.at("warnings").get<std::vector<std::string>>();
+        for (const Json& part : json.at("parts"))
+            report.parts.push_back(partFrom(part));
+        return report;
+    } catch (const Json::exception& error) {
+        throw std::runtime_error(std::string("export report: ") + error.what());
+    }
+}
+
+} // namespace knead

@@ -1,0 +1,75 @@
+#include "io/worker/isolated_export.h"
+
+#include "io/cad_format.h"
+#include "io/export/job_file.h"
+#include "io/recipe_values.h"
+#include "io/safe_file.h"
+#include "io/worker/export_worker.h"
+#include "io/worker/isolated_work.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+constexpr double gibibyte = 1U << 30U;
+constexpr double leastMemory = 4 * gibibyte;
+constexpr double memoryPerByte = 200; // of the job
+constexpr double leastTime = 600;     // [s]
+constexpr double timePerByte = 60e-6; // [s]
+
+FormatKind kindFor(const std::string& path)
+{
+    const std::string ending = lowerCaseEnding(path);
+    if (ending == "step" || ending == "stp" || ending == "p21")
+        return FormatKind::Step;
+    if (ending == "iges" || ending == "igs")
+        return FormatKind::Iges;
+    if (ending == "brep" || ending == "brp")
+        return FormatKind::Brep;
+    throw std::runtime_error(shortName(path) + ": smooth faces go into .step, .iges and .brep files only.");
+}
+
+} // namespace
+
+ExportReport exportIsolated(const std::string& program, const std::string& path, const ExportJob& job,
+                            TaskControl& control)
+{
+    const FormatKind kind = kindFor(path);
+    checkIsWritable(path); // before the work, not after it
+    const std::string bytes = jobToBytes(job);
+    const auto size = static_cast<double>(bytes.size());
+    const OwnLimits limits{static_cast<std::uint64_t>(leastMemory + memoryPerByte * size),
+                           static_cast<unsigned>(std::ceil(leastTime + timePerByte * size))};
+    NamelessFile file;
+    file.write(bytes);
+    const IsolatedWork work{
+        .program = program,
+        .arguments = argumentsForExport(kind, path, limits),
+        .path = path,
+        .processorTime = static_cast<double>(limits.processorTime),
+        .wallTime = 2.0 * limits.processorTime,
+        .worker = "writer",
+        .work = "writing",
+        .outOfTime = "Nothing was written; export fewer parts at a time, or with a larger tolerance.",
+        .afterFailure = "Nothing was written; export the parts one by one to see which one it is, or as a mesh.",
+    };
+    ExportedFile exported;
+    try {
+        exported = exportedFromBytes(runIsolated(work, file, control));
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        const std::string name = shortName(path) + ": ";
+        throw std::runtime_error(std::string(error.what()).starts_with(name) ? error.what() : name + error.what());
+    }
+    writeFileSafely(path, exported.bytes);
+    exported.report.file = path;
+    control.report(1, "done");
+    return std::move(exported.report);
+}
+
+} // namespace knead

@@ -1,0 +1,104 @@
+#include "io/worker/isolated_work.h"
+
+#include "io/cad_format.h"
+#include "io/worker/model_file.h"
+#include "io/worker/worker_process.h"
+
+#include <cmath>
+#include <csignal>
+#include <stdexcept>
+
+namespace knead {
+
+namespace {
+
+constexpr double workShare = 0.95; // of the progress; the rest is handing over
+
+/// "2 minutes", "45 s"
+std::string duration(double seconds)
+{
+    return seconds < 120 ? std::to_string(std::lround(seconds)) + " s"
+                         : std::to_string(std::lround(seconds / 60)) + " minutes";
+}
+
+/// The stages that came through the pipe; keeps the last for the sentence about a crash.
+class StageList {
+public:
+    explicit StageList(TaskControl& control)
+        : m_control(control)
+    {
+    }
+
+    void take(std::string_view line)
+    {
+        double fraction = 0;
+        std::string stage;
+        if (!readStageLine(line, fraction, stage))
+            return;
+        m_last = stage;
+        m_control.report(workShare * fraction, stage);
+    }
+
+    /// " while making shapes"
+    std::string whileLast() const { return m_last.empty() ? std::string() : " while " + m_last; }
+
+private:
+    TaskControl& m_control;
+    std::string m_last;
+};
+
+std::string crashReason(int signal)
+{
+    switch (signal) {
+    case SIGSEGV:
+    case SIGBUS:
+        return "memory access";
+    case SIGFPE:
+        return "arithmetic";
+    case SIGABRT:
+        return "internal error";
+    case SIGILL:
+        return "illegal instruction";
+    case SIGKILL:
+        return "ended from outside, perhaps because the machine ran out of memory";
+    default:
+        return "signal " + std::to_string(signal);
+    }
+}
+
+[[noreturn]] void failFor(const IsolatedWork& work, const ChildEnd& end, const StageList& stages)
+{
+    const bool outOfTime = end.kind == ChildEnd::Kind::signaled && end.number == SIGXCPU;
+    if (outOfTime || end.kind == ChildEnd::Kind::tooLong)
+        failReading(work.path, work.work + " took longer than " +
+                                   duration(outOfTime ? work.processorTime : work.wallTime) + stages.whileLast() +
+                                   " and was ended. " + work.outOfTime);
+    if (end.kind == ChildEnd::Kind::signaled)
+        failReading(work.path, "the " + work.worker + " crashed" + stages.whileLast() + " (" + crashReason(end.number) +
+                                   "). " + work.afterFailure);
+    failReading(work.path,
+                "the " + work.worker + " ended without a result" + stages.whileLast() + ". " + work.afterFailure);
+}
+
+} // namespace
+
+std::string runIsolated(const IsolatedWork& work, const NamelessFile& file, TaskControl& control)
+{
+    control.throwIfCancelled();
+    StageList stages(control);
+    const ChildEnd end = runChild(
+        work.program, work.arguments, file, work.wallTime > 0 ? work.wallTime : 1e9,
+        [&](std::string_view line) { stages.take(line); }, [&] { return control.isCancelled(); });
+    if (end.kind == ChildEnd::Kind::cancelled)
+        throw Cancelled();
+    if (end.kind != ChildEnd::Kind::exited || end.number != 0)
+        failFor(work, end, stages);
+    control.report(workShare, "handing over");
+    std::string bytes = file.content();
+    if (const std::string failure = failureIn(bytes); !failure.empty())
+        throw std::runtime_error(failure);
+    control.throwIfCancelled();
+    return bytes;
+}
+
+} // namespace knead
