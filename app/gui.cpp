@@ -1,10 +1,11 @@
 #include "app/gui.h"
 
 #include "app/cad_process.h"
+#include "app/export_file.h"
 #include "app/resources.h"
+#include "io/export/export_formats.h"
 #include "io/importer.h"
 #include "io/material_library.h"
-#include "io/mesh_writer.h"
 #include "ui/run_window.h"
 
 namespace knead {
@@ -15,7 +16,7 @@ std::vector<Services::Format> formats(const std::vector<FileFormat>& source)
 {
     std::vector<Services::Format> result;
     for (const FileFormat& format : source)
-        result.push_back({format.name, format.endings});
+        result.push_back({format.name, format.endings, cadFormatFor("." + format.endings.front()).has_value()});
     return result;
 }
 
@@ -26,14 +27,14 @@ Services fileServices()
     Services services;
     services.import = importInChildren;
     services.preview = previewInChild;
-    services.exportMeshes = [](const std::string& path, const std::vector<ExportBody>& bodies) {
-        std::vector<MeshBody> meshes;
-        for (const ExportBody& body : bodies)
-            meshes.push_back({body.name, body.color, body.mesh});
-        writeMeshes(path, meshes);
+    services.exportParts = [](const std::string& path, const ExportJob& job, bool keepsReport, TaskControl& control) {
+        ExportReport report = exportFile(path, job, control);
+        if (keepsReport)
+            writeReportBeside(report);
+        return report;
     };
     services.importFormats = formats(importFormats());
-    services.exportFormats = formats(exportFormats());
+    services.exportFormats = formats(allExportFormats());
     services.materials = readMaterials(resourcesFolder() + "/materials/materials.json");
     services.examplesFolder = resourcesFolder() + "/examples";
     return services;

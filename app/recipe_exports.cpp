@@ -1,7 +1,8 @@
 #include "app/recipe_exports.h"
 
-#include "core/geometry/refine.h"
-#include "core/skin/skin.h"
+#include "app/export_file.h"
+#include "core/model/part_tree.h"
+#include "core/skin/deformed_surface.h"
 #include "io/mesh_writer.h"
 #include "io/picture_writer.h"
 
@@ -16,27 +17,29 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr Color toolColor{0.42F, 0.64F, 0.56F};
-constexpr double skinShare = 0.6; // of the progress; the rest is writing
 
-/// The surface of a body, fine enough to bend with its objects, at its present place.
-MeshBody deformed(const Part& part, const Body& body, const Snapshot::BodyState& state, TaskControl& control)
+/// The bodies of a recipe as they are in a snapshot.
+ExportJob jobOf(const RecipeScene& ready, const Snapshot& snapshot)
 {
-    TriangleMesh mesh = refine(part.mesh, body.aggregate->lattice.spacing);
-    const Skin skin(*body.aggregate, mesh.vertices, control);
-    std::vector<Vec3> places(mesh.vertices.size());
-    skin.evaluate(state.displacements(), places);
-    mesh.vertices = std::move(places);
-    return {part.name, part.color.value_or(Color{}), std::move(mesh)};
+    ExportJob job;
+    std::vector<const Part*> parts;
+    for (std::size_t i = 0; i < ready.parts.size(); ++i) {
+        parts.push_back(&ready.parts[i]);
+        job.parts.push_back({.part = ready.parts[i],
+                             .aggregate = ready.scene.bodies[i].aggregate,
+                             .displacements = snapshot.bodies[i].displacements(),
+                             .density = snapshot.materials[i].density});
+    }
+    job.tree = treeOfPaths(parts);
+    return job;
 }
 
-std::vector<MeshBody> deformedBodies(const RecipeScene& ready, const Snapshot& snapshot, TaskControl& control)
+std::vector<MeshBody> deformedBodies(const ExportJob& job, TaskControl& control)
 {
     std::vector<MeshBody> bodies;
-    const auto count = static_cast<double>(ready.parts.size());
-    for (std::size_t i = 0; i < ready.parts.size(); ++i) {
-        TaskPortion portion(control, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-        bodies.push_back(deformed(ready.parts[i], ready.scene.bodies[i], snapshot.bodies[i], portion));
-    }
+    for (const PartToExport& part : job.parts)
+        bodies.push_back({part.part.name, part.part.color.value_or(Color{}),
+                          deformedSurface(part.part.mesh, *part.aggregate, part.displacements, control)});
     return bodies;
 }
 
@@ -59,14 +62,10 @@ PictureOptions pictureOptions(const RecipeExport& wanted)
     return options;
 }
 
-void writeTo(const std::string& path, const RecipeExport& wanted, const std::vector<MeshBody>& bodies,
-             const std::vector<MeshBody>& tools)
+void drawTo(const std::string& path, const RecipeExport& wanted, std::vector<MeshBody> shown, const Snapshot& snapshot)
 {
-    if (!wanted.isPicture())
-        return writeMeshes(path, bodies);
-    std::vector<MeshBody> shown = bodies;
     if (wanted.showTools)
-        shown.insert(shown.end(), tools.begin(), tools.end());
+        std::transform(snapshot.tools.begin(), snapshot.tools.end(), std::back_inserter(shown), toolBody);
     writePicture(path, shown, pictureOptions(wanted));
 }
 
@@ -86,26 +85,34 @@ void prepareFolders(const std::vector<RecipeExport>& exports, const std::string&
     }
 }
 
-std::vector<std::string> writeExports(const std::vector<RecipeExport>& exports, const std::string& outputFolder,
-                                      const RecipeScene& ready, const Snapshot& snapshot, TaskControl& control)
+WrittenExports writeExports(const std::vector<RecipeExport>& exports, const std::string& outputFolder,
+                            const RecipeScene& ready, const Snapshot& snapshot, TaskControl& control)
 {
     if (exports.empty())
         return {};
-    TaskPortion skinning(control, 0, skinShare);
-    const std::vector<MeshBody> bodies = deformedBodies(ready, snapshot, skinning);
-    std::vector<MeshBody> tools;
-    std::transform(snapshot.tools.begin(), snapshot.tools.end(), std::back_inserter(tools), toolBody);
-
-    std::vector<std::string> paths;
+    ExportJob job = jobOf(ready, snapshot);
+    std::vector<MeshBody> bodies; // for pictures
+    WrittenExports written;
+    const auto count = static_cast<double>(exports.size());
     for (const RecipeExport& wanted : exports) {
         control.throwIfCancelled();
-        const double done = static_cast<double>(paths.size()) / static_cast<double>(exports.size());
-        control.report(skinShare + (1 - skinShare) * done, "writing " + wanted.file);
+        const auto done = static_cast<double>(written.files.size());
+        TaskPortion portion(control, done / count, (done + 1) / count);
+        portion.report(0, "writing " + wanted.file);
         const std::string path = (fs::path(outputFolder) / wanted.file).lexically_normal().string();
-        writeTo(path, wanted, bodies, tools);
-        paths.push_back(path);
+        if (wanted.isPicture()) {
+            if (bodies.empty())
+                bodies = deformedBodies(job, portion);
+            drawTo(path, wanted, bodies, snapshot);
+        } else {
+            job.options = wanted.options;
+            written.reports.push_back(exportFile(path, job, portion));
+            if (wanted.wantsReport)
+                written.files.push_back(writeReportBeside(written.reports.back()));
+        }
+        written.files.push_back(path);
     }
-    return paths;
+    return written;
 }
 
 } // namespace knead

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/recipe_scene.h"
+#include "core/model/export_report.h"
 #include "core/simulation/snapshot.h"
 #include "core/task/task_control.h"
 #include "io/recipe.h"
@@ -14,10 +15,15 @@ namespace knead {
 /// @throws std::runtime_error, in a sentence.
 void prepareFolders(const std::vector<RecipeExport>& exports, const std::string& outputFolder);
 
+/// What was written at the end of a recipe.
+struct WrittenExports {
+    std::vector<std::string> files;    ///< paths
+    std::vector<ExportReport> reports; ///< of those that are no pictures
+};
+
 /// Writes the bodies as they are in a snapshot; pictures show the tools too.
-/// @return the paths written
 /// @throws std::runtime_error, in a sentence. @throws Cancelled between two files
-std::vector<std::string> writeExports(const std::vector<RecipeExport>& exports, const std::string& outputFolder,
-                                      const RecipeScene& ready, const Snapshot& snapshot, TaskControl& control);
+WrittenExports writeExports(const std::vector<RecipeExport>& exports, const std::string& outputFolder,
+                            const RecipeScene& ready, const Snapshot& snapshot, TaskControl& control);
 
 } // namespace knead

@@ -219,7 +219,9 @@ RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskC
 
     TaskPortion writing(control, stepsEnd, 1);
     RunReport report = runner.takeReport();
-    report.files = writeExports(recipe.exports, outputFolder, ready, runner.latest(), writing);
+    WrittenExports written = writeExports(recipe.exports, outputFolder, ready, runner.latest(), writing);
+    report.files = std::move(written.files);
+    report.exports = std::move(written.reports);
     return report;
 }
 

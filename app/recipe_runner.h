@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/model/export_report.h"
 #include "core/simulation/snapshot.h"
 #include "core/task/task_control.h"
 #include "io/recipe.h"
@@ -28,6 +29,7 @@ struct RunReport {
     EnergyLedger energy;
     std::vector<ToolState> tools;      ///< as last seen, those taken away included
     std::vector<std::string> files;    ///< written, in the order of the recipe
+    std::vector<ExportReport> exports; ///< on those that are no pictures
     std::vector<std::string> warnings; ///< sentences for the person
 
     double ratio() const { return wall > 0 ? simulated / wall : 0; }

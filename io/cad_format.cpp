@@ -237,4 +237,13 @@ void failReading(const std::string& path, const std::string& sentence)
     throw std::runtime_error(shortName(path) + ": " + sentence);
 }
 
+std::string lowerCaseEnding(const std::string& path)
+{
+    std::string ending = std::filesystem::path(path).extension().string();
+    if (!ending.empty())
+        ending.erase(0, 1);
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    return ending;
+}
+
 } // namespace knead

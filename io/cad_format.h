@@ -18,6 +18,9 @@ FormatKind recognizeFormat(const std::string& path);
 /// "bracket.step" for "/home/ann/bracket.step": how sentences name a file. Shortened when absurdly long.
 std::string shortName(const std::string& path);
 
+/// "step" for "/home/ann/bracket.STEP"; empty when there is none.
+std::string lowerCaseEnding(const std::string& path);
+
 /// @throws std::runtime_error "<short name>: <sentence>".
 [[noreturn]] void failReading(const std::string& path, const std::string& sentence);
 

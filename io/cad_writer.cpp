@@ -6,6 +6,7 @@
 #include "io/xcaf_document.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <IGESCAFControl_Writer.hxx>
@@ -28,7 +29,9 @@
 #include <XCAFDoc_LayerTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace knead {
 
@@ -60,41 +63,69 @@ public:
     void add(const PartNode& tree)
     {
         for (const PartNode& child : tree.children)
-            addNode(child);
+            if (child.part)
+                addProduct(m_parts[*child.part], atItsPlace(m_parts[*child.part].shape));
+            else
+                addAssembly(child);
         if (tree.part)
-            addPart(m_parts[*tree.part]);
+            addProduct(m_parts[*tree.part], atItsPlace(m_parts[*tree.part].shape));
         m_shapes->UpdateAssemblies();
     }
 
 private:
-    TDF_Label addNode(const PartNode& node)
+    /// A part by itself has no instance that could say where it is.
+    static TopoDS_Shape atItsPlace(const TopoDS_Shape& shape)
     {
-        if (node.part)
-            return addPart(m_parts[*node.part]);
+        if (shape.Location().IsIdentity())
+            return shape;
+        return BRepBuilderAPI_Transform(shape.Located(TopLoc_Location()), shape.Location().Transformation(), true)
+            .Shape();
+    }
+
+    TDF_Label addAssembly(const PartNode& node)
+    {
         const TDF_Label assembly = m_shapes->NewShape();
         TDataStd_Name::Set(assembly, extended(node.name));
         for (const PartNode& child : node.children) {
-            const TDF_Label part = addNode(child);
-            const TDF_Label component = m_shapes->AddComponent(assembly, part, TopLoc_Location());
+            const TDF_Label component = child.part
+                                            ? addInstance(assembly, m_parts[*child.part])
+                                            : m_shapes->AddComponent(assembly, addAssembly(child), TopLoc_Location());
             TDataStd_Name::Set(component, extended(child.name));
-            if (child.part)
-                m_colors->SetVisibility(component, m_parts[*child.part].visible);
         }
         return assembly;
     }
 
-    TDF_Label addPart(const CadPartToWrite& part)
+    TDF_Label addInstance(const TDF_Label& assembly, const CadPartToWrite& part)
     {
-        const TDF_Label label = m_shapes->AddShape(part.shape, false, false);
+        const TDF_Label component = m_shapes->AddComponent(assembly, productOf(part), part.shape.Location());
+        m_colors->SetVisibility(component, part.visible);
+        return component;
+    }
+
+    /// Instances of one shape that look alike share a product.
+    TDF_Label productOf(const CadPartToWrite& part)
+    {
+        std::vector<std::pair<const CadPartToWrite*, TDF_Label>>& products = m_products[part.shape.TShape().get()];
+        for (const auto& [other, label] : products)
+            if (other->color == part.color && other->faceColors == part.faceColors && other->layer == part.layer &&
+                other->visible == part.visible && other->shape.Orientation() == part.shape.Orientation())
+                return label;
+        products.emplace_back(&part, addProduct(part, part.shape.Located(TopLoc_Location())));
+        return products.back().second;
+    }
+
+    TDF_Label addProduct(const CadPartToWrite& part, const TopoDS_Shape& shape)
+    {
+        const TDF_Label label = m_shapes->AddShape(shape, false);
         TDataStd_Name::Set(label, extended(part.name));
         // The writer of OpenCASCADE 7.6 crashes on what is hidden and has no color.
         if (part.color || !part.visible)
-            m_colors->SetColor(label, quantity(part.color.value_or(Color{})), XCAFDoc_ColorSurf);
+            m_colors->SetColor(label, quantity(part.color.value_or(Color{})), XCAFDoc_ColorGen);
         m_colors->SetVisibility(label, part.visible);
         if (!part.layer.empty())
             m_layers->SetLayer(label, extended(part.layer));
         TopTools_IndexedMapOfShape faces;
-        TopExp::MapShapes(part.shape, TopAbs_FACE, faces);
+        TopExp::MapShapes(shape, TopAbs_FACE, faces);
         const auto count = std::min(part.faceColors.size(), static_cast<std::size_t>(faces.Extent()));
         for (std::size_t i = 0; i < count; ++i)
             if (part.faceColors[i])
@@ -107,6 +138,7 @@ private:
     Handle(XCAFDoc_ShapeTool) m_shapes;
     Handle(XCAFDoc_ColorTool) m_colors;
     Handle(XCAFDoc_LayerTool) m_layers;
+    std::map<const void*, std::vector<std::pair<const CadPartToWrite*, TDF_Label>>> m_products; // by geometry
 };
 
 /// The name that OpenCASCADE's writers have for a length unit.

@@ -1,4 +1,5 @@
 #include "io/recipe.h"
+#include "io/cad_format.h"
 
 #include "io/json_reader.h"
 #include "io/recipe_sections.h"

@@ -4,6 +4,7 @@
 #include "core/aggregate/spacing_choice.h"
 #include "core/geometry/vec3.h"
 #include "core/mechanics/manipulator.h"
+#include "core/model/export_options.h"
 #include "core/simulation/scene.h"
 
 #include <cstdint>
@@ -102,7 +103,9 @@ struct RecipeExport {
     int height = 800;
     std::optional<Vec3> viewDirection; ///< from the eye to the part; the picture writer's own without one
     Vec3 up = Vec3::UnitZ();
-    bool showTools = true; ///< draw the manipulators too
+    bool showTools = true;    ///< draw the manipulators too
+    ExportOptions options;    ///< of what is no picture
+    bool wantsReport = false; ///< as a JSON file beside it
 
     bool isPicture() const;
 };

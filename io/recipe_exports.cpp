@@ -1,5 +1,6 @@
 // Files that a recipe writes at the end.
-#include "io/mesh_writer.h"
+#include "core/model/length_units.h"
+#include "io/export/export_formats.h"
 #include "io/recipe_sections.h"
 #include "io/recipe_values.h"
 
@@ -65,6 +66,22 @@ void readPictureKeys(const JsonNode& node, RecipeExport& picture)
     }
 }
 
+void readFileKeys(const JsonNode& node, RecipeExport& file)
+{
+    node.allowOnly({"file", "unit", "tolerance_mm", "ap214", "report"});
+    if (const auto unit = node.find("unit")) {
+        file.options.unit = unit->text();
+        if (findLengthUnit(file.options.unit) == nullptr)
+            unit->failExpecting("must be one of " + lengthUnitNames());
+    }
+    if (const auto tolerance = node.find("tolerance_mm"))
+        file.options.tolerance = 1e-3 * tolerance->number(1e-6, 1e3);
+    if (const auto ap214 = node.find("ap214"))
+        file.options.useAp214 = ap214->boolean();
+    if (const auto report = node.find("report"))
+        file.wantsReport = report->boolean();
+}
+
 /// A recipe from somewhere else must not write outside the output folder.
 void checkStaysInside(const JsonNode& node, const std::string& file)
 {
@@ -74,10 +91,10 @@ void checkStaysInside(const JsonNode& node, const std::string& file)
         node.failExpecting("must be a path inside the output folder");
 }
 
-std::vector<std::string> exportEndings()
+std::vector<std::string> knownEndings()
 {
     std::vector<std::string> endings;
-    for (const FileFormat& format : exportFormats())
+    for (const FileFormat& format : allExportFormats())
         endings.insert(endings.end(), format.endings.begin(), format.endings.end());
     endings.emplace_back("png");
     return endings;
@@ -92,13 +109,13 @@ RecipeExport readRecipeExport(const JsonNode& node)
     wanted.file = file.text();
     checkStaysInside(file, wanted.file);
 
-    const std::vector<std::string> endings = exportEndings();
+    const std::vector<std::string> endings = knownEndings();
     if (std::find(endings.begin(), endings.end(), lowerCaseEnding(wanted.file)) == endings.end())
         file.failExpecting("must end in one of " + listed(endings, [](const std::string& e) { return "." + e; }));
     if (wanted.isPicture())
         readPictureKeys(node, wanted);
     else
-        node.allowOnly({"file"});
+        readFileKeys(node, wanted);
     return wanted;
 }
 

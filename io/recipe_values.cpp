@@ -67,12 +67,4 @@ std::string readFilePath(const JsonNode& node, const std::string& recipePath)
     return path.lexically_normal().string();
 }
 
-std::string lowerCaseEnding(const std::string& file)
-{
-    std::string ending = fs::path(file).extension().string();
-    ending.erase(0, 1);
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    return ending;
-}
-
 } // namespace knead

@@ -54,7 +54,4 @@ std::vector<double> readLengths(const JsonNode& node, std::size_t count);
 /// A file that exists, seen from the folder of the recipe; ready to open.
 std::string readFilePath(const JsonNode& node, const std::string& recipePath);
 
-/// "stl" for "out/Bar.STL"; empty without an ending.
-std::string lowerCaseEnding(const std::string& file);
-
 } // namespace knead

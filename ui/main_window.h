@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/document/export_request.h"
 #include "ui/services.h"
 #include "ui/tasks/task_runner.h"
 #include "ui/theme.h"
@@ -18,6 +19,7 @@ namespace knead {
 
 struct Actions;
 class Banner;
+class ExportPanel;
 class HomePage;
 class ImportPanel;
 class LogPanel;
@@ -40,8 +42,8 @@ public:
     void open(const OpenRequest& request);
     /// Looks into the files first and asks what is wanted of them.
     void openWithChoices(const QStringList& paths);
-    /// Writes the deformed bodies in the background; the ending decides the format.
-    void exportTo(const QString& path);
+    /// Writes the deformed parts in the background; the ending decides the format.
+    void exportTo(const QString& path, const ExportRequest& request = {});
     /// Fills the bodies anew in the background. @param spacing [m]
     void refill(double spacing);
 
@@ -89,6 +91,14 @@ private:
     void fillOpenParts();
     void openAgain(const QString& title, std::function<Model(const Model&)> change, const OpenRequest& request);
     void askForExport();
+    void askForPlace(const ExportRequest& request, const Services::Format& format);
+    struct PlannedFile {
+        std::string path;
+        ExportJob job;
+    };
+    std::vector<PlannedFile> planFiles(const QString& path, const ExportRequest& request) const;
+    std::vector<bool> partsFor(ExportRequest::Which which) const;
+    void showExport(const std::vector<ExportReport>& reports);
     void cancel();
     void showControls();
     void showAbout();
@@ -107,6 +117,7 @@ private:
     MaterialPanel* m_material = nullptr;
     LogPanel* m_log = nullptr;
     ImportPanel* m_import = nullptr;
+    ExportPanel* m_export = nullptr;
     PerformancePanel* m_performance = nullptr;
     QMenu* m_addTool = nullptr;
     QLabel* m_hint = nullptr;

@@ -1,9 +1,12 @@
 // The dialogs of the main window: files and help.
 #include "ui/main_window.h"
 
+#include "ui/dialogs/export_dialog.h"
 #include "ui/dialogs/import_dialog.h"
+#include "ui/viewport/viewport_widget.h"
 
 #include <QApplication>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -58,18 +61,35 @@ void MainWindow::askForChoices(std::vector<FilePreview> previews)
 
 void MainWindow::askForExport()
 {
+    if (m_document.isEmpty())
+        return;
+    const Selection& selection = m_document.selection();
+    const QString selected = selection.kind == Selection::Kind::Body
+                                 ? QString::fromStdString(m_document.content().bodies[selection.id]->name)
+                                 : QString();
+    auto* dialog =
+        new ExportDialog(m_services.exportFormats, selected, !m_viewport->options().hiddenParts.empty(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { askForPlace(dialog->request(), dialog->format()); });
+    dialog->open();
+}
+
+void MainWindow::askForPlace(const ExportRequest& request, const Services::Format& format)
+{
     const QString proposed = QFileInfo(QString::fromStdString(m_document.content().model->file)).completeBaseName();
-    QString filter;
-    QString path = QFileDialog::getSaveFileName(this, tr("Export the deformed part"),
-                                                QSettings().value("folder").toString() + '/' + proposed,
-                                                filtersOf(m_services.exportFormats).join(";;"), &filter);
+    const QString ending = QString::fromStdString(format.endings.front());
+    QSettings settings;
+    QString path = QFileDialog::getSaveFileName(
+        this, request.onePerPart ? tr("Export a file for each part") : tr("Export the deformed parts"),
+        QDir(settings.value("exportFolder", settings.value("folder")).toString())
+            .filePath(proposed + "-deformed." + ending),
+        filterOf(format));
     if (path.isEmpty())
         return;
+    settings.setValue("exportFolder", QFileInfo(path).absolutePath());
     if (QFileInfo(path).suffix().isEmpty())
-        for (const Services::Format& format : m_services.exportFormats)
-            if (filterOf(format) == filter)
-                path += '.' + QString::fromStdString(format.endings.front());
-    exportTo(path);
+        path += '.' + ending;
+    exportTo(path, request);
 }
 
 void MainWindow::showControls()

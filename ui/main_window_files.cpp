@@ -3,15 +3,19 @@
 
 #include "core/model/length_units.h"
 #include "ui/panels/banner.h"
+#include "ui/panels/export_panel.h"
 #include "ui/panels/import_panel.h"
 #include "ui/panels/log_panel.h"
 #include "ui/units.h"
+#include "ui/viewport/viewport_widget.h"
 
+#include <QDir>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFile>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QRegularExpression>
 #include <QSettings>
 
 #include <algorithm>
@@ -93,21 +97,86 @@ void MainWindow::refill(double spacing)
                                  work, [this](PreparedContent prepared) { m_document.refill(std::move(prepared)); });
 }
 
-void MainWindow::exportTo(const QString& path)
+void MainWindow::exportTo(const QString& path, const ExportRequest& request)
 {
     if (m_document.isEmpty() || isBusy())
         return;
-    const QString name = QFileInfo(path).fileName();
-    const auto work = [services = m_services, file = path.toStdString(),
-                       bodies = m_document.deformedBodies()](TaskControl& control) {
-        control.report(0, "writing surfaces");
-        services.exportMeshes(file, bodies);
-        return bodies.size();
+    const std::vector<PlannedFile> files = planFiles(path, request);
+    const auto work = [services = m_services, files, keepsReport = request.keepsReport](TaskControl& control) {
+        std::vector<ExportReport> reports;
+        const auto count = static_cast<double>(files.size());
+        for (const PlannedFile& file : files) {
+            const auto done = static_cast<double>(reports.size());
+            TaskPortion portion(control, done / count, (done + 1) / count);
+            reports.push_back(services.exportParts(file.path, file.job, keepsReport, portion));
+        }
+        return reports;
     };
-    m_tasks.run<std::size_t>(tr("Exporting %1").arg(name), work, [this, path](std::size_t bodies) {
-        m_log->add(
-            (bodies == 1 ? tr("Exported 1 body to %1.") : tr("Exported %1 bodies to %2.").arg(bodies)).arg(path));
-    });
+    m_tasks.run<std::vector<ExportReport>>(tr("Exporting %1").arg(QFileInfo(path).fileName()), work,
+                                           [this](const std::vector<ExportReport>& reports) { showExport(reports); });
+}
+
+/// One file, or one for each part in a folder of their own.
+std::vector<MainWindow::PlannedFile> MainWindow::planFiles(const QString& path, const ExportRequest& request) const
+{
+    const Model& model = *m_document.content().model;
+    const std::vector<bool> keep = partsFor(request.which);
+    const auto planned = [&](const QString& file, const std::vector<bool>& parts) {
+        PlannedFile one{QFile::encodeName(file).toStdString(), m_document.exportJob(parts)};
+        const std::string unit = request.options.unit.empty() ? one.job.options.unit : request.options.unit;
+        one.job.options = request.options;
+        one.job.options.unit = unit;
+        return one;
+    };
+    if (!request.onePerPart)
+        return {planned(path, keep)};
+    std::vector<PlannedFile> files;
+    const QFileInfo info(path);
+    QStringList used;
+    for (std::size_t p = 0; p < model.parts.size(); ++p) {
+        if (!keep[p])
+            continue;
+        static const QRegularExpression unwanted("[/\\\\:*?\"<>|\\x00-\\x1f]");
+        const QString name = QString::fromStdString(model.parts[p].name).replace(unwanted, "_").left(100);
+        const QString stem = info.completeBaseName() + "-" + name;
+        QString unique = stem;
+        for (int number = 2; used.contains(unique); ++number)
+            unique = QStringLiteral("%1-%2").arg(stem).arg(number);
+        used << unique;
+        std::vector<bool> only(model.parts.size(), false);
+        only[p] = true;
+        files.push_back(planned(info.dir().filePath(unique + "." + info.suffix()), only));
+    }
+    return files;
+}
+
+std::vector<bool> MainWindow::partsFor(ExportRequest::Which which) const
+{
+    const Content& content = m_document.content();
+    std::vector<bool> keep(content.model->parts.size(), which == ExportRequest::Which::all);
+    if (which == ExportRequest::Which::visible)
+        for (std::size_t p = 0; p < keep.size(); ++p)
+            keep[p] = !m_viewport->options().hiddenParts.contains(p);
+    if (const Selection& selection = m_document.selection();
+        which == ExportRequest::Which::selected && selection.kind == Selection::Kind::Body)
+        keep[content.bodies[selection.id]->part] = true;
+    return keep;
+}
+
+void MainWindow::showExport(const std::vector<ExportReport>& reports)
+{
+    m_export->show(reports);
+    auto* dock = qobject_cast<QDockWidget*>(m_export->parentWidget());
+    dock->show();
+    dock->raise();
+    for (const ExportReport& report : reports) {
+        const auto parts = report.parts.size();
+        m_log->add((parts == 1 ? tr("Exported 1 part to %1.") : tr("Exported %2 parts to %1.").arg(parts))
+                       .arg(QFile::decodeName(report.file.c_str())));
+        if (!report.isSound())
+            showProblem(tr("Not everything in %1 is sound; the export report says what is not.")
+                            .arg(QFileInfo(QFile::decodeName(report.file.c_str())).fileName()));
+    }
 }
 
 /// The report, and what matters most of it in the banner.

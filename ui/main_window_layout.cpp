@@ -3,6 +3,7 @@
 
 #include "ui/actions.h"
 #include "ui/panels/banner.h"
+#include "ui/panels/export_panel.h"
 #include "ui/panels/fixture_panel.h"
 #include "ui/panels/home_page.h"
 #include "ui/panels/import_panel.h"
@@ -89,6 +90,7 @@ void MainWindow::makeDocks()
     m_properties->addWidget(scrolled(new FixturePanel(m_document)));
     m_log = new LogPanel(this);
     m_import = new ImportPanel(this);
+    m_export = new ExportPanel(this);
     m_performance = new PerformancePanel(this);
 
     QDockWidget* tree = makeDock(this, tr("Model"), "modelDock", m_tree, Qt::LeftDockWidgetArea);
@@ -98,7 +100,9 @@ void MainWindow::makeDocks()
         makeDock(this, tr("Performance"), "performanceDock", m_performance, Qt::BottomDockWidgetArea);
     QDockWidget* report = makeDock(this, tr("Import report"), "importDock", m_import, Qt::BottomDockWidgetArea);
     tabifyDockWidget(log, report);
-    tabifyDockWidget(report, performance);
+    QDockWidget* exported = makeDock(this, tr("Export report"), "exportDock", m_export, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(report, exported);
+    tabifyDockWidget(exported, performance);
     log->raise();
     resizeDocks({tree, properties}, {leftWidth, leftWidth}, Qt::Horizontal);
     resizeDocks({tree, properties}, {1, 2}, Qt::Vertical);

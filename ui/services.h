@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/aggregate/material.h"
+#include "core/model/export_job.h"
+#include "core/model/export_report.h"
 #include "core/model/file_preview.h"
 #include "core/model/import_options.h"
 #include "core/model/part.h"
@@ -12,25 +14,19 @@
 
 namespace knead {
 
-/// A deformed body on its way to a file.
-struct ExportBody {
-    std::string name;
-    Color color;
-    TriangleMesh mesh; ///< [m]
-};
-
 /// What the window needs from files, handed in by app. The functions may be called from any thread and block.
 struct Services {
     /// Several files become one model. @throws std::runtime_error with a sentence, Cancelled
     std::function<Model(const std::vector<std::string>& paths, const ImportOptions&, TaskControl&)> import;
     /// @throws as import
     std::function<FilePreview(const std::string& path, TaskControl&)> preview;
-    /// The ending decides the format. @throws std::runtime_error with a sentence
-    std::function<void(const std::string& path, const std::vector<ExportBody>&)> exportMeshes;
+    /// The ending decides the format. The report can be kept beside the file. @throws as import
+    std::function<ExportReport(const std::string& path, const ExportJob&, bool keepsReport, TaskControl&)> exportParts;
 
     struct Format {
         std::string name;
         std::vector<std::string> endings;
+        bool isSmooth = false; ///< holds trimmed faces, not triangles
     };
     std::vector<Format> importFormats;
     std::vector<Format> exportFormats;

@@ -2,15 +2,16 @@
 
 #include "app/cad_process.h"
 #include "app/exit_status.h"
+#include "app/export_file.h"
 #include "app/import_arguments.h"
 #include "app/terminal_control.h"
+#include "io/export/export_formats.h"
 #include "io/mesh_writer.h"
 #include "io/picture_writer.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -31,36 +32,45 @@ struct ConvertOptions {
     std::string output;
     double deflection = 0; ///< [mm]; 0: the importer's own
     ImportOptions import;
+    ExportOptions write;
+    bool report = false;
 };
-
-std::string endingOf(const std::string& path)
-{
-    std::string ending = std::filesystem::path(path).extension().string();
-    ending.erase(0, 1);
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    return ending;
-}
 
 bool isPicture(const std::string& path)
 {
-    return endingOf(path) == "png";
+    return lowerCaseEnding(path) == "png";
 }
 
 /// Looked at first: nobody wants to wait for a file to be read before a typing mistake is told.
 bool canBeWritten(const std::string& path)
 {
-    const auto matches = [ending = endingOf(path)](const FileFormat& format) {
-        return std::find(format.endings.begin(), format.endings.end(), ending) != format.endings.end();
-    };
-    return isPicture(path) || std::any_of(exportFormats().begin(), exportFormats().end(), matches);
+    return isPicture(path) || isExportPath(path);
 }
 
-void writeTo(const std::string& path, Model& model)
+void drawTo(const std::string& path, Model& model)
 {
     std::vector<MeshBody> bodies;
     for (Part& part : model.parts)
         bodies.push_back({part.name, part.color.value_or(Color{}), std::move(part.mesh)});
-    isPicture(path) ? writePicture(path, bodies) : writeMeshes(path, bodies);
+    writePicture(path, bodies);
+}
+
+void writeTo(const ConvertOptions& options, Model& model, TaskControl& control)
+{
+    if (isPicture(options.output))
+        return drawTo(options.output, model);
+    ExportJob job{.parts = {}, .tree = model.tree, .options = options.write};
+    if (job.options.unit.empty() && canBeWrittenIn(model.unit))
+        job.options.unit = model.unit;
+    for (Part& part : model.parts)
+        job.parts.push_back({.part = std::move(part)});
+    const ExportReport report = exportFile(options.output, job, control);
+    if (options.report)
+        writeReportBeside(report);
+    if (report.isSound() && !options.report)
+        return;
+    for (const std::string& line : linesOf(report))
+        std::cerr << "knead: " << line << '\n';
 }
 
 int complain(const std::string& sentence, int status)
@@ -91,16 +101,22 @@ std::optional<Model> read(const ConvertOptions& options, int& status)
 int convert(const ConvertOptions& options)
 {
     if (!canBeWritten(options.output))
-        return complain(options.output +
-                            ": the ending is none of .stl, .obj, .ply and .png; name the file after its format.",
+        return complain(options.output + ": the ending is none of " + exportEndings() +
+                            ", nor .png; name the file after its format.",
                         exit_status::wrongUse);
     int status = exit_status::done;
     std::optional<Model> model = read(options, status);
     if (!model)
         return status;
+    TerminalControl control;
     try {
-        writeTo(options.output, *model);
+        writeTo(options, *model, control);
+        control.clear();
+    } catch (const Cancelled&) {
+        control.clear();
+        return complain("interrupted; no file was left half-written.", exit_status::interrupted);
     } catch (const std::exception& error) {
+        control.clear();
         return complain(error.what(), exit_status::failed);
     }
     for (const std::string& warning : model->warnings)
@@ -117,12 +133,18 @@ int convert(const ConvertOptions& options)
 void addConvertCommand(CLI::App& program, int& exitStatus)
 {
     auto options = std::make_shared<ConvertOptions>();
-    CLI::App* command = program.add_subcommand("convert", "Write a CAD or mesh file as triangles or as a picture");
+    CLI::App* command =
+        program.add_subcommand("convert", "Write a CAD or mesh file in another format, or as a picture");
     command->add_option("IN", options->input, "STEP, IGES, BREP, STL, OBJ, PLY, 3MF or glTF file")->required();
-    command->add_option("OUT", options->output, "File to write: .stl, .obj, .ply or .png")->required();
+    command->add_option("OUT", options->output, "File to write: " + exportEndings() + ", or .png")->required();
     command->add_option("--deflection", options->deflection, "Largest distance of the triangles from the surface in mm")
         ->type_name("MM")
         ->check(CLI::PositiveNumber);
+    command->add_option("--write-unit", options->write.unit, "Length unit of a CAD file written: mm, cm, m, inch or ft")
+        ->type_name("UNIT");
+    command->add_flag("--ap214", options->write.useAp214, "Write STEP in AP214 instead of AP242");
+    command->add_flag("--report", options->report,
+                      "Say what was found when the file was read back, also as JSON beside it");
     addImportArguments(*command, options->import);
     command->callback([options, &exitStatus] { exitStatus = convert(*options); });
 }

@@ -6,6 +6,7 @@
 #include "app/resources.h"
 #include "app/terminal_control.h"
 #include "app/thread_limit.h"
+#include "io/export/job_file.h"
 #include "io/material_library.h"
 #include "io/recipe.h"
 
@@ -81,6 +82,9 @@ void printJson(const RunReport& report)
                                  {"force_n", {tool.force.x(), tool.force.y(), tool.force.z()}},
                                  {"peak_force_n", tool.peakForce},
                                  {"torque_nm", {tool.torque.x(), tool.torque.y(), tool.torque.z()}}});
+    json["exports"] = nlohmann::ordered_json::array();
+    for (const ExportReport& exported : report.exports)
+        json["exports"].push_back(nlohmann::ordered_json::parse(reportToJson(exported)));
     std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
@@ -109,6 +113,9 @@ void printSummary(const RunReport& report)
                     tool.force.y(), tool.force.z(), tool.peakForce);
     for (const std::string& file : report.files)
         std::printf("wrote %s\n", file.c_str());
+    for (const ExportReport& exported : report.exports)
+        for (const std::string& line : linesOf(exported))
+            std::printf("%s\n", line.c_str());
 }
 
 int carryOut(const Recipe& recipe, const RunOptions& options)

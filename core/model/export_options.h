@@ -13,4 +13,7 @@ struct ExportOptions {
     bool onlyVisible = false; ///< leaves hidden parts out
 };
 
+/// Whether CAD files can be written in a length unit.
+bool canBeWrittenIn(const std::string& unit);
+
 } // namespace knead

@@ -49,8 +49,11 @@ void addLines(const PartExportReport& part, std::vector<std::string>& lines)
                     change("face", part.facesBefore, part.facesAfter) + ", " +
                     change("edge", part.edgesBefore, part.edgesAfter) +
                     (part.keptFaces > 0 ? "; " + std::to_string(part.keptFaces) + " faces exactly as they were" : ""));
-    lines.push_back(std::string("  ") + (part.closed ? "closed" : "OPEN") + ", " +
-                    (part.valid ? "passes the geometry checks" : "DOES NOT PASS the geometry checks") + ", " +
+    lines.push_back(std::string("  ") +
+                    (part.closed      ? "closed"
+                     : part.wasClosed ? "OPEN"
+                                      : "open, as it was") +
+                    ", " + (part.valid ? "passes the geometry checks" : "DOES NOT PASS the geometry checks") + ", " +
                     std::to_string(part.freeEdges) + " free edges, largest tolerance " +
                     millimetres(part.maxTolerance));
     if (part.samples > 0)
@@ -73,7 +76,7 @@ double PartExportReport::volumeError() const
 
 bool PartExportReport::isSound() const
 {
-    return valid && closed && freeEdges == 0 && std::abs(volumeError()) <= largestVolumeError &&
+    return valid && ((closed && freeEdges == 0) || !wasClosed) && std::abs(volumeError()) <= largestVolumeError &&
            largestDeviation <= tolerance;
 }
 

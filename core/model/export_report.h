@@ -32,8 +32,9 @@ struct PartExportReport {
     double density = 0;    ///< of its material [kg/m^3]; 0: none
 
     // Of what was read back.
-    bool valid = false;  ///< by the geometry checks; for a mesh: closed and outward
-    bool closed = false; ///< no free edge, and can be covered with a closed net of triangles
+    bool valid = false;    ///< by the geometry checks; for a mesh: closed and outward
+    bool wasClosed = true; ///< as imported: only then must it be closed in the file
+    bool closed = false;   ///< no free edge, and can be covered with a closed net of triangles
     std::size_t freeEdges = 0;
     double maxTolerance = 0;     ///< [m]
     double tolerance = 0;        ///< asked for [m]

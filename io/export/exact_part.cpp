@@ -1,8 +1,7 @@
 #include "io/export/exact_part.h"
 
 #include "core/geometry/mass_properties.h"
-#include "core/geometry/refine.h"
-#include "core/skin/skin.h"
+#include "core/skin/deformed_surface.h"
 #include "core/skin/skin_map.h"
 #include "io/export/faceted_solid.h"
 #include "io/face_integral.h"
@@ -42,14 +41,8 @@ std::shared_ptr<SmoothMap> mapOf(const PartToExport& part)
 /// Its triangles at their present places, fine enough to bend with the objects.
 TriangleMesh deformedMesh(const PartToExport& part)
 {
-    if (part.aggregate == nullptr)
-        return part.part.mesh;
-    TriangleMesh mesh = refine(part.part.mesh, part.aggregate->lattice.spacing);
-    const Skin skin(*part.aggregate, mesh.vertices);
-    std::vector<Vec3> places(mesh.vertices.size());
-    skin.evaluate(part.displacements, places);
-    mesh.vertices = std::move(places);
-    return mesh;
+    return part.aggregate == nullptr ? part.part.mesh
+                                     : deformedSurface(part.part.mesh, *part.aggregate, part.displacements);
 }
 
 /// Whether the map turns the material inside out somewhere near the surface.
@@ -124,16 +117,21 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
     report.facesBefore = static_cast<int>(part.part.faces.size());
     report.edgesBefore = part.part.edges;
     report.restVolume = part.part.volume;
+    report.wasClosed = part.part.watertight;
     report.tolerance = options.tolerance > 0 ? options.tolerance : defaultTolerance * part.part.box.diagonal().norm();
 
     control.report(0, "bending the surface");
     const TriangleMesh mesh = deformedMesh(part);
     // Triangles miss the volume of curved faces, in nearly the same measure before and after.
     const double restOfMesh = massProperties(part.part.mesh).volume;
-    report.skinVolume =
-        restOfMesh > 0 ? part.part.volume * massProperties(mesh).volume / restOfMesh : massProperties(mesh).volume;
+    report.skinVolume = !part.part.watertight ? 0
+                        : restOfMesh > 0      ? part.part.volume * massProperties(mesh).volume / restOfMesh
+                                              : massProperties(mesh).volume;
     control.throwIfCancelled();
 
+    if (shape.IsNull() && !part.part.watertight)
+        throw std::runtime_error("\"" + part.part.name +
+                                 "\" is an open mesh, which CAD files cannot hold; hide it, or " + "export as a mesh.");
     if (shape.IsNull()) {
         makeFaceted(part, mesh, "it came as a mesh, which has no smooth faces.", ready);
         return ready;

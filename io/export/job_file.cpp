@@ -163,6 +163,7 @@ Json toJson(const PartExportReport& part)
             {"volume_m3", {{"rest", part.restVolume}, {"skin", part.skinVolume}, {"file", part.volume}}},
             {"density_kg_per_m3", part.density},
             {"valid", part.valid},
+            {"was_closed", part.wasClosed},
             {"closed", part.closed},
             {"free_edges", part.freeEdges},
             {"largest_tolerance_m", part.maxTolerance},
@@ -195,6 +196,7 @@ PartExportReport partFrom(const Json& json)
     part.volume = json.at("volume_m3").at("file").get<double>();
     part.density = json.at("density_kg_per_m3").get<double>();
     part.valid = json.at("valid").get<bool>();
+    part.wasClosed = json.at("was_closed").get<bool>();
     part.closed = json.at("closed").get<bool>();
     part.freeEdges = json.at("free_edges").get<std::size_t>();
     part.maxTolerance = json.at("largest_tolerance_m").get<double>();

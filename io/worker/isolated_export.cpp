@@ -1,8 +1,8 @@
 #include "io/worker/isolated_export.h"
 
 #include "io/cad_format.h"
+#include "io/export/export_formats.h"
 #include "io/export/job_file.h"
-#include "io/recipe_values.h"
 #include "io/safe_file.h"
 #include "io/worker/export_worker.h"
 #include "io/worker/isolated_work.h"
@@ -23,14 +23,10 @@ constexpr double timePerByte = 60e-6; // [s]
 
 FormatKind kindFor(const std::string& path)
 {
-    const std::string ending = lowerCaseEnding(path);
-    if (ending == "step" || ending == "stp" || ending == "p21")
-        return FormatKind::Step;
-    if (ending == "iges" || ending == "igs")
-        return FormatKind::Iges;
-    if (ending == "brep" || ending == "brp")
-        return FormatKind::Brep;
-    throw std::runtime_error(shortName(path) + ": smooth faces go into .step, .iges and .brep files only.");
+    const auto kind = cadFormatFor(path);
+    if (!kind)
+        throw std::runtime_error(shortName(path) + ": smooth faces go into .step, .iges and .brep files only.");
+    return *kind;
 }
 
 } // namespace

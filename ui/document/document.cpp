@@ -1,5 +1,7 @@
 #include "ui/document/document.h"
 
+#include "core/model/part_tree.h"
+
 #include "ui/document/tool_kinds.h"
 
 #include <QTimer>
@@ -254,15 +256,25 @@ double Document::size() const
     return isEmpty() ? 0 : m_content.box.sizes().maxCoeff();
 }
 
-std::vector<ExportBody> Document::deformedBodies() const
+ExportJob Document::exportJob(const std::vector<bool>& keep) const
 {
-    std::vector<ExportBody> bodies;
-    for (std::size_t b = 0; b < m_content.bodies.size(); ++b) {
-        const ContentBody& body = *m_content.bodies[b];
-        bodies.push_back({body.name, body.color, body.mesh});
-        bodies.back().mesh.vertices = m_frame->bodies[b]->places;
+    const Model& model = *m_content.model;
+    ExportJob job;
+    job.tree = prunedTree(model.tree, keep);
+    job.options.unit = canBeWrittenIn(model.unit) ? model.unit : std::string();
+    const Snapshot& snapshot = *m_frame->snapshot;
+    for (std::size_t p = 0; p < model.parts.size(); ++p) {
+        if (!keep[p])
+            continue;
+        PartToExport& part = job.parts.emplace_back(PartToExport{.part = model.parts[p]});
+        for (std::size_t b = 0; b < m_content.bodies.size(); ++b)
+            if (m_content.bodies[b]->part == p) {
+                part.aggregate = m_content.bodies[b]->aggregate;
+                part.displacements = snapshot.bodies[b].displacements();
+                part.density = snapshot.materials[b].density;
+            }
     }
-    return bodies;
+    return job;
 }
 
 void Document::toggleFace(BodyId body, std::uint32_t face)

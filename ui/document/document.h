@@ -71,8 +71,9 @@ public:
     /// Fixes a face of a body, or frees it again.
     void toggleFace(BodyId body, std::uint32_t face);
 
-    /// The deformed bodies as they are drawn now.
-    std::vector<ExportBody> deformedBodies() const;
+    /// Parts as they are now, for a file.
+    /// @param keep one per part of the model: which of them
+    ExportJob exportJob(const std::vector<bool>& keep) const;
 
 signals:
     void changed(knead::Document::Change what);

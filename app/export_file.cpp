@@ -1,0 +1,85 @@
+#include "app/export_file.h"
+
+#include "app/cad_process.h"
+#include "core/geometry/mass_properties.h"
+#include "core/skin/deformed_surface.h"
+#include "io/cad_format.h"
+#include "io/export/export_formats.h"
+#include "io/export/job_file.h"
+#include "io/mesh_writer.h"
+#include "io/safe_file.h"
+
+#include <chrono>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+constexpr double surfaceShare = 0.7; // of the progress; the rest is writing
+
+PartExportReport reportOn(const PartToExport& part, const TriangleMesh& mesh)
+{
+    const MassProperties properties = massProperties(mesh);
+    PartExportReport report;
+    report.name = part.part.name;
+    report.form = PartExportReport::Form::mesh;
+    report.density = part.density;
+    report.solidsBefore = report.solidsAfter = part.part.solids;
+    report.facesBefore = static_cast<int>(part.part.faces.size());
+    report.facesAfter = static_cast<int>(mesh.triangles.size());
+    report.edgesBefore = report.edgesAfter = part.part.edges;
+    report.restVolume = part.part.volume;
+    report.skinVolume = report.volume = properties.volume;
+    report.wasClosed = part.part.watertight;
+    report.closed = isWatertight(mesh);
+    report.valid = !report.closed || properties.volume > 0;
+    report.nameKept = report.colorsKept = true;
+    return report;
+}
+
+ExportReport exportMeshes(const std::string& path, const ExportJob& job, TaskControl& control)
+{
+    const auto start = std::chrono::steady_clock::now();
+    ExportReport report;
+    report.file = path;
+    report.format = "triangles";
+    report.unit = "mm";
+    std::vector<MeshBody> bodies;
+    const auto count = static_cast<double>(job.parts.size());
+    for (const PartToExport& part : job.parts) {
+        const auto done = static_cast<double>(bodies.size());
+        TaskPortion portion(control, surfaceShare * done / count, surfaceShare * (done + 1) / count);
+        MeshBody body{part.part.name, part.part.color.value_or(Color{}), part.part.mesh};
+        if (part.aggregate != nullptr)
+            body.mesh = deformedSurface(part.part.mesh, *part.aggregate, part.displacements, portion);
+        report.parts.push_back(reportOn(part, body.mesh));
+        bodies.push_back(std::move(body));
+    }
+    control.report(surfaceShare, "writing triangles");
+    writeMeshes(path, bodies);
+    std::error_code error;
+    report.bytes = std::filesystem::file_size(path, error);
+    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return report;
+}
+
+} // namespace
+
+ExportReport exportFile(const std::string& path, const ExportJob& job, TaskControl& control)
+{
+    if (job.parts.empty())
+        throw std::runtime_error(shortName(path) + ": there is nothing to export.");
+    return cadFormatFor(path) ? exportInChild(path, job, control) : exportMeshes(path, job, control);
+}
+
+std::string writeReportBeside(const ExportReport& report)
+{
+    const std::string path = report.file + ".report.json";
+    writeFileSafely(path, reportToJson(report));
+    return path;
+}
+
+} // namespace knead

@@ -1,0 +1,21 @@
+#include "core/skin/deformed_surface.h"
+
+#include "core/geometry/refine.h"
+#include "core/skin/skin.h"
+
+#include <utility>
+
+namespace knead {
+
+TriangleMesh deformedSurface(const TriangleMesh& mesh, const Aggregate& aggregate, std::span<const Vec3> displacements,
+                             TaskControl& control)
+{
+    TriangleMesh surface = refine(mesh, aggregate.lattice.spacing);
+    const Skin skin(aggregate, surface.vertices, control);
+    std::vector<Vec3> places(surface.vertices.size());
+    skin.evaluate(displacements, places);
+    surface.vertices = std::move(places);
+    return surface;
+}
+
+} // namespace knead

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/aggregate/aggregate.h"
+#include "core/geometry/triangle_mesh.h"
+#include "core/task/task_control.h"
+
+#include <span>
+
+namespace knead {
+
+/// The surface of a part where its objects have taken it: split until it is fine enough to bend with them.
+/// @param displacements one per object, from rest [m]
+/// @throws Cancelled
+TriangleMesh deformedSurface(const TriangleMesh& mesh, const Aggregate& aggregate, std::span<const Vec3> displacements,
+                             TaskControl& control = TaskControl::none());
+
+} // namespace knead

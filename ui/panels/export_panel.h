@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/model/export_report.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+class QTreeWidget;
+
+namespace knead {
+
+/// What was found when exported files were read back: a row for each part, with what a person must know before relying on it.
+class ExportPanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit ExportPanel(QWidget* parent = nullptr);
+
+    void show(const std::vector<ExportReport>& reports);
+
+private:
+    QLabel* m_summary;
+    QTreeWidget* m_parts;
+};
+
+} // namespace knead
