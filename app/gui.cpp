@@ -16,7 +16,7 @@ std::vector<Services::Format> formats(const std::vector<FileFormat>& source)
 {
     std::vector<Services::Format> result;
     for (const FileFormat& format : source)
-        result.push_back({format.name, format.endings, cadFormatFor("." + format.endings.front()).has_value()});
+        result.push_back({format.name, format.endings, cadFormatFor("a." + format.endings.front()).has_value()});
     return result;
 }
 

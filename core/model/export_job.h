@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/aggregate/aggregate.h"
+#include "core/geometry/smooth_map.h"
 #include "core/model/export_options.h"
 #include "core/model/part.h"
 
@@ -14,6 +15,7 @@ struct PartToExport {
     Part part;                                  ///< as imported
     std::shared_ptr<const Aggregate> aggregate; ///< its objects; null: the part is written as imported
     std::vector<Vec3> displacements;            ///< per object, from rest [m]
+    std::shared_ptr<const SmoothMap> map;       ///< in place of objects; does not leave this process
     double density = 0;                         ///< [kg/m^3], for the report; 0: none
 };
 

@@ -1,6 +1,7 @@
 #include "io/export/exact_part.h"
 
 #include "core/geometry/mass_properties.h"
+#include "core/geometry/refine.h"
 #include "core/skin/deformed_surface.h"
 #include "core/skin/skin_map.h"
 #include "io/export/faceted_solid.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr double defaultTolerance = 1e-4; // of the size of the part
 constexpr std::size_t foldSamples = 3000;
+constexpr double triangleEdges = 100; // across a part whose map has no spacing
 
 /// Leaves everything where it is.
 class InPlace final : public SmoothMap {
@@ -29,8 +31,10 @@ public:
     double featureSize() const override { return 1; }
 };
 
-std::shared_ptr<SmoothMap> mapOf(const PartToExport& part)
+std::shared_ptr<const SmoothMap> mapOf(const PartToExport& part)
 {
+    if (part.map != nullptr)
+        return part.map;
     const bool moved = std::any_of(part.displacements.begin(), part.displacements.end(),
                                    [](const Vec3& displacement) { return displacement != Vec3::Zero(); });
     if (part.aggregate == nullptr || !moved)
@@ -41,6 +45,11 @@ std::shared_ptr<SmoothMap> mapOf(const PartToExport& part)
 /// Its triangles at their present places, fine enough to bend with the objects.
 TriangleMesh deformedMesh(const PartToExport& part)
 {
+    if (part.map != nullptr) {
+        TriangleMesh mesh = refine(part.part.mesh, part.part.box.diagonal().norm() / triangleEdges);
+        part.map->evaluate(std::vector<Vec3>(mesh.vertices), mesh.vertices);
+        return mesh;
+    }
     return part.aggregate == nullptr ? part.part.mesh
                                      : deformedSurface(part.part.mesh, *part.aggregate, part.displacements);
 }

@@ -13,9 +13,9 @@ namespace knead {
 /// A part as it will be written, and what the check needs to know about it.
 struct ReadyPart {
     CadPartToWrite out;
-    PartExportReport report;        ///< what is known before the file is read back
-    TopoDS_Shape source;            ///< of an exact part, at rest [mm]
-    std::shared_ptr<SmoothMap> map; ///< that took it where it is [m]
+    PartExportReport report;              ///< what is known before the file is read back
+    TopoDS_Shape source;                  ///< of an exact part, at rest [mm]
+    std::shared_ptr<const SmoothMap> map; ///< that took it where it is [m]
     std::vector<MorphedFaceNote> notes;
 };
 
