@@ -1,0 +1,271 @@
+#include "core/skin/fragments.h"
+
+#include "core/aggregate/lattice_rows.h"
+#include "core/aggregate/pieces.h"
+#include "core/geometry/disjoint_sets.h"
+#include "core/geometry/mass_properties.h"
+#include "core/skin/crossings.h"
+#include "core/skin/labeled_nodes.h"
+#include "core/skin/surface_cut.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+
+namespace knead {
+
+namespace {
+
+constexpr std::uint32_t none = 0xffffffffU;
+constexpr int attempts = 4;
+
+// Cracks are shifted by this against the lattice, on whose planes surfaces like to lie [cells].
+const Vec3 shift(0.0123, 0.0171, 0.0097);
+
+/// Which piece each piece is part of: itself, or the one that it is the dust of.
+std::vector<std::uint32_t> joinDust(const Aggregate& aggregate, const Pieces& pieces,
+                                    std::span<const ConnectionId> broken, const std::vector<std::uint8_t>& isDust)
+{
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> connections; // between dust and any other
+    for (const ConnectionId& connection : broken) {
+        const auto& segments = aggregate.lattice.segments[connection.direction];
+        const auto segment = std::partition_point(segments.begin(), segments.end(),
+                                                  [&](const auto& s) { return s.end <= connection.lower; });
+        const ObjectIndex upper = connection.lower + static_cast<ObjectIndex>(segment->offset);
+        const std::uint32_t a = pieces.ofObject[connection.lower];
+        const std::uint32_t b = pieces.ofObject[upper];
+        if (a == b)
+            continue;
+        if (isDust[a] != 0)
+            ++connections[{a, b}];
+        if (isDust[b] != 0)
+            ++connections[{b, a}];
+    }
+    std::vector<std::uint32_t> host(pieces.count, none);
+    for (std::uint32_t piece = 0; piece < pieces.count; ++piece)
+        if (isDust[piece] == 0)
+            host[piece] = piece;
+    for (bool isChanged = true; isChanged;) {
+        isChanged = false;
+        std::vector<std::uint32_t> next = host;
+        std::vector<std::size_t> most(pieces.count, 0);
+        for (const auto& [ends, count] : connections)
+            if (host[ends.first] == none && host[ends.second] != none && count > most[ends.first]) {
+                most[ends.first] = count;
+                next[ends.first] = host[ends.second];
+                isChanged = true;
+            }
+        host = std::move(next);
+    }
+    return host;
+}
+
+/// A connected part of the body before it broke, with the shells of the surface around it.
+struct Solid {
+    std::vector<std::uint32_t> pieces; // ascending
+    TriangleMesh skin;
+};
+
+/// The part of the surface that belongs to each solid: shells go to the solid whose objects most of their corners are near.
+void shareOutSkin(const Aggregate& aggregate, const Pieces& solidOf, const TriangleMesh& skin,
+                  std::vector<Solid>& solids)
+{
+    if (solids.size() == 1) {
+        solids.front().skin = skin;
+        return;
+    }
+    DisjointSets shells(skin.vertices.size());
+    for (const TriangleMesh::Triangle& t : skin.triangles) {
+        shells.join(t[0], t[1]);
+        shells.join(t[1], t[2]);
+    }
+    const LatticeRows objects(aggregate.lattice);
+    std::map<std::size_t, std::map<std::uint32_t, std::size_t>> votes; // by shell and solid
+    for (const TriangleMesh::Triangle& t : skin.triangles) {
+        const ObjectIndex object = objects.nearest(aggregate.lattice.coordinates(skin.vertices[t[0]]));
+        ++votes[shells.find(t[0])][solidOf.ofObject[object]];
+    }
+    std::map<std::size_t, std::uint32_t> solidOfShell;
+    for (const auto& [shell, count] : votes)
+        solidOfShell[shell] = std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) {
+                                  return a.second < b.second;
+                              })->first;
+    std::vector<std::uint32_t> number(skin.vertices.size(), none);
+    for (std::size_t i = 0; i < skin.triangles.size(); ++i) {
+        TriangleMesh& mesh = solids[solidOfShell[shells.find(skin.triangles[i][0])]].skin;
+        TriangleMesh::Triangle triangle = skin.triangles[i];
+        for (std::uint32_t& vertex : triangle) {
+            if (number[vertex] == none) {
+                number[vertex] = static_cast<std::uint32_t>(mesh.vertices.size());
+                mesh.vertices.push_back(skin.vertices[vertex]);
+            }
+            vertex = number[vertex];
+        }
+        mesh.triangles.push_back(triangle);
+        if (!skin.faceOfTriangle.empty())
+            mesh.faceOfTriangle.push_back(skin.faceOfTriangle[i]);
+    }
+}
+
+class Breaker {
+public:
+    Breaker(const Aggregate& aggregate, const TriangleMesh& skin, std::span<const ConnectionId> broken,
+            const FragmentOptions& options)
+        : m_aggregate(aggregate)
+        , m_broken(broken)
+        , m_pieces(findPieces(aggregate, broken))
+        , m_isDust(m_pieces.count, 0)
+        , m_mesh(m_pieces.count)
+        , m_isUncut(m_pieces.count, 0)
+    {
+        const Pieces before = findPieces(aggregate);
+        m_solids.resize(before.count);
+        m_sizes.resize(m_pieces.count, 0);
+        for (std::size_t object = 0; object < aggregate.size(); ++object)
+            if (m_sizes[m_pieces.ofObject[object]]++ == 0)
+                m_solids[before.ofObject[object]].pieces.push_back(m_pieces.ofObject[object]);
+        for (const Solid& solid : m_solids)
+            for (const std::uint32_t piece : solid.pieces)
+                m_isDust[piece] = piece != largest(solid) && m_sizes[piece] < options.leastObjects ? 1 : 0;
+        if (isWhole())
+            m_solids.clear();
+        else
+            shareOutSkin(aggregate, before, skin, m_solids);
+    }
+
+    /// Nothing has come apart that was connected.
+    bool isWhole() const
+    {
+        return std::all_of(m_solids.begin(), m_solids.end(), [](const Solid& s) { return s.pieces.size() == 1; });
+    }
+
+    std::vector<Fragment> fragments(TaskControl& control)
+    {
+        m_host = joinDust(m_aggregate, m_pieces, m_broken, m_isDust);
+        for (std::size_t i = 0; i < m_solids.size(); ++i) {
+            const auto count = static_cast<double>(m_solids.size());
+            TaskPortion portion(control, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+            cut(m_solids[i], portion);
+        }
+        std::vector<Fragment> result;
+        std::vector<std::uint32_t> place(m_pieces.count, none);
+        for (std::uint32_t piece = 0; piece < m_pieces.count; ++piece)
+            if (m_isDust[piece] == 0) {
+                place[piece] = static_cast<std::uint32_t>(result.size());
+                Fragment fragment{.mesh = std::move(m_mesh[piece]), .objects = {}, .dust = {}};
+                fragment.volume = massProperties(fragment.mesh).volume;
+                fragment.isUncut = m_isUncut[piece] != 0;
+                result.push_back(std::move(fragment));
+            }
+        for (ObjectIndex object = 0; object < m_aggregate.size(); ++object) {
+            const std::uint32_t piece = m_pieces.ofObject[object];
+            Fragment& fragment = result[place[m_host[piece]]];
+            (m_isDust[piece] == 0 ? fragment.objects : fragment.dust).push_back(object);
+        }
+        return result;
+    }
+
+private:
+    std::uint32_t largest(const Solid& solid) const
+    {
+        return *std::max_element(solid.pieces.begin(), solid.pieces.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return m_sizes[a] != m_sizes[b] ? m_sizes[a] < m_sizes[b] : a > b;
+        });
+    }
+
+    std::size_t shapes(const Solid& solid) const
+    {
+        return static_cast<std::size_t>(std::count_if(solid.pieces.begin(), solid.pieces.end(),
+                                                      [&](std::uint32_t piece) { return m_isDust[piece] == 0; }));
+    }
+
+    /// Pieces that no material is found for, all of whose objects are outside of the surface, become dust.
+    void cut(const Solid& solid, TaskControl& control)
+    {
+        while (shapes(solid) > 1) {
+            const std::vector<LabeledMesh> meshes = tryToCut(solid, control);
+            if (meshes.empty())
+                break;
+            bool isComplete = true;
+            for (const std::uint32_t piece : solid.pieces) {
+                const bool isThere = std::any_of(meshes.begin(), meshes.end(),
+                                                 [&](const LabeledMesh& mesh) { return mesh.label == piece; });
+                if (m_isDust[piece] == 0 && !isThere) {
+                    m_isDust[piece] = 1;
+                    isComplete = false;
+                }
+            }
+            if (isComplete) {
+                for (const LabeledMesh& mesh : meshes)
+                    m_mesh[mesh.label] = mesh.mesh;
+                return;
+            }
+            m_host = joinDust(m_aggregate, m_pieces, m_broken, m_isDust);
+        }
+        keepWhole(solid);
+    }
+
+    std::vector<LabeledMesh> tryToCut(const Solid& solid, TaskControl& control) const
+    {
+        std::vector<std::uint8_t> isOfSolid(m_pieces.count, 0);
+        for (const std::uint32_t piece : solid.pieces)
+            isOfSolid[piece] = 1;
+        std::vector<std::uint32_t> labels(m_aggregate.size(), LabeledNodes::noLabel);
+        for (std::size_t object = 0; object < m_aggregate.size(); ++object)
+            if (isOfSolid[m_pieces.ofObject[object]] != 0)
+                labels[object] = m_host[m_pieces.ofObject[object]];
+        for (int attempt = 0; attempt < attempts; ++attempt)
+            try {
+                const LabeledNodes nodes(m_aggregate, labels, solid.skin, (1 + 0.3 * attempt) * shift, control);
+                return cutByLabels(solid.skin, nodes, static_cast<std::uint64_t>(attempt), control);
+            } catch (const DegenerateCut&) { // another one may do
+            }
+        return {};
+    }
+
+    /// One piece with all the surface, and the others as its dust.
+    void keepWhole(const Solid& solid)
+    {
+        const std::uint32_t kept = largest(solid);
+        m_isUncut[kept] = shapes(solid) > 1 ? 1 : 0;
+        m_mesh[kept] = solid.skin;
+        for (const std::uint32_t piece : solid.pieces) {
+            m_isDust[piece] = piece == kept ? 0 : 1;
+            m_host[piece] = kept;
+        }
+    }
+
+    const Aggregate& m_aggregate;
+    std::span<const ConnectionId> m_broken;
+    Pieces m_pieces;
+    std::vector<Solid> m_solids;
+    std::vector<std::size_t> m_sizes;    // objects per piece
+    std::vector<std::uint8_t> m_isDust;  // per piece
+    std::vector<std::uint32_t> m_host;   // per piece: itself, or what it is the dust of
+    std::vector<TriangleMesh> m_mesh;    // per piece
+    std::vector<std::uint8_t> m_isUncut; // per piece
+};
+
+} // namespace
+
+std::vector<Fragment> fragmentsOf(const Aggregate& aggregate, const TriangleMesh& skin,
+                                  std::span<const ConnectionId> broken, const FragmentOptions& options,
+                                  TaskControl& control)
+{
+    if (aggregate.size() == 0)
+        throw std::invalid_argument("fragmentsOf: the aggregate has no objects");
+    if (!isWatertight(skin))
+        throw std::invalid_argument("fragmentsOf: the surface is not closed");
+    Breaker breaker(aggregate, skin, broken, options);
+    if (breaker.isWhole()) {
+        std::vector<ObjectIndex> all(aggregate.size());
+        std::iota(all.begin(), all.end(), 0U);
+        Fragment whole{.mesh = skin, .objects = std::move(all), .dust = {}};
+        whole.volume = massProperties(skin).volume;
+        return {std::move(whole)};
+    }
+    return breaker.fragments(control);
+}
+
+} // namespace knead
