@@ -3,25 +3,21 @@
 #include "core/geometry/disjoint_sets.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace knead {
 
-namespace {
-
-/// Per object: bit d for a broken connection in direction d.
-std::vector<std::uint16_t> brokenDirections(std::size_t objects, std::span<const ConnectionId> broken)
+std::vector<std::uint16_t> brokenDirections(const Aggregate& aggregate, std::span<const ConnectionId> broken)
 {
-    std::vector<std::uint16_t> bits(objects, 0);
+    std::vector<std::uint16_t> bits(aggregate.size(), 0);
     for (const ConnectionId& connection : broken)
         bits[connection.lower] = static_cast<std::uint16_t>(bits[connection.lower] | 1U << connection.direction);
     return bits;
 }
 
-} // namespace
-
 Pieces findPieces(const Aggregate& aggregate, std::span<const ConnectionId> broken)
 {
-    const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate.size(), broken);
+    const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
     DisjointSets sets(aggregate.size());
     for (std::size_t d = 0; d < Lattice::directionCount; ++d)
         for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
@@ -43,13 +39,8 @@ Pieces findPieces(const Aggregate& aggregate, std::span<const ConnectionId> brok
 }
 
 Aggregate extract(const Aggregate& aggregate, std::span<const ObjectIndex> objects,
-                  std::span<const ConnectionId> broken)
+                  std::span<const std::uint16_t> isBroken)
 {
-    constexpr ObjectIndex absent = 0xffffffffU;
-    std::vector<ObjectIndex> placeInPart(aggregate.size(), absent);
-    for (std::size_t i = 0; i < objects.size(); ++i)
-        placeInPart[objects[i]] = static_cast<ObjectIndex>(i);
-
     const auto pick = [&](const auto& values) {
         std::decay_t<decltype(values)> picked;
         if (!values.empty())
@@ -65,24 +56,25 @@ Aggregate extract(const Aggregate& aggregate, std::span<const ObjectIndex> objec
     part.volume = pick(aggregate.volume);
     part.depth = pick(aggregate.depth);
     part.face = pick(aggregate.face);
-    for (const double volume : part.volume)
-        part.filledVolume += volume;
+    part.filledVolume = std::accumulate(part.volume.begin(), part.volume.end(), 0.0);
     part.meshVolume = part.filledVolume;
 
     std::size_t directions = 0;
-    const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate.size(), broken);
     for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
         if (aggregate.weight[d].empty())
             continue;
         directions = d + 1;
         part.weight[d].assign(objects.size(), 0);
-        for (const Lattice::Segment& segment : aggregate.lattice.segments[d]) {
-            const auto begin = std::lower_bound(objects.begin(), objects.end(), segment.begin);
-            for (auto object = begin; object != objects.end() && *object < segment.end; ++object) {
-                const ObjectIndex neighbor = *object + static_cast<ObjectIndex>(segment.offset);
-                if (placeInPart[neighbor] != absent && (isBroken[*object] >> d & 1U) == 0)
-                    part.weight[d][placeInPart[*object]] = aggregate.weight[d][*object];
-            }
+        const auto& segments = aggregate.lattice.segments[d];
+        auto segment = segments.begin();
+        for (std::size_t i = 0; i < objects.size(); ++i) {
+            segment = std::partition_point(segment, segments.end(), [&](const auto& s) { return s.end <= objects[i]; });
+            if (segment == segments.end())
+                break;
+            const ObjectIndex neighbor = objects[i] + static_cast<ObjectIndex>(segment->offset);
+            if (segment->begin <= objects[i] && (isBroken[objects[i]] >> d & 1U) == 0 &&
+                std::binary_search(objects.begin(), objects.end(), neighbor))
+                part.weight[d][i] = aggregate.weight[d][objects[i]];
         }
     }
     findSegments(part.lattice, directions);

@@ -5,15 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace knead {
 
 namespace {
 
 constexpr double margin = 1e-3;       // cells as close as this to the surface count as touched [cells]
-constexpr std::int32_t nearSteps = 3; // nodes so far from a border have shares
-constexpr int smoothings = 8;
-constexpr double leastLead = 0.1; // of the own label of an object: borders stay clear of objects
+constexpr std::int32_t nearSteps = 2; // nodes so far from a border have shares
+constexpr std::int32_t fitReach = 3;  // nodes that a fit looks at, along an axis
+constexpr double fitWidth = 1.5;      // standard deviation of its weights [cells]
+constexpr double leastSlopeMoment = 1e-2;
+constexpr double leastLead = 0.04; // of the own label of an object: borders stay clear of objects
 constexpr std::size_t nodesPerBlock = 2048;
 constexpr std::size_t trianglesPerBlock = 4096;
 
@@ -58,7 +61,7 @@ LabeledNodes::LabeledNodes(const Aggregate& aggregate, std::span<const std::uint
     labelObjects(aggregate, labels);
     spreadLabels(aggregate, labels);
     findBorders();
-    smooth(control);
+    findShares(control);
 }
 
 void LabeledNodes::collectNodes(const Aggregate& aggregate, std::span<const std::uint32_t> labels,
@@ -195,60 +198,108 @@ void LabeledNodes::findBorders()
         m_placeInNear[m_near[i]] = static_cast<std::uint32_t>(i);
 }
 
-/// Repeated means over the surroundings make the borders of labels, stairs at first, smooth.
-void LabeledNodes::smooth(TaskControl& control)
+void LabeledNodes::findShares(TaskControl& control)
 {
-    for (const ObjectIndex node : m_near)
-        m_shares.push_back({{m_label[node], 1}});
-    for (int step = 0; step < smoothings; ++step) {
-        std::vector<Shares> next(m_near.size());
-        forEachBlock(m_near.size(), nodesPerBlock, control, "smoothing the cracks",
-                     [&](std::size_t begin, std::size_t end) {
-                         for (std::size_t near = begin; near < end; ++near)
-                             next[near] = smoothed(near);
-                     });
-        m_shares = std::move(next);
-        for (std::size_t near = 0; near < m_near.size(); ++near)
-            keepOwnLabel(near);
-    }
+    m_shares.resize(m_near.size());
+    forEachBlock(m_near.size(), nodesPerBlock, control, "smoothing the cracks",
+                 [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t near = begin; near < end; ++near)
+                         m_shares[near] = fitted(m_near[near]);
+                 });
+    addLeads();
+    for (std::size_t near = 0; near < m_near.size(); ++near)
+        keepOwnLabel(near);
 }
 
-LabeledNodes::Shares LabeledNodes::smoothed(std::size_t near) const
+/// The labels of the objects around a node are 1 there and 0 elsewhere; a linear function fitted to them, near ones first,
+/// makes a plane of stairs, and carries it on beyond the outermost objects.
+LabeledNodes::Shares LabeledNodes::fitted(ObjectIndex node) const
 {
-    Shares result;
-    double sumOfWeights = 0;
-    const auto add = [&](std::uint32_t label, double amount) {
-        for (Share& share : result)
-            if (share.label == label) {
-                share.share += amount;
-                return;
+    struct Sample {
+        std::uint32_t label;
+        Eigen::Vector4d basis;
+        double weight;
+    };
+    std::vector<Sample> samples;
+    Eigen::Matrix4d moments = Eigen::Matrix4d::Zero();
+    const Lattice::Node& here = m_lattice.nodes[node];
+    for (std::int32_t u = -fitReach; u <= fitReach; ++u)
+        for (std::int32_t v = -fitReach; v <= fitReach; ++v) {
+            const LatticeRows::Row row = m_rows->row(here[0] + u, here[1] + v);
+            for (ObjectIndex other = m_rows->lowerBound(row, here[2] - fitReach);
+                 other < row.end && m_lattice.nodes[other][2] <= here[2] + fitReach; ++other) {
+                const std::int32_t w = m_lattice.nodes[other][2] - here[2];
+                const std::int32_t squared = u * u + v * v + w * w;
+                if (m_isObject[other] == 0 || squared > fitReach * fitReach + 2)
+                    continue;
+                const Eigen::Vector4d basis(1, u, v, w);
+                const double weight = std::exp(-squared / (2 * fitWidth * fitWidth));
+                samples.push_back({m_label[other], basis, weight});
+                moments += weight * basis * basis.transpose();
             }
-        result.push_back({label, amount});
-    };
-    const auto addNode = [&](ObjectIndex node, double weight) {
-        sumOfWeights += weight;
-        if (m_placeInNear[node] == far)
-            add(m_label[node], weight);
+        }
+    if (samples.empty())
+        return {{m_label[node], 1}};
+    // A little stiffness against slopes settles those that too few objects tell.
+    moments.diagonal().tail<3>().array() += leastSlopeMoment * moments(0, 0);
+    const Eigen::Vector4d functions = moments.ldlt().solve(Eigen::Vector4d::UnitX());
+    Shares shares;
+    for (const Sample& sample : samples) {
+        const double part = sample.weight * functions.dot(sample.basis);
+        const auto share =
+            std::find_if(shares.begin(), shares.end(), [&](const Share& s) { return s.label == sample.label; });
+        if (share == shares.end())
+            shares.push_back({sample.label, part});
         else
-            for (const Share& share : m_shares[m_placeInNear[node]])
-                add(share.label, weight * share.share);
+            share->share += part;
+    }
+    return shares;
+}
+
+/// Of thin or strongly curved pieces too little is left by the fit. Each label gets a lead on its own nodes, as much as puts
+/// its border half way between its objects and their neighbors, on average.
+void LabeledNodes::addLeads()
+{
+    struct Leads {
+        double own = 0;
+        double others = 0;
+        double count = 0;
     };
-    addNode(m_near[near], 8);
-    forEachAround([&](const Lattice::Node& direction, int weight) {
-        const ObjectIndex other = m_rows->find(sum(m_lattice.nodes[m_near[near]], direction));
-        if (other != m_lattice.size())
-            addNode(other, weight);
-    });
-    for (Share& share : result)
-        share.share /= sumOfWeights;
-    return result;
+    std::map<std::uint32_t, Leads> leads;
+    const auto add = [&](ObjectIndex node, ObjectIndex other) {
+        Leads& sum = leads[m_label[node]];
+        sum.own += share(node, m_label[node]) - share(node, m_label[other]);
+        sum.others += share(other, m_label[other]) - share(other, m_label[node]);
+        ++sum.count;
+    };
+    for (std::size_t d = 0; d < 3; ++d) // along the axes
+        for (const Lattice::Segment& segment : m_lattice.segments[d])
+            for (ObjectIndex node = segment.begin; node < segment.end; ++node) {
+                const ObjectIndex other = node + static_cast<ObjectIndex>(segment.offset);
+                if (m_label[node] != m_label[other] && m_isObject[node] != 0 && m_isObject[other] != 0 &&
+                    sum(m_lattice.nodes[node], Lattice::directions[d]) == m_lattice.nodes[other]) {
+                    add(node, other);
+                    add(other, node);
+                }
+            }
+    for (std::size_t near = 0; near < m_near.size(); ++near) {
+        const std::uint32_t label = m_label[m_near[near]];
+        const Leads& sum = leads[label];
+        const double lead = sum.count > 0 ? std::max(0.0, (sum.others - sum.own) / sum.count) : 0;
+        const auto own = std::find_if(m_shares[near].begin(), m_shares[near].end(),
+                                      [&](const Share& s) { return s.label == label; });
+        if (own == m_shares[near].end())
+            m_shares[near].push_back({label, lead});
+        else
+            own->share += lead;
+    }
 }
 
 /// An object's own label stays ahead of all others; a node without an object takes the label of the largest share.
 void LabeledNodes::keepOwnLabel(std::size_t near)
 {
     const ObjectIndex node = m_near[near];
-    double largest = 0;
+    double largest = -std::numeric_limits<double>::infinity();
     std::uint32_t label = m_label[node];
     for (const Share& share : m_shares[near])
         if ((m_isObject[node] == 0 || share.label != m_label[node]) &&

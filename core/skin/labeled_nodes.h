@@ -32,7 +32,7 @@ public:
     const Lattice& lattice() const { return m_lattice; }
     std::uint32_t label(std::size_t node) const { return m_label[node]; }
 
-    /// How much a node is of a label, 0..1; largest for its own. Smooth, but objects keep the label they have.
+    /// How much a node is of a label, about 0..1; largest for its own. Smooth, but objects keep the label they have.
     double share(std::size_t node, std::uint32_t label) const;
 
     /// Nodes near a border, ascending: the lowest corners of all cells with several labels are among them.
@@ -61,8 +61,9 @@ private:
     void labelObjects(const Aggregate& aggregate, std::span<const std::uint32_t> labels);
     void spreadLabels(const Aggregate& aggregate, std::span<const std::uint32_t> labels);
     void findBorders();
-    void smooth(TaskControl& control);
-    Shares smoothed(std::size_t near) const;
+    void findShares(TaskControl& control);
+    Shares fitted(ObjectIndex node) const;
+    void addLeads();
     void keepOwnLabel(std::size_t near);
 
     Lattice m_lattice;
