@@ -10,6 +10,7 @@
 #include "core/skin/surface_cut.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -20,6 +21,7 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffffU;
 constexpr int attempts = 4;
+constexpr double leastMaterial = 0.25; // of a piece with a shape [cells]
 
 // Cracks are shifted by this against the lattice, on whose planes surfaces like to lie [cells].
 const Vec3 shift(0.0123, 0.0171, 0.0097);
@@ -181,17 +183,19 @@ private:
                                                       [&](std::uint32_t piece) { return m_isDust[piece] == 0; }));
     }
 
-    /// Pieces that no material is found for, all of whose objects are outside of the surface, become dust.
+    /// Pieces that hardly any material is found for, all of whose objects are outside of the surface, become dust.
     void cut(const Solid& solid, TaskControl& control)
     {
         while (shapes(solid) > 1) {
             const std::vector<LabeledMesh> meshes = tryToCut(solid, control);
             if (meshes.empty())
                 break;
+            const double least = leastMaterial * std::pow(m_aggregate.lattice.spacing, 3);
             bool isComplete = true;
             for (const std::uint32_t piece : solid.pieces) {
-                const bool isThere = std::any_of(meshes.begin(), meshes.end(),
-                                                 [&](const LabeledMesh& mesh) { return mesh.label == piece; });
+                const bool isThere = std::any_of(meshes.begin(), meshes.end(), [&](const LabeledMesh& mesh) {
+                    return mesh.label == piece && massProperties(mesh.mesh).volume > least;
+                });
                 if (m_isDust[piece] == 0 && !isThere) {
                     m_isDust[piece] = 1;
                     isComplete = false;

@@ -8,9 +8,11 @@
 #include "core/skin/crossings.h"
 #include "core/skin/divided_triangle.h"
 #include "core/skin/fragments.h"
+#include "core/skin/specks.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -26,6 +28,8 @@ using Triangle = TriangleMesh::Triangle;
 constexpr std::uint32_t none = 0xffffffffU;
 constexpr std::uint32_t outside = 0; // tags of lines on cracks
 constexpr std::uint32_t inside = 1;
+
+constexpr double leastShell = 0.5; // smaller ones beside the main shell of a label are given away [cells]
 
 /// Coordinates in the plane of a triangle, which is counter-clockwise in them.
 class PlaneOf {
@@ -145,8 +149,22 @@ public:
         control.throwIfCancelled();
         addCracks();
         control.throwIfCancelled();
+        const double cell = std::pow(m_nodes.lattice().spacing, 3);
+        joinSpecks(
+            m_cut, [&](std::uint32_t point) { return placeOf(point); }, leastShell * cell);
+        control.throwIfCancelled();
+        std::map<std::uint32_t, MeshBuilder> builders; // by label
+        const auto add = [&](std::uint32_t label, const Triangle& points, std::uint32_t face) {
+            builders[label].add(points, face, [&](std::uint32_t point) { return placeOf(point); });
+        };
+        for (const CutTriangles::Skin& t : m_cut.skin)
+            add(t.label, t.points, t.face);
+        for (const CutTriangles::Crack& t : m_cut.cracks) {
+            add(t.back, t.points, Fragment::crackFace);
+            add(t.front, {t.points[0], t.points[2], t.points[1]}, Fragment::crackFace);
+        }
         std::vector<LabeledMesh> meshes;
-        for (auto& [label, builder] : m_builders) {
+        for (auto& [label, builder] : builders) {
             meshes.push_back({label, builder.finish()});
             if (findHalfEdges(meshes.back().mesh).unpaired > 0)
                 throw DegenerateCut();
@@ -280,11 +298,6 @@ private:
         return triangles;
     }
 
-    void emit(std::uint32_t label, const Triangle& triangle, std::uint32_t face)
-    {
-        m_builders[label].add(triangle, face, [&](std::uint32_t point) { return placeOf(point); });
-    }
-
     void addSkin()
     {
         const std::size_t count = m_skin.triangles.size();
@@ -298,11 +311,11 @@ private:
         };
         for (std::size_t t = 0; t < count; ++t)
             if (!faces.isDivided(t) && !isFolded(m_skin.triangles[t]))
-                emit(labels[faces.find(t)], m_skin.triangles[t], faceOf(t));
+                m_cut.skin.push_back({m_skin.triangles[t], faceOf(t), labels[faces.find(t)]});
         for (std::size_t i = 0; i < faces.divided().size(); ++i) {
             const FaceSet::Divided& divided = faces.divided()[i];
             for (const Triangle& t : trianglesOf(divided, m_skin.triangles[divided.triangle]))
-                emit(labels[faces.find(faces.numberOf(i))], t, faceOf(divided.triangle));
+                m_cut.skin.push_back({t, faceOf(divided.triangle), labels[faces.find(faces.numberOf(i))]});
         }
     }
 
@@ -352,20 +365,19 @@ private:
                 side = winding->at(middle) > 0.5 ? inside : outside;
             }
             if (side == inside)
-                emitCrack(t, crackCorners(t));
+                addCrack(t, crackCorners(t));
         }
         for (std::size_t i = 0; i < faces.divided().size(); ++i) {
             const FaceSet::Divided& divided = faces.divided()[i];
             if (where[faces.find(faces.numberOf(i))] == inside)
                 for (const Triangle& t : trianglesOf(divided, crackCorners(divided.triangle)))
-                    emitCrack(divided.triangle, t);
+                    addCrack(divided.triangle, t);
         }
     }
 
-    void emitCrack(std::size_t crackTriangle, const Triangle& t)
+    void addCrack(std::size_t crackTriangle, const Triangle& t)
     {
-        emit(m_cracks.triangles[crackTriangle].back, t, Fragment::crackFace);
-        emit(m_cracks.triangles[crackTriangle].front, {t[0], t[2], t[1]}, Fragment::crackFace);
+        m_cut.cracks.push_back({t, m_cracks.triangles[crackTriangle].back, m_cracks.triangles[crackTriangle].front});
     }
 
     const TriangleMesh& m_skin;
@@ -373,7 +385,7 @@ private:
     HalfEdges m_halfEdges;
     CrackSurface m_cracks;
     Crossings m_crossings;
-    std::map<std::uint32_t, MeshBuilder> m_builders; // by label
+    CutTriangles m_cut;
 };
 
 } // namespace

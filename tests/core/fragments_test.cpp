@@ -378,11 +378,175 @@ private slots:
             for (std::size_t t = 0; t < fragment.mesh.triangles.size(); ++t)
                 QVERIFY(fragment.mesh.faceOfTriangle[t] == Fragment::crackFace || fragment.mesh.faceOfTriangle[t] <= 2);
     }
+
+    void aCrackThatDoesNotSeverLeavesTheSurface()
+    {
+        Break b(shapes::box({16, 4, 4}), 0.5, halves(Vec3::UnitX(), 0.3));
+        std::erase_if(b.broken, [&](const ConnectionId& c) { return b.aggregate.lattice.position(c.lower).y() > 1; });
+        QVERIFY(!b.broken.empty());
+        const std::vector<Fragment> fragments = b.fragments();
+        QCOMPARE(fragments.size(), std::size_t{1});
+        QVERIFY(fragments[0].mesh.vertices == b.mesh.vertices);
+        QVERIFY(fragments[0].mesh.triangles == b.mesh.triangles);
+        QVERIFY(fragments[0].mesh.faceOfTriangle == b.mesh.faceOfTriangle);
+        QCOMPARE(fragments[0].objects.size(), b.aggregate.size());
+        QVERIFY(std::abs(fragments[0].volume / 256 - 1) < 1e-12);
+    }
+
+    void dustJoinsWhatItBrokeOff()
+    {
+        // Two objects in the middle of the high half come loose; the bar is severed elsewhere.
+        const auto parts = [](const Vec3& X) { return X.x() < 0.3 ? 0 : (X - Vec3(4, 0, 0.25)).norm() < 0.4 ? 1 : 2; };
+        const Break b(shapes::box({16, 4, 4}), 0.5, parts);
+        const std::vector<Fragment> fragments = b.fragments();
+        QCOMPARE(fragments.size(), std::size_t{2});
+        QVERIFY2(complaint(b, fragments).empty(), complaint(b, fragments).c_str());
+        QCOMPARE(fragments[0].dust.size(), std::size_t{0});
+        QCOMPARE(fragments[1].dust.size(), std::size_t{2});
+        QVERIFY(parts(b.aggregate.lattice.position(fragments[1].dust[0])) == 1);
+
+        // Taken for a piece by themselves, they have a shape.
+        const std::vector<Fragment> all = fragmentsOf(b.aggregate, b.mesh, b.broken, {.leastObjects = 2});
+        QCOMPARE(all.size(), std::size_t{3});
+        QVERIFY2(complaint(b, all).empty(), complaint(b, all).c_str());
+        const auto speck =
+            std::min_element(all.begin(), all.end(), [](const auto& p, const auto& q) { return p.volume < q.volume; });
+        qInfo("two objects of 0.25 together have a shape of %.3f", speck->volume);
+        QVERIFY(speck->volume > 0.1 && speck->volume < 0.4);
+    }
+
+    void aBodyOfDustStaysWhole()
+    {
+        const Break b(shapes::box({4, 4, 4}), 1, [](const Vec3& X) {
+            return static_cast<int>(std::lround(X.x()) * 100 + std::lround(X.y()) * 10 + std::lround(X.z()));
+        });
+        const std::vector<Fragment> fragments = b.fragments();
+        QCOMPARE(fragments.size(), std::size_t{1});
+        QCOMPARE(fragments[0].objects.size(), std::size_t{1});
+        QCOMPARE(fragments[0].dust.size(), b.aggregate.size() - 1);
+        QVERIFY(!fragments[0].isUncut);
+        QVERIFY(fragments[0].mesh.triangles == b.mesh.triangles);
+    }
+
+    void openSurfacesAreRefused()
+    {
+        Break b(shapes::box({8, 2, 2}), 0.5, halves(Vec3::UnitX(), 0.3));
+        b.mesh.triangles.pop_back();
+        QVERIFY_EXCEPTION_THROWN(b.fragments(), std::invalid_argument);
+    }
+
+    void bitsDoNotDependOnThreads()
+    {
+        const Break b(refine(shapes::box({20, 16, 1.5}), 0.5), 0.25, nearestSeed);
+        const auto on = [&](int threads) { return onThreads(threads, [&] { return b.fragments(); }); };
+        const std::vector<Fragment> one = on(1);
+        QCOMPARE(one.size(), std::size_t{5});
+        for (const int threads : {2, 4}) {
+            const std::vector<Fragment> more = on(threads);
+            QCOMPARE(more.size(), one.size());
+            for (std::size_t i = 0; i < one.size(); ++i) {
+                QVERIFY(more[i].mesh.vertices == one[i].mesh.vertices);
+                QVERIFY(more[i].mesh.triangles == one[i].mesh.triangles);
+                QVERIFY(more[i].mesh.faceOfTriangle == one[i].mesh.faceOfTriangle);
+                QVERIFY(more[i].objects == one[i].objects);
+            }
+        }
+    }
+
+    void cancelStopsIt()
+    {
+        const Break b(shapes::box({20, 16, 1.5}), 0.5, nearestSeed);
+        for (int after : {0, 1, 2, 3, 5}) {
+            Stop stop(after);
+            QVERIFY_EXCEPTION_THROWN(fragmentsOf(b.aggregate, b.mesh, b.broken, {}, stop), Cancelled);
+        }
+    }
+
+    /// Each half moves its own way; a skin that gathered across the crack would pull its vertices along.
+    void fragmentsAreCarriedByTheirOwnObjects()
+    {
+        const Break b(shapes::moved(shapes::box({16, 5, 5}), shapes::tilt(0.4)), 0.5,
+                      halves(Vec3(1, 0.3, 0.2).normalized(), 0.1));
+        const std::vector<Fragment> fragments = b.fragments();
+        QCOMPARE(fragments.size(), std::size_t{2});
+        std::vector<Vec3> displacement(b.aggregate.size());
+        std::vector<Pose> moves(2);
+        for (std::size_t i = 0; i < 2; ++i) {
+            moves[i] = shapes::tilt(i == 0 ? 0.8 : -0.5, Vec3(i == 0 ? -9 : 7, 3, 1));
+            for (const ObjectIndex object : fragments[i].objects) {
+                const Vec3 X = b.aggregate.lattice.position(object);
+                displacement[object] = moves[i].toWorld(X) - X;
+            }
+        }
+        const auto places = carried(b.aggregate, fragments, b.broken, displacement);
+        for (std::size_t i = 0; i < 2; ++i) {
+            double worst = 0;
+            for (std::size_t v = 0; v < places[i].size(); ++v)
+                worst = std::max(worst, (places[i][v] - moves[i].toWorld(fragments[i].mesh.vertices[v])).norm());
+            qInfo("largest error %.2e", worst);
+            QVERIFY(worst < 1e-4); // weights are in single precision
+        }
+    }
+
+    void aStripPulledApartKeepsClosedPieces()
+    {
+        constexpr double spacing = 2e-3;
+        Scene scene;
+        Material material;
+        material.youngsModulus = 1e6;
+        material.dampingRatio = 0.1;
+        material.tensileStrength = 2e4;
+        scene.bodies.push_back(scenes::box({24, 4, 4}, spacing, material));
+        const Aggregate& aggregate = *scene.bodies[0].aggregate;
+        Material strong = material; // where it is gripped
+        strong.tensileStrength = 0;
+        const double half = 12 * spacing;
+        for (const double side : {-1.0, 1.0}) {
+            const auto between = [&](double from, double to) {
+                return objectsInBox(aggregate, Box(Vec3(std::min(side * from, side * to), -1, -1),
+                                                   Vec3(std::max(side * from, side * to), 1, 1)));
+            };
+            scene.bodies[0].regions.push_back({"shoulder", between(half - 6.1 * spacing, 1), strong});
+            scene.fixtures.push_back({"grip", 0, between(half - 1e-6, 1), Vec3(0.02 * side, 0, 0)});
+        }
+        Simulation simulation(scene);
+        while (simulation.health().ok && simulation.time() < 0.12)
+            simulation.step();
+        QVERIFY2(simulation.health().ok, simulation.health().message.c_str());
+        const auto shot = simulation.snapshot();
+        QVERIFY(shot->components >= 2);
+        const Snapshot::BodyState& body = shot->bodies[0];
+        QVERIFY(body.broken && body.broken->size() == shot->broken);
+        QCOMPARE(simulation.snapshot()->bodies[0].broken.get(), body.broken.get());
+
+        const TriangleMesh skin = refine(shapes::box({24 * spacing, 4 * spacing, 4 * spacing}), spacing);
+        const std::vector<Fragment> fragments = fragmentsOf(aggregate, skin, *body.broken);
+        QVERIFY(fragments.size() >= 2);
+        const auto places = carried(aggregate, fragments, *body.broken, body.displacements());
+        const double cell = std::pow(spacing, 3);
+        double sum = 0;
+        double farthest = 0;
+        for (std::size_t i = 0; i < fragments.size(); ++i) {
+            QVERIFY(isWatertight(fragments[i].mesh));
+            TriangleMesh moved = fragments[i].mesh;
+            moved.vertices = places[i];
+            const double volume = massProperties(moved).volume;
+            sum += volume;
+            qInfo("%zu objects, %zu of dust, volume %.3f cells at rest and %.3f as it is", fragments[i].objects.size(),
+                  fragments[i].dust.size(), fragments[i].volume / cell, volume / cell);
+            QVERIFY(std::abs(volume / fragments[i].volume - 1) < 0.1);
+            for (const Vec3& place : places[i]) {
+                double nearest = 1;
+                for (const ObjectIndex object : fragments[i].objects)
+                    nearest = std::min(nearest, (place - body.positions[object]).norm());
+                farthest = std::max(farthest, nearest);
+            }
+        }
+        qInfo("no vertex is more than %.2f spacings from an object", farthest / spacing);
+        QVERIFY(farthest < 1.5 * spacing);
+        QVERIFY(std::abs(sum / (384 * cell) - 1) < 0.05);
+    }
 };
 
-#ifdef STRESS
-#include <chrono>
-#include <random>
-#endif
 QTEST_APPLESS_MAIN(FragmentsTest)
 #include "fragments_test.moc"
