@@ -11,10 +11,9 @@ namespace knead {
 
 namespace {
 
-constexpr double margin = 1e-3;       // cells as close as this to the surface count as touched [cells]
-constexpr std::int32_t nearSteps = 2; // nodes so far from a border have shares
-constexpr std::int32_t fitReach = 3;  // nodes that a fit looks at, along an axis
-constexpr double fitWidth = 1.5;      // standard deviation of its weights [cells]
+constexpr double margin = 1e-3;      // cells as close as this to the surface count as touched [cells]
+constexpr std::int32_t fitReach = 3; // nodes that a fit looks at, along an axis
+constexpr double fitWidth = 1.5;     // standard deviation of its weights [cells]
 constexpr double leastSlopeMoment = 1e-2;
 constexpr double leastLead = 0.04; // of the own label of an object: borders stay clear of objects
 constexpr std::size_t nodesPerBlock = 2048;
@@ -40,6 +39,15 @@ void forEachAround(Visit&& visit)
             for (std::int32_t w = -1; w <= 1; ++w)
                 if (u != 0 || v != 0 || w != 0)
                     visit(Lattice::Node{u, v, w}, 8 >> (u * u + v * v + w * w));
+}
+
+/// By squared distance.
+std::array<double, fitReach * fitReach + 3> fitWeights()
+{
+    std::array<double, fitReach * fitReach + 3> weights{};
+    for (std::size_t squared = 0; squared < weights.size(); ++squared)
+        weights[squared] = std::exp(-static_cast<double>(squared) / (2 * fitWidth * fitWidth));
+    return weights;
 }
 
 void sortOut(std::vector<Lattice::Node>& nodes)
@@ -183,16 +191,15 @@ void LabeledNodes::findBorders()
                     add(other);
                 }
             }
-    std::size_t begin = 0;
-    for (std::int32_t step = 0; step < nearSteps; ++step) {
-        const std::size_t end = m_near.size();
-        for (; begin < end; ++begin)
-            forEachAround([&](const Lattice::Node& direction, int) {
-                const ObjectIndex other = m_rows->find(sum(m_lattice.nodes[m_near[begin]], direction));
-                if (other != m_lattice.size())
-                    add(other);
-            });
-    }
+    m_isBorder.assign(m_lattice.size(), 0);
+    for (const ObjectIndex node : m_near)
+        m_isBorder[node] = 1;
+    for (std::size_t i = 0, borders = m_near.size(); i < borders; ++i)
+        forEachAround([&](const Lattice::Node& direction, int) {
+            const ObjectIndex other = m_rows->find(sum(m_lattice.nodes[m_near[i]], direction));
+            if (other != m_lattice.size())
+                add(other);
+        });
     std::sort(m_near.begin(), m_near.end());
     for (std::size_t i = 0; i < m_near.size(); ++i)
         m_placeInNear[m_near[i]] = static_cast<std::uint32_t>(i);
@@ -215,12 +222,13 @@ void LabeledNodes::findShares(TaskControl& control)
 /// makes a plane of stairs, and carries it on beyond the outermost objects.
 LabeledNodes::Shares LabeledNodes::fitted(ObjectIndex node) const
 {
+    static const std::array<double, fitReach* fitReach + 3> weights = fitWeights();
     struct Sample {
         std::uint32_t label;
-        Eigen::Vector4d basis;
-        double weight;
+        Eigen::Vector4d weighted; // basis functions 1, u, v, w
     };
-    std::vector<Sample> samples;
+    std::array<Sample, (2 * fitReach + 1) * (2 * fitReach + 1) * (2 * fitReach + 1)> samples;
+    std::size_t count = 0;
     Eigen::Matrix4d moments = Eigen::Matrix4d::Zero();
     const Lattice::Node& here = m_lattice.nodes[node];
     for (std::int32_t u = -fitReach; u <= fitReach; ++u)
@@ -229,27 +237,27 @@ LabeledNodes::Shares LabeledNodes::fitted(ObjectIndex node) const
             for (ObjectIndex other = m_rows->lowerBound(row, here[2] - fitReach);
                  other < row.end && m_lattice.nodes[other][2] <= here[2] + fitReach; ++other) {
                 const std::int32_t w = m_lattice.nodes[other][2] - here[2];
-                const std::int32_t squared = u * u + v * v + w * w;
-                if (m_isObject[other] == 0 || squared > fitReach * fitReach + 2)
+                const auto squared = static_cast<std::size_t>(u * u + v * v + w * w);
+                if (m_isObject[other] == 0 || squared >= weights.size())
                     continue;
                 const Eigen::Vector4d basis(1, u, v, w);
-                const double weight = std::exp(-squared / (2 * fitWidth * fitWidth));
-                samples.push_back({m_label[other], basis, weight});
-                moments += weight * basis * basis.transpose();
+                samples[count] = {m_label[other], weights[squared] * basis};
+                moments += samples[count].weighted * basis.transpose();
+                ++count;
             }
         }
-    if (samples.empty())
+    if (count == 0)
         return {{m_label[node], 1}};
     // A little stiffness against slopes settles those that too few objects tell.
     moments.diagonal().tail<3>().array() += leastSlopeMoment * moments(0, 0);
     const Eigen::Vector4d functions = moments.ldlt().solve(Eigen::Vector4d::UnitX());
     Shares shares;
-    for (const Sample& sample : samples) {
-        const double part = sample.weight * functions.dot(sample.basis);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double part = samples[i].weighted.dot(functions);
         const auto share =
-            std::find_if(shares.begin(), shares.end(), [&](const Share& s) { return s.label == sample.label; });
+            std::find_if(shares.begin(), shares.end(), [&](const Share& s) { return s.label == samples[i].label; });
         if (share == shares.end())
-            shares.push_back({sample.label, part});
+            shares.push_back({samples[i].label, part});
         else
             share->share += part;
     }
@@ -295,19 +303,21 @@ void LabeledNodes::addLeads()
     }
 }
 
-/// An object's own label stays ahead of all others; a node without an object takes the label of the largest share.
+/// An object's own label stays ahead of all others, as does that of a node that may not change; other nodes without an
+/// object take the label of the largest share.
 void LabeledNodes::keepOwnLabel(std::size_t near)
 {
     const ObjectIndex node = m_near[near];
+    const bool mayChange = m_isObject[node] == 0 && m_isBorder[node] != 0;
     double largest = -std::numeric_limits<double>::infinity();
     std::uint32_t label = m_label[node];
     for (const Share& share : m_shares[near])
-        if ((m_isObject[node] == 0 || share.label != m_label[node]) &&
+        if ((mayChange || share.label != m_label[node]) &&
             (share.share > largest || (share.share == largest && share.label < label))) {
             largest = share.share;
             label = share.label;
         }
-    if (m_isObject[node] == 0) {
+    if (mayChange) {
         m_label[node] = label;
         return;
     }

@@ -70,6 +70,7 @@ private:
     std::unique_ptr<const LatticeRows> m_rows;
     std::vector<std::uint32_t> m_label;       ///< per node
     std::vector<std::uint8_t> m_isObject;     ///< per node
+    std::vector<std::uint8_t> m_isBorder;     ///< per node: it is next to another label, so that a cell with it is near
     std::vector<ObjectIndex> m_near;          ///< nodes near borders
     std::vector<std::uint32_t> m_placeInNear; ///< per node, or `far`
     std::vector<Shares> m_shares;             ///< per node near a border
