@@ -1,7 +1,7 @@
 #include "core/geometry/polygon_triangulation.h"
 
 #include <algorithm>
-#include <limits>
+#include <tuple>
 
 namespace knead {
 
@@ -135,15 +135,22 @@ void bridge(std::span<const Vec2> corners, std::vector<std::uint32_t>& loop, con
                 ways.push_back({(corners[loop[i]] - corners[hole[j]]).squaredNorm(), i, j});
     if (ways.empty())
         ways.push_back({0, 0, 0});
-    std::stable_sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.length < b.length; });
-    const auto clear = std::find_if(ways.begin(), ways.end(), [&](const Way& way) {
-        return isClear(corners, loop[way.from], hole[way.to], loop) &&
-               isClear(corners, loop[way.from], hole[way.to], hole) &&
-               std::all_of(others.begin(), others.end(), [&](const std::vector<std::uint32_t>& other) {
-                   return isClear(corners, loop[way.from], hole[way.to], other);
-               });
-    });
-    const Way& way = clear == ways.end() ? ways.front() : *clear;
+    const auto isLonger = [](const Way& a, const Way& b) {
+        return std::tie(a.length, a.from, a.to) > std::tie(b.length, b.from, b.to);
+    };
+    std::make_heap(ways.begin(), ways.end(), isLonger);
+    Way way = ways.front();
+    for (auto end = ways.end(); end != ways.begin(); --end) {
+        std::pop_heap(ways.begin(), end, isLonger);
+        const std::uint32_t from = loop[(end - 1)->from];
+        const std::uint32_t to = hole[(end - 1)->to];
+        if (isClear(corners, from, to, loop) && isClear(corners, from, to, hole) &&
+            std::all_of(others.begin(), others.end(),
+                        [&](const auto& other) { return isClear(corners, from, to, other); })) {
+            way = *(end - 1);
+            break;
+        }
+    }
     std::vector<std::uint32_t> detour;
     for (std::size_t j = 0; j <= hole.size(); ++j)
         detour.push_back(hole[(way.to + j) % hole.size()]);
