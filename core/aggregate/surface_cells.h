@@ -7,8 +7,7 @@
 
 namespace knead {
 
-/// Calls visit(cell) for all cells that a triangle comes closer to than `margin`, and a few more: above and below it, as far
-/// as it reaches, where it is upright.
+/// Calls visit(cell) for all cells that a triangle comes closer to than `margin`, and perhaps a few more next to it.
 /// Cell (u, v, w) lies between the nodes (u, v, w) and (u + 1, v + 1, w + 1).
 /// @param corners in lattice coordinates
 /// @param margin [cells]

@@ -14,6 +14,7 @@
 #include <map>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace knead {
 
@@ -64,39 +65,80 @@ std::vector<std::uint32_t> joinDust(const Aggregate& aggregate, const Pieces& pi
     return host;
 }
 
-/// A connected part of the body before it broke, with the shells of the surface around it.
+/// A part of the body before it broke, with the shells of the surface around it. Mostly its objects were connected; walls
+/// thinner than a cell can leave several groups of objects in one shell.
 struct Solid {
     std::vector<std::uint32_t> pieces; // ascending
     TriangleMesh skin;
 };
 
-/// The part of the surface that belongs to each solid: shells go to the solid whose objects most of their corners are near.
-void shareOutSkin(const Aggregate& aggregate, const Pieces& solidOf, const TriangleMesh& skin,
-                  std::vector<Solid>& solids)
+/// Which shells belong together and to which solid.
+class ShellOwners {
+public:
+    ShellOwners(const Aggregate& aggregate, const Pieces& solids, const TriangleMesh& skin)
+        : m_shells(skin.vertices.size())
+        , m_ownerOfSolid(solids.count, none)
+    {
+        for (const TriangleMesh::Triangle& t : skin.triangles) {
+            m_shells.join(t[0], t[1]);
+            m_shells.join(t[1], t[2]);
+        }
+        const LatticeRows objects(aggregate.lattice);
+        std::map<std::size_t, std::map<std::uint32_t, std::size_t>> votes; // by shell and solid
+        for (const TriangleMesh::Triangle& t : skin.triangles) {
+            const ObjectIndex object = objects.nearest(aggregate.lattice.coordinates(skin.vertices[t[0]]));
+            ++votes[m_shells.find(t[0])][solids.ofObject[object]];
+        }
+        // A shell is of the solid that most of its corners are near; a solid without a shell is part of the one whose
+        // shell is around it.
+        for (const auto& [shell, count] : votes) {
+            const auto most = std::max_element(count.begin(), count.end(),
+                                               [](const auto& a, const auto& b) { return a.second < b.second; });
+            m_solidOfShell[shell] = most->first;
+            m_ownerOfSolid[most->first] = most->first;
+        }
+        std::vector<std::size_t> most(solids.count, 0);
+        for (const auto& [shell, count] : votes)
+            for (const auto& [solid, corners] : count)
+                if (m_ownerOfSolid[solid] != solid && corners > most[solid]) {
+                    most[solid] = corners;
+                    m_ownerOfSolid[solid] = m_solidOfShell[shell];
+                }
+        for (std::uint32_t& owner : m_ownerOfSolid)
+            if (owner == none)
+                owner = m_solidOfShell.begin()->second;
+    }
+
+    std::uint32_t ofTriangle(const TriangleMesh::Triangle& t) { return m_solidOfShell[m_shells.find(t[0])]; }
+    std::uint32_t ofSolid(std::uint32_t solid) const { return m_ownerOfSolid[solid]; }
+
+private:
+    DisjointSets m_shells; // of vertices
+    std::map<std::size_t, std::uint32_t> m_solidOfShell;
+    std::vector<std::uint32_t> m_ownerOfSolid;
+};
+
+/// The solids that a body was before it broke, some of them without pieces: those that are part of another.
+std::vector<Solid> findSolids(const Aggregate& aggregate, const Pieces& pieces, const TriangleMesh& skin)
 {
-    if (solids.size() == 1) {
-        solids.front().skin = skin;
-        return;
+    const Pieces before = findPieces(aggregate);
+    if (before.count == 1) {
+        Solid all{.pieces = std::vector<std::uint32_t>(pieces.count), .skin = skin};
+        std::iota(all.pieces.begin(), all.pieces.end(), 0U);
+        return {std::move(all)};
     }
-    DisjointSets shells(skin.vertices.size());
-    for (const TriangleMesh::Triangle& t : skin.triangles) {
-        shells.join(t[0], t[1]);
-        shells.join(t[1], t[2]);
+    ShellOwners owners(aggregate, before, skin);
+    std::vector<Solid> solids(before.count);
+    std::vector<std::uint8_t> isKnown(pieces.count, 0);
+    for (std::size_t object = 0; object < aggregate.size(); ++object) {
+        const std::uint32_t piece = pieces.ofObject[object];
+        if (isKnown[piece] == 0)
+            solids[owners.ofSolid(before.ofObject[object])].pieces.push_back(piece);
+        isKnown[piece] = 1;
     }
-    const LatticeRows objects(aggregate.lattice);
-    std::map<std::size_t, std::map<std::uint32_t, std::size_t>> votes; // by shell and solid
-    for (const TriangleMesh::Triangle& t : skin.triangles) {
-        const ObjectIndex object = objects.nearest(aggregate.lattice.coordinates(skin.vertices[t[0]]));
-        ++votes[shells.find(t[0])][solidOf.ofObject[object]];
-    }
-    std::map<std::size_t, std::uint32_t> solidOfShell;
-    for (const auto& [shell, count] : votes)
-        solidOfShell[shell] = std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) {
-                                  return a.second < b.second;
-                              })->first;
     std::vector<std::uint32_t> number(skin.vertices.size(), none);
     for (std::size_t i = 0; i < skin.triangles.size(); ++i) {
-        TriangleMesh& mesh = solids[solidOfShell[shells.find(skin.triangles[i][0])]].skin;
+        TriangleMesh& mesh = solids[owners.ofTriangle(skin.triangles[i])].skin;
         TriangleMesh::Triangle triangle = skin.triangles[i];
         for (std::uint32_t& vertex : triangle) {
             if (number[vertex] == none) {
@@ -109,43 +151,32 @@ void shareOutSkin(const Aggregate& aggregate, const Pieces& solidOf, const Trian
         if (!skin.faceOfTriangle.empty())
             mesh.faceOfTriangle.push_back(skin.faceOfTriangle[i]);
     }
+    return solids;
 }
 
 class Breaker {
 public:
-    Breaker(const Aggregate& aggregate, const TriangleMesh& skin, std::span<const ConnectionId> broken,
+    Breaker(const Aggregate& aggregate, const TriangleMesh& skin, std::span<const ConnectionId> broken, Pieces pieces,
             const FragmentOptions& options)
         : m_aggregate(aggregate)
         , m_broken(broken)
-        , m_pieces(findPieces(aggregate, broken))
+        , m_pieces(std::move(pieces))
+        , m_solids(findSolids(aggregate, m_pieces, skin))
+        , m_sizes(m_pieces.count, 0)
         , m_isDust(m_pieces.count, 0)
         , m_mesh(m_pieces.count)
         , m_isUncut(m_pieces.count, 0)
     {
-        const Pieces before = findPieces(aggregate);
-        m_solids.resize(before.count);
-        m_sizes.resize(m_pieces.count, 0);
-        for (std::size_t object = 0; object < aggregate.size(); ++object)
-            if (m_sizes[m_pieces.ofObject[object]]++ == 0)
-                m_solids[before.ofObject[object]].pieces.push_back(m_pieces.ofObject[object]);
+        for (const std::uint32_t piece : m_pieces.ofObject)
+            ++m_sizes[piece];
         for (const Solid& solid : m_solids)
             for (const std::uint32_t piece : solid.pieces)
                 m_isDust[piece] = piece != largest(solid) && m_sizes[piece] < options.leastObjects ? 1 : 0;
-        if (isWhole())
-            m_solids.clear();
-        else
-            shareOutSkin(aggregate, before, skin, m_solids);
-    }
-
-    /// Nothing has come apart that was connected.
-    bool isWhole() const
-    {
-        return std::all_of(m_solids.begin(), m_solids.end(), [](const Solid& s) { return s.pieces.size() == 1; });
     }
 
     std::vector<Fragment> fragments(TaskControl& control)
     {
-        m_host = joinDust(m_aggregate, m_pieces, m_broken, m_isDust);
+        joinAllDust();
         for (std::size_t i = 0; i < m_solids.size(); ++i) {
             const auto count = static_cast<double>(m_solids.size());
             TaskPortion portion(control, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
@@ -170,11 +201,22 @@ public:
     }
 
 private:
+    /// Dust that never was connected to anything joins the largest piece in its shell.
+    void joinAllDust()
+    {
+        m_host = joinDust(m_aggregate, m_pieces, m_broken, m_isDust);
+        for (const Solid& solid : m_solids)
+            for (const std::uint32_t piece : solid.pieces)
+                if (m_host[piece] == none)
+                    m_host[piece] = largest(solid);
+    }
+
+    /// The piece of most objects, of those that are not dust.
     std::uint32_t largest(const Solid& solid) const
     {
-        return *std::max_element(solid.pieces.begin(), solid.pieces.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return m_sizes[a] != m_sizes[b] ? m_sizes[a] < m_sizes[b] : a > b;
-        });
+        const auto rank = [&](std::uint32_t piece) { return std::pair(m_isDust[piece] == 0, m_sizes[piece]); };
+        return *std::max_element(solid.pieces.begin(), solid.pieces.end(),
+                                 [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
     }
 
     std::size_t shapes(const Solid& solid) const
@@ -206,7 +248,7 @@ private:
                     m_mesh[mesh.label] = mesh.mesh;
                 return;
             }
-            m_host = joinDust(m_aggregate, m_pieces, m_broken, m_isDust);
+            joinAllDust();
         }
         keepWhole(solid);
     }
@@ -232,6 +274,8 @@ private:
     /// One piece with all the surface, and the others as its dust.
     void keepWhole(const Solid& solid)
     {
+        if (solid.pieces.empty())
+            return;
         const std::uint32_t kept = largest(solid);
         m_isUncut[kept] = shapes(solid) > 1 ? 1 : 0;
         m_mesh[kept] = solid.skin;
@@ -262,15 +306,15 @@ std::vector<Fragment> fragmentsOf(const Aggregate& aggregate, const TriangleMesh
         throw std::invalid_argument("fragmentsOf: the aggregate has no objects");
     if (!isWatertight(skin))
         throw std::invalid_argument("fragmentsOf: the surface is not closed");
-    Breaker breaker(aggregate, skin, broken, options);
-    if (breaker.isWhole()) {
+    Pieces pieces = findPieces(aggregate, broken);
+    if (pieces.count == findPieces(aggregate).count) {
         std::vector<ObjectIndex> all(aggregate.size());
         std::iota(all.begin(), all.end(), 0U);
         Fragment whole{.mesh = skin, .objects = std::move(all), .dust = {}};
         whole.volume = massProperties(skin).volume;
         return {std::move(whole)};
     }
-    return breaker.fragments(control);
+    return Breaker(aggregate, skin, broken, std::move(pieces), options).fragments(control);
 }
 
 std::vector<std::vector<Vec3>> carried(const Aggregate& aggregate, std::span<const Fragment> fragments,

@@ -185,6 +185,16 @@ int nearestSeed(const Vec3& X)
     return best;
 }
 
+/// Two disks with a thin neck between.
+struct Spool {
+    std::pair<double, double> operator()(std::uint32_t ring) const
+    {
+        constexpr std::pair<double, double> rings[] = {{4, 0}, {4, 4}, {0.15, 4}, {0.15, 8}, {4, 8}, {4, 12}};
+        return rings[ring];
+    }
+    std::pair<double, double> tips() const { return {0, 12}; }
+};
+
 struct Case {
     const char* name;
     std::function<Break()> make;
@@ -295,6 +305,13 @@ const std::vector<Case>& cases()
          [] {
              return Break(together(box({4, 4, 12}), moved(box({4, 4, 12}), {Vec3(6, 0, 0), Quaternion::Identity()})), 1,
                           [](const Vec3& X) { return X.x() < 3 && X.z() > 0.2 ? 1 : 0; });
+         },
+         3, 0.01},
+        {"two lumps in one shell",
+         [] {
+             // The neck is too thin to hold objects, so the lumps never were connected. One of them breaks.
+             return Break(revolution(24, 6, Spool{}), 1,
+                          [](const Vec3& X) { return X.z() < 6 && X.x() > 0.2 ? 1 : 0; });
          },
          3, 0.01},
         {"sphere of planes", [] { return Break(sphere(5, 40), 0.5, halves(Vec3::UnitZ(), 0.1)); }, 2, 0.01},

@@ -104,9 +104,8 @@ private slots:
                                    static_cast<std::int32_t>(std::floor(X.z()))});
                 }
             QVERIFY(std::includes(visited.begin(), visited.end(), needed.begin(), needed.end()));
-            // A triangle in a border between cells touches those on either side, and one that is upright visits those
-            // above and below it as well.
-            QVERIFY2(visited.size() <= 6 * needed.size(), qPrintable(QString::number(visited.size())));
+            // A triangle in a border between cells touches those on either side.
+            QVERIFY2(visited.size() <= 4 * needed.size(), qPrintable(QString::number(visited.size())));
         }
     }
 };
