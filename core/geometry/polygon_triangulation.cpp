@@ -1,13 +1,16 @@
 #include "core/geometry/polygon_triangulation.h"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
+#include <utility>
 
 namespace knead {
 
 namespace {
 
 using Vec2 = Eigen::Vector2d;
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// Twice the area, positive when counter-clockwise.
 double turn(const Vec2& a, const Vec2& b, const Vec2& c)
@@ -19,6 +22,13 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c)
 bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
 {
     return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+}
+
+/// Area by the square of the longest side, negative when clockwise.
+double quality(const Vec2& a, const Vec2& b, const Vec2& c)
+{
+    const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    return longest > 0 ? 0.5 * turn(a, b, c) / longest : 0;
 }
 
 /// Cuts corners off a loop that may pass through a corner twice, along bridges.
@@ -38,7 +48,7 @@ public:
             m_left.push_back(i);
         }
         for (std::size_t i = 0; i < count; ++i)
-            m_quality[i] = quality(i);
+            m_quality[i] = qualityAt(i);
     }
 
     std::vector<std::array<std::uint32_t, 3>> cut()
@@ -53,8 +63,8 @@ public:
             m_left.erase(best);
             m_next[m_previous[ear]] = m_next[ear];
             m_previous[m_next[ear]] = m_previous[ear];
-            m_quality[m_previous[ear]] = quality(m_previous[ear]);
-            m_quality[m_next[ear]] = quality(m_next[ear]);
+            m_quality[m_previous[ear]] = qualityAt(m_previous[ear]);
+            m_quality[m_next[ear]] = qualityAt(m_next[ear]);
         }
         return triangles;
     }
@@ -62,17 +72,11 @@ public:
 private:
     const Vec2& at(std::size_t i) const { return m_corners[m_loop[i]]; }
 
-    /// Of the triangle at a corner: area by the square of its longest side; negative when it is no ear.
-    double quality(std::size_t i) const
+    /// Of the triangle at a corner; negative when it is no ear.
+    double qualityAt(std::size_t i) const
     {
-        const Vec2& a = at(m_previous[i]);
-        const Vec2& b = at(i);
-        const Vec2& c = at(m_next[i]);
-        const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-        const double area = turn(a, b, c);
-        if (area <= 0)
-            return longest > 0 ? area / longest - 1 : -1;
-        return holdsNoCorner(i) ? area / longest : area / longest - 1;
+        const double own = quality(at(m_previous[i]), at(i), at(m_next[i]));
+        return own > 0 && holdsNoCorner(i) ? own : own - 1;
     }
 
     bool holdsNoCorner(std::size_t i) const
@@ -158,6 +162,69 @@ void bridge(std::span<const Vec2> corners, std::vector<std::uint32_t>& loop, con
     loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(way.from) + 1, detour.begin(), detour.end());
 }
 
+/// Exchanges the diagonals of pairs of triangles as long as the worse one of a pair gets better. Cutting off corners leaves
+/// needles behind, such as three points of one side.
+class Improver {
+public:
+    Improver(std::span<const Vec2> corners, Triangles& triangles)
+        : m_corners(corners)
+        , m_triangles(triangles)
+    {
+        for (std::size_t t = 0; t < triangles.size(); ++t)
+            for (std::size_t i = 0; i < 3; ++i)
+                m_isSound = m_at.try_emplace({triangles[t][i], triangles[t][(i + 1) % 3]}, t).second && m_isSound;
+    }
+
+    void improve()
+    {
+        constexpr int mostRounds = 20;
+        bool isChanged = m_isSound;
+        for (int round = 0; round < mostRounds && isChanged; ++round) {
+            isChanged = false;
+            for (std::size_t t = 0; t < m_triangles.size(); ++t)
+                for (std::size_t i = 0; i < 3; ++i)
+                    isChanged = exchange(t, i) || isChanged;
+        }
+    }
+
+private:
+    double qualityOf(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
+    {
+        return quality(m_corners[a], m_corners[b], m_corners[c]);
+    }
+
+    bool exchange(std::size_t t, std::size_t side)
+    {
+        const std::uint32_t a = m_triangles[t][side];
+        const std::uint32_t b = m_triangles[t][(side + 1) % 3];
+        const std::uint32_t c = m_triangles[t][(side + 2) % 3];
+        const auto found = m_at.find({b, a});
+        if (found == m_at.end())
+            return false;
+        const std::size_t other = found->second;
+        std::uint32_t d = 0;
+        for (const std::uint32_t corner : m_triangles[other])
+            d = corner != a && corner != b ? corner : d;
+        if (d == c || m_at.contains({c, d}) || m_at.contains({d, c}))
+            return false;
+        const double before = std::min(qualityOf(a, b, c), qualityOf(b, a, d));
+        if (std::min(qualityOf(a, d, c), qualityOf(d, b, c)) <= before + 1e-12)
+            return false;
+        m_triangles[t] = {a, d, c};
+        m_triangles[other] = {d, b, c};
+        m_at.erase({a, b});
+        m_at.erase({b, a});
+        m_at[{a, d}] = m_at[{d, c}] = m_at[{c, a}] = t;
+        m_at[{d, b}] = m_at[{b, c}] = m_at[{c, d}] = other;
+        return true;
+    }
+
+    std::span<const Vec2> m_corners;
+    Triangles& m_triangles;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> m_at; // the triangle to the left of two corners
+    bool m_isSound = true;                                               // no side is there twice
+};
+
 } // namespace
 
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec2> corners,
@@ -177,7 +244,9 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec2> corn
         loops.pop_back();
         bridge(corners, outline, hole, loops);
     }
-    return EarCutter(corners, std::move(outline)).cut();
+    Triangles triangles = EarCutter(corners, std::move(outline)).cut();
+    Improver(corners, triangles).improve();
+    return triangles;
 }
 
 } // namespace knead

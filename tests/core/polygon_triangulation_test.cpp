@@ -128,6 +128,15 @@ private slots:
         QVERIFY(std::abs(sum / polygon.area() - 1) < 1e-12);
     }
 
+    /// The best corner to cut off would leave three points in a line.
+    void noNeedleIsLeftWhereNoneNeedsToBe()
+    {
+        Polygon polygon;
+        polygon.add({{0, 0}, {0.5, 0}, {1, 0}, {0.5, 0.85}});
+        for (const auto& t : polygon.triangles())
+            QVERIFY(areaOf(polygon, t) > 0.2);
+    }
+
     void aPolygonOverItselfStillFits()
     {
         Polygon polygon;
