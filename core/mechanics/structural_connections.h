@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/aggregate/aggregate.h"
+#include "core/aggregate/connection_id.h"
 #include "core/aggregate/lattice_runs.h"
 #include "core/aggregate/material_map.h"
 #include "core/mechanics/connection_law.h"
@@ -12,13 +13,6 @@
 #include <vector>
 
 namespace knead {
-
-/// A connection by the object that stores it and its direction.
-struct ConnectionId {
-    std::uint32_t direction = 0;
-    ObjectIndex lower = 0;
-    friend auto operator<=>(const ConnectionId&, const ConnectionId&) = default;
-};
 
 /// The structural connections of one body: parameters by direction, and the forces they give.
 ///

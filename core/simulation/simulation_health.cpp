@@ -1,10 +1,10 @@
 // What goes wrong is found, named and undone.
+#include "core/geometry/disjoint_sets.h"
 #include "core/integration/time_step.h"
 #include "core/simulation/simulation_state.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace knead {
@@ -23,33 +23,6 @@ constexpr double runawaySpeed = 30;
 constexpr double crowdingReserve = 1.5;
 // A chosen time step may be this much above the largest stable one: that is bounded from above, not known.
 constexpr double stableStepTolerance = 1.25;
-
-/// Sets of connected things; each is known by one of its members.
-class DisjointSets {
-public:
-    explicit DisjointSets(std::size_t size)
-        : m_parent(size)
-    {
-        std::iota(m_parent.begin(), m_parent.end(), std::size_t{0});
-    }
-    std::size_t find(std::size_t item)
-    {
-        while (m_parent[item] != item)
-            item = m_parent[item] = m_parent[m_parent[item]];
-        return item;
-    }
-    void join(std::size_t a, std::size_t b) { m_parent[find(a)] = find(b); }
-    std::size_t count()
-    {
-        std::size_t roots = 0;
-        for (std::size_t i = 0; i < m_parent.size(); ++i)
-            roots += m_parent[i] == i ? 1 : 0;
-        return roots;
-    }
-
-private:
-    std::vector<std::size_t> m_parent;
-};
 
 } // namespace
 

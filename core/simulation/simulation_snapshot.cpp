@@ -9,9 +9,21 @@ namespace {
 
 constexpr std::size_t blockSize = 8192;
 
-Snapshot::BodyState copyOf(const BodyRun& run, std::shared_ptr<const Aggregate> aggregate)
+/// Mostly nothing has broken since the snapshot before.
+std::shared_ptr<const std::vector<ConnectionId>> brokenOf(BodyRun& run)
 {
-    Snapshot::BodyState copy{.positions = {}, .kind = run.kind, .aggregate = std::move(aggregate)};
+    const std::vector<ConnectionId>& broken = run.connections.changes().broken;
+    if (broken.empty())
+        run.published = nullptr;
+    else if (!run.published || *run.published != broken)
+        run.published = std::make_shared<const std::vector<ConnectionId>>(broken);
+    return run.published;
+}
+
+Snapshot::BodyState copyOf(BodyRun& run, std::shared_ptr<const Aggregate> aggregate)
+{
+    Snapshot::BodyState copy{
+        .positions = {}, .kind = run.kind, .aggregate = std::move(aggregate), .broken = brokenOf(run)};
     copy.positions.resize(run.state.size());
     forEachBlock(run.state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
@@ -125,7 +137,7 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
     double allMass = 0;
     for (std::size_t b = 0; b < state.bodies.size(); ++b) {
         const Aggregate& aggregate = *state.bodies[b].aggregate;
-        const BodyRun& run = *state.runs[b];
+        BodyRun& run = *state.runs[b];
         shot->bodies.push_back(copyOf(run, state.bodies[b].aggregate));
         shot->materials.push_back(state.bodies[b].material);
         shot->objects += aggregate.size();

@@ -23,8 +23,9 @@ struct BodyRun {
     ObjectState state;
     StructuralConnections connections;
     BodyKind kind;
-    std::optional<RigidMotion> rigid; ///< of a rigid body that is not held
-    bool anchored = false;            ///< some object is held
+    std::optional<RigidMotion> rigid;                           ///< of a rigid body that is not held
+    bool anchored = false;                                      ///< some object is held
+    std::shared_ptr<const std::vector<ConnectionId>> published; ///< what was broken in the snapshot before; null: none
 
     bool deforms() const { return kind == BodyKind::deformable; }
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/aggregate/connection_id.h"
 #include "core/simulation/scene.h"
 
 #include <array>
@@ -75,6 +76,10 @@ struct Snapshot {
         std::vector<Vec3> positions; ///< per object [m]
         BodyKind kind = BodyKind::deformable;
         std::shared_ptr<const Aggregate> aggregate;
+
+        /// Structural connections that broke so far, in the order of breaking; snapshots share them until the next one
+        /// breaks. Null: none.
+        std::shared_ptr<const std::vector<ConnectionId>> broken = nullptr;
 
         /// From rest [m].
         Vec3 displacement(ObjectIndex object) const;

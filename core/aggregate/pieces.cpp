@@ -1,0 +1,84 @@
+#include "core/aggregate/pieces.h"
+
+#include "core/geometry/disjoint_sets.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace knead {
+
+std::vector<std::uint16_t> brokenDirections(const Aggregate& aggregate, std::span<const ConnectionId> broken)
+{
+    std::vector<std::uint16_t> bits(aggregate.size(), 0);
+    for (const ConnectionId& connection : broken)
+        bits[connection.lower] = static_cast<std::uint16_t>(bits[connection.lower] | 1U << connection.direction);
+    return bits;
+}
+
+Pieces findPieces(const Aggregate& aggregate, std::span<const ConnectionId> broken)
+{
+    const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
+    DisjointSets sets(aggregate.size());
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+        for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
+            for (ObjectIndex object = segment.begin; object < segment.end; ++object)
+                if (aggregate.weight[d][object] > 0 && (isBroken[object] >> d & 1U) == 0)
+                    sets.join(object, object + static_cast<ObjectIndex>(segment.offset));
+
+    constexpr std::uint32_t none = 0xffffffffU;
+    std::vector<std::uint32_t> pieceOfRoot(aggregate.size(), none);
+    Pieces pieces;
+    pieces.ofObject.resize(aggregate.size());
+    for (std::size_t object = 0; object < aggregate.size(); ++object) {
+        std::uint32_t& piece = pieceOfRoot[sets.find(object)];
+        if (piece == none)
+            piece = static_cast<std::uint32_t>(pieces.count++);
+        pieces.ofObject[object] = piece;
+    }
+    return pieces;
+}
+
+Aggregate extract(const Aggregate& aggregate, std::span<const ObjectIndex> objects,
+                  std::span<const std::uint16_t> isBroken)
+{
+    const auto pick = [&](const auto& values) {
+        std::decay_t<decltype(values)> picked;
+        if (!values.empty())
+            for (const ObjectIndex object : objects)
+                picked.push_back(values[object]);
+        return picked;
+    };
+    Aggregate part;
+    part.lattice.origin = aggregate.lattice.origin;
+    part.lattice.spacing = aggregate.lattice.spacing;
+    part.lattice.axes = aggregate.lattice.axes;
+    part.lattice.nodes = pick(aggregate.lattice.nodes);
+    part.volume = pick(aggregate.volume);
+    part.depth = pick(aggregate.depth);
+    part.face = pick(aggregate.face);
+    part.filledVolume = std::accumulate(part.volume.begin(), part.volume.end(), 0.0);
+    part.meshVolume = part.filledVolume;
+
+    std::size_t directions = 0;
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
+        if (aggregate.weight[d].empty())
+            continue;
+        directions = d + 1;
+        part.weight[d].assign(objects.size(), 0);
+        const auto& segments = aggregate.lattice.segments[d];
+        auto segment = segments.begin();
+        for (std::size_t i = 0; i < objects.size(); ++i) {
+            segment = std::partition_point(segment, segments.end(), [&](const auto& s) { return s.end <= objects[i]; });
+            if (segment == segments.end())
+                break;
+            const ObjectIndex neighbor = objects[i] + static_cast<ObjectIndex>(segment->offset);
+            if (segment->begin <= objects[i] && (isBroken[objects[i]] >> d & 1U) == 0 &&
+                std::binary_search(objects.begin(), objects.end(), neighbor))
+                part.weight[d][i] = aggregate.weight[d][objects[i]];
+        }
+    }
+    findSegments(part.lattice, directions);
+    return part;
+}
+
+} // namespace knead

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/aggregate/aggregate.h"
+#include "core/aggregate/connection_id.h"
+#include "core/geometry/triangle_mesh.h"
+#include "core/task/task_control.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace knead {
+
+/// A piece of a broken body, at rest.
+struct Fragment {
+    /// CAD face of triangles that a crack made. Other triangles keep theirs, or Aggregate::noFace in a plain mesh.
+    static constexpr std::uint32_t crackFace = 0xfffffffeU;
+
+    TriangleMesh mesh;                ///< closed, facing outwards; vertices on a crack are the same bits on both sides
+    std::vector<ObjectIndex> objects; ///< that hang together and carry it, ascending
+    std::vector<ObjectIndex> dust;    ///< in too small pieces to have a shape: their material is part of the mesh
+    double volume = 0;                ///< of the mesh [m^3]
+    bool isUncut = false; ///< the cracks could not be made a surface: the mesh has other pieces in it as well
+};
+
+struct FragmentOptions {
+    std::size_t leastObjects = 4; ///< pieces of fewer objects are dust: they join the piece that most of their broken
+                                  ///< connections lead to
+};
+
+/// Closed surfaces of the pieces that a body has been broken into, by their lowest objects. A body that has cracks but hangs
+/// together gives one fragment with the surface as it is.
+///
+/// Each node of the lattice has a smooth share of each piece; a point belongs to the piece of its largest share. The cracks
+/// between are cut out of tetrahedra of the lattice, and then the cracks and the surface are cut by each other, exactly, so
+/// that each fragment is closed. Triangles of the surface that no crack crosses stay as they are.
+/// Solids of a body that were never connected are cut each by itself. The result has the same bits on any number of threads.
+/// @param skin closed surface of the body at rest, facing outwards: the one it was filled from, or refined
+/// @throws std::invalid_argument for an aggregate without objects or a surface that is not closed. @throws Cancelled
+std::vector<Fragment> fragmentsOf(const Aggregate& aggregate, const TriangleMesh& skin,
+                                  std::span<const ConnectionId> broken, const FragmentOptions& options = {},
+                                  TaskControl& control = TaskControl::none());
+
+/// Where the vertices of fragments are when the objects have moved: each fragment is carried by its own objects alone, along
+/// connections that still hold.
+/// @param displacement per object of the aggregate [m]
+/// @return per fragment and vertex [m]. @throws Cancelled
+std::vector<std::vector<Vec3>> carried(const Aggregate& aggregate, std::span<const Fragment> fragments,
+                                       std::span<const ConnectionId> broken, std::span<const Vec3> displacement,
+                                       TaskControl& control = TaskControl::none());
+
+} // namespace knead
