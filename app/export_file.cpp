@@ -3,6 +3,7 @@
 #include "app/cad_process.h"
 #include "core/geometry/mass_properties.h"
 #include "core/skin/deformed_surface.h"
+#include "core/skin/torn_parts.h"
 #include "io/cad_format.h"
 #include "io/export/export_formats.h"
 #include "io/export/job_file.h"
@@ -18,6 +19,8 @@ namespace knead {
 
 namespace {
 
+constexpr std::size_t mostFlatFaces = 10'000; // of a torn part: CAD programs are slow with more
+constexpr std::size_t mostTriangles = 400'000;
 constexpr double surfaceShare = 0.7; // of the progress; the rest is writing
 
 PartExportReport reportOn(const PartToExport& part, const TriangleMesh& mesh)
@@ -68,11 +71,15 @@ ExportReport exportMeshes(const std::string& path, const ExportJob& job, TaskCon
 
 } // namespace
 
-ExportReport exportFile(const std::string& path, const ExportJob& job, TaskControl& control)
+ExportReport exportFile(const std::string& path, ExportJob job, TaskControl& control)
 {
     if (job.parts.empty())
         throw std::runtime_error(shortName(path) + ": there is nothing to export.");
-    return cadFormatFor(path) ? exportInChild(path, job, control) : exportMeshes(path, job, control);
+    const bool isCad = cadFormatFor(path).has_value();
+    TaskPortion tearing(control, 0, 0.1);
+    const ExportJob whole = withPieces(std::move(job), isCad ? mostFlatFaces : mostTriangles, tearing);
+    TaskPortion writing(control, 0.1, 1);
+    return isCad ? exportInChild(path, whole, writing) : exportMeshes(path, whole, writing);
 }
 
 std::string writeReportBeside(const ExportReport& report)

@@ -10,9 +10,9 @@
 namespace knead {
 
 /// Writes the parts of a job to one file; its ending decides the format. STEP, IGES and BREP are written and read back in a
-/// process of their own, meshes here. The file appears whole or not at all.
+/// process of their own, meshes here. Parts that have come apart are written as their pieces. The file appears whole or not at all.
 /// @throws std::runtime_error, in a sentence for the person. @throws Cancelled
-ExportReport exportFile(const std::string& path, const ExportJob& job, TaskControl& control);
+ExportReport exportFile(const std::string& path, ExportJob job, TaskControl& control);
 
 /// The report beside a file: "part.step.report.json". @throws std::runtime_error, in a sentence
 std::string writeReportBeside(const ExportReport& report);

@@ -28,6 +28,7 @@ ExportJob jobOf(const RecipeScene& ready, const Snapshot& snapshot)
         job.parts.push_back({.part = ready.parts[i],
                              .aggregate = ready.scene.bodies[i].aggregate,
                              .displacements = snapshot.bodies[i].displacements(),
+                             .broken = snapshot.bodies[i].broken,
                              .density = snapshot.materials[i].density});
     }
     job.tree = treeOfPaths(parts);

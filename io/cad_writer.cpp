@@ -6,6 +6,7 @@
 #include "io/xcaf_document.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -21,14 +22,17 @@
 #include <TCollection_HAsciiString.hxx>
 #include <TDataStd_Name.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_LayerTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -141,6 +145,14 @@ private:
     std::map<const void*, std::vector<std::pair<const CadPartToWrite*, TDF_Label>>> m_products; // by geometry
 };
 
+bool hasCurvedFace(const CadPartToWrite& part)
+{
+    for (TopExp_Explorer faces(part.shape, TopAbs_FACE); faces.More(); faces.Next())
+        if (BRepAdaptor_Surface(TopoDS::Face(faces.Current()), false).GetType() != GeomAbs_Plane)
+            return true;
+    return false;
+}
+
 /// The name that OpenCASCADE's writers have for a length unit.
 const char* writerUnit(const std::string& unit)
 {
@@ -162,12 +174,14 @@ std::string nameOf(const NamelessFile& file)
     return "/proc/self/fd/" + std::to_string(file.descriptor());
 }
 
-std::string writeStep(const Handle(TDocStd_Document) & document, const ExportOptions& options, TaskControl& control)
+std::string writeStep(const Handle(TDocStd_Document) & document, bool hasCurvedFaces, const ExportOptions& options,
+                      TaskControl& control)
 {
     STEPCAFControl_Controller::Init();
     Interface_Static::SetIVal("write.step.schema", options.useAp214 ? 4 : 5);
     Interface_Static::SetCVal("write.step.unit", writerUnit(options.unit));
-    Interface_Static::SetIVal("write.surfacecurve.mode", 1);
+    // Without curves on curved surfaces readers make their own, and tolerances grow. Planes need none.
+    Interface_Static::SetIVal("write.surfacecurve.mode", hasCurvedFaces ? 1 : 0);
     Interface_Static::SetIVal("write.precision.mode", 1); // the largest tolerance, so that readers know it
     STEPCAFControl_Writer writer;
     writer.SetColorMode(true);
@@ -239,7 +253,7 @@ std::string writeCad(FormatKind kind, const std::vector<CadPartToWrite>& parts, 
     DocumentMaker(parts, *document).add(tree);
     control.throwIfCancelled();
     if (kind == FormatKind::Step)
-        return writeStep(*document, options, control);
+        return writeStep(*document, std::any_of(parts.begin(), parts.end(), hasCurvedFace), options, control);
     if (kind == FormatKind::Iges)
         return writeIges(*document, options, control);
     throw std::runtime_error("writeCad: no CAD format");

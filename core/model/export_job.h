@@ -1,22 +1,26 @@
 #pragma once
 
 #include "core/aggregate/aggregate.h"
+#include "core/aggregate/connection_id.h"
 #include "core/geometry/smooth_map.h"
 #include "core/model/export_options.h"
 #include "core/model/part.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace knead {
 
 /// A part and how its material lies now.
 struct PartToExport {
-    Part part;                                  ///< as imported
-    std::shared_ptr<const Aggregate> aggregate; ///< its objects; null: the part is written as imported
-    std::vector<Vec3> displacements;            ///< per object, from rest [m]
-    std::shared_ptr<const SmoothMap> map;       ///< in place of objects; does not leave this process
-    double density = 0;                         ///< [kg/m^3], for the report; 0: none
+    Part part;                                               ///< as imported
+    std::shared_ptr<const Aggregate> aggregate;              ///< its objects; null: the part is written as imported
+    std::vector<Vec3> displacements;                         ///< per object, from rest [m]
+    std::shared_ptr<const SmoothMap> map;                    ///< in place of objects; does not leave this process
+    std::shared_ptr<const std::vector<ConnectionId>> broken; ///< structural connections; null: none
+    std::string reason; ///< why it has no smooth faces, when something is known about that
+    double density = 0; ///< [kg/m^3], for the report; 0: none
 };
 
 /// What is to be written into one file.

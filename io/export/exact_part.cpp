@@ -142,7 +142,8 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
         throw std::runtime_error("\"" + part.part.name +
                                  "\" is an open mesh, which CAD files cannot hold; hide it, or " + "export as a mesh.");
     if (shape.IsNull()) {
-        makeFaceted(part, mesh, "it came as a mesh, which has no smooth faces.", ready);
+        makeFaceted(part, mesh, part.reason.empty() ? "it came as a mesh, which has no smooth faces." : part.reason,
+                    ready);
         return ready;
     }
     const bool isMoved = dynamic_cast<const InPlace*>(ready.map.get()) == nullptr;

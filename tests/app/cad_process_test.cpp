@@ -113,6 +113,61 @@ class CadProcessTest : public QObject {
     }
 
 private slots:
+    void exportIsWrittenWholeOrNotAtAll()
+    {
+        QTemporaryDir folder;
+        const std::string path = folder.filePath("räumlich 'out'.step").toStdString();
+        setCadProgram(program);
+        ExportJob job;
+        const Model model = importFile(example("bracket.step"));
+        job.tree = model.tree;
+        for (const Part& part : model.parts)
+            job.parts.push_back({.part = part});
+        const ExportReport report = exportInChild(path, job, TaskControl::none());
+        QVERIFY(report.isSound());
+        QCOMPARE(report.bytes, std::filesystem::file_size(path));
+        const auto content = [&] {
+            QFile file(QString::fromStdString(path));
+            file.open(QIODevice::ReadOnly);
+            return file.readAll();
+        };
+        const QByteArray before = content();
+        const auto stays = [&](const std::function<void()>& attempt, const char* words) {
+            std::string sentence;
+            try {
+                attempt();
+            } catch (const std::exception& error) {
+                sentence = error.what();
+            }
+            const QStringList names = QDir(folder.path()).entryList(QDir::Files | QDir::Hidden);
+            return mentions(sentence, words) && content() == before && names.size() == 1;
+        };
+        CancelAt cancel("writing faces");
+        QVERIFY(stays([&] { exportInChild(path, job, cancel); }, "cancelled"));
+        QVERIFY(stays(
+            [&] {
+                const FullDisk full(20'000);
+                exportInChild(path, job, TaskControl::none());
+            },
+            "no more"));
+        QVERIFY(
+            stays([&] { exportInChild(folder.filePath("no/such/out.step").toStdString(), job, TaskControl::none()); },
+                  "cannot be written"));
+        QVERIFY(stays([&] { exportInChild(folder.filePath("out.xyz").toStdString(), job, TaskControl::none()); },
+                      "smooth faces go into"));
+        // Ended from outside in the middle.
+        class KillChild final : public TaskControl {
+        public:
+            void report(double, std::string_view stage) override
+            {
+                if (stage == "writing faces" || stage == "bending the surface")
+                    std::system(("pkill -KILL -P " + std::to_string(getpid())).c_str());
+            }
+            bool isCancelled() const override { return false; }
+        } kill;
+        QVERIFY(stays([&] { exportInChild(path, job, kill); }, "the writer crashed"));
+    }
+
     void initTestCase() { setCadProgram(program); }
 
     void theModelIsThatOfTheReader()

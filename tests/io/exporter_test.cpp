@@ -1,24 +1,35 @@
 #include "core/aggregate/fill.h"
+#include "core/skin/torn_parts.h"
 #include "io/export/exporter.h"
+#include "io/export/job_file.h"
 #include "io/importer.h"
 #include "support/space_maps.h"
 
 #include <QtTest>
 
+#include <cmath>
 #include <numbers>
+#include <numeric>
 
 using namespace knead;
 
 namespace {
 
-/// All closed parts of a model, each point of their material where a map takes it.
+Model example(const char* name)
+{
+    return importFile(std::string(KNEAD_RESOURCES) + "/examples/" + name);
+}
+
+/// All closed parts of a model, their objects where a map takes them.
 ExportJob jobOf(const Model& model, const SmoothMap* map, double cells = 24)
 {
     ExportJob job;
     job.tree = model.tree;
+    job.options.unit = "mm";
     for (const Part& part : model.parts) {
-        PartToExport out{.part = part, .density = 1000};
-        if (map != nullptr && part.canBeFilled()) {
+        PartToExport out{.part = part};
+        out.density = 1000;
+        if (map != nullptr) {
             out.aggregate = std::make_shared<const Aggregate>(
                 fill(part.mesh, {.spacing = spacingForCellsAcross(part.mesh, cells)}));
             for (ObjectIndex i = 0; i < out.aggregate->size(); ++i) {
@@ -31,35 +42,328 @@ ExportJob jobOf(const Model& model, const SmoothMap* map, double cells = 24)
     return job;
 }
 
+Box boxOf(const Model& model)
+{
+    Box box;
+    for (const Part& part : model.parts)
+        box.extend(part.box);
+    return box;
+}
+
+Model readBack(const ExportedFile& file, const char* ending)
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QString("out.") + ending);
+    QFile out(path);
+    out.open(QIODevice::WriteOnly);
+    out.write(file.bytes.data(), static_cast<qint64>(file.bytes.size()));
+    out.close();
+    return importFile(path.toStdString(), {.heal = false});
+}
+
+/// Breaks all connections between objects on the two sides of a plane.
+std::shared_ptr<const std::vector<ConnectionId>> brokenAcross(const Aggregate& aggregate,
+                                                              const std::function<double(const Vec3&)>& side)
+{
+    auto broken = std::make_shared<std::vector<ConnectionId>>();
+    const Lattice& lattice = aggregate.lattice;
+    for (std::uint32_t d = 0; d < Lattice::isotropicCount; ++d)
+        for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
+            if (aggregate.weight[d][i] <= 0)
+                continue;
+            const Vec3 here = lattice.position(i);
+            if (side(here) != side(here + lattice.direction(static_cast<int>(d))))
+                broken->push_back({d, i});
+        }
+    return broken;
+}
+
 } // namespace
 
 class ExporterTest : public QObject {
     Q_OBJECT
 private slots:
-    void probe()
-    {
-        const QString file = qEnvironmentVariable("PROBE");
-        if (file.isEmpty())
-            QSKIP("none");
-        QElapsedTimer clock;
-        clock.start();
-        const Model model = importFile(file.toStdString(), {});
-        std::printf("import %lld ms\n", clock.restart());
-        Box box;
-        for (const Part& part : model.parts)
-            box.extend(part.box);
-        const maps::Bend map(box, std::numbers::pi / 2);
-        const ExportJob job = jobOf(model, qEnvironmentVariableIsSet("STILL") ? nullptr : &map);
-        std::printf("fill %lld ms, %zu objects\n", clock.restart(), job.parts[0].displacements.size());
-        const ExportedFile out = exportCad(FormatKind::Step, job, TaskControl::none());
-        std::printf("export %lld ms\n", clock.restart());
-        for (const std::string& line : linesOf(out.report))
-            std::printf("%s\n", line.c_str());
-        QFile result("/tmp/probe.step");
-        QVERIFY(result.open(QIODevice::WriteOnly));
-        result.write(out.bytes.data(), static_cast<qint64>(out.bytes.size()));
-    }
+    void untouchedPartsStayWhatTheyWere_data();
+    void untouchedPartsStayWhatTheyWere();
+    void bentPartsAreSmoothAndSound();
+    void facesThatStayAreKeptExactly();
+    void namesColorsAndLayersOfAnyScriptSurvive();
+    void unitsOfChoice();
+    void smoothEdgesStaySmooth();
+    void meshesBecomeSolidsOfFlatFaces();
+    void foldedMaterialFallsBack();
+    void tornPartsComeAsClosedPieces();
+    void jobsAndReportsSurviveTheirWay();
+    void nothingToExportIsRefused();
 };
+
+void ExporterTest::untouchedPartsStayWhatTheyWere_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<QString>("ending");
+    QTest::newRow("STEP") << static_cast<int>(FormatKind::Step) << "step";
+    QTest::newRow("IGES") << static_cast<int>(FormatKind::Iges) << "iges";
+    QTest::newRow("BREP") << static_cast<int>(FormatKind::Brep) << "brep";
+}
+
+void ExporterTest::untouchedPartsStayWhatTheyWere()
+{
+    QFETCH(int, kind);
+    QFETCH(QString, ending);
+    const Model model = example("bracket.step");
+    const ExportedFile file = exportCad(static_cast<FormatKind>(kind), jobOf(model, nullptr), TaskControl::none());
+    QVERIFY(file.report.isSound());
+    QCOMPARE(file.report.parts.size(), model.parts.size());
+    for (std::size_t i = 0; i < model.parts.size(); ++i) {
+        const PartExportReport& part = file.report.parts[i];
+        QCOMPARE(part.facesAfter, static_cast<int>(model.parts[i].faces.size()));
+        QCOMPARE(part.keptFaces, part.facesAfter);
+        QCOMPARE(part.edgesAfter, model.parts[i].edges);
+        QVERIFY(std::abs(part.volume - model.parts[i].volume) < 1e-6 * model.parts[i].volume);
+        QVERIFY(part.samples > 100);
+        QVERIFY(part.largestDeviation < 1e-9);
+    }
+    const Model back = readBack(file, qPrintable(ending));
+    QCOMPARE(back.parts.size(), model.parts.size());
+    QVERIFY((boxOf(back).min() - boxOf(model).min()).norm() < 1e-6);
+}
+
+void ExporterTest::bentPartsAreSmoothAndSound()
+{
+    for (const char* name : {"bar.step", "bracket.step", "handle.step"}) {
+        const Model model = example(name);
+        const maps::Bend bend(boxOf(model), 0.5 * std::numbers::pi);
+        const ExportedFile file = exportCad(FormatKind::Step, jobOf(model, &bend), TaskControl::none());
+        for (const std::string& line : linesOf(file.report))
+            qInfo("%s", line.c_str());
+        QVERIFY(file.report.isSound());
+        for (const PartExportReport& part : file.report.parts) {
+            QCOMPARE(part.form, PartExportReport::Form::exact);
+            QCOMPARE(part.facesAfter, part.facesBefore);
+            QVERIFY(part.nameKept && part.colorsKept);
+            QVERIFY(part.largestDeviation > 0 && part.largestDeviation <= part.tolerance);
+        }
+        const std::size_t faces = std::accumulate(file.report.parts.begin(), file.report.parts.end(), std::size_t{0},
+                                                  [](std::size_t sum, const PartExportReport& part) {
+                                                      return sum + static_cast<std::size_t>(part.facesAfter);
+                                                  });
+        QVERIFY2(file.bytes.size() <= 20'000 * faces, qPrintable(QString::number(file.bytes.size() / faces)));
+    }
+}
+
+/// A dent at one end of the bar does not reach the other.
+void ExporterTest::facesThatStayAreKeptExactly()
+{
+    const Model model = example("bar.step");
+    const Box box = boxOf(model);
+    const maps::Dent dent(box.max(), -0.1 * box.sizes().cwiseMin(Vec3::Constant(0.02)), 0.05 * box.diagonal().norm());
+    ExportJob job = jobOf(model, &dent);
+    for (Vec3& displacement : job.parts.front().displacements)
+        if (displacement.norm() < 1e-7)
+            displacement.setZero();
+    const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
+    QVERIFY(file.report.isSound());
+    const PartExportReport& part = file.report.parts.front();
+    QVERIFY2(part.keptFaces >= 1 && part.keptFaces < part.facesAfter, qPrintable(QString::number(part.keptFaces)));
+}
+
+void ExporterTest::namesColorsAndLayersOfAnyScriptSurvive()
+{
+    Model model = example("bracket.step");
+    model.parts[0].name = "Würfel 立方体 'a' \"b\"";
+    model.parts[1].name = "μέρος, часть & <c>";
+    model.parts[0].color = Color{0.1F, 0.6F, 0.3F};
+    model.parts[0].faces[3].color = Color{0.9F, 0.2F, 0.1F};
+    model.parts[1].layer = "слой 2";
+    model.tree = {"root",
+                  std::nullopt,
+                  {{"Сборка 組立", std::nullopt, {{model.parts[0].name, 0, {}}, {model.parts[1].name, 1, {}}}}}};
+    const ExportedFile file = exportCad(FormatKind::Step, jobOf(model, nullptr), TaskControl::none());
+    for (const PartExportReport& part : file.report.parts)
+        QVERIFY2(part.nameKept && part.colorsKept, part.name.c_str());
+    const Model back = readBack(file, "step");
+    QCOMPARE(back.parts.size(), std::size_t{2});
+    QCOMPARE(back.parts[0].name, model.parts[0].name);
+    QCOMPARE(back.parts[1].name, model.parts[1].name);
+    QCOMPARE(back.parts[1].layer, model.parts[1].layer);
+    QCOMPARE(back.tree.children.front().name, std::string("Сборка 組立"));
+    QVERIFY(back.parts[0].faces[3].color.has_value());
+    QVERIFY(std::abs(back.parts[0].faces[3].color->r - 0.9F) < 0.01F);
+}
+
+void ExporterTest::unitsOfChoice()
+{
+    const Model model = example("bar.step");
+    for (const char* unit : {"mm", "cm", "m", "inch", "ft"}) {
+        ExportJob job = jobOf(model, nullptr);
+        job.options.unit = unit;
+        job.options.useAp214 = true;
+        const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
+        QCOMPARE(file.report.unit, std::string(unit));
+        QCOMPARE(file.report.format, std::string("STEP AP214"));
+        const Model back = readBack(file, "step");
+        QVERIFY(std::abs(back.parts.front().volume - model.parts.front().volume) < 1e-6 * model.parts.front().volume);
+    }
+    ExportJob job = jobOf(model, nullptr);
+    job.options.unit = "furlong";
+    QVERIFY_EXCEPTION_THROWN(exportCad(FormatKind::Step, job, TaskControl::none()), std::runtime_error);
+}
+
+/// The normals of triangles that share a vertex on an edge between two faces that met smoothly.
+void ExporterTest::smoothEdgesStaySmooth()
+{
+    const Model model = example("handle.step"); // a lathed grip: its faces meet smoothly
+    const maps::Bend bend(boxOf(model), 0.3);
+    const ExportedFile file = exportCad(FormatKind::Step, jobOf(model, &bend), TaskControl::none());
+    const Model back = readBack(file, "step");
+    const auto sharpest = [](const Model& of) { // angle between faces along their common triangles' edges
+        double most = 0;
+        const TriangleMesh& mesh = of.parts.front().mesh;
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> owner;
+        const auto normal = [&](std::size_t t) {
+            const auto& c = mesh.triangles[t];
+            return (mesh.vertices[c[1]] - mesh.vertices[c[0]])
+                .cross(mesh.vertices[c[2]] - mesh.vertices[c[0]])
+                .normalized();
+        };
+        std::vector<double> angles;
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            for (std::size_t i = 0; i < 3; ++i) {
+                const std::uint32_t a = mesh.triangles[t][i];
+                const std::uint32_t b = mesh.triangles[t][(i + 1) % 3];
+                const auto other = owner.find({b, a});
+                if (other != owner.end() && mesh.faceOfTriangle[t] != mesh.faceOfTriangle[other->second])
+                    angles.push_back(std::acos(std::clamp(normal(t).dot(normal(other->second)), -1.0, 1.0)));
+                owner[{a, b}] = t;
+            }
+        std::sort(angles.begin(), angles.end());
+        for (const double angle : angles)
+            if (angle < 0.3) // those that are smooth, up to the triangles
+                most = std::max(most, angle);
+        return std::pair(most, angles.size());
+    };
+    const auto [before, beforeCount] = sharpest(model);
+    const auto [after, afterCount] = sharpest(back);
+    QVERIFY(beforeCount > 10 && afterCount > 10);
+    QVERIFY2(after < before + 0.5 / 180 * std::numbers::pi, qPrintable(QString("%1 %2").arg(before).arg(after)));
+}
+
+void ExporterTest::meshesBecomeSolidsOfFlatFaces()
+{
+    Model model = example("bar.step");
+    const std::size_t triangles = model.parts.front().mesh.triangles.size();
+    model.parts.front().exact.reset();
+    const ExportedFile file = exportCad(FormatKind::Step, jobOf(model, nullptr), TaskControl::none());
+    QVERIFY(file.report.isSound());
+    const PartExportReport& part = file.report.parts.front();
+    QCOMPARE(part.form, PartExportReport::Form::faceted);
+    QVERIFY(!part.reason.empty());
+    QCOMPARE(part.facesAfter, static_cast<int>(triangles));
+    QVERIFY(part.closed && part.valid);
+}
+
+/// Turned inside out in its middle.
+class FoldMap final : public maps::PointMap {
+public:
+    explicit FoldMap(const Box& box)
+        : m_box(box)
+    {
+    }
+    double featureSize() const override { return 0.1 * m_box.sizes().maxCoeff(); }
+
+protected:
+    Vec3 place(const Vec3& point) const override
+    {
+        Eigen::Index along = 0;
+        const double length = m_box.sizes().maxCoeff(&along);
+        const double t = (point[along] - m_box.center()[along]) / length;
+        Vec3 moved = point;
+        moved[along] -= 2 * length * t * std::exp(-40 * t * t);
+        return moved;
+    }
+
+private:
+    Box m_box;
+};
+
+void ExporterTest::foldedMaterialFallsBack()
+{
+    const Model model = example("bar.step");
+    const FoldMap fold(boxOf(model));
+    const ExportedFile file = exportCad(FormatKind::Step, jobOf(model, &fold, 40), TaskControl::none());
+    const PartExportReport& part = file.report.parts.front();
+    QCOMPARE(part.form, PartExportReport::Form::faceted);
+    QVERIFY2(part.reason.find("folded") != std::string::npos, part.reason.c_str());
+}
+
+void ExporterTest::tornPartsComeAsClosedPieces()
+{
+    const Model model = example("bar.step");
+    const maps::Identity still;
+    const Box box = boxOf(model);
+    Eigen::Index along = 0;
+    const double length = box.sizes().maxCoeff(&along);
+    const auto shattered = [&](const Vec3& at) { // in five pieces
+        return std::floor(5 * (at[along] - box.min()[along]) / length + 0.3 * std::sin(300 * at[(along + 1) % 3]));
+    };
+    const auto severed = [&](const Vec3& at) { return at[along] < box.center()[along] + 0.001 ? 0.0 : 1.0; };
+    struct Case {
+        std::function<double(const Vec3&)> side;
+        std::size_t pieces;
+    };
+    for (const Case& one : {Case{severed, 2}, Case{shattered, 5}}) {
+        ExportJob job = jobOf(model, &still);
+        PartToExport& whole = job.parts.front();
+        whole.broken = brokenAcross(*whole.aggregate, one.side);
+        for (ObjectIndex i = 0; i < whole.displacements.size(); ++i) // apart from each other
+            whole.displacements[i] = 0.01 * one.side(whole.aggregate->lattice.position(i)) * Vec3::Unit(along);
+        job = withPieces(std::move(job), 6000, TaskControl::none());
+        QVERIFY2(job.parts.size() >= one.pieces, qPrintable(QString::number(job.parts.size())));
+        const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
+        QVERIFY(file.report.isSound());
+        double volume = 0;
+        for (const PartExportReport& part : file.report.parts) {
+            QVERIFY(part.closed && part.valid && part.freeEdges == 0);
+            volume += part.volume;
+        }
+        QVERIFY2(std::abs(volume / model.parts.front().volume - 1) < 0.01, qPrintable(QString::number(volume)));
+    }
+}
+
+void ExporterTest::jobsAndReportsSurviveTheirWay()
+{
+    const Model model = example("bracket.step");
+    const maps::Bend bend(boxOf(model), 0.4);
+    ExportJob job = jobOf(model, &bend);
+    job.options = {.unit = "inch", .tolerance = 1e-5, .useAp214 = true, .isText = true, .onlyVisible = true};
+    job.parts[0].reason = "because";
+    const ExportJob arrived = jobFromBytes(jobToBytes(job));
+    QCOMPARE(arrived.options.unit, job.options.unit);
+    QCOMPARE(arrived.options.tolerance, job.options.tolerance);
+    QVERIFY(arrived.options.useAp214);
+    QCOMPARE(arrived.parts.size(), job.parts.size());
+    QCOMPARE(arrived.parts[0].reason, job.parts[0].reason);
+    QCOMPARE(arrived.parts[1].density, job.parts[1].density);
+    QVERIFY(arrived.parts[0].displacements == job.parts[0].displacements);
+    QVERIFY(arrived.parts[0].aggregate->lattice.nodes == job.parts[0].aggregate->lattice.nodes);
+    QCOMPARE(arrived.parts[0].part.name, job.parts[0].part.name);
+    QCOMPARE(*arrived.parts[1].part.exact->bytes, *job.parts[1].part.exact->bytes);
+    const std::string bytes = jobToBytes(job);
+    for (std::size_t length = 0; length < bytes.size(); length += bytes.size() / 50)
+        QVERIFY_EXCEPTION_THROWN(jobFromBytes(std::string_view(bytes).substr(0, length)), std::runtime_error);
+
+    ExportReport report = exportCad(FormatKind::Step, arrived, TaskControl::none()).report;
+    report.file = "/home/ann/out.step";
+    report.warnings = {"one"};
+    const ExportReport back = reportFromJson(reportToJson(report));
+    QCOMPARE(reportToJson(back), reportToJson(report));
+    QCOMPARE(linesOf(back), linesOf(report));
+}
+
+void ExporterTest::nothingToExportIsRefused()
+{
+    QVERIFY_EXCEPTION_THROWN(exportCad(FormatKind::Step, {}, TaskControl::none()), std::runtime_error);
+}
 
 QTEST_GUILESS_MAIN(ExporterTest)
 #include "exporter_test.moc"

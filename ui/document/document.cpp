@@ -271,6 +271,7 @@ ExportJob Document::exportJob(const std::vector<bool>& keep) const
             if (m_content.bodies[b]->part == p) {
                 part.aggregate = m_content.bodies[b]->aggregate;
                 part.displacements = snapshot.bodies[b].displacements();
+                part.broken = snapshot.bodies[b].broken;
                 part.density = snapshot.materials[b].density;
             }
     }

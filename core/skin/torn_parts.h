@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/model/export_job.h"
+#include "core/task/task_control.h"
+
+namespace knead {
+
+/// A job in which each part whose body has come apart is replaced by its pieces: closed surfaces at their present places, each
+/// a part of its own in an assembly with the name of the whole. Parts that hang together stay as they are.
+/// @param mostTriangles of a part before it is cut; the surface is refined so far that it can bend
+/// @throws Cancelled
+ExportJob withPieces(ExportJob job, std::size_t mostTriangles, TaskControl& control);
+
+} // namespace knead
