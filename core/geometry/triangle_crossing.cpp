@@ -21,7 +21,7 @@ Corners cornersOf(const SurfaceTriangle& t)
 /// The corner of the neighbor beyond the edge from corner `edge` to the next.
 std::optional<Vec3> cornerBeyond(const SurfaceTriangle& t, std::size_t edge)
 {
-    const std::uint32_t twin = t.halfEdges.twin[3 * t.triangle + edge];
+    const std::uint32_t twin = t.halfEdges.twin[std::size_t{3} * t.triangle + edge];
     if (twin == HalfEdges::none)
         return std::nullopt;
     return t.mesh.vertices[t.mesh.triangles[twin / 3][(twin + 2) % 3]];

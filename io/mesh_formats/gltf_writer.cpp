@@ -138,7 +138,7 @@ private:
         for (const ColorGroups::Group& group : vertices.groups()) {
             vertices.choose(group);
             const std::size_t positions = addPositions(vertices);
-            const std::size_t indices = addView(4 * 3 * (group.end - group.begin), 34963);
+            const std::size_t indices = addView(12 * (group.end - group.begin), 34963);
             m_root["accessors"][indices].update(
                 {{"componentType", 5125}, {"count", 3 * (group.end - group.begin)}, {"type", "SCALAR"}});
             primitives.push_back({{"attributes", {{"POSITION", positions}}},
