@@ -48,6 +48,7 @@ public:
         , m_colors(groupByColor(body))
         , m_places(body.mesh.vertices.size(), none)
     {
+        m_used.reserve(body.mesh.vertices.size());
     }
 
     const std::vector<ColorGroups::Group>& groups() const { return m_colors.groups; }

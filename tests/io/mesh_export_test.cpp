@@ -153,6 +153,8 @@ class MeshExportTest : public QObject {
 private slots:
     void namesInAnyScriptComeBack_data();
     void namesInAnyScriptComeBack();
+    void bodiesOfOneNameStayApart_data();
+    void bodiesOfOneNameStayApart();
     void colorsOfFacesComeBack_data();
     void colorsOfFacesComeBack();
     void plyHasColorsOfFaces();
@@ -219,6 +221,26 @@ void MeshExportTest::namesInAnyScriptComeBack()
         QCOMPARE(model.parts[i].name, expected);
         QVERIFY(std::abs(model.parts[i].box.center().x() - 0.02 * static_cast<double>(i)) < 1e-6);
     }
+}
+
+void MeshExportTest::bodiesOfOneNameStayApart_data()
+{
+    addEndings({"glb", "gltf", "3mf"});
+}
+
+void MeshExportTest::bodiesOfOneNameStayApart()
+{
+    QFETCH(QString, ending);
+    const std::string file = path("nuts." + ending.toStdString());
+    const TriangleMesh box = shapes::box(Vec3(0.01, 0.01, 0.01));
+    writeMeshes(file, {{"nut", red, box}, {"nut", blue, shapes::moved(box, {Vec3(0.05, 0, 0)})}, {"", green, torus()}});
+    const Model model = importFile(file);
+    QCOMPARE(model.parts.size(), std::size_t(3));
+    QCOMPARE(model.parts[0].name, std::string("nut"));
+    QCOMPARE(model.parts[1].name, std::string("nut"));
+    QCOMPARE(model.parts[2].name, std::string("part"));
+    QVERIFY(isNear(model.parts[0].color.value(), red) && isNear(model.parts[1].color.value(), blue));
+    QVERIFY(std::abs(model.parts[1].box.center().x() - 0.05) < 1e-6);
 }
 
 void MeshExportTest::colorsOfFacesComeBack_data()
