@@ -1,11 +1,40 @@
 #pragma once
 
+#include "io/byte_sink.h"
+
 #include <string>
 #include <string_view>
 
 namespace knead {
 
-/// Writes a file whole or not at all: under a temporary name in the same folder, flushed to the disk, then renamed.
+/// A file that appears whole or not at all: written piece by piece under a temporary name in the same folder, and renamed by
+/// keep(). Until then, and when it is not kept, what lay at the path stays as it was and nothing else is left behind.
+/// All functions throw std::runtime_error, in a sentence that names the file and why the disk refused.
+class SafeFile final : public ByteSink {
+public:
+    explicit SafeFile(const std::string& path);
+    ~SafeFile() override;
+    SafeFile(const SafeFile&) = delete;
+    SafeFile& operator=(const SafeFile&) = delete;
+
+    void write(std::string_view bytes) override;
+
+    /// Makes sure that the disk has all of it: what can fail for want of room has not failed after this. For files that
+    /// belong together: all are finished before the first is kept.
+    void finish();
+
+    /// Finishes the file and puts it in its place.
+    void keep();
+
+private:
+    [[noreturn]] void fail() const;
+
+    std::string m_target;
+    std::string m_path; ///< for now; empty when kept
+    int m_descriptor;   ///< negative when finished
+};
+
+/// Writes a file whole or not at all, as SafeFile does.
 /// @throws std::runtime_error, in a sentence that names the file and why the disk refused; nothing is left behind.
 void writeFileSafely(const std::string& path, std::string_view bytes);
 

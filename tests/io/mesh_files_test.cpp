@@ -57,21 +57,31 @@ private:
 void MeshFilesTest::everyFormatComesBackTheSame_data()
 {
     QTest::addColumn<QString>("ending");
-    for (const FileFormat& format : exportFormats())
-        QTest::newRow(format.name.c_str()) << QString::fromStdString(format.endings.front());
+    QTest::addColumn<bool>("isText");
+    QTest::addColumn<QString>("unit"); // that the file states
+    QTest::newRow("STL") << "stl" << false << "";
+    QTest::newRow("STL as text") << "stl" << true << "";
+    QTest::newRow("OBJ") << "obj" << false << "";
+    QTest::newRow("PLY") << "ply" << false << "";
+    QTest::newRow("PLY as text") << "ply" << true << "";
+    QTest::newRow("glTF") << "gltf" << false << "m";
+    QTest::newRow("GLB") << "glb" << false << "m";
+    QTest::newRow("3MF") << "3mf" << false << "mm";
 }
 
 void MeshFilesTest::everyFormatComesBackTheSame()
 {
     QFETCH(QString, ending);
+    QFETCH(bool, isText);
+    QFETCH(QString, unit);
     const std::string file = path("ring." + ending.toStdString());
     const TriangleMesh written = torus();
-    writeMeshes(file, {{"ring", red, written}});
+    writeMeshes(file, {{"ring", red, written}}, {.isText = isText});
 
     const Model model = importFile(file);
     QCOMPARE(model.parts.size(), std::size_t(1));
-    QCOMPARE(model.unit, std::string());
-    QVERIFY(!model.warnings.empty()); // no unit in the file
+    QCOMPARE(model.unit, unit.toStdString());
+    QCOMPARE(model.warnings.empty(), !unit.isEmpty()); // it says when the file states none
     const Part& part = model.parts.front();
     QVERIFY(part.watertight && part.valid && part.canBeFilled());
     QCOMPARE(part.mesh.vertices.size(), written.vertices.size());

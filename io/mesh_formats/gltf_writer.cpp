@@ -1,0 +1,236 @@
+#include "io/cad_format.h"
+#include "io/mesh_formats/base64_sink.h"
+#include "io/mesh_formats/color_groups.h"
+#include "io/mesh_formats/mesh_formats.h"
+#include "io/mesh_formats/number_stream.h"
+#include "io/safe_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace knead {
+
+namespace {
+
+using nlohmann::json;
+using Place = Eigen::Vector3f;
+
+/// In glTF y is up (glTF 2.0, section 3.4), in CAD z is.
+Place upright(const Vec3& v)
+{
+    return {static_cast<float>(v.x()), static_cast<float>(v.z()), static_cast<float>(-v.y())};
+}
+
+/// The colors of a glTF are linear (glTF 2.0, section 3.9.2), ours are sRGB (IEC 61966-2-1).
+float toLinear(float x)
+{
+    return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
+}
+
+json materialOf(const Color& color)
+{
+    return {{"name", materialName(color)},
+            {"pbrMetallicRoughness",
+             {{"baseColorFactor", {toLinear(color.r), toLinear(color.g), toLinear(color.b), 1}},
+              {"metallicFactor", 0},
+              {"roughnessFactor", 0.6}}}};
+}
+
+/// The vertices that one color of a body uses. Primitives that shared those of the whole body would have all of them copied for
+/// each color by most readers.
+class UsedVertices {
+public:
+    explicit UsedVertices(const MeshBody& body)
+        : m_mesh(body.mesh)
+        , m_colors(groupByColor(body))
+        , m_places(body.mesh.vertices.size(), none)
+    {
+        m_used.reserve(body.mesh.vertices.size());
+    }
+
+    const std::vector<ColorGroups::Group>& groups() const { return m_colors.groups; }
+
+    void choose(const ColorGroups::Group& group)
+    {
+        for (const std::uint32_t vertex : m_used)
+            m_places[vertex] = none;
+        m_used.clear();
+        forEachCorner(group, [this](std::uint32_t vertex) {
+            if (m_places[vertex] != none)
+                return;
+            m_places[vertex] = static_cast<std::uint32_t>(m_used.size());
+            m_used.push_back(vertex);
+        });
+    }
+
+    std::size_t size() const { return m_used.size(); }
+
+    /// @param visit gets the vertices of the chosen group, each once
+    template <typename Visit>
+    void forEachVertex(Visit&& visit) const
+    {
+        for (const std::uint32_t vertex : m_used)
+            visit(upright(m_mesh.vertices[vertex]));
+    }
+
+    /// @param visit gets three numbers a triangle, among the vertices of the chosen group
+    template <typename Visit>
+    void forEachIndex(const ColorGroups::Group& group, Visit&& visit) const
+    {
+        forEachCorner(group, [&](std::uint32_t vertex) { visit(m_places[vertex]); });
+    }
+
+private:
+    static constexpr std::uint32_t none = 0xffffffffU;
+
+    template <typename Visit>
+    void forEachCorner(const ColorGroups::Group& group, Visit&& visit) const
+    {
+        for (std::size_t i = group.begin; i < group.end; ++i)
+            for (const std::uint32_t vertex : m_mesh.triangles[m_colors.triangle(i)])
+                visit(vertex);
+    }
+
+    const TriangleMesh& m_mesh;
+    ColorGroups m_colors;
+    std::vector<std::uint32_t> m_places; ///< of vertices among those used
+    std::vector<std::uint32_t> m_used;
+};
+
+/// What a glTF says about its numbers; their bytes follow in the same order.
+class GltfDescription {
+public:
+    explicit GltfDescription(const MeshFile& file)
+        : m_palette(file.bodies)
+    {
+        for (const Color& color : m_palette.colors)
+            m_root["materials"].push_back(materialOf(color));
+        m_root["asset"] = {{"version", "2.0"}, {"generator", "Knead"}};
+        m_root["scene"] = 0;
+        json nodes = json::array();
+        for (std::size_t i = 0; i < file.bodies.size(); ++i) {
+            file.control.throwIfCancelled();
+            addMesh(*file.bodies[i], file.names[i]);
+            m_root["nodes"].push_back({{"name", file.names[i]}, {"mesh", i}});
+            nodes.push_back(i);
+        }
+        m_root["scenes"] = json::array({{{"nodes", nodes}}});
+    }
+
+    std::size_t bytes() const { return m_bytes; }
+
+    /// The text, with a buffer whose bytes lie at `uri`, or beside the text when it is empty. It ends within that.
+    std::string textUntil(const std::string& uri) const
+    {
+        std::string text = m_root.dump();
+        text.pop_back();
+        text += ",\"buffers\":[{\"byteLength\":" + std::to_string(m_bytes);
+        return uri.empty() ? text : text + ",\"uri\":\"" + uri;
+    }
+
+private:
+    void addMesh(const MeshBody& body, const std::string& name)
+    {
+        json primitives = json::array();
+        UsedVertices vertices(body);
+        for (const ColorGroups::Group& group : vertices.groups()) {
+            vertices.choose(group);
+            const std::size_t positions = addPositions(vertices);
+            const std::size_t indices = addView(12 * (group.end - group.begin), 34963);
+            m_root["accessors"][indices].update(
+                {{"componentType", 5125}, {"count", 3 * (group.end - group.begin)}, {"type", "SCALAR"}});
+            primitives.push_back({{"attributes", {{"POSITION", positions}}},
+                                  {"indices", indices},
+                                  {"material", m_palette.placeOf(group.color)}});
+        }
+        m_root["meshes"].push_back({{"name", name}, {"primitives", primitives}});
+    }
+
+    std::size_t addPositions(const UsedVertices& vertices)
+    {
+        Eigen::AlignedBox3f box;
+        vertices.forEachVertex([&](const Place& place) { box.extend(place); });
+        const auto numbers = [](const Place& v) { return json{v.x(), v.y(), v.z()}; };
+        const std::size_t positions = addView(12 * vertices.size(), 34962);
+        m_root["accessors"][positions].update({{"componentType", 5126},
+                                               {"count", vertices.size()},
+                                               {"type", "VEC3"},
+                                               {"min", numbers(box.min())},
+                                               {"max", numbers(box.max())}});
+        return positions;
+    }
+
+    /// A run of bytes with an accessor of the same number. @param target of the graphics card: vertices or indices
+    std::size_t addView(std::size_t bytes, int target)
+    {
+        m_root["bufferViews"].push_back(
+            {{"buffer", 0}, {"byteOffset", m_bytes}, {"byteLength", bytes}, {"target", target}});
+        m_bytes += bytes;
+        const std::size_t number = m_root["bufferViews"].size() - 1;
+        m_root["accessors"].push_back({{"bufferView", number}});
+        return number;
+    }
+
+    Palette m_palette;
+    json m_root;
+    std::size_t m_bytes = 0;
+};
+
+void writeNumbers(const MeshFile& file, NumberStream& stream)
+{
+    for (const MeshBody* body : file.bodies) {
+        UsedVertices vertices(*body);
+        for (const ColorGroups::Group& group : vertices.groups()) {
+            vertices.choose(group);
+            vertices.forEachVertex([&](const Place& place) {
+                for (const float coordinate : place)
+                    stream.addBinary(coordinate);
+            });
+            vertices.forEachIndex(group, [&](std::uint32_t index) { stream.addBinary(index); });
+        }
+    }
+}
+
+} // namespace
+
+void writeGltf(const MeshFile& file)
+{
+    const GltfDescription description(file);
+    SafeFile target(file.path);
+    target.write(description.textUntil("data:application/octet-stream;base64,"));
+    Base64Sink base64(target);
+    NumberStream stream(base64, file.control, static_cast<double>(description.bytes()));
+    writeNumbers(file, stream);
+    stream.flush();
+    base64.finish();
+    target.write("\"}]}");
+    target.keep();
+}
+
+void writeGlb(const MeshFile& file)
+{
+    const GltfDescription description(file);
+    std::string text = description.textUntil("") + "}]}";
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const std::size_t size = 12 + 8 + text.size() + 8 + description.bytes(); // glTF 2.0, section 4.4
+    if (size > std::numeric_limits<std::uint32_t>::max())
+        throw std::runtime_error(
+            shortName(file.path) +
+            ": the surface needs more than the 4 GB that a GLB can hold; export fewer bodies, or .gltf.");
+    SafeFile target(file.path);
+    NumberStream stream(target, file.control, static_cast<double>(size));
+    for (const std::size_t number :
+         {std::size_t{0x46546C67}, std::size_t{2}, size, text.size(), std::size_t{0x4E4F534A}})
+        stream.addBinary(static_cast<std::uint32_t>(number));
+    stream.add(text);
+    for (const std::size_t number : {description.bytes(), std::size_t{0x004E4942}})
+        stream.addBinary(static_cast<std::uint32_t>(number));
+    writeNumbers(file, stream);
+    stream.flush();
+    target.keep();
+}
+
+} // namespace knead
