@@ -43,26 +43,35 @@ PartExportReport reportOn(const PartToExport& part, const TriangleMesh& mesh)
     return report;
 }
 
+/// Whose lengths are metres whatever one wishes.
+bool isGltf(const std::string& path)
+{
+    const std::string ending = lowerCaseEnding(path);
+    return ending == "glb" || ending == "gltf";
+}
+
 ExportReport exportMeshes(const std::string& path, const ExportJob& job, TaskControl& control)
 {
     const auto start = std::chrono::steady_clock::now();
     ExportReport report;
     report.file = path;
     report.format = "triangles";
-    report.unit = "mm";
+    report.unit = isGltf(path) ? "m" : job.options.unit.empty() ? "mm" : job.options.unit;
     std::vector<MeshBody> bodies;
     const auto count = static_cast<double>(job.parts.size());
     for (const PartToExport& part : job.parts) {
         const auto done = static_cast<double>(bodies.size());
         TaskPortion portion(control, surfaceShare * done / count, surfaceShare * (done + 1) / count);
         MeshBody body{part.part.name, part.part.color.value_or(Color{}), part.part.mesh};
+        body.faceColors = faceColorsOf(part.part);
         if (part.aggregate != nullptr)
-            body.mesh = deformedSurface(part.part.mesh, *part.aggregate, part.displacements, portion);
+            body.mesh = deformedSurface(part.part.mesh, *part.aggregate, part.displacements, mostTriangles, portion);
         report.parts.push_back(reportOn(part, body.mesh));
         bodies.push_back(std::move(body));
     }
-    control.report(surfaceShare, "writing triangles");
-    writeMeshes(path, bodies);
+    TaskPortion writing(control, surfaceShare, 1);
+    writing.report(0, "writing triangles");
+    writeMeshes(path, bodies, job.options, writing);
     std::error_code error;
     report.bytes = std::filesystem::file_size(path, error);
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

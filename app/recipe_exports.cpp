@@ -40,7 +40,7 @@ std::vector<MeshBody> deformedBodies(const ExportJob& job, TaskControl& control)
     std::vector<MeshBody> bodies;
     for (const PartToExport& part : job.parts)
         bodies.push_back({part.part.name, part.part.color.value_or(Color{}),
-                          deformedSurface(part.part.mesh, *part.aggregate, part.displacements, control)});
+                          deformedSurface(part.part.mesh, *part.aggregate, part.displacements, 400'000, control)});
     return bodies;
 }
 

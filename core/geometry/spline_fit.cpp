@@ -164,20 +164,47 @@ private:
         for (std::size_t i = 0; i < grid.size(); ++i)
             if (counts[i] = m_wanted.counts(grid[i]); counts[i])
                 asked.push_back(grid[i]);
-        std::vector<Vec3> places(asked.size());
-        m_wanted.target(asked, places);
-        if (asked.size() == grid.size())
+        std::vector<Vec3> found(asked.size());
+        m_wanted.target(asked, found);
+        std::vector<Vec3> places(grid.size(), Vec3::Zero());
+        for (std::size_t i = 0, next = 0; i < grid.size(); ++i)
+            if (counts[i])
+                places[i] = found[next++];
+        joinEnds(places, counts);
+        if (std::find(counts.begin(), counts.end(), false) == counts.end())
             return places;
         std::vector<Vec3> rest(grid.size());
         m_wanted.rest(grid, rest);
         std::vector<Vec3> displacements(grid.size(), Vec3::Zero());
-        for (std::size_t i = 0, next = 0; i < grid.size(); ++i)
+        for (std::size_t i = 0; i < grid.size(); ++i)
             if (counts[i])
-                displacements[i] = places[next++] - rest[i];
+                displacements[i] = places[i] - rest[i];
         completeGrid(linesOf(0), linesOf(1), counts, displacements);
         for (std::size_t i = 0; i < grid.size(); ++i)
-            rest[i] += displacements[i];
-        return rest;
+            places[i] = counts[i] ? places[i] : rest[i] + displacements[i];
+        std::vector<bool> all(grid.size(), true);
+        joinEnds(places, all);
+        return places;
+    }
+
+    /// Where the target is closed, its two ends become the same, bit by bit, and both count where one of them does.
+    void joinEnds(std::vector<Vec3>& places, std::vector<bool>& counts) const
+    {
+        const std::size_t nu = m_bases[0].size();
+        const std::size_t nv = m_bases[1].size();
+        const auto join = [&](std::size_t first, std::size_t last) {
+            if (counts[first])
+                places[last] = places[first];
+            else
+                places[first] = places[last];
+            counts[first] = counts[last] = counts[first] || counts[last];
+        };
+        if (m_wanted.isClosed[0])
+            for (std::size_t j = 0; j < nv; ++j)
+                join(j, (nu - 1) * nv + j);
+        if (m_wanted.isClosed[1])
+            for (std::size_t i = 0; i < nu; ++i)
+                join(i * nv, i * nv + nv - 1);
     }
 
     /// Greville lines in features, which are about the same length in both directions.

@@ -3,6 +3,7 @@
 #include "core/geometry/spline_basis.h"
 #include "core/geometry/vec3.h"
 
+#include <array>
 #include <functional>
 #include <span>
 #include <vector>
@@ -62,6 +63,7 @@ struct SurfaceToFit {
     Vec2 feature = Vec2::Ones();             ///< as `feature` of fitCurve(), along u and v
     std::function<bool(const Vec2&)> counts; ///< whether errors matter at a place
     std::vector<Vec2> checks;                ///< places where they matter most
+    std::array<bool, 2> isClosed{};          ///< along u and v: the target ends where it begins, and so will the spline
 };
 
 /// As fitCurve(), for a surface: interpolation in both directions one after the other. Errors are looked for along lines of

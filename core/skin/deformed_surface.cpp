@@ -8,9 +8,9 @@
 namespace knead {
 
 TriangleMesh deformedSurface(const TriangleMesh& mesh, const Aggregate& aggregate, std::span<const Vec3> displacements,
-                             TaskControl& control)
+                             std::size_t mostTriangles, TaskControl& control)
 {
-    TriangleMesh surface = refine(mesh, aggregate.lattice.spacing);
+    TriangleMesh surface = refine(mesh, aggregate.lattice.spacing, mostTriangles);
     const Skin skin(aggregate, surface.vertices, control);
     std::vector<Vec3> places(surface.vertices.size());
     skin.evaluate(displacements, places);

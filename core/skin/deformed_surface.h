@@ -10,8 +10,9 @@ namespace knead {
 
 /// The surface of a part where its objects have taken it: split until it is fine enough to bend with them.
 /// @param displacements one per object, from rest [m]
+/// @param mostTriangles it is split no finer than into about so many
 /// @throws Cancelled
 TriangleMesh deformedSurface(const TriangleMesh& mesh, const Aggregate& aggregate, std::span<const Vec3> displacements,
-                             TaskControl& control = TaskControl::none());
+                             std::size_t mostTriangles = 400'000, TaskControl& control = TaskControl::none());
 
 } // namespace knead

@@ -6,7 +6,9 @@
 #include "core/skin/skin_map.h"
 #include "io/export/faceted_solid.h"
 #include "io/face_integral.h"
+#include "io/tessellation.h"
 
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <gp_Trsf.hxx>
 
@@ -19,6 +21,11 @@ namespace {
 
 constexpr double defaultTolerance = 1e-4; // of the size of the part
 constexpr std::size_t foldSamples = 3000;
+constexpr std::size_t mostTriangles = 400'000; // of the surface that volumes are compared with
+constexpr double facetDeflection = 1.0 / 400;  // of the size of a part that is written as flat faces
+constexpr double facetAngle = 0.35;            // [rad]
+constexpr std::size_t wantedFacets = 10'000;
+constexpr std::size_t mostFacets = 60'000;
 constexpr double triangleEdges = 100; // across a part whose map has no spacing
 
 /// Leaves everything where it is.
@@ -42,16 +49,33 @@ std::shared_ptr<const SmoothMap> mapOf(const PartToExport& part)
     return std::make_shared<SkinMap>(*part.aggregate, part.displacements);
 }
 
-/// Its triangles at their present places, fine enough to bend with the objects.
-TriangleMesh deformedMesh(const PartToExport& part)
+/// A surface of a part at its present place, fine enough to bend with the objects as far as the number of triangles allows.
+TriangleMesh deformedMesh(const PartToExport& part, const TriangleMesh& rest, std::size_t most)
 {
     if (part.map != nullptr) {
-        TriangleMesh mesh = refine(part.part.mesh, part.part.box.diagonal().norm() / triangleEdges);
+        TriangleMesh mesh = refine(rest, part.part.box.diagonal().norm() / triangleEdges, most);
         part.map->evaluate(std::vector<Vec3>(mesh.vertices), mesh.vertices);
         return mesh;
     }
-    return part.aggregate == nullptr ? part.part.mesh
-                                     : deformedSurface(part.part.mesh, *part.aggregate, part.displacements);
+    return part.aggregate == nullptr ? rest : deformedSurface(rest, *part.aggregate, part.displacements, most);
+}
+
+/// A closed surface of flat faces, as few as describe the part: CAD programs are slow with many.
+/// @param source its exact shape; null for a mesh
+TriangleMesh facetsOf(const PartToExport& part, const TopoDS_Shape& source)
+{
+    TriangleMesh rest = part.part.mesh;
+    if (!source.IsNull()) {
+        TriangleMesh coarse = tessellate(BRepBuilderAPI_Copy(source, false).Shape(),
+                                         {facetDeflection * part.part.box.diagonal().norm(), facetAngle});
+        if (isWatertight(coarse) && coarse.triangles.size() < rest.triangles.size())
+            rest = std::move(coarse);
+    }
+    TriangleMesh facets = deformedMesh(part, rest, wantedFacets);
+    if (facets.triangles.size() > mostFacets)
+        throw std::runtime_error("\"" + part.part.name + "\" would need " + std::to_string(facets.triangles.size()) +
+                                 " flat faces, more than CAD programs can work with; export it as a mesh.");
+    return facets;
 }
 
 /// Whether the map turns the material inside out somewhere near the surface.
@@ -94,8 +118,9 @@ void addFaceColors(const Part& part, CadPartToWrite& out)
         out.faceColors.push_back(face.color);
 }
 
-void makeFaceted(const PartToExport& part, const TriangleMesh& mesh, const std::string& reason, ReadyPart& ready)
+void makeFaceted(const PartToExport& part, const std::string& reason, ReadyPart& ready)
 {
+    const TriangleMesh mesh = facetsOf(part, ready.source);
     ready.out.shape = facetedSolid(mesh);
     ready.source.Nullify();
     ready.report.form = PartExportReport::Form::faceted;
@@ -130,7 +155,7 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
     report.tolerance = options.tolerance > 0 ? options.tolerance : defaultTolerance * part.part.box.diagonal().norm();
 
     control.report(0, "bending the surface");
-    const TriangleMesh mesh = deformedMesh(part);
+    const TriangleMesh mesh = deformedMesh(part, part.part.mesh, mostTriangles);
     // Triangles miss the volume of curved faces, in nearly the same measure before and after.
     const double restOfMesh = massProperties(part.part.mesh).volume;
     report.skinVolume = !part.part.watertight ? 0
@@ -142,17 +167,16 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
         throw std::runtime_error("\"" + part.part.name +
                                  "\" is an open mesh, which CAD files cannot hold; hide it, or " + "export as a mesh.");
     if (shape.IsNull()) {
-        makeFaceted(part, mesh, part.reason.empty() ? "it came as a mesh, which has no smooth faces." : part.reason,
-                    ready);
+        makeFaceted(part, part.reason.empty() ? "it came as a mesh, which has no smooth faces." : part.reason, ready);
         return ready;
     }
     const bool isMoved = dynamic_cast<const InPlace*>(ready.map.get()) == nullptr;
-    if (isMoved && folds(*ready.map, part.part.mesh)) {
-        makeFaceted(part, mesh, "its material is folded over itself somewhere; smooth faces cannot follow that.",
-                    ready);
+    ready.source = inMillimetres(shape, part.part.exact->unit);
+    if (isMoved &&
+        folds(*ready.map, refine(part.part.mesh, part.part.box.diagonal().norm() / triangleEdges, mostTriangles))) {
+        makeFaceted(part, "its material is folded over itself somewhere; smooth faces cannot follow that.", ready);
         return ready;
     }
-    ready.source = inMillimetres(shape, part.part.exact->unit);
     addFaceColors(part.part, ready.out);
     if (!isMoved) {
         ready.out.shape = ready.source;
@@ -162,7 +186,7 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
     TaskPortion morphing(control, 0.2, 1);
     MorphedShape morphed = morphShape(ready.source, *ready.map, {.tolerance = 1e3 * report.tolerance}, morphing);
     if (const std::string reason = whyNot(morphed); !reason.empty()) {
-        makeFaceted(part, mesh, reason, ready);
+        makeFaceted(part, reason, ready);
         return ready;
     }
     report.keptFaces =

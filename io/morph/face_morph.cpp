@@ -165,6 +165,7 @@ private:
             .feature = m_feature,
             .counts = [&](const Vec2& at) { return m_mask.isNear(at); },
             .checks = m_border,
+            .isClosed = {isClosed(0), isClosed(1)},
         };
         const auto fitted = fitSurface(wanted, {.degree = m_options.degree, .tolerance = m_options.faceTolerance()});
         result.kind = MorphedFaceKind::fitted;
@@ -172,6 +173,21 @@ private:
         result.error = fitted.error;
         result.converged = fitted.converged;
         result.poles = static_cast<int>(fitted.spline.poles.size());
+    }
+
+    /// Whether the surface ends along a direction where it begins.
+    bool isClosed(Eigen::Index axis) const
+    {
+        const double size = (m_face.at(m_face.high()) - m_face.at(0.5 * (m_face.low() + m_face.high()))).norm() + 1;
+        for (int i = 0; i <= 8; ++i) {
+            Vec2 begin = m_face.low() + i / 8.0 * (m_face.high() - m_face.low());
+            Vec2 end = begin;
+            begin[axis] = m_face.low()[axis];
+            end[axis] = m_face.high()[axis];
+            if ((m_face.at(begin) - m_face.at(end)).norm() > 1e-7 * size)
+                return false;
+        }
+        return true;
     }
 
     /// @param isExact the surface is what it was, so curves may stay whatever they are
