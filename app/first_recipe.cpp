@@ -120,7 +120,9 @@ std::string firstRecipe(const Model& model, const std::string& part)
         {"fixtures", Json::array({{{"name", "bottom"}, {"box_mm", lowestTenth(box)}}})},
         {"manipulators", Json::array({pressingBlock(model, box)})},
         {"duration_s", endTime},
-        {"exports", Json::array({{{"file", name + "-pressed.stl"}}, {{"file", name + "-pressed.png"}}})},
+        {"exports", Json::array({{{"file", name + "-pressed.step"}},
+                                 {{"file", name + "-pressed.stl"}},
+                                 {{"file", name + "-pressed.png"}}})},
     };
     return recipe.dump(2) + "\n";
 }
