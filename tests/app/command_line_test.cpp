@@ -106,7 +106,7 @@ void CommandLineTest::firstRecipeCanBeRun()
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
     QVERIFY2(json::parse(outcome.out).at("tools")[0].at("peak_force_n").get<double>() > 0,
              "the block reaches the part");
-    QCOMPARE(shop.filesUnder("out"), (QStringList{"bar-pressed.png", "bar-pressed.stl"}));
+    QCOMPARE(shop.filesUnder("out"), (QStringList{"bar-pressed.png", "bar-pressed.step", "bar-pressed.stl"}));
 }
 
 /// The examples run for seconds; here they are read and filled, and a hundredth of a second is simulated.
