@@ -61,6 +61,8 @@ void addLines(const PartExportReport& part, std::vector<std::string>& lines)
                         " places: " + millimetres(part.largestDeviation) + " at most, " +
                         millimetres(part.meanDeviation) + " in the mean, " + millimetres(part.tolerance) + " allowed");
     lines.push_back("  " + volumeLine(part));
+    for (const std::string& remark : part.remarks)
+        lines.push_back("  " + remark);
     if (!part.nameKept)
         lines.emplace_back("  its name was not found again");
     if (!part.colorsKept)

@@ -17,7 +17,8 @@ struct PartExportReport {
 
     std::string name;
     Form form = Form::exact;
-    std::string reason; ///< why it is not exact, a sentence; empty when it is
+    std::string reason;               ///< why it is not exact, a sentence; empty when it is
+    std::vector<std::string> remarks; ///< sentences about what a person should look at
 
     // Before and after.
     int solidsBefore = 0;

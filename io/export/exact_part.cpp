@@ -2,6 +2,7 @@
 
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/refine.h"
+#include "core/geometry/self_intersection.h"
 #include "core/skin/deformed_surface.h"
 #include "core/skin/skin_map.h"
 #include "io/export/faceted_solid.h"
@@ -13,6 +14,8 @@
 #include <gp_Trsf.hxx>
 
 #include <algorithm>
+#include <cstdio>
+#include <optional>
 #include <stdexcept>
 
 namespace knead {
@@ -78,14 +81,32 @@ TriangleMesh facetsOf(const PartToExport& part, const TopoDS_Shape& source)
     return facets;
 }
 
-/// Whether the map turns the material inside out somewhere near the surface.
-bool folds(const SmoothMap& map, const TriangleMesh& mesh)
+/// "(12.3, -4, 0.5) mm"
+std::string placeWords(const Vec3& place)
+{
+    char text[96];
+    std::snprintf(text, sizeof text, "(%.3g, %.3g, %.3g) mm", 1e3 * place.x(), 1e3 * place.y(), 1e3 * place.z());
+    return text;
+}
+
+/// A place near the surface at which the map turns the material inside out, where it is then.
+std::optional<Vec3> foldOf(const SmoothMap& map, const TriangleMesh& mesh)
 {
     const std::size_t stride = std::max<std::size_t>(1, mesh.vertices.size() / foldSamples);
     for (std::size_t i = 0; i < mesh.vertices.size(); i += stride)
         if (map.gradient(mesh.vertices[i]).determinant() <= 0)
-            return true;
-    return false;
+            return map.at(mesh.vertices[i]);
+    return std::nullopt;
+}
+
+/// Where the surface passes through itself although it did not at rest.
+void noteCrossings(const TriangleMesh& rest, const TriangleMesh& mesh, TaskControl& control, PartExportReport& report)
+{
+    const Crossings now = findCrossings(mesh, control);
+    if (now.count == 0 || now.count <= findCrossings(rest, control).count)
+        return;
+    report.remarks.push_back("its surface passes through itself near " + placeWords(now.where.center()) +
+                             "; other programs may refuse that.");
 }
 
 TopoDS_Shape inMillimetres(const TopoDS_Shape& shape, double unit)
@@ -172,10 +193,17 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
     }
     const bool isMoved = dynamic_cast<const InPlace*>(ready.map.get()) == nullptr;
     ready.source = inMillimetres(shape, part.part.exact->unit);
-    if (isMoved &&
-        folds(*ready.map, refine(part.part.mesh, part.part.box.diagonal().norm() / triangleEdges, mostTriangles))) {
-        makeFaceted(part, "its material is folded over itself somewhere; smooth faces cannot follow that.", ready);
-        return ready;
+    if (isMoved) {
+        const TriangleMesh fine =
+            refine(part.part.mesh, part.part.box.diagonal().norm() / triangleEdges, mostTriangles);
+        if (const auto fold = foldOf(*ready.map, fine)) {
+            makeFaceted(part,
+                        "its material is folded over itself near " + placeWords(*fold) +
+                            "; smooth faces cannot follow that.",
+                        ready);
+            return ready;
+        }
+        noteCrossings(part.part.mesh, mesh, control, report);
     }
     addFaceColors(part.part, ready.out);
     if (!isMoved) {

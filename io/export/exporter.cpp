@@ -7,6 +7,7 @@
 #include "io/occt_session.h"
 #include "io/worker/child_process.h"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <stdexcept>
@@ -14,6 +15,8 @@
 namespace knead {
 
 namespace {
+
+constexpr double checkDeflection = 1.0 / 300; // of the size of the smallest part
 
 /// The exact shape of a part; none for a mesh.
 class ShapeStore {
@@ -47,11 +50,17 @@ std::vector<ReadyPart> makeAllReady(const ExportJob& job, TaskControl& control)
     return ready;
 }
 
-Model readBack(FormatKind kind, const std::string& bytes, TaskControl& control)
+/// With triangles for the smallest part, not finer and finer ones until these hold the volume, which is integrated exactly: a
+/// surface that passes through itself has none that they could approach.
+Model readBack(FormatKind kind, const std::string& bytes, const ExportJob& job, TaskControl& control)
 {
+    double smallest = job.parts.front().part.box.diagonal().norm();
+    for (const PartToExport& part : job.parts)
+        smallest = std::min(smallest, part.part.box.diagonal().norm());
     NamelessFile file;
     file.write(bytes);
-    return readCad("/proc/self/fd/" + std::to_string(file.descriptor()), kind, {.heal = false}, control);
+    return readCad("/proc/self/fd/" + std::to_string(file.descriptor()), kind,
+                   {.linearDeflection = checkDeflection * smallest, .heal = false}, control);
 }
 
 } // namespace
@@ -74,7 +83,7 @@ ExportedFile exportCad(FormatKind kind, const ExportJob& job, TaskControl& contr
         file.bytes = writeCad(kind, out, job.tree, job.options, writing);
     }
     TaskPortion reading(control, 0.65, 0.9);
-    const Model back = readBack(kind, file.bytes, reading);
+    const Model back = readBack(kind, file.bytes, job, reading);
     {
         const OcctSession session;
         TaskPortion comparing(control, 0.9, 1);

@@ -156,6 +156,7 @@ Json toJson(const PartExportReport& part)
     return {{"name", part.name},
             {"form", formNames().at(part.form)},
             {"reason", part.reason},
+            {"remarks", part.remarks},
             {"sound", part.isSound()},
             {"solids", {{"before", part.solidsBefore}, {"after", part.solidsAfter}}},
             {"faces", {{"before", part.facesBefore}, {"after", part.facesAfter}, {"kept", part.keptFaces}}},
@@ -184,6 +185,7 @@ PartExportReport partFrom(const Json& json)
         if (json.at("form") == name)
             part.form = form;
     part.reason = json.at("reason").get<std::string>();
+    part.remarks = json.at("remarks").get<std::vector<std::string>>();
     part.solidsBefore = json.at("solids").at("before").get<int>();
     part.solidsAfter = json.at("solids").at("after").get<int>();
     part.facesBefore = json.at("faces").at("before").get<int>();

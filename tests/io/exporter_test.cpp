@@ -92,6 +92,7 @@ private slots:
     void smoothEdgesStaySmooth();
     void meshesBecomeSolidsOfFlatFaces();
     void foldedMaterialFallsBack();
+    void surfacesThatPassThroughThemselvesAreNamed();
     void tornPartsComeAsClosedPieces();
     void jobsAndReportsSurviveTheirWay();
     void nothingToExportIsRefused();
@@ -141,6 +142,7 @@ void ExporterTest::bentPartsAreSmoothAndSound()
             QCOMPARE(part.form, PartExportReport::Form::exact);
             QCOMPARE(part.facesAfter, part.facesBefore);
             QVERIFY(part.nameKept && part.colorsKept);
+            QVERIFY(part.remarks.empty() || name != std::string("bar.step"));
             QVERIFY(part.largestDeviation > 0 && part.largestDeviation <= part.tolerance);
         }
         const std::size_t faces = std::accumulate(file.report.parts.begin(), file.report.parts.end(), std::size_t{0},
@@ -294,6 +296,19 @@ void ExporterTest::foldedMaterialFallsBack()
     const PartExportReport& part = file.report.parts.front();
     QCOMPARE(part.form, PartExportReport::Form::faceted);
     QVERIFY2(part.reason.find("folded") != std::string::npos, part.reason.c_str());
+}
+
+/// The bar's ends are bent past each other, through one another.
+void ExporterTest::surfacesThatPassThroughThemselvesAreNamed()
+{
+    const Model model = example("bar.step");
+    const maps::Bend bend(boxOf(model), 2.3 * std::numbers::pi);
+    const ExportedFile file = exportCad(FormatKind::Step, jobOf(model, &bend, 60), TaskControl::none());
+    const PartExportReport& part = file.report.parts.front();
+    QCOMPARE(part.form, PartExportReport::Form::exact);
+    QCOMPARE(part.remarks.size(), std::size_t{1});
+    QVERIFY2(part.remarks.front().find("passes through itself near (") != std::string::npos,
+             part.remarks.front().c_str());
 }
 
 void ExporterTest::tornPartsComeAsClosedPieces()

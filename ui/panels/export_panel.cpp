@@ -27,6 +27,11 @@ QString changed(int before, int after)
                                                            formatCount(static_cast<std::size_t>(after)));
 }
 
+QString shortLength(double metres)
+{
+    return QStringLiteral("%1 mm").arg(1e3 * metres, 0, 'g', 2);
+}
+
 QString formOf(const PartExportReport& part)
 {
     switch (part.form) {
@@ -64,10 +69,11 @@ QTreeWidgetItem* rowOf(const PartExportReport& part)
     row->setText(3, changed(part.solidsBefore, part.solidsAfter));
     row->setText(4, isMesh ? formatCount(static_cast<std::size_t>(part.facesAfter))
                            : changed(part.facesBefore, part.facesAfter));
-    row->setText(5, part.samples == 0 ? QString()
-                                      : ExportPanel::tr("%1, mean %2")
-                                            .arg(formatQuantity(part.largestDeviation, Quantity::Length),
-                                                 formatQuantity(part.meanDeviation, Quantity::Length)));
+    row->setText(
+        5,
+        part.samples == 0
+            ? QString()
+            : ExportPanel::tr("%1, mean %2").arg(shortLength(part.largestDeviation), shortLength(part.meanDeviation)));
     row->setText(6, QStringLiteral("%1 cm³ (%2 %)")
                         .arg(1e6 * part.volume, 0, 'g', 6)
                         .arg(100 * (part.restVolume > 0 ? part.volume / part.restVolume - 1 : 0), 0, 'f', 2));
@@ -76,14 +82,14 @@ QTreeWidgetItem* rowOf(const PartExportReport& part)
     QStringList remarks;
     if (!part.reason.empty())
         remarks << ExportPanel::tr("Not as smooth faces: %1").arg(text(part.reason));
+    for (const std::string& remark : part.remarks)
+        remarks << text(remark);
     if (!part.nameKept)
         remarks << ExportPanel::tr("Its name was not found again.");
     if (!part.colorsKept)
         remarks << ExportPanel::tr("Not all of its colors were found again.");
-    for (const QString& remark : remarks) {
-        auto* child = new QTreeWidgetItem(row, {remark});
-        child->setFirstColumnSpanned(true);
-    }
+    for (const QString& remark : remarks)
+        row->addChild(new QTreeWidgetItem({remark}));
     return row;
 }
 
@@ -121,7 +127,10 @@ void ExportPanel::show(const std::vector<ExportReport>& reports)
         bytes += report.bytes;
         seconds += report.seconds;
         for (const PartExportReport& part : report.parts) {
-            m_parts->addTopLevelItem(rowOf(part));
+            QTreeWidgetItem* row = rowOf(part);
+            m_parts->addTopLevelItem(row);
+            for (int child = 0; child < row->childCount(); ++child)
+                row->child(child)->setFirstColumnSpanned(true); // the tree must know it by then
             sound += part.isSound() ? 1 : 0;
             ++parts;
         }
