@@ -17,7 +17,7 @@
 using namespace knead;
 
 // Every closed valid solid of the corpus through several maps, written as STEP and read back: the table is printed as it grows.
-// KNEAD_FILES=o2* limits it to some files; parts of more than KNEAD_MOST_FACES faces (300) are left out, since each of them
+// KNEAD_FILES=o2* limits it to some files; parts of more than KNEAD_MOST_FACES faces (60) are left out, since each of them
 // takes minutes.
 
 namespace {
@@ -157,7 +157,7 @@ void MorphCorpusTest::solidsComeThroughMapsAndFiles()
     QFETCH(QString, file);
     if (file.isEmpty())
         QSKIP("The environment variable KNEAD_CORPUS names no corpus folder.");
-    const auto mostFaces = qEnvironmentVariable("KNEAD_MOST_FACES", "300").toULongLong();
+    const auto mostFaces = qEnvironmentVariable("KNEAD_MOST_FACES", "60").toULongLong();
     const Model model = importFile(file.toStdString());
     std::set<std::tuple<std::size_t, long>> seen; // instances of a part are tried once
     for (const Part& part : model.parts)
