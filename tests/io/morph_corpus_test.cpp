@@ -16,9 +16,9 @@
 
 using namespace knead;
 
-// Every closed valid solid of the corpus through several maps, written as STEP and read back: the table is printed as it grows.
-// KNEAD_FILES=o2* limits it to some files; parts of more than KNEAD_MOST_FACES faces (60) are left out, since each of them
-// takes minutes.
+// Closed valid solids of the corpus through several maps, written as STEP and read back: the table is printed as it grows.
+// Without further wishes only files o0* and parts of up to 60 faces are taken, which is a minute; KNEAD_FILES=o* and
+// KNEAD_MOST_FACES=100000 take all, some of which need minutes each.
 
 namespace {
 
@@ -144,7 +144,7 @@ void MorphCorpusTest::solidsComeThroughMapsAndFiles_data()
 {
     QTest::addColumn<QString>("file");
     const QString folder = qEnvironmentVariable("KNEAD_CORPUS");
-    const QString pattern = qEnvironmentVariable("KNEAD_FILES", "o*");
+    const QString pattern = qEnvironmentVariable("KNEAD_FILES", "o0*");
     if (!folder.isEmpty())
         for (const QString& file : QDir(folder + "/open").entryList({pattern}, QDir::Files))
             QTest::newRow(qPrintable(file)) << folder + "/open/" + file;
