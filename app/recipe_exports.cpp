@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t mostTriangles = 400'000; // of a body in a picture
 constexpr Color toolColor{0.42F, 0.64F, 0.56F};
 
 /// The bodies of a recipe as they are in a snapshot.
@@ -39,8 +40,9 @@ std::vector<MeshBody> deformedBodies(const ExportJob& job, TaskControl& control)
 {
     std::vector<MeshBody> bodies;
     for (const PartToExport& part : job.parts)
-        bodies.push_back({part.part.name, part.part.color.value_or(Color{}),
-                          deformedSurface(part.part.mesh, *part.aggregate, part.displacements, 400'000, control)});
+        bodies.push_back(
+            {part.part.name, part.part.color.value_or(Color{}),
+             deformedSurface(part.part.mesh, *part.aggregate, part.displacements, mostTriangles, control)});
     return bodies;
 }
 

@@ -130,8 +130,7 @@ Json toJson(const ExportOptions& options)
     return {{"unit", options.unit},
             {"tolerance", options.tolerance},
             {"ap214", options.useAp214},
-            {"text", options.isText},
-            {"onlyVisible", options.onlyVisible}};
+            {"text", options.isText}};
 }
 
 ExportOptions optionsFrom(const Json& json)
@@ -139,8 +138,7 @@ ExportOptions optionsFrom(const Json& json)
     return {.unit = json.at("unit").get<std::string>(),
             .tolerance = json.at("tolerance").get<double>(),
             .useAp214 = json.at("ap214").get<bool>(),
-            .isText = json.at("text").get<bool>(),
-            .onlyVisible = json.at("onlyVisible").get<bool>()};
+            .isText = json.at("text").get<bool>()};
 }
 
 const std::map<PartExportReport::Form, std::string>& formNames()

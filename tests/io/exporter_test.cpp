@@ -350,7 +350,7 @@ void ExporterTest::jobsAndReportsSurviveTheirWay()
     const Model model = example("bracket.step");
     const maps::Bend bend(boxOf(model), 0.4);
     ExportJob job = jobOf(model, &bend);
-    job.options = {.unit = "inch", .tolerance = 1e-5, .useAp214 = true, .isText = true, .onlyVisible = true};
+    job.options = {.unit = "inch", .tolerance = 1e-5, .useAp214 = true, .isText = true};
     job.parts[0].reason = "because";
     const ExportJob arrived = jobFromBytes(jobToBytes(job));
     QCOMPARE(arrived.options.unit, job.options.unit);

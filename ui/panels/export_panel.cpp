@@ -29,7 +29,8 @@ QString changed(int before, int after)
 
 QString shortLength(double metres)
 {
-    return QStringLiteral("%1 mm").arg(1e3 * metres, 0, 'g', 2);
+    constexpr double rounding = 1e-12; // [m], of places as far off as parts are large
+    return QStringLiteral("%1 mm").arg(metres < rounding ? 0 : 1e3 * metres, 0, 'g', 2);
 }
 
 QString formOf(const PartExportReport& part)
