@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 namespace knead {
 
@@ -60,6 +61,9 @@ void addLines(const PartExportReport& part, std::vector<std::string>& lines)
         lines.push_back("  distance to the skin at " + std::to_string(part.samples) +
                         " places: " + millimetres(part.largestDeviation) + " at most, " +
                         millimetres(part.meanDeviation) + " in the mean, " + millimetres(part.tolerance) + " allowed");
+    if (part.smoothEdges > 0)
+        lines.push_back("  normals across " + std::to_string(part.smoothEdges) + " smooth edges agree within " +
+                        number("%.2g°", part.largestKink * 180 / std::numbers::pi));
     lines.push_back("  " + volumeLine(part));
     for (const std::string& remark : part.remarks)
         lines.push_back("  " + remark);

@@ -6,6 +6,7 @@
 #include "core/skin/deformed_surface.h"
 #include "core/skin/skin_map.h"
 #include "io/export/faceted_solid.h"
+#include "io/export/place_words.h"
 #include "io/face_integral.h"
 #include "io/tessellation.h"
 
@@ -14,7 +15,6 @@
 #include <gp_Trsf.hxx>
 
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 #include <stdexcept>
 
@@ -79,14 +79,6 @@ TriangleMesh facetsOf(const PartToExport& part, const TopoDS_Shape& source)
         throw std::runtime_error("\"" + part.part.name + "\" would need " + std::to_string(facets.triangles.size()) +
                                  " flat faces, more than CAD programs can work with; export it as a mesh.");
     return facets;
-}
-
-/// "(12.3, -4, 0.5) mm"
-std::string placeWords(const Vec3& place)
-{
-    char text[96];
-    std::snprintf(text, sizeof text, "(%.3g, %.3g, %.3g) mm", 1e3 * place.x(), 1e3 * place.y(), 1e3 * place.z());
-    return text;
 }
 
 /// A place near the surface at which the map turns the material inside out, where it is then.

@@ -1,6 +1,8 @@
 #include "io/export/export_check.h"
 
 #include "io/exact_shapes.h"
+#include "io/export/place_words.h"
+#include "io/export/smooth_edges.h"
 #include "io/free_edges.h"
 #include "io/morph/millimetre_map.h"
 #include "io/morph/trimmed_face.h"
@@ -17,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 
 namespace knead {
@@ -25,6 +28,7 @@ namespace {
 
 constexpr int samplesPerSide = 6; // of a face's box of parameters
 constexpr int samplesPerEdge = 4;
+constexpr double visibleKink = 0.5 * std::numbers::pi / 180; // in reflections [rad]
 constexpr double closeColor = 0.01; // per channel
 
 bool isClose(const std::optional<Color>& a, const std::optional<Color>& b)
@@ -143,8 +147,16 @@ void compare(ReadyPart& written, const std::vector<const Part*>& backs, const To
         report.nameKept = report.nameKept && back->name.starts_with(written.out.name);
         report.colorsKept = report.colorsKept && (backs.size() > 1 || keepsColors(written.out, *back));
     }
-    if (!written.source.IsNull() && backs.size() == 1)
-        DeviationMeasure(written, shape).into(report);
+    if (written.source.IsNull() || backs.size() != 1)
+        return;
+    DeviationMeasure(written, shape).into(report);
+    const SmoothEdges edges =
+        compareSmoothEdges(written.source, shape, MillimetreMap(*written.map), 1e3 * report.tolerance);
+    report.smoothEdges = edges.count;
+    report.largestKink = edges.largestAngle;
+    if (edges.largestAngle > visibleKink)
+        report.remarks.push_back("faces that met smoothly now meet at an angle near " + placeWords(1e-3 * edges.where) +
+                                 "; a smaller tolerance may help.");
 }
 
 } // namespace

@@ -171,6 +171,7 @@ Json toJson(const PartExportReport& part)
               {"largest", part.largestDeviation},
               {"mean", part.meanDeviation},
               {"samples", part.samples}}},
+            {"smooth_edges", {{"count", part.smoothEdges}, {"largest_kink_rad", part.largestKink}}},
             {"name_kept", part.nameKept},
             {"colors_kept", part.colorsKept}};
 }
@@ -204,6 +205,8 @@ PartExportReport partFrom(const Json& json)
     part.largestDeviation = json.at("deviation_m").at("largest").get<double>();
     part.meanDeviation = json.at("deviation_m").at("mean").get<double>();
     part.samples = json.at("deviation_m").at("samples").get<std::size_t>();
+    part.smoothEdges = json.at("smooth_edges").at("count").get<std::size_t>();
+    part.largestKink = json.at("smooth_edges").at("largest_kink_rad").get<double>();
     part.nameKept = json.at("name_kept").get<bool>();
     part.colorsKept = json.at("colors_kept").get<bool>();
     return part;

@@ -144,7 +144,9 @@ void ExporterTest::bentPartsAreSmoothAndSound()
             QVERIFY(part.nameKept && part.colorsKept);
             QVERIFY(part.remarks.empty() || name != std::string("bar.step"));
             QVERIFY(part.largestDeviation > 0 && part.largestDeviation <= part.tolerance);
+            QVERIFY(part.largestKink < 0.5 * std::numbers::pi / 180);
         }
+        QVERIFY(name != std::string("handle.step") || file.report.parts.front().smoothEdges > 0);
         const std::size_t faces = std::accumulate(file.report.parts.begin(), file.report.parts.end(), std::size_t{0},
                                                   [](std::size_t sum, const PartExportReport& part) {
                                                       return sum + static_cast<std::size_t>(part.facesAfter);

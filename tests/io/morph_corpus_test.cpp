@@ -30,6 +30,9 @@ struct Row {
     bool isSound = false;
     double volumeError = 0;
     double share = 0; ///< largest deviation by tolerance
+    double kink = 0;  ///< across edges that were smooth [degrees]
+    double seconds = 0;
+    std::size_t bytes = 0;
     std::string reason;
 };
 
@@ -106,6 +109,9 @@ Row tryOne(const PartToExport& part)
         row.isSound = report.isSound();
         row.volumeError = std::abs(report.volumeError());
         row.share = report.largestDeviation / report.tolerance;
+        row.kink = report.largestKink * 180 / std::numbers::pi;
+        row.seconds = file.report.seconds;
+        row.bytes = file.bytes.size();
         row.reason = report.reason;
         if (row.isExact && !row.isSound)
             row.reason = report.valid ? report.closed ? "volume or deviation" : "not closed" : "not valid";
@@ -177,12 +183,14 @@ void MorphCorpusTest::tryAll(const QString& file, const Part& part)
         ++m_counts[name].second;
         if (row.isExact)
             m_volumeErrors.push_back(row.volumeError);
-        std::printf("%-32s %-20.20s %5zu faces  %-8s %-9s deviation %5.2f of allowed, volume %8.1e %s\n",
+        std::printf("%-32s %-20.20s %5zu faces  %-8s %-9s deviation %5.2f of allowed, volume %8.1e, kink %5.2f deg, "
+                    "%6.2f s, %5.1f kB/face %s\n",
                     qPrintable(file), part.name.c_str(), part.faces.size(), name.c_str(),
                     isGood        ? "sound"
                     : row.isExact ? "NOT SOUND"
                                   : "flat",
-                    row.share, row.volumeError, row.reason.c_str());
+                    row.share, row.volumeError, row.kink, row.seconds,
+                    1e-3 * static_cast<double>(row.bytes) / static_cast<double>(part.faces.size()), row.reason.c_str());
         std::fflush(stdout);
     }
 }

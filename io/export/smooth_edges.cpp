@@ -1,0 +1,203 @@
+#include "io/export/smooth_edges.h"
+
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <GeomAPI_ProjectPointOnSurf.hxx>
+#include <Geom_Surface.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <gp_Pnt2d.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace knead {
+
+namespace {
+
+constexpr double smoothAngle = 1e-3; // [rad]: normals closer than this were meant to be the same
+constexpr int samplesPerEdge = 7;
+constexpr double degenerate = 1e-9; // of the product of the lengths of two tangents: they have no normal
+
+/// The angle between two lines, 0 .. pi/2.
+double angleBetween(const Vec3& a, const Vec3& b)
+{
+    return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
+}
+
+std::optional<Vec3> normalAt(const Geom_Surface& surface, const gp_Pnt2d& at)
+{
+    gp_Pnt point;
+    gp_Vec alongU;
+    gp_Vec alongV;
+    surface.D1(at.X(), at.Y(), point, alongU, alongV);
+    const Vec3 normal = toVec3(alongU.XYZ()).cross(toVec3(alongV.XYZ()));
+    const double length = normal.norm();
+    if (!(length > degenerate * alongU.Magnitude() * alongV.Magnitude()) || length == 0)
+        return std::nullopt;
+    return Vec3(normal / length);
+}
+
+/// One side of an edge: a face and the edge's curve in its parameters.
+struct Side {
+    std::size_t face = 0; ///< index into the faces of the shape
+    Handle(Geom2d_Curve) curve;
+    double first = 0;
+    double last = 0;
+
+    gp_Pnt2d at(double share) const { return curve->Value(first + share * (last - first)); }
+};
+
+Side sideOf(const TopoDS_Edge& edge, const TopoDS_Face& face, int index)
+{
+    Side side{.face = static_cast<std::size_t>(index)};
+    side.curve = BRep_Tool::CurveOnSurface(edge, face, side.first, side.last);
+    return side;
+}
+
+class Comparison {
+public:
+    Comparison(const TopoDS_Shape& source, const TopoDS_Shape& moved, const MillimetreMap& map, double tolerance)
+        : m_map(map)
+        , m_tolerance(tolerance)
+    {
+        TopExp::MapShapes(source, TopAbs_FACE, m_sources);
+        TopTools_IndexedMapOfShape faces;
+        TopExp::MapShapes(moved, TopAbs_FACE, faces);
+        m_before = surfacesOf(m_sources);
+        m_after = surfacesOf(faces);
+        TopExp::MapShapesAndUniqueAncestors(source, TopAbs_EDGE, TopAbs_FACE, m_facesOfEdge);
+    }
+
+    SmoothEdges result()
+    {
+        if (m_before.size() == m_after.size())
+            for (int i = 1; i <= m_facesOfEdge.Extent(); ++i)
+                compare(TopoDS::Edge(m_facesOfEdge.FindKey(i).Oriented(TopAbs_FORWARD)), m_facesOfEdge(i));
+        return m_result;
+    }
+
+private:
+    using Surfaces = std::vector<Handle(Geom_Surface)>;
+
+    static Surfaces surfacesOf(const TopTools_IndexedMapOfShape& faces)
+    {
+        Surfaces surfaces;
+        for (const TopoDS_Shape& face : faces)
+            surfaces.push_back(BRep_Tool::Surface(TopoDS::Face(face)));
+        return surfaces;
+    }
+
+    std::vector<Side> sidesOf(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces) const
+    {
+        std::vector<Side> sides;
+        for (const TopoDS_Shape& shape : faces) {
+            const TopoDS_Face face = TopoDS::Face(shape.Oriented(TopAbs_FORWARD));
+            const int index = m_sources.FindIndex(shape) - 1;
+            if (index < 0 || m_before[index].IsNull() || m_after[index].IsNull())
+                return {};
+            sides.push_back(sideOf(edge, face, index));
+            if (BRep_Tool::IsClosed(edge, face))
+                sides.push_back(sideOf(TopoDS::Edge(edge.Reversed()), face, index));
+        }
+        std::erase_if(sides, [](const Side& side) { return side.curve.IsNull(); });
+        return sides;
+    }
+
+    void compare(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces)
+    {
+        if (BRep_Tool::Degenerated(edge))
+            return;
+        const std::vector<Side> sides = sidesOf(edge, faces);
+        if (sides.size() != 2 || !wasSmooth(sides))
+            return;
+        bool counted = false;
+        for (int k = 0; k < samplesPerEdge; ++k) {
+            const double share = (k + 0.5) / samplesPerEdge;
+            const auto a = movedNormal(sides[0], share);
+            const auto b = movedNormal(sides[1], share);
+            if (!a || !b)
+                continue;
+            counted = true;
+            note(angleBetween(*a, *b), sides[0], share);
+        }
+        m_result.count += counted ? 1 : 0;
+    }
+
+    bool wasSmooth(const std::vector<Side>& sides) const
+    {
+        for (int k = 0; k < samplesPerEdge; ++k) {
+            const double share = (k + 0.5) / samplesPerEdge;
+            const auto a = restNormal(sides[0], share);
+            const auto b = restNormal(sides[1], share);
+            if (!a || !b || angleBetween(*a, *b) > smoothAngle)
+                return false;
+        }
+        return true;
+    }
+
+    std::optional<Vec3> restNormal(const Side& side, double share) const
+    {
+        return normalAt(*m_before[side.face], side.at(share));
+    }
+
+    Vec3 placeOf(const Side& side, double share) const
+    {
+        const gp_Pnt2d at = side.at(share);
+        return m_map.at(toVec3(m_before[side.face]->Value(at.X(), at.Y()).XYZ()));
+    }
+
+    /// At the parameters of the source; where the surface has others now, at the nearest place.
+    std::optional<Vec3> movedNormal(const Side& side, double share) const
+    {
+        const Handle(Geom_Surface)& surface = m_after[side.face];
+        const gp_Pnt place = toPoint(placeOf(side, share));
+        const gp_Pnt2d at = side.at(share);
+        if (surface->Value(at.X(), at.Y()).Distance(place) <= 3 * m_tolerance)
+            return normalAt(*surface, at);
+        const GeomAPI_ProjectPointOnSurf projection(place, surface);
+        if (projection.NbPoints() == 0 || projection.LowerDistance() > 3 * m_tolerance)
+            return std::nullopt;
+        double u = 0;
+        double v = 0;
+        projection.LowerDistanceParameters(u, v);
+        return normalAt(*surface, {u, v});
+    }
+
+    void note(double angle, const Side& side, double share)
+    {
+        if (angle <= m_result.largestAngle)
+            return;
+        m_result.largestAngle = angle;
+        m_result.where = placeOf(side, share);
+    }
+
+    const MillimetreMap& m_map;
+    double m_tolerance;
+    TopTools_IndexedMapOfShape m_sources;
+    Surfaces m_before;
+    Surfaces m_after;
+    TopTools_IndexedDataMapOfShapeListOfShape m_facesOfEdge;
+    SmoothEdges m_result;
+};
+
+} // namespace
+
+SmoothEdges compareSmoothEdges(const TopoDS_Shape& source, const TopoDS_Shape& moved, const MillimetreMap& map,
+                               double tolerance)
+{
+    try {
+        return Comparison(source, moved, map, tolerance).result();
+    } catch (const Standard_Failure&) {
+        return {}; // nothing is said rather than something wrong
+    }
+}
+
+} // namespace knead
