@@ -13,6 +13,9 @@ constexpr int mostRounds = 14;
 constexpr std::size_t leastLooks = 3; // at errors within a span
 constexpr std::size_t mostLooks = 24; // features that small are below any sensible span
 constexpr std::size_t mostLines = 24; // along which errors are looked for, per direction
+constexpr int mostSlopeRounds = 4;    // for normals: a target may have kinks of its own
+constexpr double leastSine = 1e-3;    // between tangents that make a normal
+constexpr double slopeStep = 1e-3;    // of a feature, over which slopes are taken
 constexpr double lastSlack = 1.5;     // by which errors between the lines may be larger than along them
 
 /// How often to look at a span, and where: nowhere near its ends, at which interpolation is good by itself.
@@ -111,10 +114,13 @@ public:
         , m_checks(wanted.checks.size())
     {
         m_wanted.target(m_wanted.checks, m_checks);
+        if (options.slopeTolerance > 0)
+            findSlopes();
     }
 
     SplineFit<SplineSurface> run()
     {
+        int slopeRounds = 0;
         for (int round = 0; round < mostRounds; ++round) {
             interpolate();
             m_error = 0;
@@ -122,19 +128,63 @@ public:
             std::array<std::vector<bool>, 2> missed{lookAlong(0), lookAlong(1)};
             if (!anyOf(missed[0]) && !anyOf(missed[1]))
                 lookAllOver(missed);
+            const bool isClose = !anyOf(missed[0]) && !anyOf(missed[1]);
+            if (isClose && slopeRounds++ < mostSlopeRounds)
+                lookAtSlopes(missed);
             if (!anyOf(missed[0]) && !anyOf(missed[1]))
                 return result(true);
             if (!refine(missed))
-                break;
+                return result(isClose);
         }
         return result(false);
     }
 
 private:
-    struct Look {
-        Vec2 at;
-        std::size_t span;
+    /// The target's tangents at a place, by differences between places on both sides of it.
+    struct Slope {
+        std::array<Vec2, 4> around; ///< before and behind along u, then along v
+        Vec3 normal;                ///< of length 1
     };
+
+    void findSlopes()
+    {
+        const std::array<Vec2, 2> limits{Vec2(m_wanted.u.values.front(), m_wanted.v.values.front()),
+                                         Vec2(m_wanted.u.values.back(), m_wanted.v.values.back())};
+        std::vector<Vec2> parameters;
+        for (const Vec2& check : m_wanted.checks)
+            for (Eigen::Index axis = 0; axis < 2; ++axis)
+                for (const double side : {-1.0, 1.0}) {
+                    Vec2 there = check;
+                    there[axis] = std::clamp(check[axis] + side * slopeStep * m_wanted.feature[axis], limits[0][axis],
+                                             limits[1][axis]);
+                    parameters.push_back(there);
+                }
+        std::vector<Vec3> places(parameters.size());
+        m_wanted.target(parameters, places);
+        for (std::size_t i = 0; i + 4 <= places.size(); i += 4) {
+            const Vec3 alongU = places[i + 1] - places[i];
+            const Vec3 alongV = places[i + 3] - places[i + 2];
+            const Vec3 normal = alongU.cross(alongV);
+            if (normal.norm() > leastSine * alongU.norm() * alongV.norm()) // else: a pole, which has no normal
+                m_slopes.push_back({{parameters[i], parameters[i + 1], parameters[i + 2], parameters[i + 3]},
+                                    normal.normalized()});
+        }
+    }
+
+    /// The direction whose tangents lean out of the target's surface is refined.
+    void lookAtSlopes(std::array<std::vector<bool>, 2>& missed) const
+    {
+        for (const Slope& slope : m_slopes)
+            for (std::size_t direction = 0; direction < 2; ++direction) {
+                const Vec2& from = slope.around[2 * direction];
+                const Vec2& to = slope.around[2 * direction + 1];
+                const Vec3 tangent = at(to) - at(from);
+                if (std::abs(tangent.dot(slope.normal)) <= m_options.slopeTolerance * tangent.norm())
+                    continue;
+                const Vec2 middle = 0.5 * (from + to);
+                missed[direction][m_knots[direction].spanOf(middle[static_cast<Eigen::Index>(direction)])] = true;
+            }
+    }
 
     void interpolate()
     {
@@ -349,6 +399,7 @@ private:
     std::vector<SplineBasis> m_bases;
     std::vector<Vec3> m_poles;
     std::vector<Vec3> m_checks;                  // places wanted there
+    std::vector<Slope> m_slopes;                 // wanted there
     std::array<std::vector<double>, 2> m_errors; // largest per span, along lines
     double m_error = 0;
 };

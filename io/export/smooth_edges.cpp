@@ -90,8 +90,8 @@ private:
     static Surfaces surfacesOf(const TopTools_IndexedMapOfShape& faces)
     {
         Surfaces surfaces;
-        for (const TopoDS_Shape& face : faces)
-            surfaces.push_back(BRep_Tool::Surface(TopoDS::Face(face)));
+        for (int i = 1; i <= faces.Extent(); ++i)
+            surfaces.push_back(BRep_Tool::Surface(TopoDS::Face(faces(i))));
         return surfaces;
     }
 

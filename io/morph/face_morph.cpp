@@ -167,7 +167,9 @@ private:
             .checks = m_border,
             .isClosed = {isClosed(0), isClosed(1)},
         };
-        const auto fitted = fitSurface(wanted, {.degree = m_options.degree, .tolerance = m_options.faceTolerance()});
+        const auto fitted = fitSurface(wanted, {.degree = m_options.degree,
+                                                .tolerance = m_options.faceTolerance(),
+                                                .slopeTolerance = m_options.slope});
         result.kind = MorphedFaceKind::fitted;
         result.surface = toGeometry(fitted.spline);
         result.error = fitted.error;

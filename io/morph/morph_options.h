@@ -9,6 +9,8 @@ struct MorphOptions {
     double tolerance = 0.01; ///< largest distance between a face and where the map takes it, > 0 [mm]
     int degree = 5;          ///< of splines: fewer poles than 3 at such tolerances, and smoother across edges
 
+    double slope = 3e-3; ///< by which normals may be off along edges, so that faces that met smoothly still do [rad]
+
     double faceTolerance() const { return 0.3 * tolerance; }
     double edgeTolerance() const { return std::max(1e-8, 0.1 * tolerance); } ///< several faces meet there
 
