@@ -1,5 +1,6 @@
 #include "io/export/smooth_edges.h"
 
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <GeomAPI_ProjectPointOnSurf.hxx>
@@ -14,6 +15,7 @@
 #include <gp_Pnt2d.hxx>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -24,6 +26,7 @@ namespace {
 
 constexpr double smoothAngle = 1e-3; // [rad]: normals closer than this were meant to be the same
 constexpr int samplesPerEdge = 7;
+constexpr double inwards = 1e-7;    // of the way to the middle of a face
 constexpr double degenerate = 1e-9; // of the product of the lengths of two tangents: they have no normal
 
 /// The angle between two lines, 0 .. pi/2.
@@ -51,13 +54,26 @@ struct Side {
     Handle(Geom2d_Curve) curve;
     double first = 0;
     double last = 0;
+    gp_Pnt2d middle; ///< of the face's box of parameters
 
-    gp_Pnt2d at(double share) const { return curve->Value(first + share * (last - first)); }
+    /// A hair inside of the edge: at a seam, a closed surface has one normal to the left and maybe another to the right.
+    gp_Pnt2d at(double share) const
+    {
+        const gp_XY there = curve->Value(first + share * (last - first)).XY();
+        return gp_Pnt2d(there + inwards * (middle.XY() - there));
+    }
 };
 
-Side sideOf(const TopoDS_Edge& edge, const TopoDS_Face& face, int index)
+gp_Pnt2d middleOf(const TopoDS_Face& face)
 {
-    Side side{.face = static_cast<std::size_t>(index)};
+    std::array<double, 4> bounds{};
+    BRepTools::UVBounds(face, bounds[0], bounds[1], bounds[2], bounds[3]);
+    return {0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3])};
+}
+
+Side sideOf(const TopoDS_Edge& edge, const TopoDS_Face& face, int index, const gp_Pnt2d& middle)
+{
+    Side side{.face = static_cast<std::size_t>(index), .middle = middle};
     side.curve = BRep_Tool::CurveOnSurface(edge, face, side.first, side.last);
     return side;
 }
@@ -73,6 +89,8 @@ public:
         TopExp::MapShapes(moved, TopAbs_FACE, faces);
         m_before = surfacesOf(m_sources);
         m_after = surfacesOf(faces);
+        for (int i = 1; i <= m_sources.Extent(); ++i)
+            m_middles.push_back(middleOf(TopoDS::Face(m_sources(i))));
         TopExp::MapShapesAndUniqueAncestors(source, TopAbs_EDGE, TopAbs_FACE, m_facesOfEdge);
     }
 
@@ -103,9 +121,9 @@ private:
             const int index = m_sources.FindIndex(shape) - 1;
             if (index < 0 || m_before[index].IsNull() || m_after[index].IsNull())
                 return {};
-            sides.push_back(sideOf(edge, face, index));
+            sides.push_back(sideOf(edge, face, index, m_middles[index]));
             if (BRep_Tool::IsClosed(edge, face))
-                sides.push_back(sideOf(TopoDS::Edge(edge.Reversed()), face, index));
+                sides.push_back(sideOf(TopoDS::Edge(edge.Reversed()), face, index, m_middles[index]));
         }
         std::erase_if(sides, [](const Side& side) { return side.curve.IsNull(); });
         return sides;
@@ -184,6 +202,7 @@ private:
     TopTools_IndexedMapOfShape m_sources;
     Surfaces m_before;
     Surfaces m_after;
+    std::vector<gp_Pnt2d> m_middles; // per face
     TopTools_IndexedDataMapOfShapeListOfShape m_facesOfEdge;
     SmoothEdges m_result;
 };
