@@ -15,7 +15,7 @@ constexpr std::size_t mostLooks = 24; // features that small are below any sensi
 constexpr std::size_t mostLines = 24; // along which errors are looked for, per direction
 constexpr int mostSlopeRounds = 4;    // for normals: a target may have kinks of its own
 constexpr double leastSine = 1e-3;    // between tangents that make a normal
-constexpr double slopeStep = 1e-3;    // of a feature, over which slopes are taken
+constexpr double slopeStep = 1e-3;    // of a feature or the surface, over which slopes are taken
 constexpr double lastSlack = 1.5;     // by which errors between the lines may be larger than along them
 
 /// How often to look at a span, and where: nowhere near its ends, at which interpolation is good by itself.
@@ -155,8 +155,8 @@ private:
             for (Eigen::Index axis = 0; axis < 2; ++axis)
                 for (const double side : {-1.0, 1.0}) {
                     Vec2 there = check;
-                    there[axis] = std::clamp(check[axis] + side * slopeStep * m_wanted.feature[axis], limits[0][axis],
-                                             limits[1][axis]);
+                    const double step = slopeStep * std::min(m_wanted.feature[axis], limits[1][axis] - limits[0][axis]);
+                    there[axis] = std::clamp(check[axis] + side * step, limits[0][axis], limits[1][axis]);
                     parameters.push_back(there);
                 }
         std::vector<Vec3> places(parameters.size());

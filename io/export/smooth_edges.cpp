@@ -15,7 +15,6 @@
 #include <gp_Pnt2d.hxx>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -26,6 +25,8 @@ namespace {
 
 constexpr double smoothAngle = 1e-3; // [rad]: normals closer than this were meant to be the same
 constexpr int samplesPerEdge = 7;
+constexpr int newtonSteps = 3;
+constexpr double exact = 1e-7;      // [mm]
 constexpr double inwards = 1e-7;    // of the way to the middle of a face
 constexpr double degenerate = 1e-9; // of the product of the lengths of two tangents: they have no normal
 
@@ -48,32 +49,64 @@ std::optional<Vec3> normalAt(const Geom_Surface& surface, const gp_Pnt2d& at)
     return Vec3(normal / length);
 }
 
+/// The box of a face's parameters.
+struct Bounds {
+    double lowU = 0;
+    double highU = 0;
+    double lowV = 0;
+    double highV = 0;
+
+    gp_XY middle() const { return {0.5 * (lowU + highU), 0.5 * (lowV + highV)}; }
+    gp_XY within(double u, double v) const { return {std::clamp(u, lowU, highU), std::clamp(v, lowV, highV)}; }
+};
+
+Bounds boundsOf(const TopoDS_Face& face)
+{
+    Bounds bounds;
+    BRepTools::UVBounds(face, bounds.lowU, bounds.highU, bounds.lowV, bounds.highV);
+    return bounds;
+}
+
+/// A few steps of Newton's method towards the place on a surface that is nearest to a point.
+gp_Pnt2d nearestFrom(gp_Pnt2d at, const Bounds& bounds, const Geom_Surface& surface, const gp_Pnt& place)
+{
+    for (int step = 0; step < newtonSteps; ++step) {
+        gp_Pnt point;
+        gp_Vec alongU;
+        gp_Vec alongV;
+        surface.D1(at.X(), at.Y(), point, alongU, alongV);
+        const gp_Vec rest(point, place);
+        const double uu = alongU.SquareMagnitude();
+        const double vv = alongV.SquareMagnitude();
+        const double uv = alongU.Dot(alongV);
+        const double determinant = uu * vv - uv * uv;
+        if (rest.SquareMagnitude() < exact * exact || determinant <= degenerate * uu * vv)
+            return at;
+        at.SetXY(bounds.within(at.X() + (vv * alongU.Dot(rest) - uv * alongV.Dot(rest)) / determinant,
+                               at.Y() + (uu * alongV.Dot(rest) - uv * alongU.Dot(rest)) / determinant));
+    }
+    return at;
+}
+
 /// One side of an edge: a face and the edge's curve in its parameters.
 struct Side {
     std::size_t face = 0; ///< index into the faces of the shape
     Handle(Geom2d_Curve) curve;
     double first = 0;
     double last = 0;
-    gp_Pnt2d middle; ///< of the face's box of parameters
+    Bounds bounds; ///< of the face
 
     /// A hair inside of the edge: at a seam, a closed surface has one normal to the left and maybe another to the right.
     gp_Pnt2d at(double share) const
     {
         const gp_XY there = curve->Value(first + share * (last - first)).XY();
-        return gp_Pnt2d(there + inwards * (middle.XY() - there));
+        return gp_Pnt2d(there + inwards * (bounds.middle() - there));
     }
 };
 
-gp_Pnt2d middleOf(const TopoDS_Face& face)
+Side sideOf(const TopoDS_Edge& edge, const TopoDS_Face& face, int index, const Bounds& bounds)
 {
-    std::array<double, 4> bounds{};
-    BRepTools::UVBounds(face, bounds[0], bounds[1], bounds[2], bounds[3]);
-    return {0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3])};
-}
-
-Side sideOf(const TopoDS_Edge& edge, const TopoDS_Face& face, int index, const gp_Pnt2d& middle)
-{
-    Side side{.face = static_cast<std::size_t>(index), .middle = middle};
+    Side side{.face = static_cast<std::size_t>(index), .bounds = bounds};
     side.curve = BRep_Tool::CurveOnSurface(edge, face, side.first, side.last);
     return side;
 }
@@ -90,7 +123,7 @@ public:
         m_before = surfacesOf(m_sources);
         m_after = surfacesOf(faces);
         for (int i = 1; i <= m_sources.Extent(); ++i)
-            m_middles.push_back(middleOf(TopoDS::Face(m_sources(i))));
+            m_bounds.push_back(boundsOf(TopoDS::Face(m_sources(i))));
         TopExp::MapShapesAndUniqueAncestors(source, TopAbs_EDGE, TopAbs_FACE, m_facesOfEdge);
     }
 
@@ -121,9 +154,9 @@ private:
             const int index = m_sources.FindIndex(shape) - 1;
             if (index < 0 || m_before[index].IsNull() || m_after[index].IsNull())
                 return {};
-            sides.push_back(sideOf(edge, face, index, m_middles[index]));
+            sides.push_back(sideOf(edge, face, index, m_bounds[index]));
             if (BRep_Tool::IsClosed(edge, face))
-                sides.push_back(sideOf(TopoDS::Edge(edge.Reversed()), face, index, m_middles[index]));
+                sides.push_back(sideOf(TopoDS::Edge(edge.Reversed()), face, index, m_bounds[index]));
         }
         std::erase_if(sides, [](const Side& side) { return side.curve.IsNull(); });
         return sides;
@@ -172,14 +205,14 @@ private:
         return m_map.at(toVec3(m_before[side.face]->Value(at.X(), at.Y()).XYZ()));
     }
 
-    /// At the parameters of the source; where the surface has others now, at the nearest place.
+    /// At the parameters of the source, or beside them; where the surface has others now, at the nearest place.
     std::optional<Vec3> movedNormal(const Side& side, double share) const
     {
         const Handle(Geom_Surface)& surface = m_after[side.face];
         const gp_Pnt place = toPoint(placeOf(side, share));
-        const gp_Pnt2d at = side.at(share);
-        if (surface->Value(at.X(), at.Y()).Distance(place) <= 3 * m_tolerance)
-            return normalAt(*surface, at);
+        const gp_Pnt2d same = side.at(share);
+        if (surface->Value(same.X(), same.Y()).Distance(place) <= m_tolerance)
+            return normalAt(*surface, nearestFrom(same, side.bounds, *surface, place));
         const GeomAPI_ProjectPointOnSurf projection(place, surface);
         if (projection.NbPoints() == 0 || projection.LowerDistance() > 3 * m_tolerance)
             return std::nullopt;
@@ -202,7 +235,7 @@ private:
     TopTools_IndexedMapOfShape m_sources;
     Surfaces m_before;
     Surfaces m_after;
-    std::vector<gp_Pnt2d> m_middles; // per face
+    std::vector<Bounds> m_bounds; // per face
     TopTools_IndexedDataMapOfShapeListOfShape m_facesOfEdge;
     SmoothEdges m_result;
 };
