@@ -3,6 +3,7 @@
 #include "core/skin/shape_functions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace knead {
@@ -17,8 +18,8 @@ double supportFor(const std::vector<Vec3>& offsets)
 {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Vec3& offset : offsets)
-        nearest = std::min(nearest, offset.norm());
-    return std::max(support, nearest + nodesWithin);
+        nearest = std::min(nearest, offset.squaredNorm());
+    return std::max(support, std::sqrt(nearest) + nodesWithin);
 }
 
 } // namespace
