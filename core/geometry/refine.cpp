@@ -106,6 +106,15 @@ private:
     std::unordered_map<std::uint64_t, std::uint32_t> m_middle;
 };
 
+double longestEdge(const TriangleMesh& mesh)
+{
+    double squared = 0;
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+            squared = std::max(squared, (mesh.vertices[t[i]] - mesh.vertices[t[(i + 1) % 3]]).squaredNorm());
+    return std::sqrt(squared);
+}
+
 double areaOf(const TriangleMesh& mesh)
 {
     double area = 0;
@@ -125,13 +134,19 @@ TriangleMesh refine(const TriangleMesh& mesh, double maximumEdge, std::size_t ma
     const double smallestArea = areaOf(mesh) / static_cast<double>(maximumTriangles);
     const double edge = std::max(maximumEdge, 2 * std::sqrt(smallestArea));
 
+    // The longest edges first: fewer slivers come of them, and where there may be no more triangles all edges are about as long.
+    const std::size_t most = std::max(maximumTriangles, mesh.triangles.size() + maximumTriangles / 2);
     TriangleMesh result = mesh;
-    while (result.triangles.size() < maximumTriangles) {
-        Splitter splitter(result, edge);
+    double longest = std::max(edge, longestEdge(mesh));
+    while (result.triangles.size() < most) {
+        Splitter splitter(result, std::max(edge, 0.5 * longest));
         TriangleMesh next = splitter.split();
-        if (!splitter.hasSplit())
+        if (splitter.hasSplit())
+            result = std::move(next);
+        else if (0.5 * longest <= edge)
             break;
-        result = std::move(next);
+        else
+            longest *= 0.5;
     }
     return result;
 }

@@ -116,8 +116,13 @@ void exportPlate(benchmark::State& state)
     ExportedFile file;
     for (auto _ : state) {
         file = exportCad(FormatKind::Step, job, TaskControl::none());
-        if (!file.report.isSound() || file.report.parts.front().form != PartExportReport::Form::exact)
-            state.SkipWithError("the export is not sound");
+        if (!file.report.isSound() || file.report.parts.front().form != PartExportReport::Form::exact) {
+            std::string why;
+            for (const std::string& line : linesOf(file.report))
+                why += line + "\n";
+            state.SkipWithError(why.c_str());
+            return;
+        }
     }
     const std::size_t faces = job.parts.front().part.faces.size();
     countFaces(state, faces);

@@ -51,6 +51,23 @@ private slots:
         QCOMPARE(refine(mesh, 2).triangles, mesh.triangles);
     }
 
+    /// As many small triangles as there may be must not keep the long ones from being split.
+    void longEdgesAreSplitBesideManySmallTriangles()
+    {
+        TriangleMesh mesh = refine(shapes::box({0.01, 0.01, 0.01}), 0.001);
+        const std::size_t small = mesh.triangles.size();
+        const TriangleMesh box = shapes::box({1, 0.5, 0.2});
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), box.vertices.begin(), box.vertices.end());
+        for (std::size_t t = 0; t < box.triangles.size(); ++t) {
+            const auto& [a, b, c] = box.triangles[t];
+            mesh.triangles.push_back({a + first, b + first, c + first});
+            mesh.faceOfTriangle.push_back(box.faceOfTriangle[t]);
+        }
+        const TriangleMesh fine = refine(mesh, 0.1, small);
+        QVERIFY(longestEdge(fine) <= 0.2);
+    }
+
     void theNumberOfTrianglesIsBounded()
     {
         const TriangleMesh fine = refine(shapes::box({1, 1, 1}), 1e-4, 5000);
