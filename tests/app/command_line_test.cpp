@@ -54,6 +54,8 @@ void CommandLineTest::wrongUseEndsWithTwoAndOneSentence_data()
     QTest::newRow("run of nothing") << QStringList{"run", "/nowhere/a.recipe.json"};
     QTest::newRow("run of a folder") << QStringList{"run", "/"};
     QTest::newRow("no threads") << QStringList{"run", "a.recipe.json", "--threads", "0"};
+    QTest::newRow("nothing to set") << QStringList{"run", "a.recipe.json", "--set"};
+    QTest::newRow("set of nothing") << QStringList{"run", "a.recipe.json", "--set", "spacing_mm"};
     QTest::newRow("too much") << QStringList{"run", "a.recipe.json", "b.recipe.json"};
     QTest::newRow("two commands") << QStringList{"run", "a.recipe.json", "info", "b.step"};
     QTest::newRow("recipe for nothing") << QStringList{"recipe", "/nowhere/a.step"};
