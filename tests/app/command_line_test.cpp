@@ -145,6 +145,9 @@ void CommandLineTest::importOptionsAreHeeded()
     QCOMPARE(part["layer"].toString("none"), QString());
     QVERIFY(part["repairs"].isArray());
 
+    const Outcome before = knead({"info", "--part", "bracket/Bushing", "--unit", "cm", "--no-heal", bracket, "--json"});
+    QVERIFY2(before.out == chosen.out, "options may stand before the file");
+
     const Outcome all = knead({"info", bracket, "--json"});
     const QJsonArray parts = QJsonDocument::fromJson(QByteArray::fromStdString(all.out)).object()["parts"].toArray();
     QCOMPARE(parts.size(), 2);
