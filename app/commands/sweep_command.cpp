@@ -115,14 +115,23 @@ int interrupted(const Sweep& sweep, const SweepOptions& options)
                     exit_status::interrupted);
 }
 
+/// Takes away what a sweep left, and ends its jobs where there is a Slurm to ask.
+void forget(const SweepFolder& folder)
+{
+    try {
+        cancelJobs(jobsOf(folder));
+    } catch (
+        const std::runtime_error&) { // jobs that go on elsewhere find another plan, and what they leave is not taken
+    }
+    folder.clear();
+}
+
 /// Points and folder, before anything is carried out.
 Sweep prepare(const SweepOptions& options)
 {
     Sweep sweep{SweepFolder(options.folder), makePlan(options.wish), {}};
-    if (options.beginsAnew) {
-        cancelJobs(jobsOf(sweep.folder));
-        sweep.folder.clear();
-    }
+    if (options.beginsAnew)
+        forget(sweep.folder);
     sweep.folder.begin(sweep.plan);
     sweep.missing = sweep.folder.missing(sweep.plan);
     return sweep;

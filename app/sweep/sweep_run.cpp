@@ -69,6 +69,8 @@ PointResult resultOf(const ChildEnd& end, const NamelessFile& output, const Name
         result.message = messageIn(errors.content(), result.status != exit_status::done);
     if (result.status == exit_status::done)
         result.report = output.content();
+    if (!result.report.empty() && !nlohmann::json::accept(result.report))
+        result = {.status = exit_status::failed, .message = "What the run reported cannot be read."};
     return result;
 }
 

@@ -28,7 +28,7 @@ private slots:
 
 void CommandLineTest::helpExistsEverywhere()
 {
-    for (const char* command : {"", "info", "convert", "run", "recipe"}) {
+    for (const char* command : {"", "info", "convert", "run", "sweep", "recipe"}) {
         QStringList arguments{"--help"};
         if (*command != '\0')
             arguments.prepend(command);

@@ -17,6 +17,8 @@ private slots:
     void anyNumberOfJobsGivesTheSameTable();
     void aKilledSweepGoesOn();
     void anInterruptedSweepGoesOn();
+    void runsEndWithTheSweep_data();
+    void runsEndWithTheSweep();
     void failuresAreRows();
     void whatIsNoRecipeAtAllIsRefused();
     void anotherSweepInTheFolderIsRefused_data();
@@ -45,6 +47,26 @@ std::map<QString, QString> cellsOf(const std::string& table, std::size_t row)
     for (qsizetype i = 0; i < std::min(rows[0].size(), rows[row].size()); ++i)
         cells[rows[0][i]] = rows[row][i];
     return cells;
+}
+
+/// Of all threads of a process.
+std::vector<pid_t> childrenOf(qint64 process)
+{
+    std::vector<pid_t> children;
+    const QString tasks = "/proc/" + QString::number(process) + "/task";
+    for (const QString& task : QDir(tasks).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+        std::ifstream file((tasks + "/" + task + "/children").toStdString());
+        for (pid_t child = 0; file >> child;)
+            children.push_back(child);
+    }
+    return children;
+}
+
+/// One that has ended may still wait for somebody to take notice.
+bool isRunning(pid_t process)
+{
+    const std::string state = contentOf(QString("/proc/%1/stat").arg(process));
+    return !state.empty() && state.find(") Z ") == std::string::npos;
 }
 
 } // namespace
@@ -137,6 +159,32 @@ void SweepTest::anInterruptedSweepGoesOn()
                        " of 6 points; the same command goes on from there.\n");
     QCOMPARE(knead(arguments).status, 0);
     QCOMPARE(lineCount(tableIn(folder)), std::size_t(7));
+}
+
+void SweepTest::runsEndWithTheSweep_data()
+{
+    QTest::addColumn<int>("signal");
+    QTest::newRow("interrupted") << SIGINT;
+    QTest::newRow("killed") << SIGKILL;
+}
+
+void SweepTest::runsEndWithTheSweep()
+{
+    QFETCH(int, signal);
+    const Workshop shop;
+    json recipe = tinyRecipe();
+    recipe["duration_s"] = 3600;
+    QProcess process;
+    process.setProcessEnvironment(serverEnvironment());
+    process.start(KNEAD_PROGRAM,
+                  sweepArguments(shop.write(recipe), shop.qPath("out"), {"--jobs", "2", "--vary", "spacing_mm=5,6,7"}));
+    std::vector<pid_t> runs;
+    QTRY_VERIFY_WITH_TIMEOUT((runs = childrenOf(process.processId())).size() == 2, 30'000);
+    ::kill(static_cast<pid_t>(process.processId()), signal);
+    QVERIFY(process.waitForFinished(10'000));
+    for (const pid_t run : runs)
+        QTRY_VERIFY_WITH_TIMEOUT(!isRunning(run), 10'000);
+    QCOMPARE(resultsIn(shop.qPath("out")), 0);
 }
 
 void SweepTest::failuresAreRows()
