@@ -37,7 +37,7 @@ int complain(const std::string& sentence, int status)
     return status;
 }
 
-/// A sweep that is ready to go: the plan is in the folder.
+/// A sweep that is ready to go.
 struct Sweep {
     SweepFolder folder;
     SweepPlan plan;
@@ -126,13 +126,13 @@ void forget(const SweepFolder& folder)
     folder.clear();
 }
 
-/// Points and folder, before anything is carried out.
+/// Points and folder, before anything is written.
 Sweep prepare(const SweepOptions& options)
 {
     Sweep sweep{SweepFolder(options.folder), makePlan(options.wish), {}};
     if (options.beginsAnew)
         forget(sweep.folder);
-    sweep.folder.begin(sweep.plan);
+    sweep.folder.checkHasNoOther(sweep.plan);
     sweep.missing = sweep.folder.missing(sweep.plan);
     return sweep;
 }
@@ -141,6 +141,7 @@ int run(const Sweep& sweep, const SweepOptions& options)
 {
     TerminalControl control;
     try {
+        sweep.folder.begin(sweep.plan);
         const LostPoints lost = carryOut(sweep, options, control);
         control.clear();
         return writeTables(sweep, lost);

@@ -79,14 +79,17 @@ std::optional<SweepPlan> SweepFolder::plan() const
     }
 }
 
+void SweepFolder::checkHasNoOther(const SweepPlan& plan) const
+{
+    const std::optional<SweepPlan> before = this->plan();
+    const std::string difference = before ? differenceOf(*before, plan) : "";
+    if (!difference.empty())
+        throw std::runtime_error(m_path + ": the sweep in this folder is another one: " + difference +
+                                 ". Choose another folder with --out, or begin anew with --restart.");
+}
+
 void SweepFolder::begin(const SweepPlan& plan) const
 {
-    if (const std::optional<SweepPlan> before = this->plan()) {
-        const std::string difference = differenceOf(*before, plan);
-        if (!difference.empty())
-            throw std::runtime_error(m_path + ": the sweep in this folder is another one: " + difference +
-                                     ". Choose another folder with --out, or begin anew with --restart.");
-    }
     makeFolder((fs::path(m_path) / pointsName).string());
     writeFileSafely(pathOf(planName), planToJson(plan));
 }

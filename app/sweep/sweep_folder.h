@@ -31,8 +31,10 @@ public:
     /// None when no sweep was begun here. @throws std::runtime_error, in a sentence, when it cannot be read
     std::optional<SweepPlan> plan() const;
 
-    /// Begins a sweep, or goes on with it when its plan is the same.
-    /// @throws std::runtime_error, in a sentence, when another one is here, or the folder cannot be written to
+    /// @throws std::runtime_error, in a sentence, when a sweep with another plan is here
+    void checkHasNoOther(const SweepPlan& plan) const;
+
+    /// Begins a sweep, or goes on with it. @throws std::runtime_error, in a sentence, when the folder cannot be written to
     void begin(const SweepPlan& plan) const;
 
     /// Takes away what a sweep left here, but nothing else.

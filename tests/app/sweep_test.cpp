@@ -20,7 +20,7 @@ private slots:
     void runsEndWithTheSweep_data();
     void runsEndWithTheSweep();
     void failuresAreRows();
-    void whatIsNoRecipeAtAllIsRefused();
+    void whatCannotBeDoneIsRefused();
     void anotherSweepInTheFolderIsRefused_data();
     void anotherSweepInTheFolderIsRefused();
     void anInputThatChangesMeanwhileStopsTheSweep();
@@ -211,7 +211,7 @@ void SweepTest::failuresAreRows()
     QCOMPARE(tableIn(folder), table);
 }
 
-void SweepTest::whatIsNoRecipeAtAllIsRefused()
+void SweepTest::whatCannotBeDoneIsRefused()
 {
     const auto refusal = [&](const QStringList& more) {
         const Outcome outcome = knead(sweepArguments(m_recipe, m_shop.qPath("none"), more));
@@ -226,6 +226,11 @@ void SweepTest::whatIsNoRecipeAtAllIsRefused()
     QVERIFY(refusal({}).find("--vary is required") != std::string::npos);
     QVERIFY(refusal({"--vary", "spacing_mm=5", "--engine", "cloud"}).starts_with("knead: --engine"));
     QVERIFY(!QFileInfo::exists(m_shop.qPath("none")));
+
+    const Outcome outcome = knead(sweepArguments(m_recipe, m_shop.qPath("bar.stl/out"), {"--vary", "spacing_mm=5"}));
+    QCOMPARE(outcome.status, 1);
+    QVERIFY2(outcome.errors.find("cannot be made; choose another one with --out.") != std::string::npos,
+             outcome.errors.c_str());
 }
 
 void SweepTest::anotherSweepInTheFolderIsRefused_data()

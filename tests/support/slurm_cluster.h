@@ -9,6 +9,7 @@
 #include <QThread>
 
 #include <array>
+#include <csignal>
 #include <memory>
 #include <random>
 #include <string>
@@ -16,6 +17,7 @@
 
 #include <netinet/in.h>
 #include <pwd.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -76,6 +78,8 @@ private:
     void launch(const QString& program, const QStringList& arguments)
     {
         m_programs.push_back(std::make_unique<QProcess>());
+        m_programs.back()->setChildProcessModifier(
+            [] { prctl(PR_SET_PDEATHSIG, SIGTERM); }); // should the test be killed
         m_programs.back()->setStandardOutputFile(QProcess::nullDevice());
         m_programs.back()->setStandardErrorFile(file(qPrintable(program + ".log")));
         m_programs.back()->start(pathOf(program), arguments);
