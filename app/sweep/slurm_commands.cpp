@@ -26,7 +26,7 @@ bool isInPath(const std::string& command)
     const char* path = std::getenv("PATH");
     std::istringstream folders(path != nullptr ? path : "");
     for (std::string folder; std::getline(folders, folder, ':');)
-        if (access((folder + "/" + command).c_str(), X_OK) == 0)
+        if (access(folder.append("/").append(command).c_str(), X_OK) == 0)
             return true;
     return false;
 }

@@ -47,7 +47,7 @@ std::optional<std::string> textOf(const std::string& path)
     return file && text ? std::optional(text.str()) : std::nullopt;
 }
 
-SweepFolder::SweepFolder(std::string path)
+SweepFolder::SweepFolder(const std::string& path)
     : m_path(fs::absolute(path).lexically_normal().string())
 {
 }

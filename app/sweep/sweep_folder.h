@@ -22,7 +22,7 @@ struct PointResult {
 class SweepFolder {
 public:
     /// A folder with a plan in it, or without one yet.
-    explicit SweepFolder(std::string path);
+    explicit SweepFolder(const std::string& path);
 
     const std::string& path() const { return m_path; }
     std::string pathOf(const std::string& name) const;

@@ -72,9 +72,10 @@ std::vector<SweepInput> inputsOf(const SweepPlan& plan)
     std::vector<std::string> files{plan.recipe, materialsFile()};
     for (const std::string& part : partsOf(plan))
         files.push_back(fs::absolute(part).lexically_normal().string());
-    std::vector<SweepInput> inputs;
-    for (const std::string& file : files)
-        inputs.push_back({file, digestOf(file)});
+    std::vector<SweepInput> inputs(files.size());
+    std::transform(files.begin(), files.end(), inputs.begin(), [](const std::string& file) {
+        return SweepInput{file, digestOf(file)};
+    });
     return inputs;
 }
 

@@ -45,6 +45,11 @@ std::string nameOfItem(const Json& list, std::size_t index)
     return item.is_object() && item.contains("name") ? textOfValue(item.at("name")) : std::to_string(index);
 }
 
+std::string within(const std::string& name, const std::string& member)
+{
+    return std::string(name).append(".").append(member);
+}
+
 void addItems(const Json& list, const std::string& name, Cells& cells)
 {
     std::set<std::string> used;
@@ -52,7 +57,7 @@ void addItems(const Json& list, const std::string& name, Cells& cells)
         std::string item = nameOfItem(list, i);
         if (!used.insert(item).second)
             item.append("#").append(std::to_string(i));
-        addCells(list[i], name + "." + item, cells);
+        addCells(list[i], within(name, item), cells);
     }
 }
 
@@ -63,7 +68,7 @@ void addCells(const Json& value, const std::string& name, Cells& cells)
     } else if (value.is_object()) {
         for (const auto& [key, member] : value.items())
             if (key != "name")
-                addCells(member, name + "." + key, cells);
+                addCells(member, within(name, key), cells);
     } else {
         cells.emplace_back(name, textOfValue(value));
     }
@@ -165,7 +170,7 @@ std::vector<std::string> namesBeside(const std::vector<std::string>& paths, std:
 {
     for (std::string& name : names)
         if (std::find(paths.begin(), paths.end(), name) != paths.end())
-            name = "result." + name;
+            name.insert(0, "result.");
     return names;
 }
 
