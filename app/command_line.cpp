@@ -4,6 +4,7 @@
 #include "app/commands/info_command.h"
 #include "app/commands/recipe_command.h"
 #include "app/commands/run_command.h"
+#include "app/commands/sweep_command.h"
 #include "app/exit_status.h"
 #include "app/gui.h"
 
@@ -47,6 +48,8 @@ int runProgram(int argc, char** argv)
     addInfoCommand(program, status);
     addConvertCommand(program, status);
     addRunCommand(program, status);
+    addSweepCommand(program, status);
+    addSweepPointCommand(program, status);
     addRecipeCommand(program, status);
 
     try {

@@ -35,7 +35,7 @@ Services fileServices()
     };
     services.importFormats = formats(importFormats());
     services.exportFormats = formats(allExportFormats());
-    services.materials = readMaterials(resourcesFolder() + "/materials/materials.json");
+    services.materials = readMaterials(materialsFile());
     services.examplesFolder = resourcesFolder() + "/examples";
     return services;
 }

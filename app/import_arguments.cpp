@@ -18,6 +18,7 @@ void addImportArguments(CLI::App& command, ImportOptions& options)
                     "All others are left out")
         ->type_name("PATH")
         ->expected(1)
+        ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command
         .add_option_function<double>(

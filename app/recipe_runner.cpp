@@ -36,6 +36,18 @@ std::string fixed(double number, int digits)
     return text.data();
 }
 
+BodyMotion motionOf(const std::string& name, const Snapshot::BodyState& body)
+{
+    BodyMotion motion{.name = name};
+    const std::vector<Vec3> displacements = body.displacements();
+    for (const Vec3& displacement : displacements) {
+        motion.meanDisplacement += displacement;
+        motion.largestDisplacement = std::max(motion.largestDisplacement, displacement.norm());
+    }
+    motion.meanDisplacement /= static_cast<double>(std::max<std::size_t>(1, displacements.size()));
+    return motion;
+}
+
 /// Steps a simulation from 0 to the end of a recipe, with its events.
 class Runner {
 public:
@@ -87,6 +99,8 @@ public:
         report.joints = m_latest->joints;
         report.components = m_latest->components;
         report.addedMass = m_latest->addedMass;
+        for (std::size_t i = 0; i < m_latest->bodies.size(); ++i)
+            report.motions.push_back(motionOf(m_ready.parts[i].path, m_latest->bodies[i]));
         report.tools = m_tools;
         report.warnings = m_ready.warnings;
         report.warnings.insert(report.warnings.end(), m_warnings.begin(), m_warnings.end());

@@ -11,6 +11,13 @@
 
 namespace knead {
 
+/// How far a body is from where it was at rest.
+struct BodyMotion {
+    std::string name;                     ///< path in the assembly
+    Vec3 meanDisplacement = Vec3::Zero(); ///< of its objects [m]
+    double largestDisplacement = 0;       ///< of any object [m]
+};
+
 /// What a run of a recipe did and left behind.
 struct RunReport {
     std::size_t bodies = 0;
@@ -27,6 +34,7 @@ struct RunReport {
     std::uint64_t stateHash = 0; ///< equal for equal histories, whatever the number of threads
     std::string integrator;      ///< a sentence on which one was in use at the end and why
     EnergyLedger energy;
+    std::vector<BodyMotion> motions;   ///< one per body, at the end
     std::vector<ToolState> tools;      ///< as last seen, those taken away included
     std::vector<std::string> files;    ///< written, in the order of the recipe
     std::vector<ExportReport> exports; ///< on those that are no pictures

@@ -21,4 +21,9 @@ std::string resourcesFolder()
                              KNEAD_SOURCE_RESOURCES + " exists. Set KNEAD_RESOURCES to the folder named resources.");
 }
 
+std::string materialsFile()
+{
+    return resourcesFolder() + "/materials/materials.json";
+}
+
 } // namespace knead

@@ -9,4 +9,7 @@ namespace knead {
 /// @throws std::runtime_error when none of them exists, naming what was looked for.
 std::string resourcesFolder();
 
+/// The bundled materials. @throws as resourcesFolder()
+std::string materialsFile();
+
 } // namespace knead

@@ -43,6 +43,11 @@ struct JsonDocument {
     JsonValue root;
 };
 
+JsonValue readJsonFile(const std::string& path)
+{
+    return parseJson(readText(path), std::filesystem::path(path).filename().string());
+}
+
 JsonNode::JsonNode(std::shared_ptr<const JsonDocument> document, const JsonValue* value, std::string place)
     : m_document(std::move(document))
     , m_value(value)
@@ -52,10 +57,14 @@ JsonNode::JsonNode(std::shared_ptr<const JsonDocument> document, const JsonValue
 
 JsonNode JsonNode::readFile(const std::string& path)
 {
-    const std::string file = std::filesystem::path(path).filename().string();
-    auto document = std::make_shared<JsonDocument>(JsonDocument{file, parseJson(readText(path), file)});
-    const JsonValue* root = &document->root;
-    return {std::move(document), root, ""};
+    return ofValue(readJsonFile(path), std::filesystem::path(path).filename().string());
+}
+
+JsonNode JsonNode::ofValue(JsonValue root, const std::string& file)
+{
+    auto document = std::make_shared<JsonDocument>(JsonDocument{file, std::move(root)});
+    const JsonValue* value = &document->root;
+    return {std::move(document), value, ""};
 }
 
 JsonNode JsonNode::child(const JsonValue& value, const std::string& place) const

@@ -11,12 +11,17 @@ namespace knead {
 struct JsonDocument;
 struct JsonValue;
 
+/// Reads and parses a whole file. @throws std::runtime_error, in a sentence
+JsonValue readJsonFile(const std::string& path);
+
 /// A value of a JSON file that knows its place in it, for strict reading: every failure is a sentence that names the
 /// file, the place ("manipulators[0].size_mm") and what is allowed there. All failures are std::runtime_error.
 class JsonNode {
 public:
     /// Reads a whole file. Syntax errors and keys given twice are named with line and column.
     static JsonNode readFile(const std::string& path);
+    /// The root of a value. @param file name for messages
+    static JsonNode ofValue(JsonValue root, const std::string& file);
 
     /// The value of a key that must be there.
     JsonNode at(std::string_view key) const;

@@ -2,10 +2,12 @@
 #include "io/cad_format.h"
 
 #include "io/json_reader.h"
+#include "io/json_value.h"
 #include "io/recipe_sections.h"
 #include "io/recipe_values.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace knead {
 
@@ -180,6 +182,17 @@ std::vector<RecipeEvent> readEvents(const JsonNode& node, const Recipe& recipe,
     return events;
 }
 
+/// Messages about a changed recipe say that it is one: what they name need not be in the file.
+JsonNode readChanged(const std::string& path, const std::vector<RecipeOverride>& changes)
+{
+    if (changes.empty())
+        return JsonNode::readFile(path);
+    const std::string file = std::filesystem::path(path).filename().string();
+    JsonValue recipe = readJsonFile(path);
+    applyOverrides(recipe, changes, file);
+    return JsonNode::ofValue(std::move(recipe), file + " with --set");
+}
+
 } // namespace
 
 Material RecipeMaterial::on(const Material& base) const
@@ -195,9 +208,10 @@ bool RecipeExport::isPicture() const
     return lowerCaseEnding(file) == "png";
 }
 
-Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets)
+Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets,
+                  const std::vector<RecipeOverride>& changes)
 {
-    const JsonNode root = JsonNode::readFile(path);
+    const JsonNode root = readChanged(path, changes);
     root.allowOnly({"version",
                     "part",
                     "extra_parts",

@@ -6,6 +6,7 @@
 #include "core/mechanics/manipulator.h"
 #include "core/model/export_options.h"
 #include "core/simulation/scene.h"
+#include "io/recipe_override.h"
 
 #include <cstdint>
 #include <optional>
@@ -145,7 +146,9 @@ struct Recipe {
 /// Reads and checks a recipe; resources/examples/README.md documents every key. Nothing is guessed: an unknown key, a
 /// wrong type or a number out of range is an error. Whether the names of bodies and faces exist is seen when the part
 /// is opened.
+/// @param changes made to what the file says before it is checked
 /// @throws std::runtime_error, in a sentence: the file, the place in it, and what is allowed there.
-Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets);
+Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets,
+                  const std::vector<RecipeOverride>& changes = {});
 
 } // namespace knead

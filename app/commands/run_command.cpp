@@ -4,21 +4,26 @@
 #include "app/recipe_runner.h"
 #include "app/recipe_scene.h"
 #include "app/resources.h"
+#include "app/set_argument.h"
 #include "app/terminal_control.h"
 #include "app/thread_limit.h"
 #include "io/export/job_file.h"
 #include "io/material_library.h"
 #include "io/recipe.h"
+#include "io/worker/child_process.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace knead {
 
@@ -28,7 +33,9 @@ struct RunOptions {
     std::string recipe;
     std::string outputFolder = ".";
     unsigned threads = 0;
+    std::vector<std::string> settings; ///< "PATH=VALUE"
     bool json = false;
+    bool endsWithParent = false;
 };
 
 int complain(const std::string& sentence, int status)
@@ -43,6 +50,11 @@ std::string hexadecimal(std::uint64_t number)
     std::array<char, 17> text{};
     std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(number));
     return text.data();
+}
+
+nlohmann::ordered_json list(const Vec3& vector)
+{
+    return {vector.x(), vector.y(), vector.z()};
 }
 
 void printJson(const RunReport& report)
@@ -74,14 +86,19 @@ void printJson(const RunReport& report)
           {"fracture", energy.fracture},
           {"numerical", energy.numerical},
           {"imbalance", energy.imbalance}}},
+        {"bodies", nlohmann::ordered_json::array()},
         {"tools", nlohmann::ordered_json::array()},
         {"files", report.files},
     };
+    for (const BodyMotion& motion : report.motions)
+        json["bodies"].push_back({{"name", motion.name},
+                                  {"mean_displacement_mm", list(1000 * motion.meanDisplacement)},
+                                  {"largest_displacement_mm", 1000 * motion.largestDisplacement}});
     for (const ToolState& tool : report.tools)
         json["tools"].push_back({{"name", tool.name},
-                                 {"force_n", {tool.force.x(), tool.force.y(), tool.force.z()}},
+                                 {"force_n", list(tool.force)},
                                  {"peak_force_n", tool.peakForce},
-                                 {"torque_nm", {tool.torque.x(), tool.torque.y(), tool.torque.z()}}});
+                                 {"torque_nm", list(tool.torque)}});
     json["exports"] = nlohmann::ordered_json::array();
     for (const ExportReport& exported : report.exports)
         json["exports"].push_back(nlohmann::ordered_json::parse(reportToJson(exported)));
@@ -143,9 +160,13 @@ int carryOut(const Recipe& recipe, const RunOptions& options)
 
 int run(const RunOptions& options)
 {
+    if (options.endsWithParent)
+        endWithParent();
     Recipe recipe;
     try {
-        recipe = readRecipe(options.recipe, readMaterials(resourcesFolder() + "/materials/materials.json"));
+        std::vector<RecipeOverride> changes;
+        std::transform(options.settings.begin(), options.settings.end(), std::back_inserter(changes), parseOverride);
+        recipe = readRecipe(options.recipe, readMaterials(materialsFile()), changes);
     } catch (const std::exception& error) {
         return complain(error.what(), exit_status::wrongUse);
     }
@@ -162,10 +183,12 @@ void addRunCommand(CLI::App& program, int& exitStatus)
     command->add_option("--out", options->outputFolder, "Folder for the exports, made when missing")
         ->type_name("FOLDER")
         ->capture_default_str();
+    addSetArgument(*command, options->settings);
     command->add_option("--threads", options->threads, "Number of threads; the result is the same for any")
         ->type_name("N")
         ->check(CLI::Range(1U, 1024U));
     command->add_flag("--json", options->json, "Print the report as JSON");
+    command->add_flag("--end-with-parent", options->endsWithParent, "For runs of a sweep")->group("");
     command->callback([options, &exitStatus] { exitStatus = run(*options); });
 }
 

@@ -112,24 +112,37 @@ private:
     posix_spawnattr_t m_attributes{};
 };
 
-pid_t start(const std::string& program, const std::vector<std::string>& arguments, int lines, int result)
+/// Where a standard descriptor of the child leads.
+void lead(SpawnActions& actions, int standard, const NamelessFile* file)
 {
-    SpawnActions actions;
-    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (file != nullptr)
+        posix_spawn_file_actions_adddup2(actions.get(), file->descriptor(), standard);
+    else
         posix_spawn_file_actions_addopen(actions.get(), standard, "/dev/null",
                                          standard == STDIN_FILENO ? O_RDONLY : O_WRONLY, 0);
+}
+
+pid_t start(const ChildProgram& program, int lines)
+{
+    SpawnActions actions;
+    lead(actions, STDIN_FILENO, nullptr);
+    lead(actions, STDOUT_FILENO, program.output);
+    lead(actions, STDERR_FILENO, program.errors);
     posix_spawn_file_actions_adddup2(actions.get(), lines, child_descriptors::lines);
-    posix_spawn_file_actions_adddup2(actions.get(), result, child_descriptors::result);
-    posix_spawn_file_actions_addclosefrom_np(actions.get(), child_descriptors::result + 1);
+    if (program.result != nullptr)
+        posix_spawn_file_actions_adddup2(actions.get(), program.result->descriptor(), child_descriptors::result);
+    posix_spawn_file_actions_addclosefrom_np(actions.get(),
+                                             child_descriptors::lines + (program.result != nullptr ? 2 : 1));
     std::vector<char*> words;
-    for (const std::string& argument : arguments)
+    for (const std::string& argument : program.arguments)
         words.push_back(const_cast<char*>(argument.c_str())); // posix_spawn only reads them
     words.push_back(nullptr);
     pid_t child = 0;
     const SpawnAttributes attributes;
-    const int error = posix_spawn(&child, program.c_str(), actions.get(), attributes.get(), words.data(), environ);
+    const int error =
+        posix_spawnp(&child, program.program.c_str(), actions.get(), attributes.get(), words.data(), environ);
     if (error != 0)
-        fail("The process that reads files cannot be started", error);
+        fail("The process of " + program.program + " cannot be started", error);
     return child;
 }
 
@@ -276,9 +289,8 @@ std::string NamelessFile::content() const
     return bytes;
 }
 
-ChildEnd runChild(const std::string& program, const std::vector<std::string>& arguments, const NamelessFile& result,
-                  double wallTime, const std::function<void(std::string_view line)>& onLine,
-                  const std::function<bool()>& isCancelled)
+ChildEnd runChild(const ChildProgram& program, double wallTime,
+                  const std::function<void(std::string_view line)>& onLine, const std::function<bool()>& isCancelled)
 {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0)
@@ -287,7 +299,7 @@ ChildEnd runChild(const std::string& program, const std::vector<std::string>& ar
     Descriptor writeEnd(raised(ends[1]));
     const Clock::time_point deadline =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wallTime));
-    Child child(start(program, arguments, writeEnd.get(), result.descriptor()));
+    Child child(start(program, writeEnd.get()));
     writeEnd.close();
 
     LineReader lines(readEnd.get(), onLine);
@@ -307,12 +319,36 @@ ChildEnd runChild(const std::string& program, const std::vector<std::string>& ar
     }
 }
 
-void limitOwnProcess(const OwnLimits& limits)
+std::string reasonOfSignal(int signal)
+{
+    switch (signal) {
+    case SIGSEGV:
+    case SIGBUS:
+        return "memory access";
+    case SIGFPE:
+        return "arithmetic";
+    case SIGABRT:
+        return "internal error";
+    case SIGILL:
+        return "illegal instruction";
+    case SIGKILL:
+        return "ended from outside, perhaps because the machine ran out of memory";
+    default:
+        return "signal " + std::to_string(signal);
+    }
+}
+
+void endWithParent()
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     pollfd parent{.fd = child_descriptors::lines, .events = POLLOUT, .revents = 0};
     if (poll(&parent, 1, 0) > 0 && (parent.revents & POLLERR) != 0) // it ended before the line above
         _exit(1);
+}
+
+void limitOwnProcess(const OwnLimits& limits)
+{
+    endWithParent();
     std::signal(SIGXFSZ, SIG_IGN); // a write that the disk refuses is told by its result
     limit(RLIMIT_CORE, 0);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // whose address space is vast

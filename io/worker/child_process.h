@@ -30,11 +30,20 @@ private:
     int m_descriptor = -1;
 };
 
-/// Where a child finds what it inherits, besides an empty input and outputs that lead nowhere.
+/// Where a child finds what it inherits, besides an empty input and its outputs.
 namespace child_descriptors {
 constexpr int lines = 3;  ///< a pipe for lines of text
 constexpr int result = 4; ///< the NamelessFile
 } // namespace child_descriptors
+
+/// A program to run as a child.
+struct ChildProgram {
+    std::string program;                  ///< path, or a name that is looked for in PATH
+    std::vector<std::string> arguments;   ///< the first is the name of the program, by custom
+    const NamelessFile* result = nullptr; ///< inherited as child_descriptors::result
+    const NamelessFile* output = nullptr; ///< takes what the child prints; without it that leads nowhere
+    const NamelessFile* errors = nullptr; ///< the same for its messages
+};
 
 /// How a child ended.
 struct ChildEnd {
@@ -51,13 +60,17 @@ struct ChildEnd {
 /// Runs a program to its end and passes on each line that it writes to its pipe. The child has a process group of its own,
 /// so that Ctrl+C in a terminal reaches the parent alone, which then cancels. However this function is left, the child is gone.
 ///
-/// @param arguments the first is the name of the program, by custom
 /// @param wallTime [s] the child is ended after
 /// @param isCancelled asked about twenty times a second; the child is ended when it says yes
 /// @throws std::runtime_error, in a sentence, when the program cannot be started
-ChildEnd runChild(const std::string& program, const std::vector<std::string>& arguments, const NamelessFile& result,
-                  double wallTime, const std::function<void(std::string_view line)>& onLine,
-                  const std::function<bool()>& isCancelled);
+ChildEnd runChild(const ChildProgram& program, double wallTime,
+                  const std::function<void(std::string_view line)>& onLine, const std::function<bool()>& isCancelled);
+
+/// Why a signal ends a process, in a few words: "memory access".
+std::string reasonOfSignal(int signal);
+
+/// Called by the child: it ends when the thread that started it ends.
+void endWithParent();
 
 /// Limits that a child sets itself before it does anything else.
 struct OwnLimits {

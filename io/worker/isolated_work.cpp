@@ -47,25 +47,6 @@ private:
     std::string m_last;
 };
 
-std::string crashReason(int signal)
-{
-    switch (signal) {
-    case SIGSEGV:
-    case SIGBUS:
-        return "memory access";
-    case SIGFPE:
-        return "arithmetic";
-    case SIGABRT:
-        return "internal error";
-    case SIGILL:
-        return "illegal instruction";
-    case SIGKILL:
-        return "ended from outside, perhaps because the machine ran out of memory";
-    default:
-        return "signal " + std::to_string(signal);
-    }
-}
-
 [[noreturn]] void failFor(const IsolatedWork& work, const ChildEnd& end, const StageList& stages)
 {
     const bool outOfTime = end.kind == ChildEnd::Kind::signaled && end.number == SIGXCPU;
@@ -74,8 +55,8 @@ std::string crashReason(int signal)
                                    duration(outOfTime ? work.processorTime : work.wallTime) + stages.whileLast() +
                                    " and was ended. " + work.outOfTime);
     if (end.kind == ChildEnd::Kind::signaled)
-        failReading(work.path, "the " + work.worker + " crashed" + stages.whileLast() + " (" + crashReason(end.number) +
-                                   "). " + work.afterFailure);
+        failReading(work.path, "the " + work.worker + " crashed" + stages.whileLast() + " (" +
+                                   reasonOfSignal(end.number) + "). " + work.afterFailure);
     failReading(work.path,
                 "the " + work.worker + " ended without a result" + stages.whileLast() + ". " + work.afterFailure);
 }
@@ -87,8 +68,9 @@ std::string runIsolated(const IsolatedWork& work, const NamelessFile& file, Task
     control.throwIfCancelled();
     StageList stages(control);
     const ChildEnd end = runChild(
-        work.program, work.arguments, file, work.wallTime > 0 ? work.wallTime : 1e9,
-        [&](std::string_view line) { stages.take(line); }, [&] { return control.isCancelled(); });
+        {.program = work.program, .arguments = work.arguments, .result = &file},
+        work.wallTime > 0 ? work.wallTime : 1e9, [&](std::string_view line) { stages.take(line); },
+        [&] { return control.isCancelled(); });
     if (end.kind == ChildEnd::Kind::cancelled)
         throw Cancelled();
     if (end.kind != ChildEnd::Kind::exited || end.number != 0)

@@ -28,7 +28,7 @@ private slots:
 
 void CommandLineTest::helpExistsEverywhere()
 {
-    for (const char* command : {"", "info", "convert", "run", "recipe"}) {
+    for (const char* command : {"", "info", "convert", "run", "sweep", "recipe"}) {
         QStringList arguments{"--help"};
         if (*command != '\0')
             arguments.prepend(command);
@@ -54,6 +54,8 @@ void CommandLineTest::wrongUseEndsWithTwoAndOneSentence_data()
     QTest::newRow("run of nothing") << QStringList{"run", "/nowhere/a.recipe.json"};
     QTest::newRow("run of a folder") << QStringList{"run", "/"};
     QTest::newRow("no threads") << QStringList{"run", "a.recipe.json", "--threads", "0"};
+    QTest::newRow("nothing to set") << QStringList{"run", "a.recipe.json", "--set"};
+    QTest::newRow("set of nothing") << QStringList{"run", "a.recipe.json", "--set", "spacing_mm"};
     QTest::newRow("too much") << QStringList{"run", "a.recipe.json", "b.recipe.json"};
     QTest::newRow("two commands") << QStringList{"run", "a.recipe.json", "info", "b.step"};
     QTest::newRow("recipe for nothing") << QStringList{"recipe", "/nowhere/a.step"};
@@ -142,6 +144,9 @@ void CommandLineTest::importOptionsAreHeeded()
     QCOMPARE(part["hidden"].toBool(true), false);
     QCOMPARE(part["layer"].toString("none"), QString());
     QVERIFY(part["repairs"].isArray());
+
+    const Outcome before = knead({"info", "--part", "bracket/Bushing", "--unit", "cm", "--no-heal", bracket, "--json"});
+    QVERIFY2(before.out == chosen.out, "options may stand before the file");
 
     const Outcome all = knead({"info", bracket, "--json"});
     const QJsonArray parts = QJsonDocument::fromJson(QByteArray::fromStdString(all.out)).object()["parts"].toArray();

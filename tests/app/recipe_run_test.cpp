@@ -15,6 +15,7 @@ class RecipeRunTest : public QObject {
 private slots:
     void runWritesExactlyTheExports();
     void runReportsWhatTheRecipeSaid();
+    void settingsAreThoseOfAnEditedRecipe();
     void anyNumberOfThreadsGivesTheSameBits();
     void eventsHappen();
     void wedgesCutABarInTwo();
@@ -63,6 +64,26 @@ void RecipeRunTest::runReportsWhatTheRecipeSaid()
     QVERIFY2(tool.at("force_n")[2].get<double>() > 0, "the bar pushes the block up");
     QVERIFY(tool.at("peak_force_n").get<double>() >= tool.at("force_n")[2].get<double>());
     QCOMPARE(report.at("files"), (json{shop.path("out/bent.stl"), shop.path("out/pictures/bent.png")}));
+}
+
+void RecipeRunTest::settingsAreThoseOfAnEditedRecipe()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    const QString before = shop.write(recipe, "before.recipe.json");
+    recipe.erase("exports");
+    recipe["duration_s"] = 0.05;
+    recipe["manipulators"][0]["size_mm"][0] = 8;
+    recipe["material"]["youngs_modulus_pa"] = 2e5;
+    const json edited = json::parse(knead({"run", shop.write(recipe), "--json"}).out);
+    const Outcome set = knead({"run", "--set", "duration_s=0.05", "--set", "manipulators.press.size_mm.0=8", "--set",
+                               "exports=null", before, "--set",
+                               "material={\"youngs_modulus_pa\": 1e5, \"damping_ratio\": "
+                               "0.2, \"shape_damping_per_s\": 40}",
+                               "--set", "material.youngs_modulus_pa=2e5", "--json"});
+    QVERIFY2(set.status == 0, set.errors.c_str());
+    QCOMPARE(json::parse(set.out).at("state_hash"), edited.at("state_hash"));
+    QCOMPARE(json::parse(set.out).at("files"), json::array());
 }
 
 void RecipeRunTest::anyNumberOfThreadsGivesTheSameBits()
@@ -158,6 +179,10 @@ void RecipeRunTest::rigidBodiesFlyAsTheyStarted()
     const float fallen = static_cast<float>(100 * report.at("simulated_s").get<double>());
     QVERIFY(std::abs(lowestZ(shop.path("out/flown.stl")) + fallen) < 1e-3F);
     QCOMPARE(report.at("energy_j").at("elastic").get<double>(), 0.0);
+    const json& body = report.at("bodies")[0];
+    QCOMPARE(body.at("name").get<std::string>(), std::string("bar"));
+    QVERIFY(std::abs(body.at("mean_displacement_mm")[2].get<double>() + fallen) < 1e-3);
+    QVERIFY(std::abs(body.at("largest_displacement_mm").get<double>() - fallen) < 1e-3);
 }
 
 void RecipeRunTest::toolsMayBePartsFromFiles()

@@ -39,18 +39,18 @@ inline json with(const std::string& key, const std::string& value)
 }
 
 /// Reads a recipe that lies beside a part.
-inline Recipe readText(const std::string& text)
+inline Recipe readText(const std::string& text, const std::vector<RecipeOverride>& changes = {})
 {
     const QTemporaryDir folder;
     const std::string path = folder.filePath("bend.recipe.json").toStdString();
     std::ofstream(folder.filePath("bar.stl").toStdString()) << "solid";
     std::ofstream(path) << text;
-    return readRecipe(path, presets);
+    return readRecipe(path, presets, changes);
 }
 
-inline Recipe parse(const json& recipe)
+inline Recipe parse(const json& recipe, const std::vector<RecipeOverride>& changes = {})
 {
-    return readText(recipe.dump());
+    return readText(recipe.dump(), changes);
 }
 
 inline std::string messageForText(const std::string& text)

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace knead {
+
+/// A job array of Slurm: task t carries out point `base + t`.
+struct SlurmJob {
+    std::string id;
+    std::size_t base = 0;
+};
+
+/// What sbatch is to submit.
+struct SlurmArray {
+    std::string script; ///< path
+    std::string folder; ///< for what the tasks print
+    std::string name;
+    std::size_t base = 0;
+    std::vector<std::size_t> tasks;   ///< ascending, not empty
+    unsigned throttle = 0;            ///< tasks at a time; 0: as many as there is room for
+    unsigned threads = 1;             ///< cores of a task
+    std::vector<std::string> options; ///< further ones of sbatch
+};
+
+/// "0-3,7,9-12", as sbatch takes them.
+std::string rangesOf(const std::vector<std::size_t>& numbers);
+
+/// @throws std::runtime_error, in a sentence, when there is no sbatch here, or it refuses
+SlurmJob submit(const SlurmArray& array);
+
+/// Points whose tasks wait or run. None when Slurm does not answer.
+/// @param name of the jobs; others with the same number belong to somebody else
+std::optional<std::set<std::size_t>> queuedPoints(const std::vector<SlurmJob>& jobs, const std::string& name);
+
+/// Ends jobs with all their tasks. @return whether Slurm did
+bool cancelJobs(const std::vector<SlurmJob>& jobs);
+
+} // namespace knead

@@ -1,0 +1,209 @@
+#include "app/sweep/slurm_engine.h"
+
+#include "io/safe_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <thread>
+
+namespace knead {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::size_t arrayLength =
+    1000; // Slurm's own limit on the numbers of tasks, unless it is configured otherwise
+constexpr std::chrono::milliseconds pause{200};  // between looks at the folder
+constexpr std::chrono::seconds queueInterval{5}; // between questions to Slurm, who serves many
+constexpr std::chrono::seconds lateness{10};     // of files of a task that has ended, on network file systems
+constexpr std::size_t tailLength = 300;          // of what a task printed, in a sentence
+
+constexpr const char* jobsName = "slurm/jobs.json";
+
+/// For a shell.
+std::string quoted(const std::string& text)
+{
+    std::string result = "'";
+    for (const char character : text)
+        result += character == '\'' ? std::string("'\\''") : std::string(1, character);
+    return result + "'";
+}
+
+std::string scriptFor(const SweepFolder& folder, unsigned threads)
+{
+    const std::string program = fs::read_symlink("/proc/self/exe").string();
+    return "#!/bin/sh\n"
+           "# Carries out one point of a sweep: its number is that of the task plus the first argument.\n"
+           "exec " +
+           quoted(program) + " sweep-point " + quoted(folder.path()) + " $((SLURM_ARRAY_TASK_ID + $1)) --threads " +
+           std::to_string(threads) + "\n";
+}
+
+std::string jobName(const SweepPlan& plan)
+{
+    return "knead-" + plan.key.substr(0, 8);
+}
+
+/// The sweep as its jobs go along.
+class SlurmSweep {
+public:
+    SlurmSweep(const SweepFolder& folder, const SweepPlan& plan, const std::vector<std::size_t>& points,
+               SweepProgress& progress)
+        : m_folder(folder)
+        , m_plan(plan)
+        , m_missing(points.begin(), points.end())
+        , m_progress(progress)
+        , m_jobs(jobsOf(folder))
+    {
+    }
+
+    LostPoints run(const SlurmOptions& options)
+    {
+        lookAtQueue();
+        submitMissing(options);
+        m_queued = m_missing;
+        m_gone.clear();
+        m_nextQuestion = Clock::now() + queueInterval;
+        while (!m_missing.empty()) {
+            m_progress.control().throwIfCancelled();
+            collect();
+            if (Clock::now() >= m_nextQuestion)
+                lookAtQueue();
+            giveUpVanished();
+            m_progress.show(std::to_string(m_queued.size()) +
+                            (m_answers ? " in Slurm" : " in Slurm, which does not answer"));
+            if (!m_missing.empty())
+                std::this_thread::sleep_for(pause);
+        }
+        return m_lost;
+    }
+
+private:
+    /// In arrays of the length that Slurm takes.
+    void submitMissing(const SlurmOptions& options)
+    {
+        std::map<std::size_t, std::vector<std::size_t>> tasks; // by their base
+        for (const std::size_t point : m_missing)
+            if (!m_queued.contains(point))
+                tasks[point / arrayLength * arrayLength].push_back(point % arrayLength);
+        if (tasks.empty())
+            return;
+        const std::string script = m_folder.pathOf("slurm/task.sh");
+        fs::create_directories(m_folder.pathOf("slurm"));
+        writeFileSafely(script, scriptFor(m_folder, options.threads));
+        for (auto& [base, numbers] : tasks) {
+            m_jobs.push_back(submit({.script = script,
+                                     .folder = m_folder.pathOf("slurm"),
+                                     .name = jobName(m_plan),
+                                     .base = base,
+                                     .tasks = std::move(numbers),
+                                     .throttle = options.throttle,
+                                     .threads = options.threads,
+                                     .options = options.options}));
+            writeJobs();
+        }
+    }
+
+    void writeJobs() const
+    {
+        Json json = Json::array();
+        for (const SlurmJob& job : m_jobs)
+            json.push_back({{"job", job.id}, {"base", job.base}});
+        writeFileSafely(m_folder.pathOf(jobsName), json.dump() + "\n");
+    }
+
+    /// Takes up results that have come.
+    void collect()
+    {
+        for (auto point = m_missing.begin(); point != m_missing.end();) {
+            const std::optional<PointResult> result = m_folder.result(m_plan, *point);
+            if (!result) {
+                ++point;
+                continue;
+            }
+            m_progress.finished(*point, *result);
+            m_queued.erase(*point);
+            point = m_missing.erase(point);
+        }
+    }
+
+    void lookAtQueue()
+    {
+        const auto queued = queuedPoints(m_jobs, jobName(m_plan));
+        m_answers = queued.has_value();
+        m_nextQuestion = Clock::now() + queueInterval;
+        if (!queued)
+            return;
+        m_queued = *queued;
+        for (const std::size_t point : m_missing)
+            if (m_queued.contains(point))
+                m_gone.erase(point);
+            else
+                m_gone.try_emplace(point, Clock::now());
+    }
+
+    /// Tasks that ended a while ago and left no result.
+    void giveUpVanished()
+    {
+        for (const auto& [point, since] : m_gone)
+            if (m_missing.contains(point) && Clock::now() > since + lateness) {
+                m_missing.erase(point);
+                m_lost.emplace(point, sentenceFor(point));
+                m_progress.lost(m_lost.at(point));
+            }
+    }
+
+    /// The last job that had the point, with the end of what its task printed.
+    std::string sentenceFor(std::size_t point) const
+    {
+        const std::size_t base = point / arrayLength * arrayLength;
+        const auto job =
+            std::find_if(m_jobs.rbegin(), m_jobs.rend(), [&](const SlurmJob& one) { return one.base == base; });
+        const std::string task = job->id + "_" + std::to_string(point - base);
+        std::string printed = textOf(m_folder.pathOf("slurm/" + task + ".txt")).value_or("");
+        std::replace(printed.begin(), printed.end(), '\n', ' ');
+        printed = printed.substr(printed.size() - std::min(printed.size(), tailLength));
+        return "The task " + task + " of point " + std::to_string(point) + " vanished from Slurm without a result" +
+               (printed.empty() ? ". " : "; it said: " + printed) + "The same command submits it again.";
+    }
+
+    const SweepFolder& m_folder;
+    const SweepPlan& m_plan;
+    std::set<std::size_t> m_missing;
+    SweepProgress& m_progress;
+    std::vector<SlurmJob> m_jobs;
+    std::set<std::size_t> m_queued;                  ///< as Slurm said last
+    std::map<std::size_t, Clock::time_point> m_gone; ///< missing, and since when Slurm knows nothing of them
+    LostPoints m_lost;
+    bool m_answers = true;
+    Clock::time_point m_nextQuestion{};
+};
+
+} // namespace
+
+LostPoints runOnSlurm(const SweepFolder& folder, const SweepPlan& plan, const std::vector<std::size_t>& points,
+                      const SlurmOptions& options, SweepProgress& progress)
+{
+    return SlurmSweep(folder, plan, points, progress).run(options);
+}
+
+std::vector<SlurmJob> jobsOf(const SweepFolder& folder)
+{
+    std::vector<SlurmJob> jobs;
+    const Json json = Json::parse(textOf(folder.pathOf(jobsName)).value_or("[]"), nullptr, false);
+    for (const Json& job : json)
+        if (job.is_object() && job.contains("job") && job.contains("base"))
+            jobs.push_back({job.at("job"), job.at("base")});
+    return jobs;
+}
+
+} // namespace knead
