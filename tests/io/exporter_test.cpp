@@ -94,6 +94,10 @@ private slots:
     void foldedMaterialFallsBack();
     void surfacesThatPassThroughThemselvesAreNamed();
     void tornPartsComeAsClosedPieces();
+    void crackedPartsInOnePieceSaySo();
+    void crackedPartsThatAreFoldedSayWhyTheyAreFlat();
+    void igesKeepsNames();
+    void facesThatAreNotFollowedAreNamed();
     void jobsAndReportsSurviveTheirWay();
     void nothingToExportIsRefused();
 };
@@ -260,7 +264,9 @@ void ExporterTest::meshesBecomeSolidsOfFlatFaces()
     const PartExportReport& part = file.report.parts.front();
     QCOMPARE(part.form, PartExportReport::Form::faceted);
     QVERIFY(!part.reason.empty());
-    QCOMPARE(part.facesAfter, static_cast<int>(triangles));
+    QCOMPARE(triangles, std::size_t{12});
+    QCOMPARE(part.facesAfter, 6); // triangles in a plane are one face
+    QCOMPARE(part.edgesAfter, 12);
     QVERIFY(part.closed && part.valid);
 }
 
@@ -343,6 +349,115 @@ void ExporterTest::tornPartsComeAsClosedPieces()
         }
         QVERIFY2(std::abs(volume / model.parts.front().volume - 1) < 0.01, qPrintable(QString::number(volume)));
     }
+}
+
+/// The bar, cracked from above through a part of its height, its two halves turned away from each other by an angle: the crack
+/// gapes, and what is below it bends. @param depth of the crack, as a share of the height
+ExportJob crackedBar(const Model& model, double depth, double angle, double cells)
+{
+    const Box box = boxOf(model);
+    const maps::Identity still;
+    ExportJob job = jobOf(model, &still, cells);
+    PartToExport& bar = job.parts.front();
+    const Aggregate& aggregate = *bar.aggregate;
+    const double middle = box.center().x() + 0.0004;
+    const double root = box.max().z() - depth * box.sizes().z();
+    const auto isRight = [&](const Vec3& at) { return at.x() > middle ? 1.0 : 0.0; };
+    auto broken = std::make_shared<std::vector<ConnectionId>>();
+    const auto across = brokenAcross(aggregate, isRight);
+    for (const ConnectionId& one : *across)
+        if (aggregate.lattice.position(one.lower).z() > root)
+            broken->push_back(one);
+    bar.broken = broken;
+    for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
+        const Vec3 X = aggregate.lattice.position(i);
+        // Above the root each half turns as a whole; below, the turn is spread over the length.
+        const double spread = std::clamp((X.x() - middle) / 0.02, -1.0, 1.0);
+        const double share = X.z() > root ? (isRight(X) > 0 ? 1 : -1) : spread;
+        bar.displacements[i] = Vec3(share * angle * std::max(0.0, X.z() - root), 0, 0);
+    }
+    return job;
+}
+
+void ExporterTest::crackedPartsInOnePieceSaySo()
+{
+    const Model model = example("bar.step");
+    ExportJob job = withPieces(crackedBar(model, 0.5, 0.01, 40), 6000, TaskControl::none());
+    QCOMPARE(job.parts.size(), std::size_t{1});
+    const PartToExport& bar = job.parts.front();
+    // By brute force: how far the ends of broken connections are apart.
+    double most = 0;
+    for (const ConnectionId& one : *bar.broken) {
+        const Lattice& lattice = bar.aggregate->lattice;
+        const Vec3 here = lattice.position(one.lower);
+        const Vec3 rest = lattice.direction(static_cast<int>(one.direction));
+        const Vec3 there = here + rest;
+        ObjectIndex upper = 0;
+        for (ObjectIndex i = 0; i < lattice.size(); ++i)
+            if ((lattice.position(i) - there).norm() < 1e-9)
+                upper = i;
+        most = std::max(most,
+                        (there + bar.displacements[upper] - here - bar.displacements[one.lower]).norm() / rest.norm());
+    }
+    const ExportedFile file = exportCad(FormatKind::Step, jobFromBytes(jobToBytes(job)), TaskControl::none());
+    const PartExportReport& report = file.report.parts.front();
+    for (const std::string& line : linesOf(file.report))
+        qInfo("%s", line.c_str());
+    QVERIFY(!report.remarks.empty());
+    const QString remark = QString::fromStdString(report.remarks.front());
+    QVERIFY(remark.startsWith("\"Bar\" is cracked but in one piece: " + QString::number(bar.broken->size()) +
+                              " of its connections are broken"));
+    QVERIFY2(remark.contains("stretched to " + QString::asprintf("%.3g", most) + " times"), qPrintable(remark));
+    QVERIFY(most > 1.02);
+    QCOMPARE(report.form, PartExportReport::Form::exact);
+    QVERIFY(report.closed && report.valid);
+}
+
+void ExporterTest::crackedPartsThatAreFoldedSayWhyTheyAreFlat()
+{
+    const Model model = example("bar.step");
+    // The halves have gone into each other.
+    ExportJob job = withPieces(crackedBar(model, 0.5, -0.9, 16), 6000, TaskControl::none());
+    const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
+    const PartExportReport& report = file.report.parts.front();
+    QCOMPARE(report.form, PartExportReport::Form::faceted);
+    QVERIFY2(report.reason.find("folded") != std::string::npos, report.reason.c_str());
+    QVERIFY2(report.remarks.front().find("is cracked") != std::string::npos, report.remarks.front().c_str());
+}
+
+void ExporterTest::igesKeepsNames()
+{
+    Model model = example("bracket.step");
+    model.parts[0].name = "Left angle bracket, the long one";
+    model.parts[1].name = "Bushing 2 (bronze)";
+    for (std::size_t i = 0; i < 2; ++i) {
+        PartNode& node = model.tree.children.size() == 2 ? model.tree.children[i] : model.tree.children[0].children[i];
+        QCOMPARE(node.part, std::optional(i));
+        node.name = model.parts[i].name;
+    }
+    const ExportedFile file = exportCad(FormatKind::Iges, jobOf(model, nullptr), TaskControl::none());
+    const Model back = readBack(file, "iges");
+    QCOMPARE(back.parts.size(), std::size_t{2});
+    for (std::size_t i = 0; i < 2; ++i) {
+        QCOMPARE(QString::fromStdString(back.parts[i].name), QString::fromStdString(model.parts[i].name));
+        QVERIFY(std::abs(back.parts[i].volume - model.parts[i].volume) < 1e-6 * model.parts[i].volume);
+        QVERIFY(file.report.parts[i].nameKept);
+    }
+}
+
+void ExporterTest::facesThatAreNotFollowedAreNamed()
+{
+    const Model model = example("bar.step");
+    const maps::Bend bend(boxOf(model), 0.05);
+    ExportJob job = jobOf(model, &bend, 8);
+    job.options.tolerance = 1e-11; // no spline comes that close
+    const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
+    const PartExportReport& part = file.report.parts.front();
+    const bool isNamed = std::any_of(part.remarks.begin(), part.remarks.end(), [&](const std::string& remark) {
+        return remark.starts_with("\"" + part.name + "\": ") && remark.find("face") != std::string::npos &&
+               remark.find("aimed at") != std::string::npos;
+    });
+    QVERIFY2(isNamed, part.remarks.empty() ? part.reason.c_str() : part.remarks.front().c_str());
 }
 
 void ExporterTest::jobsAndReportsSurviveTheirWay()
