@@ -35,7 +35,8 @@ struct ObjectStrain {
 ///
 /// Flow and re-normalization change nominal lengths: of them the same fit makes the metric C of the relaxed material. What is
 /// elastic is then ln sqrt(F C^-1 F^T), and the stress (lambda tr(e) I + 2 mu e) / sqrt(det F C^-1 F^T) with mu and lambda of
-/// the object's material: what the connections and the volumetric term add up to where the strain is even.
+/// the object's material: what the connections and the volumetric term add up to where the strain is even. After flow its
+/// pressure is as rough as one metric fits the nominal lengths.
 /// Any thread; uses several.
 /// @param displacements per object, from rest [m]
 std::vector<ObjectStrain> objectStrains(const Aggregate& aggregate, std::span<const Vec3> displacements,

@@ -1,6 +1,7 @@
 #include "core/simulation/simulation_state.h"
 #include "core/task/parallel.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace knead {
@@ -41,6 +42,11 @@ std::shared_ptr<const RelaxedState> relaxedOf(BodyRun& run)
     auto relaxed = std::make_shared<RelaxedState>(RelaxedState{.materials = run.materials});
     for (std::size_t d = 0; version > 0 && d < Lattice::directionCount; ++d)
         relaxed->growth[d] = growthOf(run, d);
+    const auto isAtRest = [](const std::vector<float>& growth) {
+        return std::all_of(growth.begin(), growth.end(), [](float one) { return one == 0; });
+    };
+    if (std::all_of(relaxed->growth.begin(), relaxed->growth.end(), isAtRest)) // it may have been put back
+        relaxed->growth = {};
     run.relaxed = std::move(relaxed);
     run.relaxedVersion = version;
     return run.relaxed;
