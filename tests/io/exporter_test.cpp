@@ -1,84 +1,16 @@
-#include "core/aggregate/fill.h"
-#include "core/skin/torn_parts.h"
-#include "io/export/exporter.h"
 #include "io/export/job_file.h"
-#include "io/importer.h"
-#include "support/space_maps.h"
+#include "support/export_jobs.h"
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 
 using namespace knead;
-
-namespace {
-
-Model example(const char* name)
-{
-    return importFile(std::string(KNEAD_RESOURCES) + "/examples/" + name);
-}
-
-/// All closed parts of a model, their objects where a map takes them.
-ExportJob jobOf(const Model& model, const SmoothMap* map, double cells = 24)
-{
-    ExportJob job;
-    job.tree = model.tree;
-    job.options.unit = "mm";
-    for (const Part& part : model.parts) {
-        PartToExport out{.part = part};
-        out.density = 1000;
-        if (map != nullptr) {
-            out.aggregate = std::make_shared<const Aggregate>(
-                fill(part.mesh, {.spacing = spacingForCellsAcross(part.mesh, cells)}));
-            for (ObjectIndex i = 0; i < out.aggregate->size(); ++i) {
-                const Vec3 at = out.aggregate->lattice.position(i);
-                out.displacements.push_back(map->at(at) - at);
-            }
-        }
-        job.parts.push_back(std::move(out));
-    }
-    return job;
-}
-
-Box boxOf(const Model& model)
-{
-    Box box;
-    for (const Part& part : model.parts)
-        box.extend(part.box);
-    return box;
-}
-
-Model readBack(const ExportedFile& file, const char* ending)
-{
-    QTemporaryDir folder;
-    const QString path = folder.filePath(QString("out.") + ending);
-    QFile out(path);
-    out.open(QIODevice::WriteOnly);
-    out.write(file.bytes.data(), static_cast<qint64>(file.bytes.size()));
-    out.close();
-    return importFile(path.toStdString(), {.heal = false});
-}
-
-/// Breaks all connections between objects on the two sides of a plane.
-std::shared_ptr<const std::vector<ConnectionId>> brokenAcross(const Aggregate& aggregate,
-                                                              const std::function<double(const Vec3&)>& side)
-{
-    auto broken = std::make_shared<std::vector<ConnectionId>>();
-    const Lattice& lattice = aggregate.lattice;
-    for (std::uint32_t d = 0; d < Lattice::isotropicCount; ++d)
-        for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
-            if (aggregate.weight[d][i] <= 0)
-                continue;
-            const Vec3 here = lattice.position(i);
-            if (side(here) != side(here + lattice.direction(static_cast<int>(d))))
-                broken->push_back({d, i});
-        }
-    return broken;
-}
-
-} // namespace
+using namespace export_jobs;
 
 class ExporterTest : public QObject {
     Q_OBJECT
@@ -93,9 +25,6 @@ private slots:
     void meshesBecomeSolidsOfFlatFaces();
     void foldedMaterialFallsBack();
     void surfacesThatPassThroughThemselvesAreNamed();
-    void tornPartsComeAsClosedPieces();
-    void crackedPartsInOnePieceSaySo();
-    void crackedPartsThatAreFoldedSayWhyTheyAreFlat();
     void igesKeepsNames();
     void facesThatAreNotFollowedAreNamed();
     void jobsAndReportsSurviveTheirWay();
@@ -315,114 +244,6 @@ void ExporterTest::surfacesThatPassThroughThemselvesAreNamed()
     QCOMPARE(part.remarks.size(), std::size_t{1});
     QVERIFY2(part.remarks.front().find("passes through itself near (") != std::string::npos,
              part.remarks.front().c_str());
-}
-
-void ExporterTest::tornPartsComeAsClosedPieces()
-{
-    const Model model = example("bar.step");
-    const maps::Identity still;
-    const Box box = boxOf(model);
-    Eigen::Index along = 0;
-    const double length = box.sizes().maxCoeff(&along);
-    const auto shattered = [&](const Vec3& at) { // in five pieces
-        return std::floor(5 * (at[along] - box.min()[along]) / length + 0.3 * std::sin(300 * at[(along + 1) % 3]));
-    };
-    const auto severed = [&](const Vec3& at) { return at[along] < box.center()[along] + 0.001 ? 0.0 : 1.0; };
-    struct Case {
-        std::function<double(const Vec3&)> side;
-        std::size_t pieces;
-    };
-    for (const Case& one : {Case{severed, 2}, Case{shattered, 5}}) {
-        ExportJob job = jobOf(model, &still);
-        PartToExport& whole = job.parts.front();
-        whole.broken = brokenAcross(*whole.aggregate, one.side);
-        for (ObjectIndex i = 0; i < whole.displacements.size(); ++i) // apart from each other
-            whole.displacements[i] = 0.01 * one.side(whole.aggregate->lattice.position(i)) * Vec3::Unit(along);
-        job = withPieces(std::move(job), 6000, TaskControl::none());
-        QVERIFY2(job.parts.size() >= one.pieces, qPrintable(QString::number(job.parts.size())));
-        const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
-        QVERIFY(file.report.isSound());
-        double volume = 0;
-        for (const PartExportReport& part : file.report.parts) {
-            QVERIFY(part.closed && part.valid && part.freeEdges == 0);
-            volume += part.volume;
-        }
-        QVERIFY2(std::abs(volume / model.parts.front().volume - 1) < 0.01, qPrintable(QString::number(volume)));
-    }
-}
-
-/// The bar, cracked from above through a part of its height, its two halves turned away from each other by an angle: the crack
-/// gapes, and what is below it bends. @param depth of the crack, as a share of the height
-ExportJob crackedBar(const Model& model, double depth, double angle, double cells)
-{
-    const Box box = boxOf(model);
-    const maps::Identity still;
-    ExportJob job = jobOf(model, &still, cells);
-    PartToExport& bar = job.parts.front();
-    const Aggregate& aggregate = *bar.aggregate;
-    const double middle = box.center().x() + 0.0004;
-    const double root = box.max().z() - depth * box.sizes().z();
-    const auto isRight = [&](const Vec3& at) { return at.x() > middle ? 1.0 : 0.0; };
-    auto broken = std::make_shared<std::vector<ConnectionId>>();
-    const auto across = brokenAcross(aggregate, isRight);
-    for (const ConnectionId& one : *across)
-        if (aggregate.lattice.position(one.lower).z() > root)
-            broken->push_back(one);
-    bar.broken = broken;
-    for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
-        const Vec3 X = aggregate.lattice.position(i);
-        // Above the root each half turns as a whole; below, the turn is spread over the length.
-        const double spread = std::clamp((X.x() - middle) / 0.02, -1.0, 1.0);
-        const double share = X.z() > root ? (isRight(X) > 0 ? 1 : -1) : spread;
-        bar.displacements[i] = Vec3(share * angle * std::max(0.0, X.z() - root), 0, 0);
-    }
-    return job;
-}
-
-void ExporterTest::crackedPartsInOnePieceSaySo()
-{
-    const Model model = example("bar.step");
-    ExportJob job = withPieces(crackedBar(model, 0.5, 0.01, 40), 6000, TaskControl::none());
-    QCOMPARE(job.parts.size(), std::size_t{1});
-    const PartToExport& bar = job.parts.front();
-    // By brute force: how far the ends of broken connections are apart.
-    double most = 0;
-    for (const ConnectionId& one : *bar.broken) {
-        const Lattice& lattice = bar.aggregate->lattice;
-        const Vec3 here = lattice.position(one.lower);
-        const Vec3 rest = lattice.direction(static_cast<int>(one.direction));
-        const Vec3 there = here + rest;
-        ObjectIndex upper = 0;
-        for (ObjectIndex i = 0; i < lattice.size(); ++i)
-            if ((lattice.position(i) - there).norm() < 1e-9)
-                upper = i;
-        most = std::max(most,
-                        (there + bar.displacements[upper] - here - bar.displacements[one.lower]).norm() / rest.norm());
-    }
-    const ExportedFile file = exportCad(FormatKind::Step, jobFromBytes(jobToBytes(job)), TaskControl::none());
-    const PartExportReport& report = file.report.parts.front();
-    for (const std::string& line : linesOf(file.report))
-        qInfo("%s", line.c_str());
-    QVERIFY(!report.remarks.empty());
-    const QString remark = QString::fromStdString(report.remarks.front());
-    QVERIFY(remark.startsWith("\"Bar\" is cracked but in one piece: " + QString::number(bar.broken->size()) +
-                              " of its connections are broken"));
-    QVERIFY2(remark.contains("stretched to " + QString::asprintf("%.3g", most) + " times"), qPrintable(remark));
-    QVERIFY(most > 1.02);
-    QCOMPARE(report.form, PartExportReport::Form::exact);
-    QVERIFY(report.closed && report.valid);
-}
-
-void ExporterTest::crackedPartsThatAreFoldedSayWhyTheyAreFlat()
-{
-    const Model model = example("bar.step");
-    // The halves have gone into each other.
-    ExportJob job = withPieces(crackedBar(model, 0.5, -0.9, 16), 6000, TaskControl::none());
-    const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
-    const PartExportReport& report = file.report.parts.front();
-    QCOMPARE(report.form, PartExportReport::Form::faceted);
-    QVERIFY2(report.reason.find("folded") != std::string::npos, report.reason.c_str());
-    QVERIFY2(report.remarks.front().find("is cracked") != std::string::npos, report.remarks.front().c_str());
 }
 
 void ExporterTest::igesKeepsNames()
