@@ -15,6 +15,7 @@ class RecipeRunTest : public QObject {
 private slots:
     void runWritesExactlyTheExports();
     void runReportsWhatTheRecipeSaid();
+    void exportsAreAsAsked();
     void anyNumberOfThreadsGivesTheSameBits();
     void eventsHappen();
     void wedgesCutABarInTwo();
@@ -63,6 +64,23 @@ void RecipeRunTest::runReportsWhatTheRecipeSaid()
     QVERIFY2(tool.at("force_n")[2].get<double>() > 0, "the bar pushes the block up");
     QVERIFY(tool.at("peak_force_n").get<double>() >= tool.at("force_n")[2].get<double>());
     QCOMPARE(report.at("files"), (json{shop.path("out/bent.stl"), shop.path("out/pictures/bent.png")}));
+}
+
+void RecipeRunTest::exportsAreAsAsked()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe["exports"] = json::parse(R"([{"file": "bent.stl", "text": true}, {"file": "bent.vtp"}])");
+    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out")});
+    QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+    const auto contentOf = [&](const char* name) {
+        std::ifstream file(shop.path(name), std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    QVERIFY(contentOf("out/bent.stl").starts_with("solid "));
+    const std::string vtp = contentOf("out/bent.vtp");
+    for (const char* field : {"displacement [m]", "equivalent strain", "von Mises stress [Pa]", "part"})
+        QVERIFY2(vtp.find("Name=\"" + std::string(field) + "\"") != std::string::npos, field);
 }
 
 void RecipeRunTest::anyNumberOfThreadsGivesTheSameBits()
