@@ -9,11 +9,13 @@
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -202,13 +204,23 @@ FacetedSolid makeSolid(const TriangleMesh& mesh, const std::vector<FlatFace>& fl
     return result;
 }
 
+/// Whether the faces of several triangles pass the checks; how all fit together is known.
+bool areSound(const TopoDS_Shape& shape)
+{
+    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
+        if (faces.Current().NbChildren() > 1 || TopoDS_Iterator(faces.Current()).Value().NbChildren() > 3)
+            if (!BRepCheck_Analyzer(faces.Current()).IsValid())
+                return false;
+    return true;
+}
+
 } // namespace
 
 FacetedSolid facetedSolid(const TriangleMesh& given, double flatness)
 {
     const TriangleMesh mesh = weld(given, leastEdge);
     if (const std::vector<FlatFace> merged = flatFaces(mesh, flatness); merged.size() < mesh.triangles.size())
-        if (FacetedSolid solid = makeSolid(mesh, merged); BRepCheck_Analyzer(solid.shape).IsValid())
+        if (FacetedSolid solid = makeSolid(mesh, merged); areSound(solid.shape))
             return solid;
     return makeSolid(mesh, flatFaces(mesh, 0));
 }
