@@ -29,6 +29,7 @@ PartExportReport reportOn(const PartToExport& part, const TriangleMesh& mesh)
     PartExportReport report;
     report.name = part.part.name;
     report.form = PartExportReport::Form::mesh;
+    report.remarks = part.remarks;
     report.density = part.density;
     report.solidsBefore = report.solidsAfter = part.part.solids;
     report.facesBefore = static_cast<int>(part.part.faces.size());
@@ -50,6 +51,36 @@ bool isGltf(const std::string& path)
     return ending == "glb" || ending == "gltf";
 }
 
+/// Only VTP holds numbers at vertices.
+bool holdsFields(const std::string& path)
+{
+    return lowerCaseEnding(path) == "vtp";
+}
+
+std::vector<MeshField> toMeshFields(const SkinFields& fields)
+{
+    MeshField displacement{"displacement [m]", 3, {}};
+    displacement.values.reserve(3 * fields.displacement.size());
+    for (const Vec3& moved : fields.displacement)
+        for (const double coordinate : moved)
+            displacement.values.push_back(static_cast<float>(coordinate));
+    return {std::move(displacement),
+            {"equivalent strain", 1, fields.strain},
+            {"von Mises stress [Pa]", 1, fields.vonMisesStress}};
+}
+
+/// The surface of a part at its present place, with fields.
+void strain(const PartToExport& part, MeshBody& body, TaskControl& control)
+{
+    const std::vector<ConnectionId> none;
+    const auto strains =
+        objectStrains(*part.aggregate, part.displacements, *part.relaxed, part.broken ? *part.broken : none);
+    StrainedSurface surface =
+        strainedSurface(part.part.mesh, *part.aggregate, part.displacements, strains, mostTriangles, control);
+    body.mesh = std::move(surface.mesh);
+    body.fields = toMeshFields(surface.fields);
+}
+
 ExportReport exportMeshes(const std::string& path, const ExportJob& job, TaskControl& control)
 {
     const auto start = std::chrono::steady_clock::now();
@@ -64,8 +95,12 @@ ExportReport exportMeshes(const std::string& path, const ExportJob& job, TaskCon
         TaskPortion portion(control, surfaceShare * done / count, surfaceShare * (done + 1) / count);
         MeshBody body{part.part.name, part.part.color.value_or(Color{}), part.part.mesh};
         body.faceColors = faceColorsOf(part.part);
-        if (part.aggregate != nullptr)
+        if (part.relaxed)
+            strain(part, body, portion);
+        else if (part.aggregate != nullptr)
             body.mesh = deformedSurface(part.part.mesh, *part.aggregate, part.displacements, mostTriangles, portion);
+        if (part.fields)
+            body.fields = toMeshFields(*part.fields);
         report.parts.push_back(reportOn(part, body.mesh));
         bodies.push_back(std::move(body));
     }
@@ -85,6 +120,9 @@ ExportReport exportFile(const std::string& path, ExportJob job, TaskControl& con
     if (job.parts.empty())
         throw std::runtime_error(shortName(path) + ": there is nothing to export.");
     const bool isCad = cadFormatFor(path).has_value();
+    for (PartToExport& part : job.parts)
+        if (!holdsFields(path))
+            part.relaxed.reset();
     TaskPortion tearing(control, 0, 0.1);
     const ExportJob whole = withPieces(std::move(job), isCad ? mostFlatFaces : mostTriangles, tearing);
     TaskPortion writing(control, 0.1, 1);

@@ -3,12 +3,14 @@
 #include "app/export_file.h"
 #include "core/model/part_tree.h"
 #include "core/skin/deformed_surface.h"
+#include "core/skin/torn_parts.h"
 #include "io/mesh_writer.h"
 #include "io/picture_writer.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 namespace knead {
 
@@ -30,19 +32,23 @@ ExportJob jobOf(const RecipeScene& ready, const Snapshot& snapshot)
                              .aggregate = ready.scene.bodies[i].aggregate,
                              .displacements = snapshot.bodies[i].displacements(),
                              .broken = snapshot.bodies[i].broken,
+                             .relaxed = snapshot.bodies[i].relaxed,
                              .density = snapshot.materials[i].density});
     }
     job.tree = treeOfPaths(parts);
     return job;
 }
 
+/// Bodies that have come apart as their pieces.
 std::vector<MeshBody> deformedBodies(const ExportJob& job, TaskControl& control)
 {
     std::vector<MeshBody> bodies;
-    for (const PartToExport& part : job.parts)
-        bodies.push_back(
-            {part.part.name, part.part.color.value_or(Color{}),
-             deformedSurface(part.part.mesh, *part.aggregate, part.displacements, mostTriangles, control)});
+    for (PartToExport& part : withPieces(job, mostTriangles, control).parts) {
+        MeshBody& body = bodies.emplace_back(MeshBody{part.part.name, part.part.color.value_or(Color{}), {}});
+        body.mesh = part.aggregate == nullptr
+                        ? std::move(part.part.mesh)
+                        : deformedSurface(part.part.mesh, *part.aggregate, part.displacements, mostTriangles, control);
+    }
     return bodies;
 }
 

@@ -116,6 +116,11 @@ private:
         checkBodies(solids, control);
     }
 
+    std::string nameOf(const CadBody& body, const CadNode& leaf, std::size_t number) const
+    {
+        return m_document.names.find(body.original).value_or(numbered(leaf.name, number));
+    }
+
     /// One body is the leaf itself; several become its children.
     void addLeaf(const Leaf& leaf, TaskControl& control)
     {
@@ -126,7 +131,7 @@ private:
         const bool isWhole = m_selection.wants(assembly, leaf.node->name);
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             control.throwIfCancelled();
-            const std::string name = numbered(leaf.node->name, i);
+            const std::string name = nameOf(bodies[i], *leaf.node, i);
             if (!m_selection.wants(assembly, name) && !isWhole)
                 continue;
             TaskPortion ofBody = portionOf(measuring, i, bodies.size());

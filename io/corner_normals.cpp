@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 
 namespace knead {
@@ -12,20 +11,16 @@ namespace {
 constexpr double creaseCosine = 0.866;  // 30 degrees
 constexpr double sharpestInFace = 0.17; // 80 degrees; within a face only an apex or an edge in its surface is sharper
 
-struct Corner {
-    std::uint32_t triangle;
-    std::uint32_t index; ///< 0..2
-};
-
 /// Corners grouped by vertex.
 struct Fans {
     std::vector<std::size_t> first; ///< per vertex, and the end
-    std::vector<Corner> corners;
+    std::vector<MeshCorner> corners;
 };
 
 Fans groupByVertex(const TriangleMesh& mesh)
 {
-    Fans fans{std::vector<std::size_t>(mesh.vertices.size() + 1, 0), std::vector<Corner>(3 * mesh.triangles.size())};
+    Fans fans{std::vector<std::size_t>(mesh.vertices.size() + 1, 0),
+              std::vector<MeshCorner>(3 * mesh.triangles.size())};
     for (const TriangleMesh::Triangle& triangle : mesh.triangles)
         for (const std::uint32_t vertex : triangle)
             ++fans.first[vertex + 1];
@@ -45,7 +40,7 @@ Vec3 faceNormal(const TriangleMesh& mesh, const TriangleMesh::Triangle& t)
     return length > 0 ? Vec3(normal / length) : Vec3(Vec3::Zero());
 }
 
-double cornerAngle(const TriangleMesh& mesh, const Corner& corner)
+double cornerAngle(const TriangleMesh& mesh, const MeshCorner& corner)
 {
     const TriangleMesh::Triangle& t = mesh.triangles[corner.triangle];
     const Vec3& at = mesh.vertices[t[corner.index]];
@@ -56,33 +51,40 @@ double cornerAngle(const TriangleMesh& mesh, const Corner& corner)
 
 } // namespace
 
+std::vector<Vec3> fanNormals(const TriangleMesh& mesh, std::span<const MeshCorner> fan)
+{
+    std::vector<Vec3> faces;
+    std::vector<double> angles;
+    for (const MeshCorner& corner : fan) {
+        faces.push_back(faceNormal(mesh, mesh.triangles[corner.triangle]));
+        angles.push_back(cornerAngle(mesh, corner));
+    }
+    const auto isSmooth = [&](std::size_t a, std::size_t b) {
+        const bool sameFace = !mesh.faceOfTriangle.empty() &&
+                              mesh.faceOfTriangle[fan[a].triangle] == mesh.faceOfTriangle[fan[b].triangle];
+        return faces[a].dot(faces[b]) > (sameFace ? sharpestInFace : creaseCosine);
+    };
+    std::vector<Vec3> normals;
+    for (std::size_t corner = 0; corner < fan.size(); ++corner) {
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t other = 0; other < fan.size(); ++other)
+            if (isSmooth(corner, other))
+                sum += angles[other] * faces[other];
+        const double length = sum.norm();
+        normals.push_back(length > 0 ? Vec3(sum / length) : faces[corner]);
+    }
+    return normals;
+}
+
 CornerNormals cornerNormals(const TriangleMesh& mesh)
 {
-    std::vector<Vec3> normals;
-    normals.reserve(mesh.triangles.size());
-    for (const TriangleMesh::Triangle& triangle : mesh.triangles)
-        normals.push_back(faceNormal(mesh, triangle));
-
-    const auto isSmooth = [&](std::uint32_t a, std::uint32_t b) {
-        const double cosine = normals[a].dot(normals[b]);
-        const bool sameFace = !mesh.faceOfTriangle.empty() && mesh.faceOfTriangle[a] == mesh.faceOfTriangle[b];
-        return cosine > (sameFace ? sharpestInFace : creaseCosine);
-    };
     const Fans fans = groupByVertex(mesh);
     CornerNormals result(mesh.triangles.size());
     for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
-        const auto begin = fans.corners.begin() + static_cast<std::ptrdiff_t>(fans.first[vertex]);
-        const auto end = fans.corners.begin() + static_cast<std::ptrdiff_t>(fans.first[vertex + 1]);
-        std::vector<double> angles;
-        std::transform(begin, end, std::back_inserter(angles), [&](const Corner& c) { return cornerAngle(mesh, c); });
-        for (auto corner = begin; corner != end; ++corner) {
-            Vec3 sum = Vec3::Zero();
-            for (auto other = begin; other != end; ++other)
-                if (isSmooth(corner->triangle, other->triangle))
-                    sum += angles[static_cast<std::size_t>(other - begin)] * normals[other->triangle];
-            const double length = sum.norm();
-            result[corner->triangle][corner->index] = length > 0 ? Vec3(sum / length) : normals[corner->triangle];
-        }
+        const std::span fan(fans.corners.data() + fans.first[vertex], fans.first[vertex + 1] - fans.first[vertex]);
+        const std::vector<Vec3> normals = fanNormals(mesh, fan);
+        for (std::size_t i = 0; i < fan.size(); ++i)
+            result[fan[i].triangle][fan[i].index] = normals[i];
     }
     return result;
 }

@@ -68,7 +68,7 @@ void readPictureKeys(const JsonNode& node, RecipeExport& picture)
 
 void readFileKeys(const JsonNode& node, RecipeExport& file)
 {
-    node.allowOnly({"file", "unit", "tolerance_mm", "ap214", "report"});
+    node.allowOnly({"file", "unit", "tolerance_mm", "ap214", "text", "report"});
     if (const auto unit = node.find("unit")) {
         file.options.unit = unit->text();
         if (findLengthUnit(file.options.unit) == nullptr)
@@ -78,6 +78,8 @@ void readFileKeys(const JsonNode& node, RecipeExport& file)
         file.options.tolerance = 1e-3 * tolerance->number(1e-6, 1e3);
     if (const auto ap214 = node.find("ap214"))
         file.options.useAp214 = ap214->boolean();
+    if (const auto text = node.find("text"))
+        file.options.isText = text->boolean();
     if (const auto report = node.find("report"))
         file.wantsReport = report->boolean();
 }

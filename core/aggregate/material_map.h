@@ -36,6 +36,8 @@ public:
     /// @throws std::runtime_error for an object that does not exist, or for more than 255 different materials
     void set(const std::vector<ObjectIndex>& objects, const Material& material);
 
+    friend bool operator==(const MaterialMap&, const MaterialMap&) = default;
+
     /// Largest of a property over all materials in use.
     template <typename Property>
     double largest(Property&& property) const

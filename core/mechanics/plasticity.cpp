@@ -62,6 +62,7 @@ StructuralConnections::FlowReport StructuralConnections::flowAndBreak(const Obje
             dissipated[begin / m_blockSize] = flowBlock(state, begin, end, dt);
         });
         report.plastic = std::accumulate(dissipated.begin(), dissipated.end(), 0.0);
+        m_lengthVersion += report.plastic > 0 ? 1 : 0;
     }
     if (m_laws.anyBreaks())
         if (const std::vector<ConnectionId> broken = overloaded(state); !broken.empty()) {
@@ -75,6 +76,7 @@ double StructuralConnections::renormalize(const ObjectState& state, const std::v
                                           double share)
 {
     makeLengthsOwn();
+    ++m_lengthVersion;
     const auto takesPart = [&](std::size_t object) { return marks.empty() || marks[object] != 0; };
     double released = 0;
     for (std::uint32_t d = 0; d < Lattice::directionCount; ++d)

@@ -82,6 +82,7 @@ void StructuralConnections::updateMaterials()
 void StructuralConnections::restore(Changes changes)
 {
     m_changes = std::move(changes);
+    ++m_lengthVersion;
     if (m_changes.restDilatation.empty())
         m_changes.restDilatation.assign(m_aggregate->size(), 0);
     updateMaterials();

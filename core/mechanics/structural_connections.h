@@ -56,6 +56,9 @@ public:
     const Changes& changes() const { return m_changes; }
     void restore(Changes changes);
 
+    /// Rises whenever nominal lengths have changed; 0 as long as all are what they were at rest.
+    std::uint64_t lengthVersion() const { return m_lengthVersion; }
+
     /// Writes state.force and state.damping. Reads positions and velocities.
     /// @param dt limits structural friction, which must not turn motion around [s]
     void computeForces(ObjectState& state, double dt = 0);
@@ -171,6 +174,7 @@ private:
     ConnectionLaws m_laws;
     DirectionArray m_stiffness; ///< k [N/m] at the lower object; 0 = no connection
     Changes m_changes;
+    std::uint64_t m_lengthVersion = 0;
     std::size_t m_count = 0;
     std::vector<LatticeRun> m_runs;            ///< for forces
     std::vector<LatticeRun> m_stressRuns;      ///< for the volumetric stress

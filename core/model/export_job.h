@@ -5,6 +5,7 @@
 #include "core/geometry/smooth_map.h"
 #include "core/model/export_options.h"
 #include "core/model/part.h"
+#include "core/skin/skin_fields.h"
 
 #include <memory>
 #include <string>
@@ -19,8 +20,12 @@ struct PartToExport {
     std::vector<Vec3> displacements;                         ///< per object, from rest [m]
     std::shared_ptr<const SmoothMap> map;                    ///< in place of objects; does not leave this process
     std::shared_ptr<const std::vector<ConnectionId>> broken; ///< structural connections; null: none
-    std::string reason; ///< why it has no smooth faces, when something is known about that
-    double density = 0; ///< [kg/m^3], for the report; 0: none
+    std::shared_ptr<const RelaxedState> relaxed;             ///< for fields; null: none; does not leave this process
+    std::shared_ptr<const SkinFields>
+        fields;                       ///< at the vertices of the part's mesh, which is where it is now; null: none
+    std::vector<std::string> remarks; ///< sentences for the report
+    std::string reason;               ///< why it has no smooth faces, when something is known about that
+    double density = 0;               ///< [kg/m^3], for the report; 0: none
 };
 
 /// What is to be written into one file.

@@ -1,6 +1,7 @@
 #include "core/simulation/simulation_state.h"
 #include "core/task/parallel.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace knead {
@@ -20,10 +21,44 @@ std::shared_ptr<const std::vector<ConnectionId>> brokenOf(BodyRun& run)
     return run.published;
 }
 
+std::vector<float> growthOf(const BodyRun& run, std::size_t d)
+{
+    const LaneVector<double>& lengths = run.connections.changes().nominalLength[d];
+    const double rest = run.connections.aggregate().lattice.direction(static_cast<int>(d)).norm();
+    std::vector<float> growth(lengths.size());
+    forEachBlock(lengths.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            growth[i] = static_cast<float>(lengths[i] / rest - 1);
+    });
+    return growth;
+}
+
+/// Elastic material stays as it is.
+std::shared_ptr<const RelaxedState> relaxedOf(BodyRun& run)
+{
+    const std::uint64_t version = run.connections.lengthVersion();
+    if (run.relaxed && run.relaxedVersion == version && run.relaxed->materials == run.materials)
+        return run.relaxed;
+    auto relaxed = std::make_shared<RelaxedState>(RelaxedState{.materials = run.materials});
+    for (std::size_t d = 0; version > 0 && d < Lattice::directionCount; ++d)
+        relaxed->growth[d] = growthOf(run, d);
+    const auto isAtRest = [](const std::vector<float>& growth) {
+        return std::all_of(growth.begin(), growth.end(), [](float one) { return one == 0; });
+    };
+    if (std::all_of(relaxed->growth.begin(), relaxed->growth.end(), isAtRest)) // it may have been put back
+        relaxed->growth = {};
+    run.relaxed = std::move(relaxed);
+    run.relaxedVersion = version;
+    return run.relaxed;
+}
+
 Snapshot::BodyState copyOf(BodyRun& run, std::shared_ptr<const Aggregate> aggregate)
 {
-    Snapshot::BodyState copy{
-        .positions = {}, .kind = run.kind, .aggregate = std::move(aggregate), .broken = brokenOf(run)};
+    Snapshot::BodyState copy{.positions = {},
+                             .kind = run.kind,
+                             .aggregate = std::move(aggregate),
+                             .broken = brokenOf(run),
+                             .relaxed = relaxedOf(run)};
     copy.positions.resize(run.state.size());
     forEachBlock(run.state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)

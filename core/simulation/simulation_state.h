@@ -3,6 +3,7 @@
 #include "core/integration/implicit_euler.h"
 #include "core/mechanics/contacts.h"
 #include "core/mechanics/object_state.h"
+#include "core/mechanics/object_strain.h"
 #include "core/mechanics/rigid_motion.h"
 #include "core/mechanics/structural_connections.h"
 #include "core/simulation/simulation.h"
@@ -26,6 +27,8 @@ struct BodyRun {
     std::optional<RigidMotion> rigid;                           ///< of a rigid body that is not held
     bool anchored = false;                                      ///< some object is held
     std::shared_ptr<const std::vector<ConnectionId>> published; ///< what was broken in the snapshot before; null: none
+    std::shared_ptr<const RelaxedState> relaxed;                ///< in the snapshot before; null: there was none
+    std::uint64_t relaxedVersion = 0;                           ///< of the lengths in that
 
     bool deforms() const { return kind == BodyKind::deformable; }
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/aggregate/connection_id.h"
+#include "core/mechanics/object_strain.h"
 #include "core/simulation/scene.h"
 
 #include <array>
@@ -80,6 +81,10 @@ struct Snapshot {
         /// Structural connections that broke so far, in the order of breaking; snapshots share them until the next one
         /// breaks. Null: none.
         std::shared_ptr<const std::vector<ConnectionId>> broken = nullptr;
+
+        /// What strain and stress are relative to, see objectStrains(); snapshots share it until the next flow. Never null in
+        /// those of a simulation.
+        std::shared_ptr<const RelaxedState> relaxed = nullptr;
 
         /// From rest [m].
         Vec3 displacement(ObjectIndex object) const;

@@ -2,6 +2,7 @@
 
 #include "core/aggregate/aggregate.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/skin/skin_fields.h"
 #include "core/task/task_control.h"
 
 #include <span>
@@ -14,5 +15,16 @@ namespace knead {
 /// @throws Cancelled
 TriangleMesh deformedSurface(const TriangleMesh& mesh, const Aggregate& aggregate, std::span<const Vec3> displacements,
                              std::size_t mostTriangles = 400'000, TaskControl& control = TaskControl::none());
+
+/// The surface and what has become of the material at its vertices.
+struct StrainedSurface {
+    TriangleMesh mesh;
+    SkinFields fields;
+};
+
+/// The same surface, with what has become of the material. @param strains one per object. @throws Cancelled
+StrainedSurface strainedSurface(const TriangleMesh& mesh, const Aggregate& aggregate,
+                                std::span<const Vec3> displacements, std::span<const ObjectStrain> strains,
+                                std::size_t mostTriangles = 400'000, TaskControl& control = TaskControl::none());
 
 } // namespace knead

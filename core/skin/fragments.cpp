@@ -317,24 +317,4 @@ std::vector<Fragment> fragmentsOf(const Aggregate& aggregate, const TriangleMesh
     return Breaker(aggregate, skin, broken, std::move(pieces), options).fragments(control);
 }
 
-std::vector<std::vector<Vec3>> carried(const Aggregate& aggregate, std::span<const Fragment> fragments,
-                                       std::span<const ConnectionId> broken, std::span<const Vec3> displacement,
-                                       TaskControl& control)
-{
-    const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
-    std::vector<std::vector<Vec3>> places;
-    for (const Fragment& fragment : fragments) {
-        const auto count = static_cast<double>(fragments.size());
-        const auto done = static_cast<double>(places.size());
-        TaskPortion portion(control, done / count, (done + 1) / count);
-        const Aggregate part = extract(aggregate, fragment.objects, isBroken);
-        std::vector<Vec3> moved;
-        for (const ObjectIndex object : fragment.objects)
-            moved.push_back(displacement[object]);
-        places.emplace_back(fragment.mesh.vertices.size());
-        Skin(part, fragment.mesh.vertices, portion).evaluate(moved, places.back());
-    }
-    return places;
-}
-
 } // namespace knead

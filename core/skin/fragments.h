@@ -41,12 +41,4 @@ std::vector<Fragment> fragmentsOf(const Aggregate& aggregate, const TriangleMesh
                                   std::span<const ConnectionId> broken, const FragmentOptions& options = {},
                                   TaskControl& control = TaskControl::none());
 
-/// Where the vertices of fragments are when the objects have moved: each fragment is carried by its own objects alone, along
-/// connections that still hold.
-/// @param displacement per object of the aggregate [m]
-/// @return per fragment and vertex [m]. @throws Cancelled
-std::vector<std::vector<Vec3>> carried(const Aggregate& aggregate, std::span<const Fragment> fragments,
-                                       std::span<const ConnectionId> broken, std::span<const Vec3> displacement,
-                                       TaskControl& control = TaskControl::none());
-
 } // namespace knead

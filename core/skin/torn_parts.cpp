@@ -2,9 +2,11 @@
 
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/refine.h"
+#include "core/skin/carried_fragments.h"
 #include "core/skin/fragments.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 namespace knead {
@@ -35,21 +37,63 @@ Part pieceOf(const Part& whole, TriangleMesh mesh, std::size_t number)
     return piece;
 }
 
-/// The pieces of one part; none when it hangs together.
-std::vector<PartToExport> piecesOf(const PartToExport& whole, std::size_t mostTriangles, TaskControl& control)
+ObjectIndex upperEnd(const Lattice& lattice, const ConnectionId& connection)
+{
+    const auto& segments = lattice.segments[connection.direction];
+    const auto segment = std::partition_point(segments.begin(), segments.end(),
+                                              [&](const auto& s) { return s.end <= connection.lower; });
+    return connection.lower + static_cast<ObjectIndex>(segment->offset);
+}
+
+/// What a person should know about a part that is cracked and in one piece: where and how far its skin is stretched.
+std::string crackRemark(const PartToExport& part)
+{
+    const Lattice& lattice = part.aggregate->lattice;
+    double most = 0;
+    Vec3 where = Vec3::Zero();
+    for (const ConnectionId& connection : *part.broken) {
+        const ObjectIndex upper = upperEnd(lattice, connection);
+        const Vec3 rest = lattice.direction(static_cast<int>(connection.direction));
+        const Vec3 opened = part.displacements[upper] - part.displacements[connection.lower];
+        if (const double stretch = (rest + opened).norm() / rest.norm(); stretch > most) {
+            most = stretch;
+            where = 1e3 *
+                    (lattice.position(connection.lower) + part.displacements[connection.lower] + 0.5 * (rest + opened));
+        }
+    }
+    const std::size_t count = part.broken->size();
+    char text[240];
+    std::snprintf(text, sizeof text,
+                  " is cracked but in one piece: %zu of its connections %s broken, and its skin spans the crack, "
+                  "stretched to %.3g times its length there near (%.3g, %.3g, %.3g) mm.",
+                  count, count == 1 ? "is" : "are", most, where.x(), where.y(), where.z());
+    return "\"" + part.part.name + "\"" + text;
+}
+
+/// The pieces of one part; none when it hangs together, of which the part then says what is cracked.
+std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangles, TaskControl& control)
 {
     if (whole.aggregate == nullptr || whole.broken == nullptr || whole.broken->empty())
         return {};
     const TriangleMesh skin = refine(whole.part.mesh, whole.aggregate->lattice.spacing, mostTriangles);
     std::vector<Fragment> fragments = fragmentsOf(*whole.aggregate, skin, *whole.broken, {}, control);
-    if (fragments.size() < 2)
+    if (fragments.size() < 2) {
+        whole.remarks.push_back(crackRemark(whole));
         return {};
-    auto places = carried(*whole.aggregate, fragments, *whole.broken, whole.displacements, control);
+    }
+    std::vector<CarriedFragment> now =
+        carried(*whole.aggregate, fragments, *whole.broken, whole.displacements, whole.relaxed.get(), control);
     std::vector<PartToExport> pieces;
     for (std::size_t i = 0; i < fragments.size(); ++i) {
-        fragments[i].mesh.vertices = std::move(places[i]);
+        fragments[i].mesh.vertices = std::move(now[i].places);
         PartToExport piece{.part = pieceOf(whole.part, std::move(fragments[i].mesh), i + 1)};
         piece.density = whole.density;
+        if (whole.relaxed)
+            piece.fields = std::make_shared<const SkinFields>(std::move(now[i].fields));
+        if (now[i].isRigid)
+            piece.remarks.emplace_back(
+                "too few of its objects hang together to say how it is deformed: it is written in "
+                "its shape at rest, moved as they have.");
         piece.reason = "the part is torn; this is one of " + std::to_string(fragments.size()) + " pieces.";
         pieces.push_back(std::move(piece));
     }

@@ -29,6 +29,7 @@ constexpr double facetDeflection = 1.0 / 400;  // of the size of a part that is 
 constexpr double facetAngle = 0.35;            // [rad]
 constexpr std::size_t wantedFacets = 10'000;
 constexpr std::size_t mostFacets = 60'000;
+constexpr double flatness = 0.1;      // of the tolerance, by which corners may be off a flat face
 constexpr double triangleEdges = 100; // across a part whose map has no spacing
 
 /// Leaves everything where it is.
@@ -125,6 +126,34 @@ std::string whyNot(const MorphedShape& shape)
     return {};
 }
 
+/// Which faces the splines could not follow as closely as was wanted, numbered from 0 as in recipes.
+void noteMisses(const MorphedShape& shape, const std::string& name, double aim, PartExportReport& report)
+{
+    constexpr std::size_t mostNamed = 12;
+    std::string numbers;
+    std::size_t count = 0;
+    std::size_t worst = 0;
+    for (std::size_t i = 0; i < shape.notes.size(); ++i) {
+        if (shape.notes[i].converged)
+            continue;
+        if (count++ < mostNamed)
+            numbers += (count == 1 ? " " : ", ") + std::to_string(i);
+        worst = shape.notes[i].error > shape.notes[worst].error || shape.notes[worst].converged ? i : worst;
+    }
+    if (count == 0)
+        return;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  " not come as close to the skin as was aimed at, %.3g mm; face %zu is %.3g mm off.", aim, worst,
+                  shape.notes[worst].error);
+    report.remarks.push_back("\"" + name + "\": " + (count == 1 ? "face" : std::to_string(count) + " faces,") +
+                             numbers +
+                             (count > mostNamed ? ", ...,"
+                              : count > 1       ? ","
+                                                : "") +
+                             (count == 1 ? " does" : " do") + text);
+}
+
 void addFaceColors(const Part& part, CadPartToWrite& out)
 {
     for (const PartFace& face : part.faces)
@@ -133,22 +162,20 @@ void addFaceColors(const Part& part, CadPartToWrite& out)
 
 void makeFaceted(const PartToExport& part, const std::string& reason, ReadyPart& ready)
 {
-    const TriangleMesh mesh = facetsOf(part, ready.source);
-    ready.out.shape = facetedSolid(mesh);
+    const FacetedSolid solid = facetedSolid(facetsOf(part, ready.source), flatness * ready.report.tolerance);
+    ready.out.shape = solid.shape;
     ready.source.Nullify();
     ready.report.form = PartExportReport::Form::faceted;
     ready.report.reason = reason;
     ready.out.faceColors.clear();
-    if (mesh.faceOfTriangle.empty())
-        return;
-    for (const std::uint32_t face : mesh.faceOfTriangle)
+    for (const std::uint32_t face : solid.origin)
         ready.out.faceColors.push_back(face < part.part.faces.size() ? part.part.faces[face].color : std::nullopt);
 }
 
 } // namespace
 
 ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options,
-                    TaskControl& control)
+                    const std::string& flatBecause, TaskControl& control)
 {
     ReadyPart ready;
     ready.out.name = part.part.name;
@@ -159,6 +186,7 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
 
     PartExportReport& report = ready.report;
     report.name = part.part.name;
+    report.remarks = part.remarks;
     report.density = part.density;
     report.solidsBefore = part.part.solids;
     report.facesBefore = static_cast<int>(part.part.faces.size());
@@ -185,6 +213,10 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
     }
     const bool isMoved = dynamic_cast<const InPlace*>(ready.map.get()) == nullptr;
     ready.source = inMillimetres(shape, part.part.exact->unit);
+    if (!flatBecause.empty()) {
+        makeFaceted(part, flatBecause, ready);
+        return ready;
+    }
     if (isMoved) {
         const TriangleMesh fine =
             refine(part.part.mesh, part.part.box.diagonal().norm() / triangleEdges, mostTriangles);
@@ -204,7 +236,8 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
         return ready;
     }
     TaskPortion morphing(control, 0.2, 1);
-    MorphedShape morphed = morphShape(ready.source, *ready.map, {.tolerance = 1e3 * report.tolerance}, morphing);
+    const MorphOptions morphOptions{.tolerance = 1e3 * report.tolerance};
+    MorphedShape morphed = morphShape(ready.source, *ready.map, morphOptions, morphing);
     if (const std::string reason = whyNot(morphed); !reason.empty()) {
         makeFaceted(part, reason, ready);
         return ready;
@@ -212,6 +245,7 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
     report.keptFaces =
         static_cast<int>(std::count_if(morphed.notes.begin(), morphed.notes.end(),
                                        [](const MorphedFaceNote& note) { return note.kind == MorphedFaceKind::kept; }));
+    noteMisses(morphed, part.part.name, morphOptions.faceTolerance(), report);
     ready.notes = std::move(morphed.notes);
     ready.out.shape = faceIntegralsOf(morphed.shape).volume < 0 ? morphed.shape.Reversed() : morphed.shape;
     return ready;

@@ -7,6 +7,7 @@
 #include "io/morph/brep_morph.h"
 
 #include <memory>
+#include <string>
 
 namespace knead {
 
@@ -22,7 +23,8 @@ struct ReadyPart {
 /// Makes the shape of a part: its own faces, carried through the skin's map; flat triangles, with the reason, where these would
 /// not make a sound solid or there are none.
 /// @param shape of part.exact, as its bytes have it; null for a mesh
+/// @param flatBecause why its own faces will not do, a sentence; empty: that is not known yet
 ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options,
-                    TaskControl& control);
+                    const std::string& flatBecause, TaskControl& control);
 
 } // namespace knead

@@ -37,7 +37,9 @@ private:
     std::map<const std::string*, std::vector<TopoDS_Shape>> m_shapes;
 };
 
-std::vector<ReadyPart> makeAllReady(const ExportJob& job, TaskControl& control)
+/// @param flatBecause per part, see makeReady()
+std::vector<ReadyPart> makeAllReady(const ExportJob& job, const std::vector<std::string>& flatBecause,
+                                    TaskControl& control)
 {
     ShapeStore shapes;
     std::vector<ReadyPart> ready;
@@ -45,7 +47,7 @@ std::vector<ReadyPart> makeAllReady(const ExportJob& job, TaskControl& control)
     for (const PartToExport& part : job.parts) {
         const auto done = static_cast<double>(ready.size());
         TaskPortion portion(control, done / count, (done + 1) / count);
-        ready.push_back(makeReady(part, shapes.of(part.part), job.options, portion));
+        ready.push_back(makeReady(part, shapes.of(part.part), job.options, flatBecause[ready.size()], portion));
     }
     return ready;
 }
@@ -63,19 +65,15 @@ Model readBack(FormatKind kind, const std::string& bytes, const ExportJob& job, 
                    {.linearDeflection = checkDeflection * smallest, .heal = false}, control);
 }
 
-} // namespace
-
-ExportedFile exportCad(FormatKind kind, const ExportJob& job, TaskControl& control)
+ExportedFile writeAndReadBack(FormatKind kind, const ExportJob& job, const std::vector<std::string>& flatBecause,
+                              TaskControl& control)
 {
-    if (job.parts.empty())
-        throw std::runtime_error("There is nothing to export.");
-    const auto start = std::chrono::steady_clock::now();
     ExportedFile file;
     std::vector<ReadyPart> ready;
     {
         const OcctSession session;
         TaskPortion making(control, 0, 0.5);
-        ready = makeAllReady(job, making);
+        ready = makeAllReady(job, flatBecause, making);
         std::vector<CadPartToWrite> out;
         for (const ReadyPart& part : ready)
             out.push_back(part.out);
@@ -94,6 +92,50 @@ ExportedFile exportCad(FormatKind kind, const ExportJob& job, TaskControl& contr
     file.report.bytes = file.bytes.size();
     for (ReadyPart& part : ready)
         file.report.parts.push_back(std::move(part.report));
+    return file;
+}
+
+/// A sound part whose own faces were bent, and are no longer a sound solid for who reads the file.
+bool isSpoilt(const PartToExport& part, const PartExportReport& report)
+{
+    return part.part.valid && part.part.watertight && report.form == PartExportReport::Form::exact &&
+           report.keptFaces < report.facesBefore && !(report.valid && report.closed && report.freeEdges == 0);
+}
+
+/// Writes the parts again as flat faces that came back unsound.
+ExportedFile withoutSpoiltParts(ExportedFile file, FormatKind kind, const ExportJob& job, TaskControl& control)
+{
+    std::vector<std::string> flatBecause(job.parts.size());
+    bool isAny = false;
+    for (std::size_t i = 0; i < job.parts.size(); ++i)
+        if (isSpoilt(job.parts[i], file.report.parts[i])) {
+            flatBecause[i] = "read back from the file, its bent faces are no sound solid.";
+            isAny = true;
+        }
+    if (!isAny)
+        return file;
+    try {
+        return writeAndReadBack(kind, job, flatBecause, control);
+    } catch (const std::runtime_error& error) { // too many flat faces: better the first file, with what is wrong with it
+        file.report.warnings.emplace_back(error.what());
+        return file;
+    }
+}
+
+} // namespace
+
+ExportedFile exportCad(FormatKind kind, const ExportJob& job, TaskControl& control)
+{
+    if (job.parts.empty())
+        throw std::runtime_error("There is nothing to export.");
+    const auto start = std::chrono::steady_clock::now();
+    ExportedFile file;
+    {
+        TaskPortion first(control, 0, 0.8);
+        file = writeAndReadBack(kind, job, std::vector<std::string>(job.parts.size()), first);
+    }
+    TaskPortion second(control, 0.8, 1);
+    file = withoutSpoiltParts(std::move(file), kind, job, second);
     file.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return file;
 }

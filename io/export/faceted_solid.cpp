@@ -1,15 +1,21 @@
 #include "io/export/faceted_solid.h"
 
-#include "core/geometry/mass_properties.h"
+#include "core/geometry/disjoint_sets.h"
+#include "core/geometry/flat_faces.h"
 #include "io/morph/millimetre_map.h"
 
+#include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -17,8 +23,8 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <stdexcept>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -27,159 +33,196 @@ namespace knead {
 namespace {
 
 constexpr double leastEdge = 1e-8; // [m], shorter ones are points to modelers
-constexpr double tolerance = 1e-6; // [mm]; planes go through three points exactly, up to rounding
+constexpr double tolerance = 1e-6; // [mm] of planes through three points; others get what they need
+constexpr double slack = 1.01;     // of tolerances, for rounding
 
+/// Topology around the flat faces of a mesh, everything shared.
 class FacetMaker {
 public:
-    explicit FacetMaker(const TriangleMesh& mesh)
+    FacetMaker(const TriangleMesh& mesh, const std::vector<FlatFace>& faces)
         : m_mesh(mesh)
         , m_vertices(mesh.vertices.size())
+        , m_tolerances(mesh.vertices.size(), tolerance)
     {
+        for (const FlatFace& face : faces)
+            for (const auto& loop : face.loops)
+                for (const std::uint32_t vertex : loop)
+                    m_tolerances[vertex] = std::max(
+                        m_tolerances[vertex], slack * std::abs(face.normal.dot(place(vertex) - 1e3 * face.point)));
+        m_edges.reserve(2 * mesh.triangles.size());
     }
 
-    /// A shell of some of the triangles.
-    TopoDS_Shell shell(const std::vector<std::size_t>& triangles)
+    TopoDS_Face face(const FlatFace& flat)
     {
-        TopoDS_Shell shell;
-        m_builder.MakeShell(shell);
-        for (const std::size_t triangle : triangles)
-            m_builder.Add(shell, face(m_mesh.triangles[triangle]));
-        shell.Closed(true);
-        return shell;
+        const Vec3 point = 1e3 * flat.point;
+        TopoDS_Face face;
+        m_builder.MakeFace(
+            face, new Geom_Plane(toPoint(point), gp_Dir(flat.normal.x(), flat.normal.y(), flat.normal.z())), tolerance);
+        for (const std::vector<std::uint32_t>& loop : flat.loops)
+            m_builder.Add(face, wire(loop));
+        return face;
     }
 
 private:
     Vec3 place(std::uint32_t vertex) const { return 1e3 * m_mesh.vertices[vertex]; }
 
+    TopoDS_Wire wire(const std::vector<std::uint32_t>& loop)
+    {
+        TopoDS_Wire wire;
+        m_builder.MakeWire(wire);
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const std::uint32_t from = loop[i];
+            const std::uint32_t to = loop[(i + 1) % loop.size()];
+            m_builder.Add(
+                wire,
+                edge(std::min(from, to), std::max(from, to)).Oriented(from < to ? TopAbs_FORWARD : TopAbs_REVERSED));
+        }
+        wire.Closed(true);
+        return wire;
+    }
+
     const TopoDS_Vertex& vertex(std::uint32_t index)
     {
         TopoDS_Vertex& vertex = m_vertices[index];
         if (vertex.IsNull())
-            m_builder.MakeVertex(vertex, toPoint(place(index)), tolerance);
+            m_builder.MakeVertex(vertex, toPoint(place(index)), m_tolerances[index]);
         return vertex;
     }
 
     /// From the vertex with the lower number to the other.
     const TopoDS_Edge& edge(std::uint32_t lower, std::uint32_t upper)
     {
-        TopoDS_Edge& edge = m_edges[{lower, upper}];
+        TopoDS_Edge& edge = m_edges[std::uint64_t{lower} << 32U | upper];
         if (edge.IsNull()) {
             const Vec3 along = place(upper) - place(lower);
-            const double length = along.norm();
+            const double needed = std::max(m_tolerances[lower], m_tolerances[upper]);
             m_builder.MakeEdge(edge, new Geom_Line(toPoint(place(lower)), gp_Dir(along.x(), along.y(), along.z())),
-                               tolerance);
+                               needed);
+            m_builder.UpdateVertex(vertex(lower), needed);
+            m_builder.UpdateVertex(vertex(upper), needed);
             m_builder.Add(edge, vertex(lower).Oriented(TopAbs_FORWARD));
             m_builder.Add(edge, vertex(upper).Oriented(TopAbs_REVERSED));
-            m_builder.Range(edge, 0, length);
+            m_builder.Range(edge, 0, along.norm());
         }
         return edge;
-    }
-
-    TopoDS_Face face(const TriangleMesh::Triangle& triangle)
-    {
-        const Vec3 a = place(triangle[0]);
-        const Vec3 along = place(triangle[1]) - a;
-        Vec3 normal = along.cross(place(triangle[2]) - a);
-        if (normal.norm() < 1e-12 * along.squaredNorm())
-            normal = along.unitOrthogonal(); // three corners in a line: any plane through it will do
-        TopoDS_Face face;
-        m_builder.MakeFace(face,
-                           new Geom_Plane(gp_Ax3(toPoint(a), gp_Dir(normal.x(), normal.y(), normal.z()),
-                                                 gp_Dir(along.x(), along.y(), along.z()))),
-                           tolerance);
-        TopoDS_Wire wire;
-        m_builder.MakeWire(wire);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t from = triangle[i];
-            const std::uint32_t to = triangle[(i + 1) % 3];
-            m_builder.Add(
-                wire,
-                edge(std::min(from, to), std::max(from, to)).Oriented(from < to ? TopAbs_FORWARD : TopAbs_REVERSED));
-        }
-        wire.Closed(true);
-        m_builder.Add(face, wire);
-        return face;
     }
 
     const TriangleMesh& m_mesh;
     BRep_Builder m_builder;
     std::vector<TopoDS_Vertex> m_vertices;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, TopoDS_Edge> m_edges;
+    std::vector<double> m_tolerances; // of vertices [mm]
+    std::unordered_map<std::uint64_t, TopoDS_Edge> m_edges;
 };
 
-/// Triangles that hang together, shell by shell.
-std::vector<std::vector<std::size_t>> shellsOf(const TriangleMesh& mesh)
+/// A closed part of the surface.
+struct FacetShell {
+    TopoDS_Shell shell;
+    Box box;
+    double volume = 0; ///< negative around a void
+};
+
+/// Of faces that hang together, in the order of their first triangles.
+std::vector<FacetShell> shellsOf(const TriangleMesh& mesh, const std::vector<FlatFace>& flat,
+                                 const std::vector<TopoDS_Face>& faces)
 {
-    std::vector<std::uint32_t> root(mesh.vertices.size());
-    std::iota(root.begin(), root.end(), 0U);
-    const auto find = [&](std::uint32_t vertex) {
-        while (root[vertex] != vertex)
-            vertex = root[vertex] = root[root[vertex]];
-        return vertex;
+    const BRep_Builder builder;
+    DisjointSets sets(mesh.vertices.size());
+    for (const TriangleMesh::Triangle& t : mesh.triangles) {
+        sets.join(t[0], t[1]);
+        sets.join(t[1], t[2]);
+    }
+    std::vector<FacetShell> shells;
+    std::map<std::size_t, std::size_t> numbers; // of the shells, by set
+    const auto shellAt = [&](std::uint32_t triangle) -> FacetShell& {
+        const auto [found, isNew] = numbers.try_emplace(sets.find(mesh.triangles[triangle][0]), shells.size());
+        if (isNew)
+            builder.MakeShell(shells.emplace_back().shell);
+        return shells[found->second];
     };
-    for (const TriangleMesh::Triangle& triangle : mesh.triangles)
-        for (const std::size_t corner : {1U, 2U})
-            root[find(triangle[corner])] = find(triangle[0]);
-    std::map<std::uint32_t, std::vector<std::size_t>> shells;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-        shells[find(mesh.triangles[i][0])].push_back(i);
-    std::vector<std::vector<std::size_t>> result;
-    for (auto& [vertex, shell] : shells)
-        result.push_back(std::move(shell));
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        FacetShell& shell = shellAt(t);
+        const auto& [a, b, c] = mesh.triangles[t];
+        shell.volume += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c])) / 6;
+        for (const std::uint32_t vertex : mesh.triangles[t])
+            shell.box.extend(mesh.vertices[vertex]);
+    }
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        builder.Add(shellAt(flat[i].triangle).shell, faces[i]);
+    for (FacetShell& shell : shells)
+        shell.shell.Closed(true);
+    return shells;
+}
+
+/// Each shell in the smallest one around it.
+TopoDS_Shape solidsOf(const std::vector<FacetShell>& shells)
+{
+    const BRep_Builder builder;
+    std::vector<std::pair<TopoDS_Solid, const FacetShell*>> solids;
+    for (const FacetShell& shell : shells)
+        if (shell.volume >= 0) {
+            TopoDS_Solid solid;
+            builder.MakeSolid(solid);
+            builder.Add(solid, shell.shell);
+            solids.emplace_back(solid, &shell);
+        }
+    if (solids.empty())
+        throw std::runtime_error("The surface bounds no volume.");
+    for (const FacetShell& shell : shells) {
+        if (shell.volume >= 0)
+            continue;
+        auto* around = &solids.front();
+        for (auto& solid : solids)
+            if (solid.second->box.contains(shell.box) &&
+                (!around->second->box.contains(shell.box) || solid.second->volume < around->second->volume))
+                around = &solid;
+        builder.Add(around->first, shell.shell);
+    }
+    if (solids.size() == 1)
+        return solids.front().first;
+    TopoDS_Compound all;
+    builder.MakeCompound(all);
+    for (const auto& solid : solids)
+        builder.Add(all, solid.first);
+    return all;
+}
+
+FacetedSolid makeSolid(const TriangleMesh& mesh, const std::vector<FlatFace>& flat)
+{
+    std::vector<TopoDS_Face> faces;
+    FacetMaker maker(mesh, flat);
+    for (const FlatFace& face : flat)
+        faces.push_back(maker.face(face));
+    FacetedSolid result{.shape = solidsOf(shellsOf(mesh, flat, faces)), .origin = {}};
+    if (mesh.faceOfTriangle.empty())
+        return result;
+    TopTools_IndexedMapOfShape numbers;
+    TopExp::MapShapes(result.shape, TopAbs_FACE, numbers);
+    result.origin.resize(static_cast<std::size_t>(numbers.Extent()));
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        result.origin[static_cast<std::size_t>(numbers.FindIndex(faces[i])) - 1] =
+            mesh.faceOfTriangle[flat[i].triangle];
     return result;
 }
 
-MassProperties propertiesOf(const TriangleMesh& mesh, const std::vector<std::size_t>& shell)
+/// Whether the faces of several triangles pass the checks; how all fit together is known.
+bool areSound(const TopoDS_Shape& shape)
 {
-    TriangleMesh part;
-    part.vertices = mesh.vertices;
-    for (const std::size_t triangle : shell)
-        part.triangles.push_back(mesh.triangles[triangle]);
-    return massProperties(part);
+    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
+        if (faces.Current().NbChildren() > 1 || TopoDS_Iterator(faces.Current()).Value().NbChildren() > 3)
+            if (!BRepCheck_Analyzer(faces.Current()).IsValid())
+                return false;
+    return true;
 }
 
 } // namespace
 
-TopoDS_Shape facetedSolid(const TriangleMesh& given)
+FacetedSolid facetedSolid(const TriangleMesh& given, double flatness)
 {
     const TriangleMesh mesh = weld(given, leastEdge);
-    FacetMaker maker(mesh);
-    const BRep_Builder builder;
-    struct Outside {
-        TopoDS_Solid solid;
-        Box box;
-        double volume;
-    };
-    std::vector<Outside> solids;
-    std::vector<std::pair<TopoDS_Shell, Box>> voids;
-    for (const std::vector<std::size_t>& triangles : shellsOf(mesh)) {
-        const MassProperties properties = propertiesOf(mesh, triangles);
-        const TopoDS_Shell shell = maker.shell(triangles);
-        if (properties.volume < 0) {
-            voids.emplace_back(shell, properties.box);
-            continue;
-        }
-        TopoDS_Solid solid;
-        builder.MakeSolid(solid);
-        builder.Add(solid, shell);
-        solids.push_back({solid, properties.box, properties.volume});
-    }
-    if (solids.empty())
-        throw std::runtime_error("The surface bounds no volume.");
-    for (const auto& [shell, box] : voids) {
-        Outside* around = &solids.front(); // the smallest one that holds the void
-        for (Outside& solid : solids)
-            if (solid.box.contains(box) && (!around->box.contains(box) || solid.volume < around->volume))
-                around = &solid;
-        builder.Add(around->solid, shell);
-    }
-    if (solids.size() == 1)
-        return solids.front().solid;
-    TopoDS_Compound all;
-    builder.MakeCompound(all);
-    for (const Outside& solid : solids)
-        builder.Add(all, solid.solid);
-    return all;
+    if (const std::vector<FlatFace> merged = flatFaces(mesh, flatness); merged.size() < mesh.triangles.size())
+        if (FacetedSolid solid = makeSolid(mesh, merged); areSound(solid.shape))
+            return solid;
+    return makeSolid(mesh, flatFaces(mesh, 0));
 }
 
 } // namespace knead

@@ -222,8 +222,10 @@ std::string jobToBytes(const ExportJob& job)
     Json parts = Json::array();
     for (const PartToExport& part : job.parts) {
         model.parts.push_back(part.part);
-        parts.push_back(
-            {{"density", part.density}, {"reason", part.reason}, {"hasObjects", part.aggregate != nullptr}});
+        parts.push_back({{"density", part.density},
+                         {"reason", part.reason},
+                         {"remarks", part.remarks},
+                         {"hasObjects", part.aggregate != nullptr}});
     }
     blocks.add(std::string_view(Json{{"options", toJson(job.options)}, {"parts", parts}}.dump()));
     blocks.add(std::string_view(modelToBytes(model)));
@@ -249,6 +251,7 @@ ExportJob jobFromBytes(std::string_view bytes)
             part.part = std::move(model.parts[i]);
             part.density = json.at("parts").at(i).at("density").get<double>();
             part.reason = json.at("parts").at(i).at("reason").get<std::string>();
+            part.remarks = json.at("parts").at(i).at("remarks").get<std::vector<std::string>>();
             if (!json.at("parts").at(i).at("hasObjects").get<bool>())
                 continue;
             part.aggregate = nextAggregate(blocks);

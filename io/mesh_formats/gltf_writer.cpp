@@ -1,8 +1,8 @@
 #include "io/cad_format.h"
 #include "io/mesh_formats/base64_sink.h"
-#include "io/mesh_formats/color_groups.h"
 #include "io/mesh_formats/mesh_formats.h"
 #include "io/mesh_formats/number_stream.h"
+#include "io/mesh_formats/split_vertices.h"
 #include "io/safe_file.h"
 
 #include <nlohmann/json.hpp>
@@ -17,6 +17,8 @@ namespace {
 
 using nlohmann::json;
 using Place = Eigen::Vector3f;
+
+constexpr std::size_t bytesPerVertex = 24;
 
 /// In glTF y is up (glTF 2.0, section 3.4), in CAD z is.
 Place upright(const Vec3& v)
@@ -38,67 +40,6 @@ json materialOf(const Color& color)
               {"metallicFactor", 0},
               {"roughnessFactor", 0.6}}}};
 }
-
-/// The vertices that one color of a body uses. Primitives that shared those of the whole body would have all of them copied for
-/// each color by most readers.
-class UsedVertices {
-public:
-    explicit UsedVertices(const MeshBody& body)
-        : m_mesh(body.mesh)
-        , m_colors(groupByColor(body))
-        , m_places(body.mesh.vertices.size(), none)
-    {
-        m_used.reserve(body.mesh.vertices.size());
-    }
-
-    const std::vector<ColorGroups::Group>& groups() const { return m_colors.groups; }
-
-    void choose(const ColorGroups::Group& group)
-    {
-        for (const std::uint32_t vertex : m_used)
-            m_places[vertex] = none;
-        m_used.clear();
-        forEachCorner(group, [this](std::uint32_t vertex) {
-            if (m_places[vertex] != none)
-                return;
-            m_places[vertex] = static_cast<std::uint32_t>(m_used.size());
-            m_used.push_back(vertex);
-        });
-    }
-
-    std::size_t size() const { return m_used.size(); }
-
-    /// @param visit gets the vertices of the chosen group, each once
-    template <typename Visit>
-    void forEachVertex(Visit&& visit) const
-    {
-        for (const std::uint32_t vertex : m_used)
-            visit(upright(m_mesh.vertices[vertex]));
-    }
-
-    /// @param visit gets three numbers a triangle, among the vertices of the chosen group
-    template <typename Visit>
-    void forEachIndex(const ColorGroups::Group& group, Visit&& visit) const
-    {
-        forEachCorner(group, [&](std::uint32_t vertex) { visit(m_places[vertex]); });
-    }
-
-private:
-    static constexpr std::uint32_t none = 0xffffffffU;
-
-    template <typename Visit>
-    void forEachCorner(const ColorGroups::Group& group, Visit&& visit) const
-    {
-        for (std::size_t i = group.begin; i < group.end; ++i)
-            for (const std::uint32_t vertex : m_mesh.triangles[m_colors.triangle(i)])
-                visit(vertex);
-    }
-
-    const TriangleMesh& m_mesh;
-    ColorGroups m_colors;
-    std::vector<std::uint32_t> m_places; ///< of vertices among those used
-    std::vector<std::uint32_t> m_used;
-};
 
 /// What a glTF says about its numbers; their bytes follow in the same order.
 class GltfDescription {
@@ -135,43 +76,50 @@ private:
     void addMesh(const MeshBody& body, const std::string& name)
     {
         json primitives = json::array();
-        UsedVertices vertices(body);
+        SplitVertices vertices(body);
         for (const ColorGroups::Group& group : vertices.groups()) {
             vertices.choose(group);
-            const std::size_t positions = addPositions(vertices);
-            const std::size_t indices = addView(12 * (group.end - group.begin), 34963);
-            m_root["accessors"][indices].update(
-                {{"componentType", 5125}, {"count", 3 * (group.end - group.begin)}, {"type", "SCALAR"}});
-            primitives.push_back({{"attributes", {{"POSITION", positions}}},
+            const auto [positions, normals] = addVertices(vertices);
+            const std::size_t indices = addAccessor({{"bufferView", addView(12 * (group.end - group.begin), 34963)},
+                                                     {"componentType", 5125},
+                                                     {"count", 3 * (group.end - group.begin)},
+                                                     {"type", "SCALAR"}});
+            primitives.push_back({{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}},
                                   {"indices", indices},
                                   {"material", m_palette.placeOf(group.color)}});
         }
         m_root["meshes"].push_back({{"name", name}, {"primitives", primitives}});
     }
 
-    std::size_t addPositions(const UsedVertices& vertices)
+    /// Places and normals lie side by side. @return their accessors
+    std::pair<std::size_t, std::size_t> addVertices(const SplitVertices& vertices)
     {
         Eigen::AlignedBox3f box;
-        vertices.forEachVertex([&](const Place& place) { box.extend(place); });
+        vertices.forEachPlace([&](const Vec3& place) { box.extend(upright(place)); });
         const auto numbers = [](const Place& v) { return json{v.x(), v.y(), v.z()}; };
-        const std::size_t positions = addView(12 * vertices.size(), 34962);
-        m_root["accessors"][positions].update({{"componentType", 5126},
-                                               {"count", vertices.size()},
-                                               {"type", "VEC3"},
-                                               {"min", numbers(box.min())},
-                                               {"max", numbers(box.max())}});
-        return positions;
+        const std::size_t view = addView(bytesPerVertex * vertices.size(), 34962);
+        m_root["bufferViews"][view]["byteStride"] = bytesPerVertex;
+        const json each{{"bufferView", view}, {"componentType", 5126}, {"count", vertices.size()}, {"type", "VEC3"}};
+        json places = each;
+        places.update({{"min", numbers(box.min())}, {"max", numbers(box.max())}});
+        json normals = each;
+        normals["byteOffset"] = bytesPerVertex / 2;
+        return {addAccessor(places), addAccessor(normals)};
     }
 
-    /// A run of bytes with an accessor of the same number. @param target of the graphics card: vertices or indices
+    std::size_t addAccessor(const json& accessor)
+    {
+        m_root["accessors"].push_back(accessor);
+        return m_root["accessors"].size() - 1;
+    }
+
+    /// A run of bytes. @param target of the graphics card: vertices or indices
     std::size_t addView(std::size_t bytes, int target)
     {
         m_root["bufferViews"].push_back(
             {{"buffer", 0}, {"byteOffset", m_bytes}, {"byteLength", bytes}, {"target", target}});
         m_bytes += bytes;
-        const std::size_t number = m_root["bufferViews"].size() - 1;
-        m_root["accessors"].push_back({{"bufferView", number}});
-        return number;
+        return m_root["bufferViews"].size() - 1;
     }
 
     Palette m_palette;
@@ -182,14 +130,16 @@ private:
 void writeNumbers(const MeshFile& file, NumberStream& stream)
 {
     for (const MeshBody* body : file.bodies) {
-        UsedVertices vertices(*body);
+        SplitVertices vertices(*body);
         for (const ColorGroups::Group& group : vertices.groups()) {
             vertices.choose(group);
-            vertices.forEachVertex([&](const Place& place) {
-                for (const float coordinate : place)
+            vertices.forEachVertex([&](const Vec3& place, const Eigen::Vector3f& normal) {
+                for (const float coordinate : upright(place))
+                    stream.addBinary(coordinate);
+                for (const float coordinate : upright(normal.cast<double>()))
                     stream.addBinary(coordinate);
             });
-            vertices.forEachIndex(group, [&](std::uint32_t index) { stream.addBinary(index); });
+            vertices.forEachIndex([&](std::uint32_t index) { stream.addBinary(index); });
         }
     }
 }

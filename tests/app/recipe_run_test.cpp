@@ -16,6 +16,7 @@ private slots:
     void runWritesExactlyTheExports();
     void runReportsWhatTheRecipeSaid();
     void settingsAreThoseOfAnEditedRecipe();
+    void exportsAreAsAsked();
     void anyNumberOfThreadsGivesTheSameBits();
     void eventsHappen();
     void wedgesCutABarInTwo();
@@ -84,6 +85,23 @@ void RecipeRunTest::settingsAreThoseOfAnEditedRecipe()
     QVERIFY2(set.status == 0, set.errors.c_str());
     QCOMPARE(json::parse(set.out).at("state_hash"), edited.at("state_hash"));
     QCOMPARE(json::parse(set.out).at("files"), json::array());
+}
+
+void RecipeRunTest::exportsAreAsAsked()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe["exports"] = json::parse(R"([{"file": "bent.stl", "text": true}, {"file": "bent.vtp"}])");
+    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out")});
+    QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+    const auto contentOf = [&](const char* name) {
+        std::ifstream file(shop.path(name), std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    QVERIFY(contentOf("out/bent.stl").starts_with("solid "));
+    const std::string vtp = contentOf("out/bent.vtp");
+    for (const char* field : {"displacement [m]", "equivalent strain", "von Mises stress [Pa]", "part"})
+        QVERIFY2(vtp.find("Name=\"" + std::string(field) + "\"") != std::string::npos, field);
 }
 
 void RecipeRunTest::anyNumberOfThreadsGivesTheSameBits()

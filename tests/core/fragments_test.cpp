@@ -5,6 +5,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/refine.h"
 #include "core/simulation/simulation.h"
+#include "core/skin/carried_fragments.h"
 #include "core/skin/fragments.h"
 #include "core/skin/skin.h"
 #include "support/scenes.h"
@@ -498,8 +499,8 @@ private slots:
         const auto places = carried(b.aggregate, fragments, b.broken, displacement);
         for (std::size_t i = 0; i < 2; ++i) {
             double worst = 0;
-            for (std::size_t v = 0; v < places[i].size(); ++v)
-                worst = std::max(worst, (places[i][v] - moves[i].toWorld(fragments[i].mesh.vertices[v])).norm());
+            for (std::size_t v = 0; v < places[i].places.size(); ++v)
+                worst = std::max(worst, (places[i].places[v] - moves[i].toWorld(fragments[i].mesh.vertices[v])).norm());
             qInfo("largest error %.2e", worst);
             QVERIFY(worst < 1e-4); // weights are in single precision
         }
@@ -546,13 +547,13 @@ private slots:
         for (std::size_t i = 0; i < fragments.size(); ++i) {
             QVERIFY(isWatertight(fragments[i].mesh));
             TriangleMesh moved = fragments[i].mesh;
-            moved.vertices = places[i];
+            moved.vertices = places[i].places;
             const double volume = massProperties(moved).volume;
             sum += volume;
             qInfo("%zu objects, %zu of dust, volume %.3f cells at rest and %.3f as it is", fragments[i].objects.size(),
                   fragments[i].dust.size(), fragments[i].volume / cell, volume / cell);
             QVERIFY(std::abs(volume / fragments[i].volume - 1) < 0.1);
-            for (const Vec3& place : places[i]) {
+            for (const Vec3& place : places[i].places) {
                 double nearest = 1;
                 for (const ObjectIndex object : fragments[i].objects)
                     nearest = std::min(nearest, (place - body.positions[object]).norm());

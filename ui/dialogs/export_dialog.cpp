@@ -25,6 +25,12 @@ QString aboutFormat(const Services::Format& format)
     return ExportDialog::tr("Triangles, as fine as the surface that is drawn.");
 }
 
+/// Whether a person can choose between text and binary.
+bool hasText(const Services::Format& format)
+{
+    return format.name == "STL" || format.name == "PLY";
+}
+
 } // namespace
 
 ExportDialog::ExportDialog(const std::vector<Services::Format>& formats, const QString& selected, bool hidden,
@@ -76,6 +82,9 @@ ExportDialog::ExportDialog(const std::vector<Services::Format>& formats, const Q
     m_ap214 = new QCheckBox(tr("For older programs: AP214 instead of AP242"), this);
     m_ap214->setObjectName("exportAp214");
     form->addRow(QString(), m_ap214);
+    m_text = new QCheckBox(tr("As text, which is larger and can be read"), this);
+    m_text->setObjectName("exportText");
+    form->addRow(QString(), m_text);
     m_onePerPart = new QCheckBox(tr("A file for each part"), this);
     m_onePerPart->setObjectName("exportOnePerPart");
     form->addRow(QString(), m_onePerPart);
@@ -111,8 +120,9 @@ void ExportDialog::formatChanged()
 {
     m_about->setText(aboutFormat(format()));
     m_tolerance->setEnabled(format().isSmooth);
-    m_unit->setEnabled(format().isSmooth);
+    m_unit->setEnabled(format().name != "glTF"); // which is in metres
     m_ap214->setVisible(format().name == "STEP");
+    m_text->setVisible(hasText(format()));
 }
 
 ExportRequest ExportDialog::request() const
@@ -122,6 +132,7 @@ ExportRequest ExportDialog::request() const
     request.options.unit = m_unit->currentData().toString().toStdString();
     request.options.tolerance = m_tolerance->value();
     request.options.useAp214 = m_ap214->isChecked() && format().name == "STEP";
+    request.options.isText = m_text->isChecked() && hasText(format());
     request.onePerPart = m_onePerPart->isChecked();
     request.keepsReport = m_report->isChecked();
     return request;

@@ -40,6 +40,7 @@ private:
     QComboBox* m_unit = nullptr;
     QuantityField* m_tolerance = nullptr;
     QCheckBox* m_ap214 = nullptr;
+    QCheckBox* m_text = nullptr;
     QCheckBox* m_onePerPart = nullptr;
     QCheckBox* m_report = nullptr;
 };

@@ -272,6 +272,7 @@ ExportJob Document::exportJob(const std::vector<bool>& keep) const
                 part.aggregate = m_content.bodies[b]->aggregate;
                 part.displacements = snapshot.bodies[b].displacements();
                 part.broken = snapshot.bodies[b].broken;
+                part.relaxed = snapshot.bodies[b].relaxed;
                 part.density = snapshot.materials[b].density;
             }
     }

@@ -134,6 +134,12 @@ std::vector<ExampleBody> makeLump()
              0.66, 0.47, 0.38}};
 }
 
+std::vector<ExampleBody> makePlate()
+{
+    const auto isCorner = [](const gp_Pnt& /*middle*/, const gp_Dir& d) { return isParallel(d, gp_Dir(0, 0, 1)); };
+    return {{"Plate", rounded(box(0, 0, 0, 60, 44, 6), 5, isCorner), 0.56, 0.74, 0.73}};
+}
+
 std::vector<ExampleBody> makeBracket()
 {
     constexpr double width = 50;  // along y

@@ -26,5 +26,8 @@ std::vector<ExampleBody> makeLump();
 /// The bar of the published scenes, 10 x 10 x 34 mm: 5 x 5 x 17 objects of 2 mm.
 std::vector<ExampleBody> makePaperBar();
 
+/// A plate of 60 x 44 x 6 mm with rounded corners, to break.
+std::vector<ExampleBody> makePlate();
+
 /// A curved grip that stands upright, with a swelling for the palm, and the metal ferrule below it.
 std::vector<ExampleBody> makeHandle();

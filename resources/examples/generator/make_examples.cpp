@@ -37,6 +37,7 @@ int main(int argc, char** argv)
         writeExample(argv[1], "handle", makeHandle());
         writeExample(argv[1], "lump", makeLump());
         writeExample(argv[1], "paper-bar", makePaperBar());
+        writeExample(argv[1], "plate", makePlate());
         return 0;
     } catch (const Standard_Failure& failure) {
         std::cerr << "knead_make_examples: " << failure.GetMessageString() << '\n';

@@ -1,0 +1,179 @@
+#include "core/mechanics/object_strain.h"
+
+#include "core/aggregate/pieces.h"
+#include "core/task/parallel.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+constexpr std::size_t objectsPerBlock = 512;
+constexpr double flattestShape = 0.01; // surroundings nearer to a plane say nothing about what is across it
+constexpr double leastStretch = 1e-3;  // of squashed material: logarithms stay finite
+constexpr double unknownMetric = 1e-6; // weight of the metric at rest, for surroundings that do not say it all
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+/// o^T C o as a product of two vectors, for a symmetric C = (C00, C11, C22, C01, C02, C12).
+Vec6 quadraticForm(const Vec3& o)
+{
+    return {o[0] * o[0], o[1] * o[1], o[2] * o[2], 2 * o[0] * o[1], 2 * o[0] * o[2], 2 * o[1] * o[2]};
+}
+
+Mat3 symmetric(const Vec6& c)
+{
+    Mat3 matrix;
+    matrix << c[0], c[3], c[4], c[3], c[1], c[5], c[4], c[5], c[2];
+    return matrix;
+}
+
+/// The live connections of objects.
+class Surroundings {
+public:
+    Surroundings(const Aggregate& aggregate, std::span<const ConnectionId> broken)
+        : m_aggregate(aggregate)
+        , m_isBroken(brokenDirections(aggregate, broken))
+    {
+        for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+            m_steps[d] = aggregate.lattice.direction(static_cast<int>(d));
+    }
+
+    /// Calls visit(neighbor, step, weight, connection) for each, `step` being the way to the neighbor at rest [m].
+    template <typename Visit>
+    void forEach(ObjectIndex object, Visit&& visit) const
+    {
+        for (std::uint32_t d = 0; d < Lattice::directionCount; ++d) {
+            const auto& segments = m_aggregate.lattice.segments[d];
+            const auto ahead =
+                std::partition_point(segments.begin(), segments.end(), [&](const auto& s) { return s.end <= object; });
+            if (ahead != segments.end() && ahead->begin <= object && isAlive(d, object))
+                visit(object + static_cast<ObjectIndex>(ahead->offset), m_steps[d], m_aggregate.weight[d][object],
+                      ConnectionId{d, object});
+            const auto behind = std::partition_point(segments.begin(), segments.end(), [&](const auto& s) {
+                return s.end + static_cast<ObjectIndex>(s.offset) <= object;
+            });
+            if (behind == segments.end() || behind->begin + static_cast<ObjectIndex>(behind->offset) > object)
+                continue;
+            const ObjectIndex lower = object - static_cast<ObjectIndex>(behind->offset);
+            if (isAlive(d, lower))
+                visit(lower, -m_steps[d], m_aggregate.weight[d][lower], ConnectionId{d, lower});
+        }
+    }
+
+private:
+    bool isAlive(std::uint32_t d, ObjectIndex lower) const
+    {
+        return m_aggregate.weight[d][lower] > 0 && (m_isBroken[lower] >> d & 1U) == 0;
+    }
+
+    const Aggregate& m_aggregate;
+    std::vector<std::uint16_t> m_isBroken;
+    std::array<Vec3, Lattice::directionCount> m_steps;
+};
+
+/// F = (sum w d o^T) (sum w o o^T)^-1 for the ways o at rest and d now; across what these do not span a rotation.
+Mat3 deformationGradient(const Surroundings& surroundings, std::span<const Vec3> displacements, ObjectIndex object)
+{
+    Mat3 moment = Mat3::Zero();
+    Mat3 reference = Mat3::Zero();
+    surroundings.forEach(object, [&](ObjectIndex neighbor, const Vec3& step, double weight, const ConnectionId&) {
+        moment += weight * (step + displacements[neighbor] - displacements[object]) * step.transpose();
+        reference += weight * step * step.transpose();
+    });
+    const Eigen::SelfAdjointEigenSolver<Mat3> known(reference);
+    const double least = flattestShape * known.eigenvalues()[2];
+    if (least > 0 && known.eigenvalues()[0] > least)
+        return moment * reference.inverse();
+    const Vec3 inverse = known.eigenvalues().unaryExpr([&](double value) { return value > least ? 1 / value : 0; });
+    const Mat3 flat = moment * known.eigenvectors() * inverse.asDiagonal() * known.eigenvectors().transpose();
+    const Eigen::JacobiSVD<Mat3> svd(flat, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Vec3 stretches = svd.singularValues();
+    const auto rank = static_cast<Eigen::Index>((inverse.array() > 0).count());
+    stretches.tail(3 - rank).setOnes();
+    if (rank < 3 && svd.matrixU().determinant() * svd.matrixV().determinant() < 0)
+        stretches[2] = -1;
+    return svd.matrixU() * stretches.asDiagonal() * svd.matrixV().transpose();
+}
+
+/// C with l^2 = o^T C o for the nominal lengths l, as well as they go with one metric.
+Mat3 relaxedMetric(const Surroundings& surroundings, const RelaxedState& relaxed, double spacing, ObjectIndex object)
+{
+    Mat6 normal = Mat6::Zero();
+    Vec6 right = Vec6::Zero();
+    double all = 0;
+    surroundings.forEach(object, [&](ObjectIndex, const Vec3& step, double weight, const ConnectionId& connection) {
+        const Vec6 form = quadraticForm(step / spacing);
+        const double growth = static_cast<double>(relaxed.growth[connection.direction][connection.lower]);
+        normal += weight * form * form.transpose();
+        right += weight * (step / spacing).squaredNorm() * growth * (2 + growth) * form;
+        all += weight;
+    });
+    if (all == 0)
+        return Mat3::Identity();
+    normal.diagonal().array() += unknownMetric * all;
+    return Mat3::Identity() + symmetric(normal.ldlt().solve(right));
+}
+
+/// ln sqrt(b) of a symmetric b.
+Mat3 halfLogarithm(const Mat3& b)
+{
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(b);
+    const Vec3 logarithms = solver.eigenvalues().unaryExpr(
+        [](double value) { return 0.5 * std::log(std::max(value, leastStretch * leastStretch)); });
+    return solver.eigenvectors() * logarithms.asDiagonal() * solver.eigenvectors().transpose();
+}
+
+Mat3 cauchyStress(const Mat3& elastic, const Material& material)
+{
+    const Mat3 kirchhoff =
+        material.lameLambda() * elastic.trace() * Mat3::Identity() + 2 * material.shearModulus() * elastic;
+    return kirchhoff / std::exp(elastic.trace());
+}
+
+Mat3 deviator(const Mat3& tensor)
+{
+    return tensor - tensor.trace() / 3 * Mat3::Identity();
+}
+
+} // namespace
+
+std::vector<ObjectStrain> objectStrains(const Aggregate& aggregate, std::span<const Vec3> displacements,
+                                        const RelaxedState& relaxed, std::span<const ConnectionId> broken)
+{
+    assert(displacements.size() == aggregate.size());
+    const Surroundings surroundings(aggregate, broken);
+    std::vector<ObjectStrain> strains(aggregate.size());
+    forEachBlock(aggregate.size(), objectsPerBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto object = static_cast<ObjectIndex>(i);
+            const Mat3 gradient = deformationGradient(surroundings, displacements, object);
+            strains[i].strain = halfLogarithm(gradient * gradient.transpose());
+            Mat3 elastic = strains[i].strain;
+            if (relaxed.hasFlowed()) {
+                const Mat3 metric = relaxedMetric(surroundings, relaxed, aggregate.lattice.spacing, object);
+                elastic = halfLogarithm(gradient * metric.inverse() * gradient.transpose());
+            }
+            strains[i].stress = cauchyStress(elastic, relaxed.materials.of(object));
+        }
+    });
+    return strains;
+}
+
+double equivalentStrain(const Mat3& strain)
+{
+    return std::sqrt(2.0 / 3) * deviator(strain).norm();
+}
+
+double vonMisesStress(const Mat3& stress)
+{
+    return std::sqrt(1.5) * deviator(stress).norm();
+}
+
+} // namespace knead

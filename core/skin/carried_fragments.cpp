@@ -1,0 +1,135 @@
+#include "core/skin/carried_fragments.h"
+
+#include "core/aggregate/pieces.h"
+#include "core/geometry/mass_properties.h"
+#include "core/geometry/rigid_fit.h"
+#include "core/skin/skin.h"
+
+#include <cmath>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+constexpr double volumeSlack = 0.01;
+constexpr int firmlyConnected = 6; // live connections of an object that does not dangle
+constexpr int wellConnected = 9;   // live connections of an object whose surroundings say how it is deformed
+
+template <typename Value>
+std::vector<Value> picked(std::span<const Value> values, const std::vector<ObjectIndex>& objects)
+{
+    std::vector<Value> result;
+    for (const ObjectIndex object : objects)
+        result.push_back(values[object]);
+    return result;
+}
+
+/// Live connections per object.
+std::vector<int> degrees(const Aggregate& part)
+{
+    std::vector<int> count(part.size(), 0);
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+        for (const Lattice::Segment& segment : part.lattice.segments[d])
+            for (ObjectIndex object = segment.begin; object < segment.end; ++object)
+                if (part.weight[d][object] > 0) {
+                    ++count[object];
+                    ++count[object + static_cast<ObjectIndex>(segment.offset)];
+                }
+    return count;
+}
+
+/// The objects of a fragment that carry it: what dangles beside a crack on its last connections goes its own ways. All of them
+/// where hardly any would be left.
+std::vector<ObjectIndex> carriersOf(const Aggregate& aggregate, const Fragment& fragment,
+                                    std::span<const std::uint16_t> isBroken)
+{
+    std::vector<ObjectIndex> carriers = fragment.objects;
+    for (std::size_t before = 0; before != carriers.size();) {
+        before = carriers.size();
+        const std::vector<int> degree = degrees(extract(aggregate, carriers, isBroken));
+        std::vector<ObjectIndex> firm;
+        for (std::size_t i = 0; i < carriers.size(); ++i)
+            if (degree[i] >= firmlyConnected)
+                firm.push_back(carriers[i]);
+        carriers = std::move(firm);
+    }
+    return 2 * carriers.size() > fragment.objects.size() ? carriers : fragment.objects;
+}
+
+/// By how much the well connected objects of a part have grown, on the mean; 0 when there are none.
+double volumeRatio(const Aggregate& part, const std::vector<ObjectStrain>& strains)
+{
+    const std::vector<int> degree = degrees(part);
+    double before = 0;
+    double after = 0;
+    for (std::size_t i = 0; i < part.size(); ++i)
+        if (degree[i] >= wellConnected) {
+            before += part.volume[i];
+            after += part.volume[i] * std::exp(strains[i].strain.trace());
+        }
+    return before > 0 ? after / before : 0;
+}
+
+double volumeAt(const TriangleMesh& rest, const std::vector<Vec3>& places)
+{
+    return massProperties({.vertices = places, .triangles = rest.triangles, .faceOfTriangle = {}}).volume;
+}
+
+/// Where the objects have gone on the whole.
+void moveRigidly(const Fragment& fragment, const Aggregate& part, std::span<const Vec3> moved, CarriedFragment& carried)
+{
+    std::vector<Vec3> before;
+    std::vector<Vec3> after;
+    for (ObjectIndex i = 0; i < part.size(); ++i) {
+        before.push_back(part.lattice.position(i));
+        after.push_back(before.back() + moved[i]);
+    }
+    const RigidFit fit = fitRigidMotion(before, after);
+    for (std::size_t v = 0; v < carried.places.size(); ++v)
+        carried.places[v] = fit.turn * (fragment.mesh.vertices[v] - fit.from) + fit.to;
+    carried.isRigid = true;
+}
+
+CarriedFragment carriedBy(const Aggregate& part, const Fragment& fragment, std::span<const Vec3> moved,
+                          const std::vector<ObjectStrain>& strains, bool wantsFields, TaskControl& control)
+{
+    CarriedFragment result;
+    result.places.resize(fragment.mesh.vertices.size());
+    const Skin skin(part, fragment.mesh.vertices, control);
+    skin.evaluate(moved, result.places);
+    if (wantsFields)
+        result.fields = skinFields(skin, moved, strains);
+    const double expected = volumeRatio(part, strains) * fragment.volume;
+    if (std::abs(volumeAt(fragment.mesh, result.places) - expected) <= volumeSlack * expected)
+        return result;
+    moveRigidly(fragment, part, moved, result);
+    for (std::size_t v = 0; v < result.fields.displacement.size(); ++v)
+        result.fields.displacement[v] = result.places[v] - fragment.mesh.vertices[v];
+    return result;
+}
+
+} // namespace
+
+std::vector<CarriedFragment> carried(const Aggregate& aggregate, std::span<const Fragment> fragments,
+                                     std::span<const ConnectionId> broken, std::span<const Vec3> displacement,
+                                     const RelaxedState* relaxed, TaskControl& control)
+{
+    const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
+    const RelaxedState unknown{.materials = MaterialMap({}, aggregate.size())};
+    const std::vector<ObjectStrain> strains =
+        objectStrains(aggregate, displacement, relaxed != nullptr ? *relaxed : unknown, broken);
+    std::vector<CarriedFragment> result;
+    const auto count = static_cast<double>(fragments.size());
+    for (const Fragment& fragment : fragments) {
+        const auto done = static_cast<double>(result.size());
+        TaskPortion portion(control, done / count, (done + 1) / count);
+        const std::vector<ObjectIndex> carriers = carriersOf(aggregate, fragment, isBroken);
+        const Aggregate part = extract(aggregate, carriers, isBroken);
+        result.push_back(carriedBy(part, fragment, picked(displacement, carriers),
+                                   picked<ObjectStrain>(strains, carriers), relaxed != nullptr, portion));
+    }
+    return result;
+}
+
+} // namespace knead

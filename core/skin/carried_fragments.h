@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/aggregate/aggregate.h"
+#include "core/aggregate/connection_id.h"
+#include "core/mechanics/object_strain.h"
+#include "core/skin/fragments.h"
+#include "core/skin/skin_fields.h"
+#include "core/task/task_control.h"
+
+#include <span>
+#include <vector>
+
+namespace knead {
+
+/// The surface of a fragment when the objects have moved.
+struct CarriedFragment {
+    std::vector<Vec3> places; ///< of the vertices [m]
+    SkinFields fields;        ///< at the vertices; empty when they were not asked for
+    bool isRigid =
+        false; ///< its objects are too few or too loosely connected for a skin: it moved as they did on the whole
+};
+
+/// Carries each fragment by its own objects alone, those that do not dangle, along connections that still hold. A skin is taken for what it is when it
+/// holds the volume that the deformation of the well connected objects says, within 1 %.
+/// @param displacement per object of the aggregate [m]
+/// @param relaxed of the body, for the fields; null: none are made
+/// @return per fragment. @throws Cancelled
+std::vector<CarriedFragment> carried(const Aggregate& aggregate, std::span<const Fragment> fragments,
+                                     std::span<const ConnectionId> broken, std::span<const Vec3> displacement,
+                                     const RelaxedState* relaxed = nullptr, TaskControl& control = TaskControl::none());
+
+} // namespace knead

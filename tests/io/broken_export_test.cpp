@@ -1,0 +1,136 @@
+#include "core/skin/torn_parts.h"
+#include "io/export/job_file.h"
+#include "support/export_jobs.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace knead;
+using namespace export_jobs;
+
+namespace {
+
+/// The bar, cracked from above through a part of its height, its two halves turned away from each other by an angle: the crack
+/// gapes, and what is below it bends. @param depth of the crack, as a share of the height
+ExportJob crackedBar(const Model& model, double depth, double angle, double cells)
+{
+    const Box box = boxOf(model);
+    const maps::Identity still;
+    ExportJob job = jobOf(model, &still, cells);
+    PartToExport& bar = job.parts.front();
+    const Aggregate& aggregate = *bar.aggregate;
+    const double middle = box.center().x() + 0.0004;
+    const double root = box.max().z() - depth * box.sizes().z();
+    const auto isRight = [&](const Vec3& at) { return at.x() > middle ? 1.0 : 0.0; };
+    auto broken = std::make_shared<std::vector<ConnectionId>>();
+    const auto across = brokenAcross(aggregate, isRight);
+    for (const ConnectionId& one : *across)
+        if (aggregate.lattice.position(one.lower).z() > root)
+            broken->push_back(one);
+    bar.broken = broken;
+    for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
+        const Vec3 X = aggregate.lattice.position(i);
+        // Above the root each half turns as a whole; below, the turn is spread over the length.
+        const double spread = std::clamp((X.x() - middle) / 0.02, -1.0, 1.0);
+        const double share = X.z() > root ? (isRight(X) > 0 ? 1 : -1) : spread;
+        bar.displacements[i] = Vec3(share * angle * std::max(0.0, X.z() - root), 0, 0);
+    }
+    return job;
+}
+
+} // namespace
+
+/// Bodies that have come apart, or are about to, as STEP.
+class BrokenExportTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void tornPartsComeAsClosedPieces();
+    void crackedPartsInOnePieceSaySo();
+    void crackedPartsThatAreFoldedSayWhyTheyAreFlat();
+};
+
+void BrokenExportTest::tornPartsComeAsClosedPieces()
+{
+    const Model model = example("bar.step");
+    const maps::Identity still;
+    const Box box = boxOf(model);
+    Eigen::Index along = 0;
+    const double length = box.sizes().maxCoeff(&along);
+    const auto shattered = [&](const Vec3& at) { // in five pieces
+        return std::floor(5 * (at[along] - box.min()[along]) / length + 0.3 * std::sin(300 * at[(along + 1) % 3]));
+    };
+    const auto severed = [&](const Vec3& at) { return at[along] < box.center()[along] + 0.001 ? 0.0 : 1.0; };
+    struct Case {
+        std::function<double(const Vec3&)> side;
+        std::size_t pieces;
+    };
+    for (const Case& one : {Case{severed, 2}, Case{shattered, 5}}) {
+        ExportJob job = jobOf(model, &still);
+        PartToExport& whole = job.parts.front();
+        whole.broken = brokenAcross(*whole.aggregate, one.side);
+        for (ObjectIndex i = 0; i < whole.displacements.size(); ++i) // apart from each other
+            whole.displacements[i] = 0.01 * one.side(whole.aggregate->lattice.position(i)) * Vec3::Unit(along);
+        job = withPieces(std::move(job), 6000, TaskControl::none());
+        QVERIFY2(job.parts.size() >= one.pieces, qPrintable(QString::number(job.parts.size())));
+        const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
+        QVERIFY(file.report.isSound());
+        double volume = 0;
+        for (const PartExportReport& part : file.report.parts) {
+            QVERIFY(part.closed && part.valid && part.freeEdges == 0);
+            volume += part.volume;
+        }
+        QVERIFY2(std::abs(volume / model.parts.front().volume - 1) < 0.01, qPrintable(QString::number(volume)));
+    }
+}
+
+void BrokenExportTest::crackedPartsInOnePieceSaySo()
+{
+    const Model model = example("bar.step");
+    ExportJob job = withPieces(crackedBar(model, 0.5, 0.01, 40), 6000, TaskControl::none());
+    QCOMPARE(job.parts.size(), std::size_t{1});
+    const PartToExport& bar = job.parts.front();
+    // By brute force: how far the ends of broken connections are apart.
+    double most = 0;
+    for (const ConnectionId& one : *bar.broken) {
+        const Lattice& lattice = bar.aggregate->lattice;
+        const Vec3 here = lattice.position(one.lower);
+        const Vec3 rest = lattice.direction(static_cast<int>(one.direction));
+        const Vec3 there = here + rest;
+        ObjectIndex upper = 0;
+        for (ObjectIndex i = 0; i < lattice.size(); ++i)
+            if ((lattice.position(i) - there).norm() < 1e-9)
+                upper = i;
+        most = std::max(most,
+                        (there + bar.displacements[upper] - here - bar.displacements[one.lower]).norm() / rest.norm());
+    }
+    const ExportedFile file = exportCad(FormatKind::Step, jobFromBytes(jobToBytes(job)), TaskControl::none());
+    const PartExportReport& report = file.report.parts.front();
+    for (const std::string& line : linesOf(file.report))
+        qInfo("%s", line.c_str());
+    QVERIFY(!report.remarks.empty());
+    const QString remark = QString::fromStdString(report.remarks.front());
+    QVERIFY(remark.startsWith("\"Bar\" is cracked but in one piece: " + QString::number(bar.broken->size()) +
+                              " of its connections are broken"));
+    QVERIFY2(remark.contains("stretched to " + QString::asprintf("%.3g", most) + " times"), qPrintable(remark));
+    QVERIFY(most > 1.02);
+    QCOMPARE(report.form, PartExportReport::Form::exact);
+    QVERIFY(report.closed && report.valid);
+}
+
+void BrokenExportTest::crackedPartsThatAreFoldedSayWhyTheyAreFlat()
+{
+    const Model model = example("bar.step");
+    // The halves have gone into each other.
+    ExportJob job = withPieces(crackedBar(model, 0.5, -0.9, 16), 6000, TaskControl::none());
+    const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
+    const PartExportReport& report = file.report.parts.front();
+    QCOMPARE(report.form, PartExportReport::Form::faceted);
+    QVERIFY2(report.reason.find("folded") != std::string::npos, report.reason.c_str());
+    QVERIFY2(report.remarks.front().find("is cracked") != std::string::npos, report.remarks.front().c_str());
+}
+
+QTEST_GUILESS_MAIN(BrokenExportTest)
+#include "broken_export_test.moc"
