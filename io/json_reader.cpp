@@ -14,7 +14,7 @@ namespace knead {
 
 namespace {
 
-std::string readText(const std::string& path)
+std::string contentOf(const std::string& path)
 {
     std::error_code error;
     if (!std::filesystem::exists(path, error))
@@ -52,8 +52,12 @@ JsonNode::JsonNode(std::shared_ptr<const JsonDocument> document, const JsonValue
 
 JsonNode JsonNode::readFile(const std::string& path)
 {
-    const std::string file = std::filesystem::path(path).filename().string();
-    auto document = std::make_shared<JsonDocument>(JsonDocument{file, parseJson(readText(path), file)});
+    return readText(contentOf(path), std::filesystem::path(path).filename().string());
+}
+
+JsonNode JsonNode::readText(const std::string& text, const std::string& source)
+{
+    auto document = std::make_shared<JsonDocument>(JsonDocument{source, parseJson(text, source)});
     const JsonValue* root = &document->root;
     return {std::move(document), root, ""};
 }
@@ -149,6 +153,14 @@ std::string JsonNode::text() const
     return *text;
 }
 
+std::string JsonNode::anyText() const
+{
+    const auto* text = std::get_if<std::string>(&m_value->content);
+    if (!text)
+        failExpecting("must be a text in quotes");
+    return *text;
+}
+
 bool JsonNode::boolean() const
 {
     const auto* value = std::get_if<bool>(&m_value->content);
@@ -186,6 +198,14 @@ int JsonNode::integer(int minimum, int maximum) const
     if (!number || *number != std::floor(*number) || *number < minimum || *number > maximum)
         failExpecting("must be a whole number between " + std::to_string(minimum) + " and " + std::to_string(maximum));
     return static_cast<int>(*number);
+}
+
+std::uint64_t JsonNode::count(std::uint64_t maximum) const
+{
+    const auto* number = std::get_if<double>(&m_value->content);
+    if (!number || *number != std::floor(*number) || *number < 0 || *number > static_cast<double>(maximum))
+        failExpecting("must be a whole number between 0 and " + std::to_string(maximum));
+    return static_cast<std::uint64_t>(*number);
 }
 
 std::vector<double> JsonNode::numbers(std::size_t count) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,9 @@ public:
     /// Reads a whole file. Syntax errors and keys given twice are named with line and column.
     static JsonNode readFile(const std::string& path);
 
+    /// Reads a text from elsewhere. @param source what messages call it
+    static JsonNode readText(const std::string& text, const std::string& source);
+
     /// The value of a key that must be there.
     JsonNode at(std::string_view key) const;
     std::optional<JsonNode> find(std::string_view key) const;
@@ -33,11 +37,13 @@ public:
 
     std::vector<JsonNode> items() const; ///< of a list, which may be empty
     std::string text() const;            ///< a string that is not empty
+    std::string anyText() const;         ///< a string that may be empty
     bool boolean() const;
     double number() const; ///< finite
     double number(double minimum, double maximum) const;
     double positive() const; ///< > 0
     int integer(int minimum, int maximum) const;
+    std::uint64_t count(std::uint64_t maximum) const; ///< a whole number 0 .. maximum, which is below 2^53
     std::vector<double> numbers(std::size_t count) const;
 
     /// @throws std::runtime_error "FILE: PLACE SAYING"; the saying continues the place: "must hold 3 numbers, got 2."
