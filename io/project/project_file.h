@@ -13,7 +13,8 @@ namespace knead {
 
 /// Writes a project. The file appears whole or not at all, and is on the disk when this returns: until then, and whatever ends
 /// the program, what lay at the path before stays. It is read back before it takes that place. A link is followed.
-/// @pre every body of a start has its part and its aggregate. @throws Cancelled; nothing has changed
+/// @pre indices are of what is there, and every body of a start has its part and its aggregate
+/// @throws Cancelled; nothing has changed
 void writeProject(const std::string& path, const Project& project, TaskControl& control = TaskControl::none());
 
 /// Reads what writeProject() wrote, to the last bit; files of older versions too, which stay as they are. A file of a newer

@@ -5,12 +5,19 @@
 #include <algorithm>
 #include <bit>
 #include <tuple>
+#include <type_traits>
 
 /// Whether values of the model and of scenes are the same to the last bit. A member that is new does not compile here until it
 /// is compared.
 namespace knead::same {
 
 // Members of each type, all of them.
+template <class Value>
+requires std::is_empty_v<Value>
+auto members(const Value&)
+{
+    return std::tie();
+}
 inline auto members(const Material& m)
 {
     const auto& [a, b, c, d, e, f, g, h, i, j, k, l, n] = m;
@@ -25,10 +32,6 @@ inline auto members(const KeyFrame& v)
 {
     const auto& [a, b] = v;
     return std::tie(a, b);
-}
-inline auto members(const HoldStill&)
-{
-    return std::tie();
 }
 inline auto members(const DriveAt& v)
 {
