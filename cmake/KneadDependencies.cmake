@@ -8,6 +8,9 @@ find_package(CLI11 2.1 REQUIRED)
 find_package(assimp REQUIRED)
 find_package(PNG REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(zstd REQUIRED)
+find_package(SQLite3 3.37 REQUIRED)
+find_package(SQLiteCpp REQUIRED)
 find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg Test)
 find_package(VTK 9.1 REQUIRED COMPONENTS
     CommonCore CommonDataModel CommonExecutionModel CommonTransforms FiltersCore FiltersGeneral FiltersSources

@@ -14,7 +14,7 @@ namespace knead {
 
 namespace {
 
-std::string readText(const std::string& path)
+std::string contentOf(const std::string& path)
 {
     std::error_code error;
     if (!std::filesystem::exists(path, error))
@@ -45,7 +45,7 @@ struct JsonDocument {
 
 JsonValue readJsonFile(const std::string& path)
 {
-    return parseJson(readText(path), std::filesystem::path(path).filename().string());
+    return parseJson(contentOf(path), std::filesystem::path(path).filename().string());
 }
 
 JsonNode::JsonNode(std::shared_ptr<const JsonDocument> document, const JsonValue* value, std::string place)
@@ -58,6 +58,11 @@ JsonNode::JsonNode(std::shared_ptr<const JsonDocument> document, const JsonValue
 JsonNode JsonNode::readFile(const std::string& path)
 {
     return ofValue(readJsonFile(path), std::filesystem::path(path).filename().string());
+}
+
+JsonNode JsonNode::readText(const std::string& text, const std::string& source)
+{
+    return ofValue(parseJson(text, source), source);
 }
 
 JsonNode JsonNode::ofValue(JsonValue root, const std::string& file)
@@ -158,6 +163,14 @@ std::string JsonNode::text() const
     return *text;
 }
 
+std::string JsonNode::anyText() const
+{
+    const auto* text = std::get_if<std::string>(&m_value->content);
+    if (!text)
+        failExpecting("must be a text in quotes");
+    return *text;
+}
+
 bool JsonNode::boolean() const
 {
     const auto* value = std::get_if<bool>(&m_value->content);
@@ -195,6 +208,14 @@ int JsonNode::integer(int minimum, int maximum) const
     if (!number || *number != std::floor(*number) || *number < minimum || *number > maximum)
         failExpecting("must be a whole number between " + std::to_string(minimum) + " and " + std::to_string(maximum));
     return static_cast<int>(*number);
+}
+
+std::uint64_t JsonNode::count(std::uint64_t maximum) const
+{
+    const auto* number = std::get_if<double>(&m_value->content);
+    if (!number || *number != std::floor(*number) || *number < 0 || *number > static_cast<double>(maximum))
+        failExpecting("must be a whole number between 0 and " + std::to_string(maximum));
+    return static_cast<std::uint64_t>(*number);
 }
 
 std::vector<double> JsonNode::numbers(std::size_t count) const

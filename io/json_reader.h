@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +24,9 @@ public:
     /// The root of a value. @param file name for messages
     static JsonNode ofValue(JsonValue root, const std::string& file);
 
+    /// Reads a text from elsewhere. @param source what messages call it
+    static JsonNode readText(const std::string& text, const std::string& source);
+
     /// The value of a key that must be there.
     JsonNode at(std::string_view key) const;
     std::optional<JsonNode> find(std::string_view key) const;
@@ -38,11 +42,13 @@ public:
 
     std::vector<JsonNode> items() const; ///< of a list, which may be empty
     std::string text() const;            ///< a string that is not empty
+    std::string anyText() const;         ///< a string that may be empty
     bool boolean() const;
     double number() const; ///< finite
     double number(double minimum, double maximum) const;
     double positive() const; ///< > 0
     int integer(int minimum, int maximum) const;
+    std::uint64_t count(std::uint64_t maximum) const; ///< a whole number 0 .. maximum, which is below 2^53
     std::vector<double> numbers(std::size_t count) const;
 
     /// @throws std::runtime_error "FILE: PLACE SAYING"; the saying continues the place: "must hold 3 numbers, got 2."

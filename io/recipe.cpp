@@ -5,6 +5,7 @@
 #include "io/json_value.h"
 #include "io/recipe_sections.h"
 #include "io/recipe_values.h"
+#include "io/scene_words.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -88,14 +89,6 @@ std::vector<RecipeExport> readExports(const JsonNode& node)
     return exports;
 }
 
-Choices<VicinityMethod> vicinityChoices()
-{
-    Choices<VicinityMethod> choices;
-    for (const VicinityMethod method : vicinityMethods)
-        choices.emplace_back(nameOf(method), method);
-    return choices;
-}
-
 std::optional<double> readTimeStep(const JsonNode& root, const char* key)
 {
     const auto node = root.find(key);
@@ -106,12 +99,9 @@ std::optional<double> readTimeStep(const JsonNode& root, const char* key)
 void readMethod(const JsonNode& root, Recipe& recipe)
 {
     if (const auto node = root.find("integrator"))
-        recipe.integrator = readChoice<Integrator>(*node, {{"semi-implicit-euler", Integrator::semiImplicitEuler},
-                                                           {"forward-euler", Integrator::forwardEuler},
-                                                           {"implicit-euler", Integrator::implicitEuler},
-                                                           {"automatic", Integrator::automatic}});
+        recipe.integrator = readChoice(*node, integratorWords());
     if (const auto node = root.find("vicinity"))
-        recipe.vicinity = readChoice(*node, vicinityChoices());
+        recipe.vicinity = readChoice(*node, vicinityWords());
     recipe.timeStep = readTimeStep(root, "time_step_s");
     recipe.massScalingTimeStep = readTimeStep(root, "mass_scaling_time_step_s");
 }
@@ -147,7 +137,7 @@ void readBodies(const JsonNode& root, const std::vector<MaterialPreset>& presets
         for (const std::string& name : node->keys())
             recipe.bodies.push_back(readRecipeBody(node->at(name), name));
     if (const auto node = root.find("touching"))
-        recipe.touching = readChoice<Touching>(*node, {{"separate", Touching::separate}, {"glued", Touching::glued}});
+        recipe.touching = readChoice(*node, touchingWords());
     if (const auto node = root.find("structural_friction"))
         recipe.structuralFriction = node->number(0, 2);
     if (const auto node = root.find("fixtures"))

@@ -1,20 +1,13 @@
 // Manipulators of a recipe: their forms and motions.
 #include "io/recipe_sections.h"
 #include "io/recipe_values.h"
+#include "io/scene_words.h"
 
 #include <cmath>
 
 namespace knead {
 
 namespace {
-
-ToolKind readKind(const JsonNode& node)
-{
-    Choices<ToolKind> kinds;
-    for (const ToolKind kind : toolKinds)
-        kinds.emplace_back(nameOf(kind), kind);
-    return readChoice(node, kinds);
-}
 
 /// The measures a form has: one for a ball, two for a cylinder, else three.
 Vec3 readSize(const JsonNode& node, ToolKind kind)
@@ -33,7 +26,7 @@ Vec3 readSize(const JsonNode& node, ToolKind kind)
 void readForm(const JsonNode& node, const std::string& recipePath, RecipeManipulator& manipulator)
 {
     if (const auto kind = node.find("kind"))
-        manipulator.kind = readKind(*kind);
+        manipulator.kind = readChoice(*kind, toolKindWords());
     const auto size = node.find("size_mm");
     const auto file = node.find("part_file");
     if (manipulator.kind != ToolKind::part) {

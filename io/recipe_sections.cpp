@@ -2,6 +2,7 @@
 #include "io/recipe_sections.h"
 
 #include "io/recipe_values.h"
+#include "io/scene_words.h"
 
 #include <cstdint>
 #include <limits>
@@ -89,8 +90,7 @@ RecipeExtraPart readRecipeExtraPart(const JsonNode& node, const std::string& rec
 
 BodyKind readBodyKind(const JsonNode& node)
 {
-    return readChoice<BodyKind>(
-        node, {{"deformable", BodyKind::deformable}, {"rigid", BodyKind::rigid}, {"glue", BodyKind::glue}});
+    return readChoice(node, bodyKindWords());
 }
 
 RecipeBody readRecipeBody(const JsonNode& node, const std::string& name)

@@ -9,6 +9,8 @@
 #include <stdexcept>
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace knead {
@@ -17,23 +19,56 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* beginning = ".knead-";
+constexpr const char* ending = ".part";
+
 /// Short, since the name of the target may be as long as the file system allows.
 std::string nameBeside(const std::string& target)
 {
     static std::atomic<unsigned> counter = 0;
-    const std::string name = ".knead-" + std::to_string(getpid()) + "-" + std::to_string(counter++) + ".part";
+    const std::string name = beginning + std::to_string(getpid()) + "-" + std::to_string(counter++) + ending;
     return (fs::path(target).parent_path() / name).string();
+}
+
+/// Marks a file as one that somebody is writing, for removeLeftOvers(). @return false when it was removed just before
+bool markAsOurs(int descriptor)
+{
+    flock(descriptor, LOCK_EX | LOCK_NB); // without locks nobody takes it for left over either
+    struct stat status {};
+    return fstat(descriptor, &status) != 0 || status.st_nlink > 0;
+}
+
+void copyPermissions(const std::string& from, int to)
+{
+    struct stat status {};
+    if (stat(from.c_str(), &status) == 0)
+        fchmod(to, status.st_mode & 0777U);
+}
+
+/// So that a power failure does not bring back what lay at the path before. Some file systems cannot; then they cannot.
+void syncFolder(const fs::path& folder)
+{
+    const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    fsync(descriptor);
+    close(descriptor);
 }
 
 } // namespace
 
 SafeFile::SafeFile(const std::string& path)
     : m_target(path)
-    , m_path(nameBeside(path))
-    , m_descriptor(open(m_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666))
 {
-    if (m_descriptor < 0)
-        fail();
+    do {
+        if (m_descriptor >= 0)
+            close(m_descriptor);
+        m_path = nameBeside(path);
+        m_descriptor = open(m_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (m_descriptor < 0)
+            fail();
+    } while (!markAsOurs(m_descriptor));
+    copyPermissions(m_target, m_descriptor);
 }
 
 SafeFile::~SafeFile()
@@ -74,13 +109,35 @@ void SafeFile::keep()
     if (std::rename(m_path.c_str(), m_target.c_str()) != 0)
         fail();
     m_path.clear();
+    syncFolder(fs::path(m_target).parent_path());
 }
 
 void SafeFile::fail() const
 {
-    const std::string reason = std::strerror(errno);
+    fail(std::strerror(errno));
+}
+
+void SafeFile::fail(const std::string& reason) const
+{
     throw std::runtime_error(shortName(m_target) + ": the file cannot be written (" + reason +
                              "); choose another place or make room.");
+}
+
+void removeLeftOvers(const std::string& path)
+{
+    const fs::path parent = fs::path(path).parent_path();
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(parent.empty() ? "." : parent, error)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with(beginning) || !name.ends_with(ending))
+            continue;
+        const int descriptor = open(entry.path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+        if (descriptor < 0)
+            continue;
+        if (flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+            unlink(entry.path().c_str());
+        close(descriptor);
+    }
 }
 
 void writeFileSafely(const std::string& path, std::string_view bytes)

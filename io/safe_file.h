@@ -8,7 +8,9 @@
 namespace knead {
 
 /// A file that appears whole or not at all: written piece by piece under a temporary name in the same folder, and renamed by
-/// keep(). Until then, and when it is not kept, what lay at the path stays as it was and nothing else is left behind.
+/// keep(). Until then, and when it is not kept, what lay at the path stays as it was and nothing else is left behind, but by a
+/// process that is killed: see removeLeftOvers(). A file that
+/// was there gives its permissions to the new one.
 /// All functions throw std::runtime_error, in a sentence that names the file and why the disk refused.
 class SafeFile final : public ByteSink {
 public:
@@ -18,6 +20,12 @@ public:
     SafeFile& operator=(const SafeFile&) = delete;
 
     void write(std::string_view bytes) override;
+
+    /// For libraries that write files by their names; nothing else must be written then.
+    const std::string& pathForNow() const { return m_path; }
+
+    /// @throws std::runtime_error as when the disk refuses. @param reason in a few words
+    [[noreturn]] void fail(const std::string& reason) const;
 
     /// Makes sure that the disk has all of it: what can fail for want of room has not failed after this. For files that
     /// belong together: all are finished before the first is kept.
@@ -30,9 +38,12 @@ private:
     [[noreturn]] void fail() const;
 
     std::string m_target;
-    std::string m_path; ///< for now; empty when kept
-    int m_descriptor;   ///< negative when finished
+    std::string m_path;    ///< for now; empty when kept
+    int m_descriptor = -1; ///< negative when finished
 };
+
+/// Removes what processes that were killed had begun to write in the folder of a path; what others are writing stays.
+void removeLeftOvers(const std::string& path);
 
 /// Writes a file whole or not at all, as SafeFile does.
 /// @throws std::runtime_error, in a sentence that names the file and why the disk refused; nothing is left behind.

@@ -190,6 +190,14 @@ ToolPart::ToolPart(TriangleMesh mesh)
 {
 }
 
+ToolPart::ToolPart(TriangleMesh centered, const Vec3& center, const Vec3& size)
+    : m_mesh(std::move(centered))
+    , m_center(center)
+    , m_size(size)
+    , m_distance(m_mesh)
+{
+}
+
 SurfacePoint ToolPart::nearest(const Vec3& point) const
 {
     const SurfaceDistance::Hit hit = m_distance.nearest(point);

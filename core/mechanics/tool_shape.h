@@ -36,6 +36,8 @@ class ToolPart {
 public:
     /// Moves the part so that the middle of its box is the origin. @throws std::runtime_error when it is empty.
     explicit ToolPart(TriangleMesh mesh);
+    /// With the numbers of another one, to the last bit, as from a file. @throws std::runtime_error when it is empty.
+    ToolPart(TriangleMesh centered, const Vec3& center, const Vec3& size);
     ToolPart(const ToolPart&) = delete; // the distances hold on to the mesh
     ToolPart& operator=(const ToolPart&) = delete;
 

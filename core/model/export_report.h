@@ -44,6 +44,7 @@ struct PartExportReport {
     std::size_t samples = 0;     ///< that were measured; 0 where nothing could be compared
     std::size_t smoothEdges = 0; ///< at which faces met without a kink, as imported, and that could be compared
     double largestKink = 0;      ///< between the normals of two faces at those now [rad]
+    bool crossesItself = false;  ///< the surface passes through itself although it did not at rest
     int keptFaces = 0;           ///< exactly where and what they were
     bool nameKept = false;
     bool colorsKept = false;

@@ -98,6 +98,7 @@ void noteCrossings(const TriangleMesh& rest, const TriangleMesh& mesh, TaskContr
     const Crossings now = findCrossings(mesh, control);
     if (now.count == 0 || now.count <= findCrossings(rest, control).count)
         return;
+    report.crossesItself = true;
     report.remarks.push_back("its surface passes through itself near " + placeWords(now.where.center()) +
                              "; other programs may refuse that.");
 }

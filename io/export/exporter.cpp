@@ -95,11 +95,12 @@ ExportedFile writeAndReadBack(FormatKind kind, const ExportJob& job, const std::
     return file;
 }
 
-/// A sound part whose own faces were bent, and are no longer a sound solid for who reads the file.
+/// A sound part whose own faces were bent, and are no longer a sound solid for who reads the file; not that of a surface which passes
+/// through itself, which flat faces would do as well.
 bool isSpoilt(const PartToExport& part, const PartExportReport& report)
 {
     return part.part.valid && part.part.watertight && report.form == PartExportReport::Form::exact &&
-           report.keptFaces < report.facesBefore && !(report.valid && report.closed && report.freeEdges == 0);
+           report.keptFaces < report.facesBefore && !report.crossesItself && !(report.valid && report.closed && report.freeEdges == 0);
 }
 
 /// Writes the parts again as flat faces that came back unsound.

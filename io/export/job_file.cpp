@@ -1,85 +1,19 @@
 #include "io/export/job_file.h"
 
+#include "io/aggregate_bytes.h"
+#include "io/byte_blocks.h"
 #include "io/worker/model_file.h"
 
 #include <nlohmann/json.hpp>
 
-#include <cstring>
 #include <map>
 #include <stdexcept>
-#include <type_traits>
 
 namespace knead {
 
 namespace {
 
 using Json = nlohmann::json;
-
-/// Blocks of bytes, each behind its length.
-class BlockWriter {
-public:
-    void add(std::string_view block)
-    {
-        const std::uint64_t length = block.size();
-        m_bytes.append(reinterpret_cast<const char*>(&length), sizeof length);
-        m_bytes.append(block);
-    }
-
-    template <typename Element>
-    void add(const std::vector<Element>& elements)
-    {
-        add(std::string_view(reinterpret_cast<const char*>(elements.data()), elements.size() * sizeof(Element)));
-    }
-
-    std::string bytes() && { return std::move(m_bytes); }
-
-private:
-    std::string m_bytes;
-};
-
-class BlockReader {
-public:
-    explicit BlockReader(std::string_view bytes)
-        : m_bytes(bytes)
-    {
-    }
-
-    std::string_view next()
-    {
-        std::uint64_t length = 0;
-        if (m_bytes.size() < sizeof length)
-            throw std::runtime_error("export job: it is cut off");
-        std::memcpy(&length, m_bytes.data(), sizeof length);
-        m_bytes.remove_prefix(sizeof length);
-        if (length > m_bytes.size())
-            throw std::runtime_error("export job: it is cut off");
-        const std::string_view block = m_bytes.substr(0, length);
-        m_bytes.remove_prefix(length);
-        return block;
-    }
-
-    template <typename Element>
-    std::vector<Element> nextArray()
-    {
-        const std::string_view block = next();
-        std::vector<Element> elements(block.size() / sizeof(Element));
-        std::memcpy(static_cast<void*>(elements.data()), block.data(), elements.size() * sizeof(Element));
-        return elements;
-    }
-
-private:
-    std::string_view m_bytes;
-};
-
-Json numbers(const Vec3& v)
-{
-    return {v.x(), v.y(), v.z()};
-}
-
-Vec3 vector(const Json& json)
-{
-    return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
-}
 
 /// Which connections an object has, a bit for each direction.
 std::vector<std::uint16_t> connectionsOf(const Aggregate& aggregate)
@@ -94,29 +28,17 @@ std::vector<std::uint16_t> connectionsOf(const Aggregate& aggregate)
 
 void addAggregate(const Aggregate& aggregate, BlockWriter& blocks)
 {
-    const Lattice& lattice = aggregate.lattice;
-    const Json json{
-        {"origin", numbers(lattice.origin)},
-        {"spacing", lattice.spacing},
-        {"axes", {numbers(lattice.axes.col(0)), numbers(lattice.axes.col(1)), numbers(lattice.axes.col(2))}}};
-    blocks.add(std::string_view(json.dump()));
-    blocks.add(lattice.nodes);
+    addLattice(aggregate.lattice, blocks);
     blocks.add(connectionsOf(aggregate));
 }
 
 std::shared_ptr<const Aggregate> nextAggregate(BlockReader& blocks)
 {
-    const Json json = Json::parse(blocks.next());
     auto aggregate = std::make_shared<Aggregate>();
-    Lattice& lattice = aggregate->lattice;
-    lattice.origin = vector(json.at("origin"));
-    lattice.spacing = json.at("spacing").get<double>();
-    for (int axis = 0; axis < 3; ++axis)
-        lattice.axes.col(axis) = vector(json.at("axes").at(static_cast<std::size_t>(axis)));
-    lattice.nodes = blocks.nextArray<Lattice::Node>();
+    aggregate->lattice = nextLattice(blocks);
     const std::vector<std::uint16_t> bits = blocks.nextArray<std::uint16_t>();
-    if (bits.size() != lattice.nodes.size())
-        throw std::runtime_error("export job: not every object has its connections");
+    if (bits.size() != aggregate->size())
+        blocks.fail("not every object has its connections");
     for (std::size_t d = 0; d < Lattice::isotropicCount; ++d) {
         aggregate->weight[d].resize(bits.size());
         for (std::size_t i = 0; i < bits.size(); ++i)
@@ -172,6 +94,7 @@ Json toJson(const PartExportReport& part)
               {"mean", part.meanDeviation},
               {"samples", part.samples}}},
             {"smooth_edges", {{"count", part.smoothEdges}, {"largest_kink_rad", part.largestKink}}},
+            {"crosses_itself", part.crossesItself},
             {"name_kept", part.nameKept},
             {"colors_kept", part.colorsKept}};
 }
@@ -207,6 +130,7 @@ PartExportReport partFrom(const Json& json)
     part.samples = json.at("deviation_m").at("samples").get<std::size_t>();
     part.smoothEdges = json.at("smooth_edges").at("count").get<std::size_t>();
     part.largestKink = json.at("smooth_edges").at("largest_kink_rad").get<double>();
+    part.crossesItself = json.at("crosses_itself").get<bool>();
     part.nameKept = json.at("name_kept").get<bool>();
     part.colorsKept = json.at("colors_kept").get<bool>();
     return part;
@@ -240,7 +164,7 @@ std::string jobToBytes(const ExportJob& job)
 ExportJob jobFromBytes(std::string_view bytes)
 {
     try {
-        BlockReader blocks(bytes);
+        BlockReader blocks(bytes, "export job");
         const Json json = Json::parse(blocks.next());
         Model model = modelFromBytes(blocks.next());
         ExportJob job;
@@ -273,7 +197,7 @@ std::string exportedToBytes(const ExportedFile& file)
 
 ExportedFile exportedFromBytes(std::string_view bytes)
 {
-    BlockReader blocks(bytes);
+    BlockReader blocks(bytes, "exported file");
     ExportedFile file;
     file.report = reportFromJson(blocks.next());
     file.bytes = blocks.next();

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/aggregate/spacing_choice.h"
+#include "core/document/history_record.h"
+#include "core/model/import_options.h"
+#include "core/model/part.h"
+#include "core/simulation/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace knead {
+
+/// What a person asked to be opened, and how.
+struct ImportChoices {
+    std::vector<std::string> paths;
+    ImportOptions options;
+    std::optional<SpacingChoice> spacing; ///< none: chosen by the program
+    Touching touching = Touching::separate;
+    bool fillsOpenParts = false; ///< tries winding numbers on surfaces that are not closed
+};
+
+/// A state that steps are counted from: the model filled once, with its tools and fixtures.
+struct ProjectStart {
+    Scene scene;
+    std::vector<std::size_t> partOfBody; ///< per body of the scene: index into Model::parts
+};
+
+/// Words that a person put at an entry of the history.
+struct ProjectMark {
+    std::uint32_t entry = 0; ///< index into Project::entries
+    std::string text;
+};
+
+/// From where the person looked.
+struct ProjectCamera {
+    Vec3 position = Vec3::UnitX();  ///< of the eye [m]
+    Vec3 focalPoint = Vec3::Zero(); ///< what turns in place when the view is turned [m]
+    Vec3 up = Vec3::UnitZ();        ///< unit
+    double parallelScale = 1;       ///< half of the height that is seen at the focal point [m]
+    bool perspective = true;
+};
+
+struct ProjectView {
+    ProjectCamera camera;
+    std::vector<std::size_t> hiddenParts; ///< indices into Model::parts
+    std::vector<std::byte> thumbnail;     ///< a PNG picture; empty: none
+};
+
+/// All that a project file keeps. A plain value; what is large in it is immutable and shared.
+struct Project {
+    std::shared_ptr<const Model> model; ///< with its exact shapes; null: nothing was opened yet
+    ImportChoices import;
+    std::vector<ProjectStart> starts;
+    std::vector<HistoryRecord> entries; ///< parents come before what follows them
+    std::uint32_t current = 0;          ///< the entry that is shown; 0 also when there is none
+    std::vector<ProjectMark> marks;
+    ProjectView view;
+    std::map<std::string, std::string> panels; ///< what panels keep for themselves: JSON texts by name
+};
+
+} // namespace knead

@@ -1,0 +1,175 @@
+#include "io/aggregate_bytes.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::int32_t furthestNode = 1 << 28; // neighbors of nodes and their differences stay numbers
+
+Json numbers(const Vec3& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
+Vec3 vector(const Json& json)
+{
+    return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+bool areFinite(const std::vector<double>& numbers)
+{
+    return std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+}
+
+bool isSound(const Lattice& lattice)
+{
+    const auto isNear = [](const Lattice::Node& node) {
+        return std::all_of(node.begin(), node.end(),
+                           [](std::int32_t n) { return n >= -furthestNode && n <= furthestNode; });
+    };
+    const auto isNotAfter = [](const Lattice::Node& a, const Lattice::Node& b) { return !(a < b); };
+    return lattice.origin.allFinite() && lattice.spacing > 0 && std::isfinite(lattice.spacing) &&
+           (lattice.axes.transpose() * lattice.axes - Mat3::Identity()).cwiseAbs().maxCoeff() < 1e-9 &&
+           std::all_of(lattice.nodes.begin(), lattice.nodes.end(), isNear) &&
+           std::adjacent_find(lattice.nodes.begin(), lattice.nodes.end(), isNotAfter) == lattice.nodes.end();
+}
+
+/// Segments go on over objects that have no neighbor in their direction.
+bool hasNeighbor(const Lattice& lattice, std::size_t direction, const Lattice::Segment& segment, ObjectIndex object)
+{
+    const Lattice::Node& step = Lattice::directions[direction];
+    const Lattice::Node& from = lattice.nodes[object];
+    const Lattice::Node& to = lattice.nodes[object + static_cast<ObjectIndex>(segment.offset)];
+    return to[0] - from[0] == step[0] && to[1] - from[1] == step[1] && to[2] - from[2] == step[2];
+}
+
+/// Weights are not negative, and 0 where there is no neighbor.
+bool areSound(const std::vector<double>& weights, const Lattice& lattice, std::size_t direction)
+{
+    std::vector<std::uint8_t> mayBe(lattice.size(), 0);
+    for (const Lattice::Segment& segment : lattice.segments[direction])
+        for (ObjectIndex object = segment.begin; object < segment.end; ++object)
+            mayBe[object] = hasNeighbor(lattice, direction, segment, object) ? 1 : 0;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        if (weights[i] < 0 || (mayBe[i] == 0 && weights[i] != 0))
+            return false;
+    return true;
+}
+
+Json measuresOf(const Aggregate& aggregate, std::size_t directions)
+{
+    return {{"directions", directions},
+            {"meshVolume", aggregate.meshVolume},
+            {"filledVolume", aggregate.filledVolume},
+            {"cells", aggregate.cells},
+            {"removedTriangles", aggregate.repair.removedTriangles},
+            {"flippedTriangles", aggregate.repair.flippedTriangles},
+            {"decidedCells", aggregate.repair.decidedCells},
+            {"doubtfulShare", aggregate.repair.doubtfulShare}};
+}
+
+void setMeasures(const Json& json, Aggregate& aggregate)
+{
+    aggregate.meshVolume = json.at("meshVolume").get<double>();
+    aggregate.filledVolume = json.at("filledVolume").get<double>();
+    aggregate.cells = json.at("cells").get<std::size_t>();
+    aggregate.repair.removedTriangles = json.at("removedTriangles").get<std::size_t>();
+    aggregate.repair.flippedTriangles = json.at("flippedTriangles").get<std::size_t>();
+    aggregate.repair.decidedCells = json.at("decidedCells").get<std::size_t>();
+    aggregate.repair.doubtfulShare = json.at("doubtfulShare").get<double>();
+}
+
+std::vector<double> nextNumbers(BlockReader& blocks, std::size_t count)
+{
+    std::vector<double> numbers = blocks.nextArray<double>();
+    if (numbers.size() != count)
+        blocks.fail("not every object has all of its numbers");
+    if (!areFinite(numbers))
+        blocks.fail("a number is not finite");
+    return numbers;
+}
+
+Aggregate nextAggregate(BlockReader& blocks)
+{
+    Aggregate aggregate;
+    const Json measures = Json::parse(blocks.next());
+    setMeasures(measures, aggregate);
+    const auto directions = measures.at("directions").get<std::size_t>();
+    if (directions > Lattice::directionCount)
+        blocks.fail("there are too many directions");
+    aggregate.lattice = nextLattice(blocks);
+    if (!isSound(aggregate.lattice))
+        blocks.fail("its lattice is none");
+    const std::size_t count = aggregate.size();
+    aggregate.volume = nextNumbers(blocks, count);
+    aggregate.depth = nextNumbers(blocks, count);
+    aggregate.face = blocks.nextArray<std::uint32_t>();
+    if (aggregate.face.size() != count)
+        blocks.fail("not every object has all of its numbers");
+    findSegments(aggregate.lattice, directions);
+    for (std::size_t d = 0; d < directions; ++d) {
+        aggregate.weight[d] = nextNumbers(blocks, count);
+        if (!areSound(aggregate.weight[d], aggregate.lattice, d))
+            blocks.fail("a connection leads nowhere");
+    }
+    return aggregate;
+}
+
+} // namespace
+
+void addLattice(const Lattice& lattice, BlockWriter& blocks)
+{
+    const Json json{
+        {"origin", numbers(lattice.origin)},
+        {"spacing", lattice.spacing},
+        {"axes", {numbers(lattice.axes.col(0)), numbers(lattice.axes.col(1)), numbers(lattice.axes.col(2))}}};
+    blocks.add(std::string_view(json.dump()));
+    blocks.add(lattice.nodes);
+}
+
+Lattice nextLattice(BlockReader& blocks)
+{
+    const Json json = Json::parse(blocks.next());
+    Lattice lattice;
+    lattice.origin = vector(json.at("origin"));
+    lattice.spacing = json.at("spacing").get<double>();
+    for (int axis = 0; axis < 3; ++axis)
+        lattice.axes.col(axis) = vector(json.at("axes").at(static_cast<std::size_t>(axis)));
+    lattice.nodes = blocks.nextArray<Lattice::Node>();
+    return lattice;
+}
+
+std::string aggregateToBytes(const Aggregate& aggregate)
+{
+    const auto isUsed = [](const std::vector<double>& weights) { return !weights.empty(); };
+    const auto last = std::find_if(aggregate.weight.rbegin(), aggregate.weight.rend(), isUsed);
+    const auto directions = static_cast<std::size_t>(aggregate.weight.rend() - last);
+    BlockWriter blocks;
+    blocks.add(std::string_view(measuresOf(aggregate, directions).dump()));
+    addLattice(aggregate.lattice, blocks);
+    blocks.add(aggregate.volume);
+    blocks.add(aggregate.depth);
+    blocks.add(aggregate.face);
+    for (std::size_t d = 0; d < directions; ++d)
+        blocks.add(aggregate.weight[d]);
+    return std::move(blocks).bytes();
+}
+
+Aggregate aggregateFromBytes(std::string_view bytes)
+{
+    BlockReader blocks(bytes, "aggregate");
+    try {
+        return nextAggregate(blocks);
+    } catch (const Json::exception& error) {
+        blocks.fail(error.what());
+    }
+}
+
+} // namespace knead

@@ -1,0 +1,167 @@
+#include "io/project/command_json.h"
+
+#include "io/project/scene_fields.h"
+
+namespace knead {
+
+// --- the words and the fields of each command ---------------------------------------------------------------------------
+
+template <>
+inline constexpr const char* wordOf<SetMaterial> = "set-material";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, SetMaterial> command)
+{
+    fields("body", command.body);
+    fields("objects", command.objects);
+    fields.object("material", command.material);
+}
+
+template <>
+inline constexpr const char* wordOf<SetBodyKind> = "set-body-kind";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, SetBodyKind> command)
+{
+    fields("body", command.body);
+    fields.choice("kind", command.kind, bodyKindWords());
+}
+
+template <>
+inline constexpr const char* wordOf<Renormalize> = "renormalize";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, Renormalize> command)
+{
+    fields("body", command.body);
+    fields("objects", command.objects);
+    fields("duration_s", command.duration);
+}
+
+template <>
+inline constexpr const char* wordOf<SetGravity> = "set-gravity";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, SetGravity> command)
+{
+    fields("gravity_m_s2", command.gravity);
+}
+
+template <>
+inline constexpr const char* wordOf<SetFloor> = "set-floor";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, SetFloor> command)
+{
+    fields("height_m", command.height);
+    fields("friction", command.friction);
+}
+
+template <>
+inline constexpr const char* wordOf<AddManipulator> = "add-manipulator";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, AddManipulator> command)
+{
+    fields.object("manipulator", command.manipulator);
+}
+
+template <>
+inline constexpr const char* wordOf<RemoveManipulator> = "remove-manipulator";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, RemoveManipulator> command)
+{
+    fields("tool", command.tool);
+}
+
+template <>
+inline constexpr const char* wordOf<SetManipulatorMotion> = "set-manipulator-motion";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, SetManipulatorMotion> command)
+{
+    fields("tool", command.tool);
+    describeVariant(fields, "motion", command.motion);
+}
+
+template <>
+inline constexpr const char* wordOf<ReshapeManipulator> = "reshape-manipulator";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, ReshapeManipulator> command)
+{
+    fields("tool", command.tool);
+    fields.choice("kind", command.kind, toolKindWords());
+    fields("size_m", command.size);
+    fields("tool_part", command.part);
+    fields("friction", command.friction);
+    fields("speed_limit_m_s", command.speedLimit);
+    fields("force_limit_n", command.forceLimit);
+}
+
+template <>
+inline constexpr const char* wordOf<PlaceManipulator> = "place-manipulator";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, PlaceManipulator> command)
+{
+    fields("tool", command.tool);
+    fields.object("pose", command.pose);
+}
+
+template <>
+inline constexpr const char* wordOf<AddFixture> = "add-fixture";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, AddFixture> command)
+{
+    fields.object("fixture", command.fixture);
+}
+
+template <>
+inline constexpr const char* wordOf<RemoveFixture> = "remove-fixture";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, RemoveFixture> command)
+{
+    fields("fixture", command.fixture);
+}
+
+template <>
+inline constexpr const char* wordOf<MoveFixture> = "move-fixture";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, MoveFixture> command)
+{
+    fields("fixture", command.fixture);
+    fields("velocity_m_s", command.velocity);
+}
+
+template <>
+inline constexpr const char* wordOf<SetIntegrator> = "set-integrator";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, SetIntegrator> command)
+{
+    fields.choice("integrator", command.integrator, integratorWords());
+}
+
+template <class Fields>
+void describe(Fields& fields, Field<Fields, RecordedCommand> recorded)
+{
+    fields("step", recorded.step);
+    describeVariant(fields, "command", recorded.command);
+}
+
+// --- lists of them ------------------------------------------------------------------------------------------------------
+
+std::string commandsToJson(std::span<const RecordedCommand> commands, ToolPartTable& tools)
+{
+    FieldWriter fields(tools);
+    std::string text;
+    for (const RecordedCommand& command : commands) {
+        describe(fields, command);
+        text += (text.empty() ? "[" : ",\n") + fields.take();
+    }
+    return text.empty() ? "[]" : text + "]";
+}
+
+std::vector<RecordedCommand> commandsFromJson(const std::string& text, const std::string& source,
+                                              const ToolPartTable& tools, std::size_t& longList)
+{
+    std::vector<RecordedCommand> commands;
+    for (JsonNode& node : JsonNode::readText(text, source).items()) {
+        const FieldReader fields(std::move(node), tools, longList);
+        describe(fields, commands.emplace_back());
+    }
+    return commands;
+}
+
+} // namespace knead

@@ -1,0 +1,91 @@
+#include "io/project/recovery.h"
+#include "io/project/recovery_files.h"
+#include "io/project/rows.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+namespace knead {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What its tables say; none when nothing in it would be lost.
+std::optional<Recovery> summaryOf(const std::string& folder)
+{
+    Recovery recovery{.folder = folder};
+    std::error_code error;
+    if (!fs::exists(recovery_files::database(folder), error))
+        return std::nullopt;
+    try {
+        const auto database = recovery_files::open(folder);
+        if (!database->tableExists("session"))
+            return std::nullopt;
+        const Row session = rowAt(*database, "session", 0);
+        recovery.projectFile = session.text(1);
+        if (session.integer(2) != 0)
+            return std::nullopt;
+        SQLite::Statement entries(*database, "SELECT count(*), max(made_at_unix_s) FROM entries");
+        if (entries.executeStep()) {
+            recovery.entries = entries.getColumn(0).getUInt();
+            recovery.lastChange = entries.getColumn(1).getDouble();
+        }
+    } catch (const std::runtime_error&) {
+        // It is listed with what is known of it: perhaps it can be rescued.
+    }
+    return recovery;
+}
+
+/// None when a window works on it.
+std::optional<Recovery> recoveryIn(const std::string& folder)
+{
+    const FileLock lock(recovery_files::lock(folder), false);
+    std::error_code error;
+    const bool hasLock = fs::exists(recovery_files::lock(folder), error);
+    if (hasLock && !lock.isHeld())
+        return std::nullopt;
+    std::optional<Recovery> recovery = hasLock ? summaryOf(folder) : std::nullopt;
+    if (!recovery)
+        recovery_files::remove(folder);
+    return recovery;
+}
+
+} // namespace
+
+std::string recoveryFolder()
+{
+    const char* state = std::getenv("XDG_STATE_HOME");
+    const char* home = std::getenv("HOME");
+    fs::path folder = state != nullptr && fs::path(state).is_absolute()
+                          ? fs::path(state)
+                          : fs::path(home != nullptr ? home : "/tmp") / ".local" / "state";
+    return (folder / "knead" / "recovery").string();
+}
+
+std::vector<Recovery> findRecoveries(const std::string& folder)
+{
+    std::vector<Recovery> recoveries;
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+        if (entry.path().filename().string().starts_with("work-") && entry.is_directory(error))
+            if (auto recovery = recoveryIn(entry.path().string()))
+                recoveries.push_back(std::move(*recovery));
+    std::sort(recoveries.begin(), recoveries.end(),
+              [](const Recovery& a, const Recovery& b) { return a.lastChange > b.lastChange; });
+    return recoveries;
+}
+
+void dropRecovery(const Recovery& recovery)
+{
+    const FileLock lock(recovery_files::lock(recovery.folder), false);
+    if (lock.result() == FileLock::Result::taken)
+        throw std::runtime_error("Another window has taken over this work.");
+    recovery_files::remove(recovery.folder);
+}
+
+} // namespace knead

@@ -1,0 +1,228 @@
+#include "io/project/json_fields.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace knead {
+
+namespace {
+
+constexpr std::uint64_t largestWhole = (1ULL << 53U) - 1; // beyond it doubles leave numbers out
+
+std::string inQuotes(const std::string& text)
+{
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// The shortest text that is read as the same bits.
+std::string exactText(double value)
+{
+    if (std::isnan(value))
+        return "\"nan\"";
+    if (std::isinf(value))
+        return value > 0 ? "\"infinity\"" : "\"-infinity\"";
+    if (value == 0)
+        return std::signbit(value) ? "-0.0" : "0"; // "-0" would be a whole number, which has no sign
+    char text[32];
+    const auto end = std::to_chars(std::begin(text), std::end(text), value).ptr;
+    return {std::begin(text), end};
+}
+
+double numberIn(const JsonNode& node)
+{
+    if (!node.isString())
+        return node.number();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return readChoice<double>(
+        node, {{"infinity", infinity}, {"-infinity", -infinity}, {"nan", std::numeric_limits<double>::quiet_NaN()}});
+}
+
+std::string listText(std::initializer_list<double> numbers)
+{
+    std::string text;
+    for (const double number : numbers)
+        text += (text.empty() ? "[" : ", ") + exactText(number);
+    return text + "]";
+}
+
+template <std::size_t count>
+std::array<double, count> numbersIn(const JsonNode& node)
+{
+    const std::vector<JsonNode> items = node.items();
+    if (items.size() != count)
+        node.failExpecting("must hold " + std::to_string(count) + " numbers");
+    std::array<double, count> numbers;
+    std::transform(items.begin(), items.end(), numbers.begin(), numberIn);
+    return numbers;
+}
+
+std::uint32_t indexIn(const JsonNode& node)
+{
+    return static_cast<std::uint32_t>(node.count(std::numeric_limits<std::uint32_t>::max()));
+}
+
+} // namespace
+
+std::uint32_t ToolPartTable::numberOf(const std::shared_ptr<const ToolPart>& part)
+{
+    const auto found = std::find(m_parts.begin(), m_parts.end(), part);
+    const auto number = static_cast<std::uint32_t>(found - m_parts.begin());
+    if (found == m_parts.end())
+        m_parts.push_back(part);
+    return number;
+}
+
+// --- writing ----------------------------------------------------------------------------------------------------------
+
+void FieldWriter::put(const char* key, const std::string& json)
+{
+    m_text += m_text.empty() ? "{\"" : ", \"";
+    m_text += key;
+    m_text += "\": ";
+    m_text += json;
+}
+
+std::string FieldWriter::take()
+{
+    return m_text.empty() ? "{}" : std::exchange(m_text, {}) + "}";
+}
+
+void FieldWriter::operator()(const char* key, double value)
+{
+    put(key, exactText(value));
+}
+
+void FieldWriter::operator()(const char* key, const std::string& value)
+{
+    put(key, inQuotes(value));
+}
+
+void FieldWriter::operator()(const char* key, const std::vector<std::string>& value)
+{
+    std::string text;
+    for (const std::string& item : value)
+        text += (text.empty() ? "" : ", ") + inQuotes(item);
+    put(key, "[" + text + "]");
+}
+
+void FieldWriter::operator()(const char* key, const std::optional<double>& value)
+{
+    if (value)
+        put(key, exactText(*value));
+}
+
+void FieldWriter::operator()(const char* key, const Vec3& value)
+{
+    put(key, listText({value.x(), value.y(), value.z()}));
+}
+
+void FieldWriter::operator()(const char* key, const Quaternion& value)
+{
+    put(key, listText({value.w(), value.x(), value.y(), value.z()}));
+}
+
+void FieldWriter::operator()(const char* key, const std::vector<std::uint32_t>& value)
+{
+    std::string text;
+    for (std::size_t begin = 0; begin < value.size();) {
+        std::size_t end = begin + 1;
+        while (end < value.size() && value[end - 1] != std::numeric_limits<std::uint32_t>::max() &&
+               value[end] == value[end - 1] + 1)
+            ++end;
+        const std::string first = std::to_string(value[begin]);
+        text += text.empty() ? "" : ", ";
+        text += end - begin > 1 ? "[" + first + ", " + std::to_string(value[end - 1]) + "]" : first;
+        begin = end;
+    }
+    put(key, "[" + text + "]");
+}
+
+void FieldWriter::operator()(const char* key, const std::shared_ptr<const ToolPart>& value)
+{
+    if (value != nullptr)
+        (*this)(key, m_tools.numberOf(value));
+}
+
+// --- reading ----------------------------------------------------------------------------------------------------------
+
+void FieldReader::operator()(const char* key, double& value) const
+{
+    value = numberIn(m_node.at(key));
+}
+
+void FieldReader::operator()(const char* key, std::uint32_t& value) const
+{
+    value = indexIn(m_node.at(key));
+}
+
+void FieldReader::operator()(const char* key, std::uint64_t& value) const
+{
+    value = m_node.at(key).count(largestWhole);
+}
+
+void FieldReader::operator()(const char* key, std::vector<std::string>& value) const
+{
+    value.clear();
+    for (const JsonNode& item : m_node.at(key).items())
+        value.push_back(item.anyText());
+}
+
+void FieldReader::operator()(const char* key, std::optional<double>& value) const
+{
+    const std::optional<JsonNode> node = m_node.find(key);
+    value = node ? std::optional(numberIn(*node)) : std::nullopt;
+}
+
+void FieldReader::operator()(const char* key, Vec3& value) const
+{
+    const auto numbers = numbersIn<3>(m_node.at(key));
+    value = {numbers[0], numbers[1], numbers[2]};
+}
+
+void FieldReader::operator()(const char* key, Quaternion& value) const
+{
+    const auto numbers = numbersIn<4>(m_node.at(key));
+    value = {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+void FieldReader::operator()(const char* key, std::vector<std::uint32_t>& value) const
+{
+    value.clear();
+    const auto add = [&](const JsonNode& item, std::uint64_t first, std::uint64_t last) {
+        if (last < first)
+            item.failExpecting("must hold the first and the last number of a stretch");
+        if (last - first >= m_longList)
+            item.failExpecting("makes a list longer than any that this program writes");
+        m_longList -= last - first + 1;
+        for (std::uint64_t number = first; number <= last; ++number)
+            value.push_back(static_cast<std::uint32_t>(number));
+    };
+    for (const JsonNode& item : m_node.at(key).items()) {
+        if (!item.isList()) {
+            add(item, indexIn(item), indexIn(item));
+            continue;
+        }
+        const std::vector<JsonNode> ends = item.items();
+        if (ends.size() != 2)
+            item.failExpecting("must hold the first and the last number of a stretch");
+        add(item, indexIn(ends[0]), indexIn(ends[1]));
+    }
+}
+
+void FieldReader::operator()(const char* key, std::shared_ptr<const ToolPart>& value) const
+{
+    value = nullptr;
+    const std::optional<JsonNode> node = m_node.find(key);
+    if (!node)
+        return;
+    const std::uint32_t number = indexIn(*node);
+    if (number >= m_tools.parts().size() || m_tools.parts()[number] == nullptr)
+        node->failExpecting("must be the number of a tool part of the project");
+    value = m_tools.parts()[number];
+}
+
+} // namespace knead

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/task/task_control.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace SQLite {
+class Database;
+class Exception;
+} // namespace SQLite
+
+namespace knead {
+
+/// A project file opened to read; no other program is disturbed by it, and nothing beside the file is read or made.
+struct OpenProject {
+    std::unique_ptr<SQLite::Database> database;
+    int version = 0;
+    std::uint64_t bytes = 0;
+};
+
+/// @throws std::runtime_error, in a sentence, when it is no file or no project, or cannot be read
+OpenProject openProject(const std::string& path);
+
+/// A copy that is gone with its connection, brought to the present version. @throws SQLite::Exception, DamagedData
+std::unique_ptr<SQLite::Database> migratedCopy(SQLite::Database& database, int version);
+
+/// For a new database that is filled by one writer and then used by nobody under this name: no journal, no locks, no waiting
+/// for the disk. @throws SQLite::Exception
+void prepareProjectDatabase(SQLite::Database& database);
+
+/// What the system or SQLite says about the last failure, in a few words.
+std::string reasonOf(const SQLite::Database& database, const SQLite::Exception& error);
+
+} // namespace knead

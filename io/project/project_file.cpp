@@ -1,0 +1,147 @@
+#include "io/project/project_file.h"
+
+#include "io/cad_format.h"
+#include "io/project/project_database.h"
+#include "io/project/project_reader.h"
+#include "io/project/project_tables.h"
+#include "io/project/schema.h"
+#include "io/safe_file.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace knead {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double writingShare = 0.9; // of the progress of saving; the rest is reading back
+
+[[noreturn]] void failDamaged(const std::string& path, const std::string& what)
+{
+    failReading(path, "the project is damaged: " + what + ". What is whole can be rescued.");
+}
+
+/// Root may write everywhere, but a person who marked a file as read-only meant it.
+void checkMayBeReplaced(const std::string& path)
+{
+    struct stat status {};
+    if (stat(path.c_str(), &status) != 0)
+        return;
+    if (S_ISDIR(status.st_mode))
+        failReading(path, "there is a folder of this name; choose another name.");
+    if ((status.st_mode & 0222U) == 0 || access(path.c_str(), W_OK) != 0)
+        failReading(path, "the file is read-only; save the project under another name.");
+}
+
+/// Where a link leads, so that the file behind it is replaced and not the link.
+std::string followed(const std::string& path)
+{
+    std::error_code error;
+    if (!fs::is_symlink(path, error))
+        return path;
+    const fs::path target = fs::weakly_canonical(path, error);
+    return error ? path : target.string();
+}
+
+/// What fails is not rolled back: nobody will look at the database, and the reason would be lost.
+void fill(SQLite::Database& database, const Project& project, TaskControl& control)
+{
+    prepareProjectDatabase(database);
+    database.exec("BEGIN");
+    makeTables(database, projectTables());
+    ProjectTables(database).addProject(project, control);
+    database.exec("COMMIT");
+}
+
+/// @param choices all but the size of the file
+Project readFrom(OpenProject& file, ReadingChoices choices, TaskControl& control)
+{
+    std::unique_ptr<SQLite::Database> copy;
+    if (file.version < schemaVersion)
+        copy = migratedCopy(*file.database, file.version);
+    SQLite::Database& database = copy != nullptr ? *copy : *file.database;
+    if (!hasTables(database, projectTables()))
+        throw DamagedData("its tables are not those of a project");
+    choices.bytes = file.bytes;
+    return ProjectReader(database, choices, control).read();
+}
+
+Project readWhole(const std::string& path, const ReadingChoices& choices, TaskControl& control)
+{
+    try {
+        OpenProject file = openProject(path);
+        if (file.version > schemaVersion)
+            failReading(path, "a newer Knead saved this project (version " + std::to_string(file.version) +
+                                  " of the file; this program reads up to " + std::to_string(schemaVersion) +
+                                  "). Update Knead to open it.");
+        return readFrom(file, choices, control);
+    } catch (const SQLite::Exception& error) {
+        failDamaged(path, error.what());
+    } catch (const DamagedData& error) {
+        failDamaged(path, error.what());
+    }
+}
+
+void readBack(const SafeFile& file, TaskControl& control)
+{
+    try {
+        readWhole(file.pathForNow(), {.withMoments = false}, control);
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        file.fail(std::string("what was written cannot be read back: ") + error.what());
+    }
+}
+
+} // namespace
+
+void writeProject(const std::string& path, const Project& project, TaskControl& control)
+{
+    const std::string target = followed(path);
+    checkMayBeReplaced(target);
+    removeLeftOvers(target);
+    SafeFile file(target);
+    TaskPortion writing(control, 0, writingShare);
+    SQLite::Database database(file.pathForNow(), SQLite::OPEN_READWRITE, 0, "unix-none");
+    try {
+        fill(database, project, writing);
+    } catch (const SQLite::Exception& error) {
+        file.fail(reasonOf(database, error));
+    }
+    TaskPortion checking(control, writingShare, 1);
+    readBack(file, checking);
+    file.keep();
+}
+
+Project readProject(const std::string& path, TaskControl& control)
+{
+    return readWhole(path, {}, control);
+}
+
+RescuedProject rescueProject(const std::string& path, TaskControl& control)
+{
+    try {
+        OpenProject file = openProject(path);
+        std::unique_ptr<SQLite::Database> copy;
+        if (file.version >= 0 && file.version < schemaVersion)
+            copy = migratedCopy(*file.database, file.version);
+        ProjectReader reader(copy != nullptr ? *copy : *file.database, {.rescues = true, .bytes = file.bytes}, control);
+        RescuedProject rescued;
+        rescued.project = reader.read();
+        rescued.missing = reader.missing();
+        if (rescued.project.model == nullptr && rescued.project.starts.empty() && !rescued.missing.empty())
+            failReading(path, "nothing of this project can be read any more.");
+        return rescued;
+    } catch (const SQLite::Exception&) {
+        failReading(path, "nothing of this project can be read any more.");
+    }
+}
+
+} // namespace knead

@@ -1,0 +1,332 @@
+#include "io/project/project_reader.h"
+
+#include "io/aggregate_bytes.h"
+#include "io/project/command_json.h"
+#include "io/project/project_fields.h"
+#include "io/project/scene_fields.h"
+#include "io/project/schema.h"
+#include "io/project/tool_part_bytes.h"
+#include "io/worker/model_file.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace knead {
+
+namespace {
+
+std::string_view textOf(const Bytes& bytes)
+{
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// Objects of a body: ascending, and there.
+void checkObjects(const std::vector<ObjectIndex>& objects, const Aggregate& aggregate, const std::string& what)
+{
+    const auto isNotAfter = [](ObjectIndex a, ObjectIndex b) { return a >= b; };
+    if (std::adjacent_find(objects.begin(), objects.end(), isNotAfter) != objects.end() ||
+        (!objects.empty() && objects.back() >= aggregate.size()))
+        throw DamagedData(what + " has objects that are not there");
+}
+
+void checkFixture(const Fixture& fixture, const Scene& scene)
+{
+    if (fixture.body >= scene.bodies.size())
+        throw DamagedData("a fixture is of a body that is not there");
+    checkObjects(fixture.objects, *scene.bodies[fixture.body].aggregate, "a fixture");
+}
+
+std::uint64_t countIn(const Row& row, std::size_t column)
+{
+    const std::int64_t number = row.integer(column);
+    if (number < 0)
+        throw DamagedData("a count is negative");
+    return static_cast<std::uint64_t>(number);
+}
+
+/// Sentences of readers go on in a longer one.
+std::string withoutStop(std::string sentence)
+{
+    while (!sentence.empty() && sentence.back() == '.')
+        sentence.pop_back();
+    return sentence;
+}
+
+} // namespace
+
+ProjectReader::ProjectReader(SQLite::Database& database, const ReadingChoices& choices, TaskControl& control)
+    : m_database(database)
+    , m_choices(choices)
+    , m_control(control)
+    , m_budget(std::max<std::uint64_t>(1ULL << 30U, 100 * choices.bytes))
+{
+}
+
+Project ProjectReader::read()
+{
+    m_control.report(0, "opening the project");
+    readModel();
+    m_control.report(0.2, "opening the project");
+    readToolParts();
+    readStarts();
+    m_control.report(0.5, "opening the history");
+    readEntries();
+    readView();
+    readMarks();
+    readPanels();
+    if (m_choices.withMoments)
+        readMoments();
+    return std::move(m_project);
+}
+
+bool ProjectReader::attempt(const std::string& what, const std::function<void()>& read)
+{
+    m_control.throwIfCancelled();
+    try {
+        read();
+        return true;
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        const std::string sentence = what + " (" + withoutStop(error.what()) + ")";
+        if (!m_choices.rescues)
+            throw DamagedData(sentence);
+        m_missing.push_back(sentence);
+        return false;
+    }
+}
+
+/// As the file says; or, when that is lost, as many as there seem to be.
+std::int64_t ProjectReader::countOf(const std::string& table)
+{
+    std::int64_t count = 0;
+    const auto tables = projectTables();
+    const auto form = std::find_if(tables.begin(), tables.end(), [&](const TableForm& t) { return t.name == table; });
+    const auto read = [&] {
+        const Row row = rowAt(m_database, "contents", form - tables.begin());
+        if (row.text(1) != table)
+            throw DamagedData("rows of the table contents are mixed up");
+        count = row.integer(2);
+    };
+    if (!attempt("the number of rows of the table " + table, read))
+        attempt("the table " + table, [&] {
+            SQLite::Statement statement(m_database, "SELECT max(id) FROM " + table);
+            if (statement.executeStep() && statement.getColumn(0).isInteger())
+                count = statement.getColumn(0).getInt64() + 1;
+        });
+    constexpr std::int64_t smallestRow = 4; // no file has more of them than bytes for them
+    return std::clamp<std::int64_t>(count, 0, static_cast<std::int64_t>(m_choices.bytes) / smallestRow);
+}
+
+template <class Value>
+void ProjectReader::readFields(const std::string& json, const std::string& source, Value& value)
+{
+    const FieldReader fields(JsonNode::readText(json, source), m_tools, m_longList);
+    describe(fields, value);
+}
+
+Bytes ProjectReader::blob(std::int64_t id)
+{
+    return Blobs::read(m_database, id, m_budget, m_control);
+}
+
+std::vector<RecordedCommand> ProjectReader::commands(const std::string& json, const std::string& source)
+{
+    return commandsFromJson(json, source, m_tools, m_longList);
+}
+
+void ProjectReader::readModel()
+{
+    attempt("the model", [&] {
+        const Row row = rowAt(m_database, "project", 0);
+        readFields(row.text(1), "import", m_project.import);
+        if (!row.isNull(2))
+            m_project.model = std::make_shared<const Model>(modelFromBytes(textOf(blob(row.integer(2)))));
+        m_project.current = row.index(3);
+    });
+}
+
+void ProjectReader::readToolParts()
+{
+    const std::int64_t count = countOf("tool_parts");
+    for (std::int64_t id = 0; id < count; ++id) {
+        std::shared_ptr<const ToolPart> part;
+        attempt("tool part " + std::to_string(id), [&] {
+            const Row row = rowAt(m_database, "tool_parts", id);
+            ToolPartPlace place;
+            readFields(row.text(2), "place", place);
+            part = toolPartFromBytes(textOf(blob(row.integer(3))), place);
+        });
+        m_tools.add(std::move(part));
+    }
+}
+
+void ProjectReader::readStarts()
+{
+    const std::int64_t count = countOf("starts");
+    for (std::int64_t id = 0; id < count; ++id) {
+        const auto number = static_cast<std::uint32_t>(m_project.starts.size());
+        const bool isWhole =
+            attempt("start state " + std::to_string(id), [&] { m_project.starts.push_back(startAt(id)); });
+        m_starts.push_back(isWhole ? std::optional(number) : std::nullopt);
+    }
+}
+
+ProjectStart ProjectReader::startAt(std::int64_t id)
+{
+    const Row row = rowAt(m_database, "starts", id);
+    ProjectStart start;
+    readFields(row.text(3), "settings", start.scene);
+    const std::uint32_t bodies = row.index(1);
+    for (std::uint32_t i = 0; i < bodies; ++i) {
+        const Row body = rowAt(m_database, "bodies", std::int64_t{row.index(2)} + i);
+        if (body.integer(1) != id)
+            throw DamagedData("rows of the table bodies are mixed up");
+        start.partOfBody.push_back(readBody(body, start.scene.bodies.emplace_back()));
+    }
+    for (const Fixture& fixture : start.scene.fixtures)
+        checkFixture(fixture, start.scene);
+    return start;
+}
+
+/// @return the part that it is of
+std::size_t ProjectReader::readBody(const Row& row, Body& body)
+{
+    const std::size_t part = row.index(2);
+    if (m_project.model != nullptr && part >= m_project.model->parts.size())
+        throw DamagedData("a body is of a part that is not there");
+    body.name = row.text(3);
+    readFields(row.text(4), "material", body.material);
+    readFields(row.text(5), "state", body);
+    body.aggregate = aggregateAt(row.integer(6));
+    for (const MaterialRegion& region : body.regions)
+        checkObjects(region.objects, *body.aggregate, "a region");
+    return part;
+}
+
+std::shared_ptr<const Aggregate> ProjectReader::aggregateAt(std::int64_t id)
+{
+    std::shared_ptr<const Aggregate>& aggregate = m_aggregates[id];
+    if (aggregate == nullptr) {
+        const Row row = rowAt(m_database, "aggregates", id);
+        aggregate = std::make_shared<const Aggregate>(aggregateFromBytes(textOf(blob(row.integer(4)))));
+    }
+    return aggregate;
+}
+
+void ProjectReader::readEntries()
+{
+    const std::int64_t count = countOf("entries");
+    for (std::int64_t id = 0; id < count; ++id) {
+        const auto number = static_cast<std::uint32_t>(m_project.entries.size());
+        const bool isWhole = attempt("entry " + std::to_string(id), [&] {
+            m_project.entries.push_back(entryAt(rowAt(m_database, "entries", id), static_cast<std::uint32_t>(id)));
+        });
+        m_entries.push_back(isWhole ? std::optional(number) : std::nullopt);
+    }
+    const std::uint32_t current = m_project.current;
+    m_project.current = 0;
+    if (current == 0 && m_project.entries.empty())
+        return;
+    attempt("which entry was shown", [&] {
+        if (current >= m_entries.size() || !m_entries[current])
+            throw DamagedData("that entry is missing");
+        m_project.current = *m_entries[current];
+    });
+}
+
+HistoryRecord ProjectReader::entryAt(const Row& row, std::uint32_t number)
+{
+    const std::uint32_t parent = row.index(1);
+    const std::uint32_t start = row.index(2);
+    if (number > 0 && parent >= number)
+        throw DamagedData("it follows a later one");
+    if (number == 0 ? parent != 0 : !m_entries[parent].has_value())
+        throw DamagedData("the entry that it follows is missing");
+    if (start >= m_starts.size() || !m_starts[start])
+        throw DamagedData("its start state is missing");
+    HistoryRecord record;
+    record.parent = number == 0 ? 0 : *m_entries[parent];
+    record.start = *m_starts[start];
+    record.name = row.text(3);
+    record.wallTime = row.number(4);
+    record.commands = commands(row.text(5), "commands");
+    record.step = countIn(row, 6);
+    record.time = row.number(7);
+    record.hash = static_cast<std::uint64_t>(row.integer(8));
+    record.isKey = row.integer(9) != 0;
+    checkFixtures(record);
+    return record;
+}
+
+/// The one thing about commands that a simulation takes on trust.
+void ProjectReader::checkFixtures(const HistoryRecord& record)
+{
+    const Scene& scene = m_project.starts[record.start].scene;
+    for (const RecordedCommand& recorded : record.commands)
+        if (const auto* add = std::get_if<AddFixture>(&recorded.command))
+            checkFixture(add->fixture, scene);
+}
+
+/// An entry without its moment is whole: it follows from an earlier one.
+void ProjectReader::readMoments()
+{
+    for (std::size_t id = 0; id < m_entries.size(); ++id) {
+        m_control.report(0.5 + 0.5 * static_cast<double>(id) / static_cast<double>(m_entries.size()),
+                         "opening the history");
+        if (!m_entries[id])
+            continue;
+        attempt("the state of entry " + std::to_string(id), [&] {
+            const Row row = rowAt(m_database, "entries", static_cast<std::int64_t>(id));
+            if (row.isNull(11))
+                return;
+            Bytes moment = blob(row.integer(11));
+            if (moment.size() != countIn(row, 10))
+                throw DamagedData("it is of another length");
+            m_project.entries[*m_entries[id]].moment = std::make_shared<const Bytes>(std::move(moment));
+        });
+    }
+}
+
+void ProjectReader::readView()
+{
+    attempt("the view", [&] {
+        const Row row = rowAt(m_database, "view", 0);
+        ProjectView view;
+        readFields(row.text(1), "camera", view.camera);
+        const std::size_t parts = m_project.model == nullptr ? 0 : m_project.model->parts.size();
+        for (const JsonNode& part : JsonNode::readText(row.text(2), "hidden parts").items())
+            if (view.hiddenParts.emplace_back(part.count(std::numeric_limits<std::uint32_t>::max())) >= parts)
+                part.failExpecting("must be the number of a part");
+        view.thumbnail = row.bytes(3);
+        m_project.view = std::move(view);
+    });
+}
+
+void ProjectReader::readMarks()
+{
+    const std::int64_t count = countOf("marks");
+    for (std::int64_t id = 0; id < count; ++id)
+        attempt("mark " + std::to_string(id), [&] {
+            const Row row = rowAt(m_database, "marks", id);
+            const std::uint32_t entry = row.index(1);
+            if (entry >= m_entries.size() || !m_entries[entry])
+                throw DamagedData("its entry is missing");
+            m_project.marks.push_back({*m_entries[entry], row.text(2)});
+        });
+}
+
+void ProjectReader::readPanels()
+{
+    const std::int64_t count = countOf("panels");
+    for (std::int64_t id = 0; id < count; ++id)
+        attempt("what panel " + std::to_string(id) + " kept", [&] {
+            const Row row = rowAt(m_database, "panels", id);
+            m_project.panels[row.text(1)] = row.text(2);
+        });
+}
+
+} // namespace knead

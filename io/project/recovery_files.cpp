@@ -1,0 +1,65 @@
+#include "io/project/recovery_files.h"
+
+#include "io/project/schema.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <filesystem>
+
+namespace knead::recovery_files {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* parts[] = {"work.db", "work.db-wal", "work.db-shm", "work.db-journal"};
+
+} // namespace
+
+std::string lock(const std::string& folder)
+{
+    return (fs::path(folder) / "owner").string();
+}
+
+std::string database(const std::string& folder)
+{
+    return (fs::path(folder) / parts[0]).string();
+}
+
+/// Locked for this connection alone before the log is touched: then it needs no memory shared with others, which network
+/// folders do not have.
+std::unique_ptr<SQLite::Database> open(const std::string& folder)
+{
+    auto result =
+        std::make_unique<SQLite::Database>(database(folder), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, 1000);
+    result->exec("PRAGMA locking_mode = EXCLUSIVE; PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; "
+                 "PRAGMA application_id = " +
+                 std::to_string(applicationId) + "; PRAGMA user_version = " + std::to_string(schemaVersion));
+    return result;
+}
+
+void settle(SQLite::Database& database)
+{
+    database.tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
+}
+
+std::uint64_t size(const std::string& folder)
+{
+    std::uint64_t bytes = 0;
+    for (const char* part : parts) {
+        std::error_code error;
+        const auto size = fs::file_size(fs::path(folder) / part, error);
+        bytes += error ? 0 : size;
+    }
+    return bytes;
+}
+
+void remove(const std::string& folder)
+{
+    std::error_code error;
+    for (const char* part : parts)
+        fs::remove(fs::path(folder) / part, error);
+    fs::remove_all(folder, error);
+}
+
+} // namespace knead::recovery_files

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace SQLite {
+class Database;
+}
+
+/// The files of one recovery, in a folder of its own.
+namespace knead::recovery_files {
+
+std::string lock(const std::string& folder);
+std::string database(const std::string& folder);
+
+/// Makes it when it is not there. What was committed before a kill is there, and nothing else.
+/// @throws SQLite::Exception
+std::unique_ptr<SQLite::Database> open(const std::string& folder);
+
+/// Moves what lies beside the database into it. What stands in the way does no harm.
+void settle(SQLite::Database& database);
+
+std::uint64_t size(const std::string& folder); ///< [bytes]
+
+/// The lock last, so that what a kill leaves over is found and removed.
+void remove(const std::string& folder);
+
+} // namespace knead::recovery_files

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace SQLite {
+class Database;
+}
+
+namespace knead {
+
+/// A table of project files.
+struct TableForm {
+    const char* name;
+    const char* sql; ///< that makes it
+};
+
+// What project files are made of. Any tool that reads SQLite shows names, numbers, materials and commands; see Row for checksums
+// and Blobs for what is packed. Parts are for people only: what the program reads is the blob of the model.
+
+constexpr std::int32_t applicationId = 0x4B6E6561; ///< "Knea"
+constexpr int schemaVersion = 1;
+
+std::span<const TableForm> projectTables();
+std::span<const TableForm> recoveryTables(); ///< which recovery files have besides
+
+void makeTables(SQLite::Database& database, std::span<const TableForm> tables);
+
+/// Whether all of these tables are there and were made as makeTables() does.
+bool hasTables(SQLite::Database& database, std::span<const TableForm> tables);
+
+/// Brings a database of an older version to the present one. @throws DamagedData, SQLite::Exception
+void migrate(SQLite::Database& database, int version);
+
+} // namespace knead

@@ -1,0 +1,383 @@
+#include "io/project/project_lock.h"
+#include "io/project/recovery.h"
+#include "support/same_values.h"
+#include "support/sample_project.h"
+
+#include <QtTest>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include <sys/mount.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace knead;
+
+namespace {
+
+std::string complaint(const std::function<void()>& attempt)
+{
+    try {
+        attempt();
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+} // namespace
+
+/// A RecoveryFile that goes without discard() leaves what a crash leaves; see also ProjectKillTest.
+class RecoveryTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_temporary;
+    std::string m_folder;
+    Project m_project;
+
+    RecoveredWork left() const
+    {
+        const std::vector<Recovery> found = findRecoveries(m_folder);
+        return RecoveryFile(found.at(0)).read();
+    }
+
+    bool isEmpty() const
+    {
+        return std::filesystem::directory_iterator(m_folder) == std::filesystem::directory_iterator();
+    }
+
+private slots:
+    void init()
+    {
+        m_temporary = std::make_unique<QTemporaryDir>();
+        m_folder = m_temporary->filePath("state/recovery").toStdString();
+        m_project = sample::project();
+    }
+
+    void nothingIsFoundWhereNothingIs() { QVERIFY(findRecoveries(m_folder).empty()); }
+
+    void everythingThatChangesIsKept()
+    {
+        {
+            RecoveryFile file(m_folder);
+            file.begin(m_project, {.projectFile = "/home/ann/a.knead"});
+            HistoryRecord record = sample::entry(1, "new");
+            record.commands = sample::commands(sample::toolPart(0.5)); // of a part that was not there before
+            record.moment = sample::moment(4000, 5);
+            file.append(record);
+            m_project.entries.push_back(record);
+            m_project.entries[2].moment = nullptr; // thinned out
+            file.replaceEntry(2, m_project.entries[2]);
+            m_project.entries[0].name = "Beginning";
+            m_project.entries[0].isKey = true;
+            file.replaceEntry(0, m_project.entries[0]);
+            m_project.entries[1].moment = sample::moment(100, 6); // made again
+            file.replaceEntry(1, m_project.entries[1]);
+            m_project.starts.push_back(sample::start(sample::toolPart(0.7)));
+            file.addStart(m_project.starts.back());
+            m_project.current = 1;
+            file.setCurrent(1);
+            m_project.marks.push_back({4, "here"});
+            file.setMarks(m_project.marks);
+            m_project.panels["export"] = "{}";
+            file.setPanels(m_project.panels);
+            m_project.view.hiddenParts = {0, 1};
+            file.setView(m_project.view);
+        }
+        const RecoveredWork work = left();
+        QVERIFY(work.missing.empty());
+        QVERIFY(same::values(work.project.starts, m_project.starts));
+        QCOMPARE(work.project.entries.size(), m_project.entries.size());
+        for (std::size_t i = 0; i < m_project.entries.size(); ++i)
+            QVERIFY2(same::values(work.project.entries[i], m_project.entries[i]), std::to_string(i).c_str());
+        QVERIFY(same::values(work.project, m_project));
+        QCOMPARE(work.state.projectFile, std::string("/home/ann/a.knead"));
+        QVERIFY(work.state.gesture.empty());
+    }
+
+    void aSummarySaysWhatThereIs()
+    {
+        {
+            RecoveryFile file(m_folder);
+            file.begin(m_project, {.projectFile = "/home/ann/a.knead"});
+            HistoryRecord record = sample::entry(0, "last");
+            record.wallTime = 2e9;
+            file.append(record);
+        }
+        const std::vector<Recovery> found = findRecoveries(m_folder);
+        QCOMPARE(found.size(), std::size_t{1});
+        QCOMPARE(found[0].projectFile, std::string("/home/ann/a.knead"));
+        QCOMPARE(found[0].entries, 5U);
+        QCOMPARE(found[0].lastChange, 2e9);
+    }
+
+    void theLatestComesFirst()
+    {
+        for (const double time : {3.0, 5.0, 4.0}) {
+            RecoveryFile file(m_folder);
+            m_project.entries[0].wallTime = 2e9 + time;
+            file.begin(m_project, {});
+        }
+        const std::vector<Recovery> found = findRecoveries(m_folder);
+        QCOMPARE(found.size(), std::size_t{3});
+        QVERIFY(found[0].lastChange > found[1].lastChange && found[1].lastChange > found[2].lastChange);
+    }
+
+    void workThatAWindowHasIsNotOffered()
+    {
+        RecoveryFile file(m_folder);
+        file.begin(m_project, {});
+        QVERIFY(findRecoveries(m_folder).empty());
+        file.append(sample::entry(0, "goes on")); // and was not disturbed
+        QVERIFY(file.isGoingOn());
+    }
+
+    void ofTwoWindowsOneTakesOver()
+    {
+        RecoveryFile(m_folder).begin(m_project, {});
+        const Recovery found = findRecoveries(m_folder).at(0);
+        RecoveryFile quicker(found);
+        QCOMPARE(complaint([&] { RecoveryFile slower(found); }),
+                 std::string("Another window has taken over this work, or it is gone."));
+        QVERIFY(!complaint([&] { dropRecovery(found); }).empty());
+        QVERIFY(findRecoveries(m_folder).empty());
+        QVERIFY(same::values(quicker.read().project, m_project));
+    }
+
+    void aSecondCrashLosesNothing()
+    {
+        RecoveryFile(m_folder).begin(m_project, {.gesture = m_project.entries[1].commands, .step = 77});
+        for (int crash = 0; crash < 3; ++crash) {
+            RecoveryFile file(findRecoveries(m_folder).at(0));
+            const RecoveredWork work = file.read();
+            QVERIFY(same::values(work.project, m_project));
+            QVERIFY(same::values(work.state.gesture, m_project.entries[1].commands));
+            QCOMPARE(work.state.step, std::uint64_t{77});
+            if (crash > 0) // the first one came before the window had taken over
+                file.begin(work.project, work.state);
+        }
+    }
+
+    void savedWorkIsNotOffered()
+    {
+        {
+            RecoveryFile file(m_folder);
+            file.begin(m_project, {});
+            file.markSaved("/home/ann/b.knead", file.revision());
+            file.setView({});
+        }
+        QVERIFY(findRecoveries(m_folder).empty());
+        QVERIFY(isEmpty());
+    }
+
+    void workAfterSavingIsOffered()
+    {
+        {
+            RecoveryFile file(m_folder);
+            file.begin(m_project, {.isSaved = true});
+            file.markSaved("/home/ann/b.knead", file.revision());
+            file.append(sample::entry(0, "more"));
+        }
+        QCOMPARE(left().state.projectFile, std::string("/home/ann/b.knead"));
+        QCOMPARE(left().project.entries.size(), std::size_t{5});
+    }
+
+    void workThatCameWhileSavingIsOffered()
+    {
+        {
+            RecoveryFile file(m_folder);
+            file.begin(m_project, {});
+            const std::uint64_t saved = file.revision();
+            file.append(sample::entry(0, "meanwhile"));
+            file.markSaved("/home/ann/b.knead", saved);
+        }
+        QCOMPARE(left().state.projectFile, std::string("/home/ann/b.knead"));
+        QCOMPARE(left().project.entries.size(), std::size_t{5});
+    }
+
+    void whatIsDiscardedIsGone()
+    {
+        RecoveryFile file(m_folder);
+        file.begin(m_project, {});
+        file.discard();
+        QVERIFY(isEmpty());
+        file.append(sample::entry(0, "nothing comes of it"));
+        QVERIFY(isEmpty());
+    }
+
+    void aWindowThatDidNothingLeavesNothing()
+    {
+        {
+            const RecoveryFile file(m_folder);
+        }
+        QVERIFY(findRecoveries(m_folder).empty());
+        QVERIFY(isEmpty());
+    }
+
+    void aGestureIsKeptWhileItGoesOn()
+    {
+        using Clock = RecoveryFile::Clock;
+        const Clock::time_point start = Clock::now();
+        const std::vector<RecordedCommand> commands = sample::commands(sample::toolPart(0.3));
+        {
+            RecoveryFile file(m_folder);
+            file.begin(m_project, {});
+            const std::span all(commands);
+            QVERIFY(file.keepGesture(all.first(3), 10, start));
+            QVERIFY(!file.keepGesture(all.first(5), 20, start + std::chrono::milliseconds(4999)));
+            QVERIFY(file.keepGesture(all.first(9), 30, start + std::chrono::seconds(5)));
+            QVERIFY(file.keepGesture(all.first(9), 35, start + std::chrono::seconds(10)));
+            QVERIFY(file.keepGesture(all, 40, start + std::chrono::seconds(15)));
+        }
+        const WorkState state = left().state;
+        QVERIFY(same::values(state.gesture, commands));
+        QCOMPARE(state.step, std::uint64_t{40});
+    }
+
+    void aGestureThatBecameAnEntryIsNotKeptTwice()
+    {
+        {
+            RecoveryFile file(m_folder);
+            file.begin(m_project, {});
+            file.keepGesture(sample::commands(sample::toolPart(0.3)), 10);
+            file.append(sample::entry(0, "Push"));
+        }
+        QVERIFY(left().state.gesture.empty());
+        QCOMPARE(left().state.step, std::uint64_t{0});
+        QCOMPARE(left().project.current, 4U);
+    }
+
+    void whatIsDamagedIsRescued()
+    {
+        RecoveryFile(m_folder).begin(m_project, {});
+        const std::string database = findRecoveries(m_folder).at(0).folder + "/work.db";
+        std::string bytes = [&] {
+            std::ifstream in(database, std::ios::binary);
+            return std::string{std::istreambuf_iterator<char>(in), {}};
+        }();
+        const std::size_t place = bytes.find("Another try");
+        QVERIFY(place != std::string::npos);
+        bytes[place] = 'a';
+        std::ofstream(database, std::ios::binary) << bytes;
+        const RecoveredWork work = left();
+        QCOMPARE(work.project.entries.size(), std::size_t{3});
+        QVERIFY(!work.missing.empty());
+    }
+
+    void noiseIsOfferedAndCanBeDropped()
+    {
+        RecoveryFile(m_folder).begin(m_project, {});
+        const Recovery found = findRecoveries(m_folder).at(0);
+        std::ofstream(found.folder + "/work.db", std::ios::binary) << std::string(50'000, 'x');
+        QCOMPARE(findRecoveries(m_folder).size(), std::size_t{1});
+        QVERIFY(!complaint([&] { RecoveryFile(found).read(); }).empty());
+        dropRecovery(found);
+        QVERIFY(isEmpty());
+    }
+
+    /// A disk of 512 KiB, which only root may make.
+    void aFullDiskLeavesWhatWasKept()
+    {
+        std::filesystem::create_directories(m_folder);
+        if (mount("tmpfs", m_folder.c_str(), "tmpfs", 0, "size=512k") != 0)
+            QSKIP("No disk can be mounted here.");
+        std::string sentence;
+        bool goesOn = true;
+        {
+            RecoveryFile file(m_folder);
+            file.begin(m_project, {});
+            HistoryRecord large = sample::entry(0, "large");
+            large.moment = sample::moment(1U << 20U, 8);
+            sentence = complaint([&] { file.append(large); });
+            goesOn = file.isGoingOn();
+            file.append(sample::entry(0, "comes too late"));
+        }
+        const bool isAsBefore = same::values(left().project, m_project);
+        umount(m_folder.c_str());
+        QVERIFY2(sentence.starts_with("The work cannot be kept for recovery (No space left on device)."),
+                 sentence.c_str());
+        QVERIFY(!goesOn);
+        QVERIFY(isAsBefore);
+    }
+
+    void afterAFailureItBeginsAnew()
+    {
+        RecoveryFile file(m_folder);
+        file.begin(m_project, {});
+        struct Stop final : TaskControl {
+            void report(double, std::string_view) override {}
+            bool isCancelled() const override { return true; }
+        } stop;
+        QVERIFY_EXCEPTION_THROWN(file.begin({}, {}, stop), Cancelled);
+        QVERIFY(same::values(file.read().project, m_project)); // nothing has changed
+        file.begin(m_project, {});
+        file.append(sample::entry(0, "goes on"));
+        QCOMPARE(file.read().project.entries.size(), std::size_t{5});
+    }
+
+    void oneWindowHasAProject()
+    {
+        std::filesystem::create_directories(m_folder);
+        const std::string path = m_folder + "/a.knead";
+        std::ofstream(path).flush();
+        std::filesystem::create_symlink("a.knead", m_folder + "/link.knead");
+        {
+            const ProjectLock lock(path);
+            QVERIFY(lock.isHeld());
+            QCOMPARE(
+                complaint([&] { ProjectLock other(path); }),
+                std::string("a.knead: another window of this program works on it. Close it there, or open a copy."));
+            QVERIFY(!complaint([&] { ProjectLock other(m_folder + "/../recovery/link.knead"); }).empty());
+            QVERIFY(ProjectLock(m_folder + "/b.knead").isHeld());
+        }
+        QVERIFY(ProjectLock(path).isHeld());
+        QVERIFY(!std::filesystem::exists(m_folder + "/.a.knead.lock"));
+    }
+
+    void anotherProcessIsNamed()
+    {
+        std::filesystem::create_directories(m_folder);
+        const std::string path = m_folder + "/a.knead";
+        int ready[2];
+        QCOMPARE(pipe(ready), 0);
+        const pid_t child = fork();
+        if (child == 0) {
+            const ProjectLock lock(path);
+            [[maybe_unused]] const auto written = write(ready[1], "x", 1);
+            pause();
+            _exit(0);
+        }
+        char byte = 0;
+        QCOMPARE(read(ready[0], &byte, 1), 1);
+        const std::string sentence = complaint([&] { ProjectLock other(path); });
+        kill(child, SIGKILL);
+        waitpid(child, nullptr, 0);
+        char host[256] = {};
+        gethostname(host, sizeof host - 1);
+        const std::string expected =
+            "a.knead: another window works on it (process " + std::to_string(child) + " on " + host + ", since 2";
+        QVERIFY2(sentence.starts_with(expected), sentence.c_str());
+        QVERIFY2(sentence.ends_with("). Close it there, or open a copy."), sentence.c_str());
+        QVERIFY(ProjectLock(path).isHeld()); // the killed one has it no more, whatever stands in the file
+    }
+
+    void whereNoLockCanBeHadNobodyIsKeptFromAnything()
+    {
+        const ProjectLock lock("/proc/a.knead");
+        QVERIFY(!lock.isHeld());
+    }
+
+    void theFolderIsThatOfTheState()
+    {
+        qputenv("XDG_STATE_HOME", "/some/where");
+        QCOMPARE(recoveryFolder(), std::string("/some/where/knead/recovery"));
+        qunsetenv("XDG_STATE_HOME");
+        qputenv("HOME", "/home/ann");
+        QCOMPARE(recoveryFolder(), std::string("/home/ann/.local/state/knead/recovery"));
+    }
+};
+
+QTEST_GUILESS_MAIN(RecoveryTest)
+#include "recovery_test.moc"
