@@ -182,7 +182,25 @@ void SimulationThread::reset()
     m_worker->ask([](Worker& worker) {
         worker.playing = false;
         worker.carry = 0;
-        worker.simulation.reset();
+        worker.simulation.post(Reset{});
+    });
+}
+
+void SimulationThread::keepMoment(std::function<void(Gesture)> kept)
+{
+    m_worker->ask([kept = std::move(kept)](Worker& worker) {
+        Simulation& simulation = worker.simulation;
+        MomentPointer moment = simulation.keepMoment();
+        kept({.commands = simulation.takeRecording(), .moment = std::move(moment), .hash = simulation.stateHash()});
+    });
+}
+
+void SimulationThread::goTo(MomentPointer moment)
+{
+    m_worker->ask([moment = std::move(moment)](Worker& worker) {
+        worker.playing = false;
+        worker.carry = 0;
+        worker.simulation.goTo(moment);
     });
 }
 

@@ -2,9 +2,20 @@
 
 #include "core/simulation/simulation.h"
 
+#include <cstdint>
+#include <functional>
 #include <memory>
+#include <vector>
 
 namespace knead {
+
+/// What was done since the moment before was kept or gone to, and the moment at its end. Carrying out the commands from that
+/// moment on (see replay()) leads here, to the bit.
+struct Gesture {
+    std::vector<RecordedCommand> commands; ///< the last one is KeepMoment
+    MomentPointer moment;                  ///< never null
+    std::uint64_t hash = 0;                ///< Simulation::stateHash()
+};
 
 /// Runs a Simulation in a thread of its own, in real time when the machine can: commands in, snapshots out.
 /// All members may be called from one other thread (the window's); none of them waits for a step to end.
@@ -20,9 +31,17 @@ public:
     void play();
     void pause();
     void stepOnce();             ///< one step, while paused
-    void reset();                ///< pauses and goes back to the start
+    void reset();                ///< pauses and carries out Reset
     void setSpeed(double ratio); ///< wanted ratio of simulated to wall time, 0.01 .. 10; 1 at first
     void post(Command command);  ///< takes effect at the next step, at once while paused
+
+    /// Ends a gesture at the present step, be it playing or not: what was posted before belongs to it, what is posted from
+    /// now on to the next one.
+    /// @param kept called on the simulation's thread, which waits for it: it packs what it was given or hands it on
+    void keepMoment(std::function<void(Gesture)> kept);
+
+    /// Pauses and goes to a moment of this scene, see Simulation::goTo(). What was done since the last kept moment is given up.
+    void goTo(MomentPointer moment);
 
     /// The newest state; never null. A new pointer whenever anything changed.
     SnapshotPointer latest() const;
