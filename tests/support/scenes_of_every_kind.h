@@ -96,12 +96,14 @@ inline KindOfScene stickyLumps()
     return {"adhesion", meetingLumps(sticky), 200, [](const Snapshot& shot) { return shot.joints > 0; }, {}};
 }
 
-inline KindOfScene healingLumps(double healingTime, const std::string& name)
+inline KindOfScene healingLumps(double healingTime, bool isHealed)
 {
     Material healing = clay();
     healing.healingTime = healingTime;
     healing.tensileStrength = 2e4;
-    return {name, meetingLumps(healing), 150, touches, {}};
+    if (!isHealed)
+        return {"pressed for long", meetingLumps(healing), 60, touches, {}};
+    return {"healing", meetingLumps(healing), 100, [](const Snapshot& shot) { return shot.joints > 0; }, {}};
 }
 
 inline KindOfScene rigidAndGlue()
@@ -203,7 +205,7 @@ inline KindOfScene slitAndPart()
         }
         scene.manipulators.push_back(jaw);
     }
-    return {"slit and imported tool", scene, 150, touches, {}};
+    return {"slit and imported tool", scene, 75, touches, {}};
 }
 
 inline std::vector<KindOfScene> scenesOfEveryKind()
@@ -220,8 +222,8 @@ inline std::vector<KindOfScene> scenesOfEveryKind()
         {"clay", smallPress(flowing), 200, [](const Snapshot& shot) { return shot.energy.plastic > 0; }, {}});
     kinds.push_back(brittleBar());
     kinds.push_back(stickyLumps());
-    kinds.push_back(healingLumps(1e-3, "healing"));
-    kinds.push_back(healingLumps(1, "pressed for long"));
+    kinds.push_back(healingLumps(1e-3, true));
+    kinds.push_back(healingLumps(1.5e-3, false));
     kinds.push_back(rigidAndGlue());
     kinds.push_back(pressedScene("force limit", Integrator::semiImplicitEuler, 2));
     kinds.push_back(pressedScene("implicit", Integrator::implicitEuler, unlimited));
