@@ -16,7 +16,7 @@ namespace knead {
 
 /// A tool while it is simulated. Its id is its place in the list; removed tools leave a gap.
 struct ToolRun {
-    explicit ToolRun(Manipulator tool)
+    explicit ToolRun(Manipulator tool = {})
         : manipulator(tool)
         , start(std::move(tool))
     {

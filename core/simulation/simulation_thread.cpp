@@ -186,12 +186,16 @@ void SimulationThread::reset()
     });
 }
 
-void SimulationThread::keepMoment(std::function<void(Gesture)> kept)
+void SimulationThread::endGesture(std::function<void(Gesture)> kept)
 {
-    m_worker->ask([kept = std::move(kept)](Worker& worker) {
-        Simulation& simulation = worker.simulation;
-        MomentPointer moment = simulation.keepMoment();
-        kept({.commands = simulation.takeRecording(), .moment = std::move(moment), .hash = simulation.stateHash()});
+    m_worker->ask([kept = std::move(kept)](Worker& worker) { kept(knead::endGesture(worker.simulation)); });
+}
+
+void SimulationThread::lookAtGesture(std::function<void(std::vector<RecordedCommand>, std::uint64_t)> told)
+{
+    m_worker->ask([told = std::move(told)](Worker& worker) {
+        worker.simulation.applyCommands();
+        told(worker.simulation.recording(), worker.simulation.stepCount());
     });
 }
 

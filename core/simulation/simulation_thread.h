@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/simulation/simulation.h"
+#include "core/simulation/gesture.h"
 
 #include <cstdint>
 #include <functional>
@@ -8,14 +8,6 @@
 #include <vector>
 
 namespace knead {
-
-/// What was done since the moment before was kept or gone to, and the moment at its end. Carrying out the commands from that
-/// moment on (see replay()) leads here, to the bit.
-struct Gesture {
-    std::vector<RecordedCommand> commands; ///< the last one is KeepMoment
-    MomentPointer moment;                  ///< never null
-    std::uint64_t hash = 0;                ///< Simulation::stateHash()
-};
 
 /// Runs a Simulation in a thread of its own, in real time when the machine can: commands in, snapshots out.
 /// All members may be called from one other thread (the window's); none of them waits for a step to end.
@@ -38,7 +30,12 @@ public:
     /// Ends a gesture at the present step, be it playing or not: what was posted before belongs to it, what is posted from
     /// now on to the next one.
     /// @param kept called on the simulation's thread, which waits for it: it packs what it was given or hands it on
-    void keepMoment(std::function<void(Gesture)> kept);
+    void endGesture(std::function<void(Gesture)> kept);
+
+    /// Looks at the gesture under way: what was done so far, and at which step it is, so that whoever repeats that much is
+    /// where the simulation is now.
+    /// @param told called on the simulation's thread, which waits for it
+    void lookAtGesture(std::function<void(std::vector<RecordedCommand> commands, std::uint64_t step)> told);
 
     /// Pauses and goes to a moment of this scene, see Simulation::goTo(). What was done since the last kept moment is given up.
     void goTo(MomentPointer moment);

@@ -279,6 +279,31 @@ private slots:
         QCOMPARE(fresh.bodies()[0].material.poissonRatio, 0.4);
     }
 
+    void aStoppedRunStopsAtTheSameStepFromAMoment()
+    {
+        // Material must be found inside out at two looks in a row: the first one is remembered.
+        Simulation simulation(squashed());
+        std::vector<MomentPointer> moments;
+        while (simulation.health().ok && simulation.stepCount() < 20'000) {
+            simulation.step();
+            if (simulation.stepCount() % 128 == 0 && simulation.health().ok)
+                moments.push_back(simulation.keepMoment());
+        }
+        QVERIFY(!simulation.health().ok);
+        for (const MomentPointer& moment : {moments.end()[-1], moments.end()[-3]}) {
+            Simulation fresh(squashed());
+            fresh.goTo(moment);
+            while (fresh.health().ok && fresh.stepCount() < simulation.stepCount()) {
+                fresh.step();
+                if (fresh.stepCount() % 128 == 0 && fresh.health().ok)
+                    fresh.keepMoment();
+            }
+            QVERIFY(!fresh.health().ok);
+            QCOMPARE(fresh.stepCount(), simulation.stepCount());
+            QCOMPARE(fresh.health().message, simulation.health().message);
+        }
+    }
+
     void aNoticeOutlivesTheKeptMoment()
     {
         Simulation simulation(scenes::smallPress(scenes::soft()));

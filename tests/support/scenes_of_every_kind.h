@@ -3,7 +3,6 @@
 #include "support/material_scenes.h"
 
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -55,15 +54,31 @@ inline bool touches(const Snapshot& shot)
     return shot.contacts > 0;
 }
 
-inline KindOfScene pressedScene(const std::string& name, Integrator integrator, double forceLimit)
+inline KindOfScene pressedToALimit(const std::string& name, Integrator integrator)
 {
     Scene scene = smallPress(soft());
     scene.integrator = integrator;
-    scene.manipulators[0].forceLimit = forceLimit;
+    scene.manipulators[0].forceLimit = 2;
     const bool isImplicit = integrator == Integrator::implicitEuler;
     if (isImplicit)
-        scene.manipulators[0].motion = DriveAt{Vec3(0, 0, -0.02), Vec3::Zero()};
+        scene.manipulators[0].motion = DriveAt{Vec3(0, 0, -0.005), Vec3::Zero()};
     return {name, scene, isImplicit ? 25 : 200, touches, {}};
+}
+
+/// While a tool flies away, steps are short; then they get longer little by little.
+inline KindOfScene implicitPress()
+{
+    constexpr int steps = 25;
+    Scene scene = smallPress(soft());
+    scene.integrator = Integrator::implicitEuler;
+    scene.manipulators[0].motion = DriveAt{Vec3(0, 0, -0.005), Vec3::Zero()};
+    Manipulator far{.name = "far", .motion = DriveAt{Vec3(0, 0, 0.25), Vec3::Zero()}};
+    far.pose.position.z() = 1;
+    scene.manipulators.push_back(far);
+    const auto commands = [](int step) -> std::vector<Command> {
+        return step == steps ? std::vector<Command>{RemoveManipulator{1}} : std::vector<Command>{};
+    };
+    return {"implicit", scene, steps, touches, commands};
 }
 
 inline KindOfScene brittleBar()
@@ -178,6 +193,9 @@ inline KindOfScene changingIntegrator()
         switch (step) {
         case 100:
             return {SetIntegrator{Integrator::automatic}, SetMaterial{0, stiff}};
+        case 120:
+            stiff.youngsModulus = 1e11;
+            return {SetMaterial{0, stiff}};
         case 130:
             return {SetMaterial{0, soft()}};
         case 160:
@@ -194,11 +212,12 @@ inline KindOfScene changingIntegrator()
 inline KindOfScene slitAndPart()
 {
     Scene scene;
-    scene.bodies.push_back(body(shapes::fork(0.02, 0.03, 0.012, 0.008, 0.004), 2e-3, soft(), "fork"));
+    // Prongs of a cell's width, two apart.
+    scene.bodies.push_back(body(shapes::fork(0.008, 0.03, 0.012, 0.008, 0.004), 2e-3, soft(), "fork"));
     for (const double side : {-1.0, 1.0}) {
         Manipulator jaw{.name = "jaw", .size = {0.01, 0.01, 0.03}};
-        jaw.pose = placedAt({0.01 + side * 0.0155, 0.024, 0.006});
-        jaw.motion = DriveAt{Vec3(-side * 0.2, 0, 0), Vec3::Zero()};
+        jaw.pose = placedAt({0.004 + side * 0.0095, 0.024, 0.006});
+        jaw.motion = DriveAt{Vec3(-side * 0.5, 0, 0), Vec3::Zero()};
         if (side > 0) {
             jaw.kind = ToolKind::part;
             jaw.part = std::make_shared<const ToolPart>(shapes::box(jaw.size));
@@ -208,26 +227,47 @@ inline KindOfScene slitAndPart()
     return {"slit and imported tool", scene, 75, touches, {}};
 }
 
+/// Clay under a plate that follows key frames.
+inline KindOfScene pressedClay()
+{
+    Material flowing = clay();
+    flowing.hardening = 1e4;
+    const Scene scene = pressedBlock(box({6, 6, 6}, 2e-3, flowing), 0.012,
+                                     {.share = 0.2, .pressTime = 0.006, .waitTime = 0.001, .releaseTime = 0.003});
+    return {"clay", scene, 200, [](const Snapshot& shot) { return shot.energy.plastic > 0; }, {}};
+}
+
+/// Lumps that lie at each other from the start, the one hard and rigid, the other soft.
+inline KindOfScene hardAndSoft()
+{
+    constexpr double a = 2e-3;
+    Scene scene = meetingLumps(soft());
+    scene.bodies[1] = boxAt({4, 4, 4}, a, Vec3(1.6 * a, 0.1 * a, 0), soft(), "overlapping");
+    Material hard = soft();
+    hard.youngsModulus = 2e11;
+    scene.bodies.push_back(boxAt({4, 4, 4}, a, Vec3(-6.4 * a, 0, 0.2 * a), hard, "hard"));
+    scene.bodies[2].kind = BodyKind::rigid;
+    scene.bodies[2].velocity = Vec3(0.8, 0, 0);
+    return {"hard and soft", scene, 60, touches, {}};
+}
+
 inline std::vector<KindOfScene> scenesOfEveryKind()
 {
-    constexpr double unlimited = std::numeric_limits<double>::infinity();
     std::vector<KindOfScene> kinds;
     kinds.push_back({"elastic", smallPress(soft()), 200, touches, {}});
     Material damped = soft(0.45);
     damped.shapeDamping = 20;
     kinds.push_back({"volumetric, damped, in blocks", smallPress(damped, 17), 40, touches, {}});
-    Material flowing = clay();
-    flowing.hardening = 1e4;
-    kinds.push_back(
-        {"clay", smallPress(flowing), 200, [](const Snapshot& shot) { return shot.energy.plastic > 0; }, {}});
+    kinds.push_back(pressedClay());
     kinds.push_back(brittleBar());
     kinds.push_back(stickyLumps());
     kinds.push_back(healingLumps(1e-3, true));
-    kinds.push_back(healingLumps(1.5e-3, false));
+    kinds.push_back(healingLumps(8e-4, false));
+    kinds.push_back(hardAndSoft());
     kinds.push_back(rigidAndGlue());
-    kinds.push_back(pressedScene("force limit", Integrator::semiImplicitEuler, 2));
-    kinds.push_back(pressedScene("implicit", Integrator::implicitEuler, unlimited));
-    kinds.push_back(pressedScene("implicit, force limit", Integrator::implicitEuler, 2));
+    kinds.push_back(pressedToALimit("force limit", Integrator::semiImplicitEuler));
+    kinds.push_back(implicitPress());
+    kinds.push_back(pressedToALimit("implicit, force limit", Integrator::implicitEuler));
     kinds.push_back(annealedBar());
     kinds.push_back(editedPress());
     kinds.push_back(changingIntegrator());
