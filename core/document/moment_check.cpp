@@ -93,7 +93,10 @@ private:
             return "objects are not where they can be";
         if (!(body.mass.empty() || (body.mass.size() == objects && all(body.mass, isPositive))))
             return "a mass is out of range";
-        return areChanges(body.changes, aggregate) ? "" : "connections are not as they can be";
+        const std::size_t mode = body.fastestMode.size();
+        return areChanges(body.changes, aggregate) && (mode == 0 || mode == 3 * objects)
+                   ? ""
+                   : "connections are not as they can be";
     }
 
     static bool isState(const Moment::BodyMoment& body, std::size_t objects)

@@ -240,6 +240,7 @@ void body(Stream& bytes, Of<Stream, Moment::BodyMoment>& body, const Sizes& size
     bytes.numbers(body.velocity, sizes.objects);
     bytes.numbers(body.mass, sizes.objects);
     changes(bytes, body.changes, sizes);
+    bytes.plainList(body.fastestMode);
 }
 
 template <typename Stream>

@@ -62,6 +62,7 @@ struct Moment {
         VectorArray velocity;                     ///< [m/s]; the same
         LaneVector<double> mass; ///< with mass scaling, which goes by the shape of its time [kg]; else empty
         StructuralConnections::Changes changes;
+        std::vector<std::int8_t> fastestMode; ///< see StructuralConnections
     };
 
     std::vector<BodyMoment> bodies;

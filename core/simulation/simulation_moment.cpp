@@ -46,7 +46,10 @@ Moment Simulation::State::moment() const
                   .wasSquashed = wasSquashed,
                   .health = health};
     for (const auto& run : runs) {
-        Moment::BodyMoment body{.materials = run->materials, .kind = run->kind, .changes = run->connections.changes()};
+        Moment::BodyMoment body{.materials = run->materials,
+                                .kind = run->kind,
+                                .changes = run->connections.changes(),
+                                .fastestMode = run->connections.fastestMode()};
         if (run->rigid) {
             body.rigid = run->rigid->memory();
         } else {
@@ -113,6 +116,7 @@ void Simulation::State::restoreBodies(const Moment& moment)
         bodies[b].kind = run.kind = body.kind;
         run.materials = body.materials;
         run.connections.restore(body.changes);
+        run.connections.setFastestMode(body.fastestMode);
         if (body.mass.empty())
             setMass(b);
         else
