@@ -12,6 +12,12 @@ MaterialMap::MaterialMap(const Material& own, std::size_t objects)
 {
 }
 
+MaterialMap::MaterialMap(std::vector<Material> materials, std::vector<Index> indices)
+    : m_materials(std::move(materials))
+    , m_index(std::move(indices))
+{
+}
+
 void MaterialMap::set(const std::vector<ObjectIndex>& objects, const Material& material)
 {
     for (const ObjectIndex object : objects)

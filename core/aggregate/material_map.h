@@ -23,9 +23,14 @@ public:
 
     MaterialMap(const Material& own, std::size_t objects);
 
+    /// As it was: what materials() and indices() gave.
+    /// @pre there is a material, and every index is one of it
+    MaterialMap(std::vector<Material> materials, std::vector<Index> indices);
+
     /// The body's own material is the first; the others are those of regions, each once.
     const std::vector<Material>& materials() const { return m_materials; }
     bool isUniform() const { return m_materials.size() == 1; }
+    const std::vector<Index>& indices() const { return m_index; } ///< per object
     Index indexOf(ObjectIndex object) const { return isUniform() ? Index{0} : m_index[object]; }
     const Material& of(ObjectIndex object) const { return m_materials[indexOf(object)]; }
 

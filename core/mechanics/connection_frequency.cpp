@@ -12,6 +12,8 @@ namespace knead {
 
 namespace {
 
+constexpr double modeSteps = 127; // of a kept mode, from 0 to its largest component
+
 /// Stiffness of one connection in its present state, less what would make it softer: along itself k, across it the pull per
 /// length when it is stretched.
 Mat3 tangent(const Vec3& across, double k, double nominalLength)
@@ -121,6 +123,27 @@ double StructuralConnections::iteratedFrequency(ObjectState& state, const std::v
         contact = std::max(contact, added[i] / state.mass[i]);
     constexpr double margin = 1.1; // 40 iterations come within a few percent from below
     return std::sqrt(margin * margin * squared + contact);
+}
+
+std::vector<std::int8_t> StructuralConnections::fastestMode() const
+{
+    double largest = 0;
+    for (std::size_t i = 0; i < m_mode.size(); ++i)
+        largest = std::max(largest, m_mode.at(i).cwiseAbs().maxCoeff());
+    std::vector<std::int8_t> mode;
+    if (!(largest > 0 && std::isfinite(largest)))
+        return mode;
+    for (std::size_t i = 0; i < m_mode.size(); ++i)
+        for (const double component : m_mode.at(i))
+            mode.push_back(static_cast<std::int8_t>(std::lround(modeSteps * component / largest)));
+    return mode;
+}
+
+void StructuralConnections::setFastestMode(const std::vector<std::int8_t>& mode)
+{
+    m_mode.resize(mode.size() / 3);
+    for (std::size_t i = 0; i < m_mode.size(); ++i)
+        m_mode.set(i, Vec3(mode[3 * i], mode[3 * i + 1], mode[3 * i + 2]) / modeSteps);
 }
 
 double StructuralConnections::leastDampingTime() const

@@ -109,13 +109,15 @@ void Contacts::glueTo(const ObjectRef& object, std::uint32_t other)
             const double stiffness =
                 jointWeight * law.stiffness * spacing * std::min(shareOf(object), shareOf(opposite));
             // By so much the seam opens under the stress that tears it, and the material at it is strained as well.
+            const bool tears = std::isfinite(law.breakingStrain);
             const double opening = stressAtStrain * law.breakingStrain * spacing / (jointWeight * connectionsAcross);
             m_newJoints.push_back({.first = object,
                                    .second = opposite,
                                    .nominalLength = distance,
                                    .stiffness = stiffness,
                                    .damping = law.dampingTime * stiffness,
-                                   .tolerance = stiffness * (opening + distance * law.breakingStrain),
+                                   .tolerance = tears ? stiffness * (opening + distance * law.breakingStrain)
+                                                      : std::numeric_limits<double>::infinity(),
                                    .yieldStrain = std::numeric_limits<double>::infinity(),
                                    .ductility = std::numeric_limits<double>::infinity(),
                                    .healed = true});

@@ -1,6 +1,6 @@
 // How contacts find their candidates: which pairs of objects, and which objects at surfaces. Part of Contacts.
-#include "core/mechanics/contacts.h"
 #include "core/geometry/rigid_fit.h"
+#include "core/mechanics/contacts.h"
 
 #include <algorithm>
 
@@ -32,7 +32,7 @@ std::vector<Contacts::ContactPair> Contacts::findPairs(double margin)
         VicinitySphere sphere{.center = placeOf(object), .radius = object.radius, .group = object.ref.body};
         if (body.kind == BodyKind::deformable) {
             sphere.node = body.connections->aggregate().lattice.nodes[object.ref.object];
-            sphere.loose = object.loose;
+            sphere.loose = object.isCut || object.facesSlit;
         }
         spheres.push_back(sphere);
     }

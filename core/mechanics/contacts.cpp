@@ -46,14 +46,20 @@ Contacts::Contacts(std::vector<BodyView> bodies, VicinityMethod method)
     , m_brokenSeen(m_bodies.size(), 0)
     , m_vicinity(makeVicinity(method))
 {
+    addSkins();
+    for (std::uint32_t b = 0; b < m_bodies.size(); ++b)
+        findSlits(b);
+    updateParameters(0);
+    keepDistances();
+}
+
+void Contacts::addSkins()
+{
     for (std::uint32_t b = 0; b < m_bodies.size(); ++b) {
         m_margin = std::max(m_margin, marginShare * m_bodies[b].connections->aggregate().lattice.spacing);
         m_indexOf.emplace_back(m_bodies[b].connections->aggregate().size(), none);
         addSkin(b);
-        findSlits(b);
     }
-    updateParameters(0);
-    keepDistances();
 }
 
 void Contacts::lookAhead(double spacings)
@@ -104,7 +110,7 @@ void Contacts::loosen(std::uint32_t body, ObjectIndex object)
     if (m_indexOf[body][object] == none)
         addObject({.ref = {body, object}, .reach = smallestRadius * a, .parameters = {}});
     ContactObject& contact = m_objects[m_indexOf[body][object]];
-    contact.loose = true;
+    contact.isCut = true;
     contact.radius = smallestRadius * a;
 }
 
@@ -134,7 +140,7 @@ void Contacts::findSlits(std::uint32_t body)
         }
     });
     for (std::size_t i = 0; i < m_objects.size(); ++i)
-        m_objects[i].loose = m_objects[i].loose || facing[i] != 0;
+        m_objects[i].facesSlit = m_objects[i].facesSlit || facing[i] != 0;
 }
 
 void Contacts::updateParameters(double frequency)

@@ -51,6 +51,26 @@ public:
     /// Pairs that overlap at the start keep that distance as nominal length: no force until pressed.
     Contacts(std::vector<BodyView> bodies, VicinityMethod method);
 
+    /// What is kept of the past; all else follows from the places and materials of the bodies.
+    struct Memory {
+        struct Pair {
+            ObjectRef first;
+            ObjectRef second;
+            double value = 0;
+        };
+        std::vector<Pair> keptLengths;     ///< nominal lengths of pairs that have their own [m]
+        std::vector<Pair> pressedTimes;    ///< how long pairs have been pressed together now [s]
+        std::vector<ObjectRef> facingSlit; ///< objects that face their own body across a slit
+        std::vector<Joint> joints;
+        double frequency = 0; ///< see updateParameters() [rad/s]
+    };
+
+    /// @pre ends of broken connections are contact objects, see connectionsBroke()
+    Memory memory() const;
+
+    /// As they were, with the bodies as they were. Pairs of what is no contact object are left out.
+    Contacts(std::vector<BodyView> bodies, VicinityMethod method, const Memory& memory);
+
     /// Takes over changed materials and masses.
     /// @param frequency the largest one of the deformable bodies, which rigid ones must not exceed [rad/s]
     void updateParameters(double frequency);
@@ -113,9 +133,10 @@ public:
 private:
     struct ContactObject {
         ObjectRef ref;
-        double reach = 0;   ///< radius against rigid surfaces [m]
-        double radius = 0;  ///< against other objects [m]; 0: does not meet them
-        bool loose = false; ///< has lost connections, or faces its own body across a slit
+        double reach = 0;       ///< radius against rigid surfaces [m]
+        double radius = 0;      ///< against other objects [m]; 0: does not meet them
+        bool isCut = false;     ///< has lost connections
+        bool facesSlit = false; ///< faces its own body across a slit
         ContactParameters parameters;
     };
     struct ContactPair {
@@ -133,6 +154,7 @@ private:
         double slip = 0;     ///< as in ContactPair
     };
 
+    void addSkins();
     void addSkin(std::uint32_t body);
     void addObject(const ContactObject& object);
     void loosen(std::uint32_t body, ObjectIndex object);
@@ -142,9 +164,11 @@ private:
     double travelTowardsOthers() const;
     std::vector<ContactPair> findPairs(double margin);
     bool areNeighbors(const ContactObject& a, const ContactObject& b) const;
-    bool mayBeInContact(const ContactObject& a, const ContactObject& b) const; ///< glue with glue and neighbors never are
+    bool mayBeInContact(const ContactObject& a,
+                        const ContactObject& b) const; ///< glue with glue and neighbors never are
     void keepDistances();
     double lengthOf(const ContactPair& pair) const;
+    std::vector<ContactPair> pairsOf(const std::vector<Memory::Pair>& remembered) const;
     ContactParameters between(const ContactObject& a, const ContactObject& b) const;
     ObjectState& stateOf(const ContactObject& object) const { return *m_bodies[object.ref.body].state; }
     Vec3 placeOf(const ContactObject& object) const { return stateOf(object).position.at(object.ref.object); }
@@ -172,7 +196,7 @@ private:
     std::vector<ContactObject> m_objects;
     std::vector<std::vector<std::uint32_t>> m_indexOf; ///< per body and object: place in m_objects, or none
     std::vector<std::size_t> m_brokenSeen;             ///< per body: broken connections taken into account
-    std::shared_ptr<Vicinity> m_vicinity;              ///< scratch memory, shared by copies
+    std::unique_ptr<Vicinity> m_vicinity;
     VicinityStatistics m_statistics;
     Joints m_joints;
     std::vector<Joint> m_newJoints;

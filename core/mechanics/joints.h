@@ -56,6 +56,14 @@ public:
         std::vector<ContactTangent> tangents; ///< of a trial
     };
 
+    Joints() = default;
+
+    /// As they were: what all() gave.
+    explicit Joints(std::vector<Joint> sorted)
+        : m_joints(std::move(sorted))
+    {
+    }
+
     /// Adds joints. Between objects that have one, only a healed joint takes the place of one that merely sticks. Their order
     /// does not matter.
     void add(std::vector<Joint> joints);

@@ -18,23 +18,56 @@ RigidMotion::RigidMotion(const ObjectState& state, const Vec3& velocity, const V
     : m_velocity(velocity)
     , m_angularVelocity(angularVelocity)
 {
+    double mass = 0;
     for (std::size_t i = 0; i < state.size(); ++i) {
-        m_mass += state.mass[i];
+        mass += state.mass[i];
         m_center += state.mass[i] * state.position.at(i);
     }
-    m_center /= m_mass;
+    m_center /= mass;
     m_arms.resize(state.size());
-    for (std::size_t i = 0; i < state.size(); ++i) {
-        const Vec3 arm = state.position.at(i) - m_center;
-        m_arms.set(i, arm);
-        m_radius = std::max(m_radius, arm.norm());
-        m_inertia += state.mass[i] * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
-    }
-    m_inertia += leastInertiaShare * (m_inertia.trace() + 1e-12 * m_mass) * Mat3::Identity();
+    for (std::size_t i = 0; i < state.size(); ++i)
+        m_arms.set(i, state.position.at(i) - m_center);
+    measure(state.mass);
     m_angularMomentum = m_inertia * m_angularVelocity;
     m_velocityBefore = m_velocity;
     m_angularVelocityBefore = m_angularVelocity;
     m_angularMomentumBefore = m_angularMomentum;
+}
+
+RigidMotion::RigidMotion(Memory memory, const LaneVector<double>& mass)
+    : m_arms(std::move(memory.arms))
+    , m_center(memory.center)
+    , m_rotation(memory.rotation)
+    , m_velocity(memory.velocity)
+    , m_angularVelocity(memory.angularVelocity)
+    , m_angularMomentum(memory.angularMomentum)
+    , m_velocityBefore(memory.velocity)
+    , m_angularVelocityBefore(memory.angularVelocity)
+    , m_angularMomentumBefore(memory.angularMomentum)
+{
+    measure(mass);
+}
+
+RigidMotion::Memory RigidMotion::memory() const
+{
+    return {.arms = m_arms,
+            .center = m_center,
+            .rotation = m_rotation,
+            .velocity = m_velocity,
+            .angularVelocity = m_angularVelocity,
+            .angularMomentum = m_angularMomentum};
+}
+
+/// Mass, radius and inertia of the objects on their arms.
+void RigidMotion::measure(const LaneVector<double>& mass)
+{
+    for (std::size_t i = 0; i < m_arms.size(); ++i) {
+        const Vec3 arm = m_arms.at(i);
+        m_mass += mass[i];
+        m_radius = std::max(m_radius, arm.norm());
+        m_inertia += mass[i] * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+    }
+    m_inertia += leastInertiaShare * (m_inertia.trace() + 1e-12 * m_mass) * Mat3::Identity();
 }
 
 Mat3 RigidMotion::inverseInertia() const

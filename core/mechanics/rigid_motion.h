@@ -11,6 +11,23 @@ public:
     /// The objects where they are, moving at a common velocity about their center of mass.
     RigidMotion(const ObjectState& state, const Vec3& velocity, const Vec3& angularVelocity);
 
+    /// What a motion goes on from; all else follows.
+    struct Memory {
+        VectorArray arms;           ///< objects from the center, at the start [m]
+        Vec3 center = Vec3::Zero(); ///< [m]
+        Quaternion rotation = Quaternion::Identity();
+        Vec3 velocity = Vec3::Zero();        ///< [m/s]
+        Vec3 angularVelocity = Vec3::Zero(); ///< [rad/s]
+        Vec3 angularMomentum = Vec3::Zero(); ///< about the center [kg m^2/s]
+    };
+    Memory memory() const;
+
+    /// As it was. @param mass per object, as it was then [kg]
+    RigidMotion(Memory memory, const LaneVector<double>& mass);
+
+    /// Puts the objects where the motion has them, with its velocities.
+    void place(ObjectState& state) const;
+
     /// One step of semi-implicit Euler: momentum from state.force, state.damping and gravity, then position and rotation with
     /// the new velocities. Angular momentum about the center is integrated, so that a free body keeps it exactly.
     /// Positions and velocities of the objects follow. @return work of state.damping [J]
@@ -49,8 +66,8 @@ public:
     double largestSpeed() const;                                      ///< of any of its points [m/s]
 
 private:
+    void measure(const LaneVector<double>& mass);
     Quaternion turned(const Vec3& spin, double time) const;
-    void place(ObjectState& state) const;
 
     VectorArray m_arms; ///< objects from the center, at the start [m]
     double m_mass = 0;

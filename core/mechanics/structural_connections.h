@@ -9,6 +9,7 @@
 #include "core/mechanics/object_state.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -95,6 +96,14 @@ public:
     /// with a margin. The iteration starts from the mode found last time.
     /// @param added per object [N/m]
     double largestFrequency(ObjectState& state, const std::vector<double>& added);
+
+    /// The mode of the largest frequency as it was found last, in 127ths of its largest component, three an object: as much
+    /// as a later search needs to begin with. Empty: not known.
+    std::vector<std::int8_t> fastestMode() const;
+
+    /// Begins the next search with what fastestMode() gave.
+    /// @param mode three an object, or none
+    void setFastestMode(const std::vector<std::int8_t>& mode);
 
     /// Stiffness that bounds each object's share in any mode from above: omega^2 <= max of it by mass [N/m]. Of connections
     /// in their present places, of the volumetric term, and what is added.

@@ -76,11 +76,19 @@ struct MoveFixture {
     Vec3 velocity = Vec3::Zero(); ///< [m/s], up to 100
 };
 
+/// Back to the start: bodies at rest in their first shape, with their present materials and fixtures; tools where they began,
+/// with the motion they began with. Time, steps and energies begin anew.
+struct Reset {};
+
+/// Keeps the state of now, so that it can be gone back to, and goes on from what was kept: what can be found again from the
+/// rest is found again. That changes rounding, and so is a command: whoever repeats the run must do it at the same step.
+struct KeepMoment {};
+
 using Command = std::variant<SetMaterial, SetBodyKind, Renormalize, SetGravity, SetFloor, AddManipulator,
                              RemoveManipulator, SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, AddFixture,
-                             RemoveFixture, MoveFixture, SetIntegrator>;
+                             RemoveFixture, MoveFixture, SetIntegrator, Reset, KeepMoment>;
 
-/// A command and the step before which it took effect.
+/// A command and the step before which it took effect. Steps count on from the Reset before.
 struct RecordedCommand {
     std::uint64_t step = 0;
     Command command;

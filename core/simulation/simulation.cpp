@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace knead {
 
@@ -206,6 +207,7 @@ void Simulation::State::integrate()
     largestTravel = largestSpeed * timeStep;
     lastKick = timeStep + change;
     lastStep = timeStep;
+    unknownEnergy = 0;
     time += timeStep;
     ++step;
 }
@@ -255,9 +257,17 @@ void Simulation::applyCommands()
 {
     m_state->applyCommands();
 }
-void Simulation::reset()
+
+MomentPointer Simulation::keepMoment()
 {
-    m_state->placeAtStart();
+    post(KeepMoment{});
+    applyCommands();
+    return m_state->lastGood;
+}
+
+void Simulation::goTo(MomentPointer moment)
+{
+    m_state->goTo(std::move(moment));
 }
 
 double Simulation::timeStep() const
@@ -291,6 +301,10 @@ const std::string& Simulation::integratorReason() const
 const std::vector<RecordedCommand>& Simulation::recording() const
 {
     return m_state->recording;
+}
+std::vector<RecordedCommand> Simulation::takeRecording()
+{
+    return std::exchange(m_state->recording, {});
 }
 
 } // namespace knead

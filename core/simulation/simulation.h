@@ -9,6 +9,9 @@
 
 namespace knead {
 
+struct Moment;
+using MomentPointer = std::shared_ptr<const Moment>;
+
 /// The mechanics of a scene, step by step. One thread at a time owns it (SimulationThread in the window); inside it uses
 /// as many threads as TBB allows, and the bits of the result do not depend on their number.
 class Simulation {
@@ -26,12 +29,17 @@ public:
     /// (no such body, a material out of range) leaves the state as it was and is reported in Snapshot::notice.
     void applyCommands();
 
-    /// Advances by timeStep(). After trouble (see health()) it does nothing until reset().
+    /// Advances by timeStep(). After trouble (see health()) it does nothing until Reset or goTo().
     void step();
 
-    /// Back to the start: bodies at rest in their first shape, with their present materials and fixtures; tools where they
-    /// began, with the motion they began with. Time, energies and the recording begin anew.
-    void reset();
+    /// Takes queued commands into account and carries out KeepMoment. @return the moment, to be gone back to; never null
+    MomentPointer keepMoment();
+
+    /// The simulation goes on as it did from the moment, of this or another simulation of the same scene, bit for bit. Queued
+    /// commands are dropped, and the recording begins anew. A moment of other bodies leaves the state as it was and is
+    /// reported in Snapshot::notice.
+    /// @pre moment is not null
+    void goTo(MomentPointer moment);
 
     /// Connected pieces of material, by live connections and joints.
     std::size_t components();
@@ -49,7 +57,9 @@ public:
     /// Hash of the bits of positions and velocities: equal for equal histories.
     std::uint64_t stateHash() const;
 
+    /// Commands that were carried out, in order: since the beginning, the last goTo() or the last takeRecording().
     const std::vector<RecordedCommand>& recording() const;
+    std::vector<RecordedCommand> takeRecording(); ///< and begins anew
 
     struct State;
 

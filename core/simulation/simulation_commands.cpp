@@ -155,6 +155,8 @@ public:
                 m_state.requireDamping(run->materials, command.integrator);
         keepingAccounts([&] { m_state.setIntegrator(command.integrator); });
     }
+    void operator()(const Reset&) const { m_state.placeAtStart(); }
+    void operator()(const KeepMoment&) const { m_state.keepMoment(); }
 
 private:
     // An annealing takes this many times its relaxation time, so that little is left to do at once at its end.
@@ -217,9 +219,10 @@ void Simulation::State::setKind(BodyId body, BodyKind kind)
 
 void Simulation::State::carryOut(const Command& command)
 {
+    const std::uint64_t before = step;
     std::visit(Executor(*this), command);
     implicit.reset(); // bodies may be others
-    recording.push_back({step, command});
+    recording.push_back({before, command});
 }
 
 void Simulation::State::applyCommands()
@@ -229,7 +232,8 @@ void Simulation::State::applyCommands()
         pending.pop_front();
         try {
             carryOut(command);
-            notice.clear();
+            if (!std::holds_alternative<KeepMoment>(command)) // what was wrong before has not been read yet
+                notice.clear();
         } catch (const std::runtime_error& error) {
             notice = error.what();
         }

@@ -11,7 +11,8 @@ namespace knead {
 
 namespace {
 
-// The state is kept for going back this often [steps]; copying it costs about a step.
+// The state is kept for going back this often [steps]; copying it costs about a step. Unlike with KeepMoment the run does not
+// go on from the copy, which would cost ten more.
 constexpr std::uint64_t checkpointInterval = 256;
 constexpr std::uint64_t implicitCheckpointInterval = 8; // the same in frames
 // The stable step depends on the shape, so it is found again this often [steps].
@@ -29,9 +30,11 @@ constexpr double stableStepTolerance = 1.25;
 void Simulation::State::stop(const std::string& cause)
 {
     std::ostringstream text;
-    text << "The simulation was stopped at " << time << " s: " << cause << " It went back to " << lastGood.time
+    text << "The simulation was stopped at " << time << " s: " << cause << " It went back to " << lastGood->time
          << " s.";
-    goBack(lastGood);
+    const std::uint64_t reached = step;
+    restore(*lastGood);
+    step = reached; // steps are what commands are counted by: what comes now comes after this one
     health = {false, text.str()};
 }
 
@@ -67,7 +70,7 @@ void Simulation::State::checkHealth()
                   << " was squashed flat or turned inside out. Press less far, raise Poisson's ratio or the yield "
                      "stress, or fill the part with a smaller spacing, then reset.";
         else if (!wasSquashed)
-            lastGood = checkpoint();
+            lastGood = std::make_shared<const Moment>(moment());
     }
     if (cause.str().empty() && !isImplicit()) {
         const bool crowded = contactReport.crowding > crowding;
@@ -81,57 +84,6 @@ void Simulation::State::checkHealth()
     }
     if (!cause.str().empty())
         stop(cause.str());
-}
-
-Checkpoint Simulation::State::checkpoint() const
-{
-    Checkpoint moment{.step = step,
-                      .time = time,
-                      .energy = energy,
-                      .startEnergy = startEnergy,
-                      .bodies = {},
-                      .toolPoses = {},
-                      .annealings = annealings,
-                      .contacts = std::make_shared<const Contacts>(*contacts)};
-    for (const auto& run : runs)
-        moment.bodies.push_back({.position = run->state.position,
-                                 .velocity = run->state.velocity,
-                                 .changes = run->connections.changes(),
-                                 .rigid = run->rigid,
-                                 .kind = run->kind});
-    for (const auto& tool : tools)
-        moment.toolPoses.push_back(tool ? tool->manipulator.pose : Pose{});
-    return moment;
-}
-
-void Simulation::State::goBack(const Checkpoint& moment)
-{
-    step = moment.step;
-    time = moment.time;
-    energy = moment.energy;
-    startEnergy = moment.startEnergy;
-    annealings = moment.annealings;
-    for (std::size_t b = 0; b < runs.size(); ++b) {
-        BodyRun& run = *runs[b];
-        run.state.position = moment.bodies[b].position;
-        run.state.velocity = moment.bodies[b].velocity;
-        run.connections.restore(moment.bodies[b].changes);
-        run.rigid = moment.bodies[b].rigid;
-        run.kind = moment.bodies[b].kind;
-    }
-    for (std::size_t t = 0; t < std::min(tools.size(), moment.toolPoses.size()); ++t)
-        if (tools[t])
-            tools[t]->manipulator.pose = moment.toolPoses[t];
-    largestTravel = 0;
-    lastStep = 0; // forces of that moment are not kept; the next step begins like the first
-    lastKick = 0;
-    newlyBroken = false;
-    wasSquashed = false;
-    componentsVersion = ~std::uint64_t{0};
-    *contacts = *moment.contacts;
-    contacts->invalidate();
-    contactReport = {};
-    implicit.reset();
 }
 
 std::size_t Simulation::State::components()

@@ -98,10 +98,17 @@ void Simulation::State::chooseIntegrator()
         // From here on velocities and places belong to the same time, as at the start.
         lastStep = 0;
         lastKick = 0;
+        unknownEnergy = 0;
     }
     integrator = chosen;
-    contacts->lookAhead(isImplicit() ? aheadShare : 0);
+    lookAhead();
     timeStep = isImplicit() ? std::min(longestStep, wantedTimeStep.value_or(longestStep)) : explicitStep;
+}
+
+/// Steps of the implicit scheme bring together what is further apart.
+void Simulation::State::lookAhead()
+{
+    contacts->lookAhead(isImplicit() ? aheadShare : 0);
 }
 
 void Simulation::State::setIntegrator(Integrator chosen)
@@ -111,6 +118,7 @@ void Simulation::State::setIntegrator(Integrator chosen)
     integrator = chosen == Integrator::forwardEuler ? chosen : Integrator::semiImplicitEuler;
     lastStep = 0;
     lastKick = 0;
+    unknownEnergy = 0;
     updateTimeStep();
     chooseIntegrator();
 }
@@ -289,6 +297,7 @@ void Simulation::State::stepImplicitly()
             energy.viscous += dampShape(run->state, rate, timeStep, run->anchored);
     largestTravel = report.largestSpeed * timeStep;
     lastStep = lastKick = timeStep;
+    unknownEnergy = 0;
     time += timeStep;
     ++step;
 }

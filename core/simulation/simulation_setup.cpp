@@ -127,14 +127,20 @@ void Simulation::State::setMasses()
 {
     addedMass = 0;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        BodyRun& run = *runs[b];
-        const std::vector<double>& volume = bodies[b].aggregate->volume;
-        for (ObjectIndex i = 0; i < volume.size(); ++i)
-            run.state.mass[i] = run.materials.of(i).density * volume[i];
-        if (massScalingTimeStep && run.deforms())
-            scaleMasses(run);
+        setMass(b);
+        if (massScalingTimeStep && runs[b]->deforms())
+            scaleMasses(*runs[b]);
     }
     holdFixtures();
+}
+
+/// Of the material alone.
+void Simulation::State::setMass(std::size_t body)
+{
+    BodyRun& run = *runs[body];
+    const std::vector<double>& volume = bodies[body].aggregate->volume;
+    for (ObjectIndex i = 0; i < volume.size(); ++i)
+        run.state.mass[i] = run.materials.of(i).density * volume[i];
 }
 
 /// Objects whose own bound on the frequency is above the one that the wanted step allows get heavier.
@@ -209,6 +215,14 @@ void Simulation::State::updateTimeStep()
         timeStep = wantedTimeStep.value_or(timeStepShare * stableStep);
 }
 
+std::vector<Contacts::BodyView> Simulation::State::contactBodies()
+{
+    std::vector<Contacts::BodyView> views;
+    for (auto& run : runs)
+        views.push_back({&run->state, &run->connections, &run->materials, run->kind});
+    return views;
+}
+
 void Simulation::State::placeAtStart()
 {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -234,15 +248,11 @@ void Simulation::State::placeAtStart()
         if (tool)
             tool = ToolRun(tool->start);
     holdFixtures();
-    std::vector<Contacts::BodyView> views;
-    for (auto& run : runs)
-        views.push_back({&run->state, &run->connections, &run->materials, run->kind});
-    contacts = std::make_unique<Contacts>(std::move(views), vicinity);
+    contacts = std::make_unique<Contacts>(contactBodies(), vicinity);
     if (touching == Touching::glued)
         contacts->glueTouching();
     contactReport = {};
     annealings.clear();
-    recording.clear();
     step = 0;
     time = 0;
     lastStep = 0;
@@ -255,12 +265,13 @@ void Simulation::State::placeAtStart()
     health = {};
     energy = {};
     startEnergy = 0;
+    unknownEnergy = 0;
     solverIterations = 0;
     implicit.reset();
     updateTimeStep();
     chooseIntegrator();
     startEnergy = storedEnergy().imbalance;
-    lastGood = checkpoint();
+    lastGood = std::make_shared<const Moment>(moment());
 }
 
 } // namespace knead

@@ -69,13 +69,7 @@ Snapshot::BodyState copyOf(BodyRun& run, std::shared_ptr<const Aggregate> aggreg
 
 ToolState stateOf(ToolId id, ToolRun& tool)
 {
-    if (tool.stepsInSum > 0) {
-        tool.meanForce = tool.forceSum / tool.stepsInSum;
-        tool.meanTorque = tool.torqueSum / tool.stepsInSum;
-        tool.forceSum.setZero();
-        tool.torqueSum.setZero();
-        tool.stepsInSum = 0;
-    }
+    tool.findMeans();
     return {.id = id,
             .name = tool.manipulator.name,
             .kind = tool.manipulator.kind,
@@ -102,8 +96,9 @@ EnergyLedger Simulation::State::storedEnergy()
     stored.contact = contactReport.energy;
     // Forward Euler has both at the same time; the implicit scheme has all at the end of the step.
     const bool sameTime = integrator != Integrator::semiImplicitEuler;
-    const double back = isImplicit() ? 0 : lastStep;
+    // Right after going to a moment forces are not known: all is taken at present, and `unknownEnergy` makes up for it.
     const double kicked = isImplicit() ? 0 : lastKick;
+    const double back = kicked > 0 ? lastStep : 0;
     double conserved = 0;
     for (auto& run : runs) {
         if (run->rigid) {
@@ -145,7 +140,7 @@ EnergyLedger Simulation::State::storedEnergy()
             stored.elastic += run->connections.energy(earlier);
     }
     stored.imbalance = conserved + stored.elastic + stored.gravity + stored.contact + stored.dissipated() -
-                       stored.toolWork - startEnergy;
+                       stored.toolWork + unknownEnergy - startEnergy;
     return stored;
 }
 

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "core/integration/implicit_euler.h"
-#include "core/mechanics/contacts.h"
 #include "core/mechanics/object_state.h"
 #include "core/mechanics/object_strain.h"
-#include "core/mechanics/rigid_motion.h"
 #include "core/mechanics/structural_connections.h"
+#include "core/simulation/moment.h"
 #include "core/simulation/simulation.h"
 #include "core/simulation/stage_clock.h"
 
@@ -31,56 +30,6 @@ struct BodyRun {
     std::uint64_t relaxedVersion = 0;                           ///< of the lengths in that
 
     bool deforms() const { return kind == BodyKind::deformable; }
-};
-
-/// A tool while it is simulated. Its id is its place in the list; removed tools leave a gap.
-struct ToolRun {
-    explicit ToolRun(Manipulator tool)
-        : manipulator(tool)
-        , start(std::move(tool))
-    {
-    }
-
-    Manipulator manipulator;
-    Manipulator start;            ///< what reset() makes of it
-    Vec3 velocity = Vec3::Zero(); ///< over the last step [m/s]
-    Vec3 angularVelocity = Vec3::Zero();
-    Vec3 force = Vec3::Zero();    ///< of the material on it in the last step [N]
-    Vec3 forceSum = Vec3::Zero(); ///< over the steps since the last snapshot
-    Vec3 torqueSum = Vec3::Zero();
-    int stepsInSum = 0;
-    double resistance = 0; ///< by how much the force rose with its way when it last met its limit [N/m]; 0: not known
-    Vec3 meanForce = Vec3::Zero(); ///< over the last frame that had steps
-    Vec3 meanTorque = Vec3::Zero();
-    double peakForce = 0;
-};
-
-/// A re-normalization under way.
-struct Annealing {
-    BodyId body = 0;
-    std::vector<std::uint8_t> marks; ///< per object; empty: all
-    double rate = 0;                 ///< [1/s]
-    double end = 0;                  ///< [s]
-};
-
-/// Enough to go back to a moment.
-struct Checkpoint {
-    struct BodyMoment {
-        VectorArray position;
-        VectorArray velocity;
-        StructuralConnections::Changes changes;
-        std::optional<RigidMotion> rigid;
-        BodyKind kind = BodyKind::deformable;
-    };
-
-    std::uint64_t step = 0;
-    double time = 0;
-    EnergyLedger energy;
-    double startEnergy = 0;
-    std::vector<BodyMoment> bodies;
-    std::vector<Pose> toolPoses;
-    std::vector<Annealing> annealings;
-    std::shared_ptr<const Contacts> contacts;
 };
 
 struct Simulation::State {
@@ -112,6 +61,7 @@ struct Simulation::State {
     bool isImplicit() const { return integrator == Integrator::implicitEuler; }
     void tellFrictionApart();
     void setMasses();
+    void setMass(std::size_t body);
     void scaleMasses(BodyRun& run);
     void requireDamping(const MaterialMap& materials, Integrator chosen) const;
     void updateTimeStep();
@@ -120,8 +70,15 @@ struct Simulation::State {
     void anneal();
     std::vector<RigidSurface> surfaces() const;
     EnergyLedger storedEnergy();
-    Checkpoint checkpoint() const;
-    void goBack(const Checkpoint& moment);
+    std::vector<Contacts::BodyView> contactBodies();
+    void lookAhead();
+    Moment moment() const;
+    bool isOfThisScene(const Moment& moment) const;
+    void restore(const Moment& moment);
+    void restoreBodies(const Moment& moment);
+    void restoreContacts(const Moment& moment);
+    void keepMoment();
+    void goTo(MomentPointer moment);
     void stop(const std::string& cause);
     std::string squashedBody();
     std::size_t components();
@@ -152,23 +109,26 @@ struct Simulation::State {
     std::uint64_t step = 0;
     double time = 0;
     double timeStep = 0;
-    double lastStep = 0;      ///< by which positions moved last [s]; 0 at the start
-    double lastKick = 0;      ///< by which velocities were changed last [s]
-    double stableStep = 0;    ///< largest stable one at the last look [s]
-    double crowding = 1;      ///< contacts at a time that the time step allows an object
+    double lastStep = 0;   ///< by which positions moved last [s]; 0 at the start
+    double lastKick = 0;   ///< by which velocities were changed last [s]; 0: the forces that did are not known any more
+    double stableStep = 0; ///< largest stable one at the last look [s]
+    double crowding = 1;   ///< contacts at a time that the time step allows an object
     double largestTravel = 0; ///< of any object in the last step [m]
     double surfaceTravel = 0;
     double addedMass = 0;   ///< by mass scaling [kg]
     double startEnergy = 0; ///< stored at the start [J]
-    EnergyLedger energy;    ///< what came in and went out is kept up to date
+    /// What of the stored energy is not known right after going to a moment, since the forces of the last step are gone [J]:
+    /// the ledger counts it until the next step.
+    double unknownEnergy = 0;
+    EnergyLedger energy; ///< what came in and went out is kept up to date
     bool newlyBroken = false;
     bool wasSquashed = false; ///< at the last look
     std::size_t knownComponents = 0;
     std::uint64_t componentsVersion = ~std::uint64_t{0};
     Health health;
     StageClock clock;
-    std::string notice; ///< about the last command, empty when it was carried out
-    Checkpoint lastGood;
+    std::string notice;     ///< about the last command, empty when it was carried out
+    MomentPointer lastGood; ///< to go back to in trouble; never null
 };
 
 /// Why a body cannot be simulated; empty when it can.

@@ -182,7 +182,29 @@ void SimulationThread::reset()
     m_worker->ask([](Worker& worker) {
         worker.playing = false;
         worker.carry = 0;
-        worker.simulation.reset();
+        worker.simulation.post(Reset{});
+    });
+}
+
+void SimulationThread::endGesture(std::function<void(Gesture)> kept)
+{
+    m_worker->ask([kept = std::move(kept)](Worker& worker) { kept(knead::endGesture(worker.simulation)); });
+}
+
+void SimulationThread::lookAtGesture(std::function<void(std::vector<RecordedCommand>, std::uint64_t)> told)
+{
+    m_worker->ask([told = std::move(told)](Worker& worker) {
+        worker.simulation.applyCommands();
+        told(worker.simulation.recording(), worker.simulation.stepCount());
+    });
+}
+
+void SimulationThread::goTo(MomentPointer moment)
+{
+    m_worker->ask([moment = std::move(moment)](Worker& worker) {
+        worker.playing = false;
+        worker.carry = 0;
+        worker.simulation.goTo(moment);
     });
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 
-#include "core/simulation/simulation.h"
+#include "core/simulation/gesture.h"
 
+#include <cstdint>
+#include <functional>
 #include <memory>
+#include <vector>
 
 namespace knead {
 
@@ -20,9 +23,22 @@ public:
     void play();
     void pause();
     void stepOnce();             ///< one step, while paused
-    void reset();                ///< pauses and goes back to the start
+    void reset();                ///< pauses and carries out Reset
     void setSpeed(double ratio); ///< wanted ratio of simulated to wall time, 0.01 .. 10; 1 at first
     void post(Command command);  ///< takes effect at the next step, at once while paused
+
+    /// Ends a gesture at the present step, be it playing or not: what was posted before belongs to it, what is posted from
+    /// now on to the next one.
+    /// @param kept called on the simulation's thread, which waits for it: it packs what it was given or hands it on
+    void endGesture(std::function<void(Gesture)> kept);
+
+    /// Looks at the gesture under way: what was done so far, and at which step it is, so that whoever repeats that much is
+    /// where the simulation is now.
+    /// @param told called on the simulation's thread, which waits for it
+    void lookAtGesture(std::function<void(std::vector<RecordedCommand> commands, std::uint64_t step)> told);
+
+    /// Pauses and goes to a moment of this scene, see Simulation::goTo(). What was done since the last kept moment is given up.
+    void goTo(MomentPointer moment);
 
     /// The newest state; never null. A new pointer whenever anything changed.
     SnapshotPointer latest() const;

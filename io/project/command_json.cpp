@@ -133,6 +133,11 @@ void describe(Fields& fields, Field<Fields, SetIntegrator> command)
     fields.choice("integrator", command.integrator, integratorWords());
 }
 
+template <>
+inline constexpr const char* wordOf<Reset> = "reset";
+template <>
+inline constexpr const char* wordOf<KeepMoment> = "keep-moment";
+
 template <class Fields>
 void describe(Fields& fields, Field<Fields, RecordedCommand> recorded)
 {

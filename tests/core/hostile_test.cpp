@@ -189,7 +189,8 @@ private slots:
         QVERIFY(simulation.health().message.find("inside out") != std::string::npos);
         QVERIFY(shot->time > 0);
         qInfo("%s", simulation.health().message.c_str());
-        simulation.reset();
+        simulation.post(Reset{});
+        simulation.applyCommands();
         QVERIFY(simulation.health().ok);
         QCOMPARE(simulation.time(), 0.0);
         simulation.step();

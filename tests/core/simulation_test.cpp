@@ -188,10 +188,12 @@ private slots:
         const auto start = simulation.stateHash();
         runSteps(simulation, 300);
         QVERIFY(simulation.stateHash() != start);
-        simulation.reset();
+        simulation.post(Reset{});
+        simulation.applyCommands();
         QCOMPARE(simulation.stateHash(), start);
         QCOMPARE(simulation.stepCount(), std::uint64_t{0});
-        QVERIFY(simulation.recording().empty());
+        QCOMPARE(simulation.recording().size(), std::size_t{1});
+        QCOMPARE(simulation.recording()[0].step, std::uint64_t{300});
     }
 
     void blockRestingOnATableFeelsItsWeight()

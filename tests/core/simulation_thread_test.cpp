@@ -1,9 +1,15 @@
+#include "core/simulation/moment.h"
+#include "core/simulation/replay.h"
 #include "core/simulation/simulation_thread.h"
 #include "support/scenes.h"
 
 #include <QTest>
 
+#include <condition_variable>
+#include <deque>
 #include <functional>
+#include <future>
+#include <mutex>
 
 using namespace knead;
 
@@ -31,6 +37,33 @@ SnapshotPointer waitFor(const SimulationThread& thread, const std::function<bool
         20'000);
     return found;
 }
+
+/// Gestures that a simulation's thread hands over.
+class Gestures {
+public:
+    std::function<void(Gesture)> taker()
+    {
+        return [this](Gesture gesture) {
+            const std::lock_guard lock(m_mutex);
+            m_gestures.push_back(std::move(gesture));
+            m_came.notify_one();
+        };
+    }
+
+    Gesture next()
+    {
+        std::unique_lock lock(m_mutex);
+        m_came.wait(lock, [this] { return !m_gestures.empty(); });
+        Gesture gesture = std::move(m_gestures.front());
+        m_gestures.pop_front();
+        return gesture;
+    }
+
+private:
+    std::mutex m_mutex;
+    std::condition_variable m_came;
+    std::deque<Gesture> m_gestures;
+};
 
 } // namespace
 
@@ -90,6 +123,78 @@ private slots:
         QVERIFY(shot);
         for (const Vec3& displacement : shot->bodies[0].displacements())
             QCOMPARE(displacement.norm(), 0.0);
+    }
+
+    void resetIsPartOfTheRecording()
+    {
+        Gestures gestures;
+        SimulationThread thread{Simulation(falling())};
+        thread.stepOnce();
+        thread.reset();
+        thread.stepOnce();
+        thread.endGesture(gestures.taker());
+        const Gesture gesture = gestures.next();
+        QCOMPARE(gesture.commands.size(), std::size_t{2});
+        QVERIFY(std::holds_alternative<Reset>(gesture.commands[0].command));
+        QCOMPARE(gesture.commands[0].step, std::uint64_t{1});
+        QVERIFY(std::holds_alternative<KeepMoment>(gesture.commands[1].command));
+        QCOMPARE(gesture.moment->step, std::uint64_t{1});
+    }
+
+    void gesturesThatEndWhilePlayingRepeat()
+    {
+        Gestures gestures;
+        SimulationThread thread{Simulation(falling())};
+        thread.play();
+        for (int i = 0; i < 3; ++i) {
+            QVERIFY(waitFor(thread, [&](const Snapshot& shot) { return shot.time > 0.05 * (i + 1); }));
+            thread.post(SetGravity{Vec3(0, 0.1 * i, -1)});
+            thread.endGesture(gestures.taker());
+        }
+        Simulation simulation(falling());
+        for (int i = 0; i < 3; ++i) {
+            const Gesture gesture = gestures.next();
+            QCOMPARE(gesture.commands.size(), std::size_t{2}); // what was posted before belongs to it
+            simulation = replay(std::move(simulation), gesture.commands, gesture.moment->step);
+            QCOMPARE(simulation.stateHash(), gesture.hash);
+        }
+    }
+
+    void aGestureUnderWayCanBeRepeated()
+    {
+        Gestures gestures;
+        SimulationThread thread{Simulation(falling())};
+        thread.play();
+        QVERIFY(waitFor(thread, [](const Snapshot& shot) { return shot.step > 50; }));
+        thread.post(SetGravity{Vec3(0, 1, 0)});
+        QVERIFY(waitFor(thread, [](const Snapshot& shot) { return shot.gravity.y() == 1; }));
+        std::promise<std::uint64_t> hash; // of as much as has been done
+        thread.lookAtGesture([&](const std::vector<RecordedCommand>& commands, std::uint64_t step) {
+            hash.set_value(replay(Simulation(falling()), commands, step).stateHash());
+        });
+        thread.pause(); // right then
+        thread.endGesture(gestures.taker());
+        const Gesture gesture = gestures.next();
+        QCOMPARE(gesture.commands.size(), std::size_t{2});
+        QCOMPARE(hash.get_future().get(), gesture.hash);
+    }
+
+    void goingToAMomentPausesThere()
+    {
+        Gestures gestures;
+        SimulationThread thread{Simulation(falling())};
+        thread.stepOnce();
+        thread.stepOnce();
+        thread.endGesture(gestures.taker());
+        const Gesture gesture = gestures.next();
+        thread.play();
+        QVERIFY(waitFor(thread, [](const Snapshot& shot) { return shot.step > 100; }));
+        thread.goTo(gesture.moment);
+        QVERIFY(waitFor(thread, [](const Snapshot& shot) { return shot.step == 2 && !shot.playing; }));
+        thread.endGesture(gestures.taker());
+        const Gesture after = gestures.next();
+        QCOMPARE(after.hash, gesture.hash);
+        QCOMPARE(after.commands.size(), std::size_t{1}); // the recording began anew
     }
 
     void slowMotionTakesLonger()

@@ -197,7 +197,8 @@ private slots:
         Simulation simulation(scene);
         const std::size_t joints = simulation.snapshot()->joints;
         runFor(simulation, 0.001);
-        simulation.reset();
+        simulation.post(Reset{});
+        simulation.applyCommands();
         QCOMPARE(simulation.snapshot()->joints, joints);
     }
 };

@@ -118,7 +118,8 @@ private slots:
         simulation.post(SetMaterial{.body = 0, .material = undamped});
         simulation.step();
         QVERIFY(!simulation.snapshot()->notice.empty());
-        simulation.reset();
+        simulation.post(Reset{});
+        simulation.applyCommands();
         simulation.step();
         QVERIFY(simulation.health().ok);
     }

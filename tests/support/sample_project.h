@@ -140,6 +140,8 @@ inline std::vector<RecordedCommand> commands(const std::shared_ptr<const ToolPar
         RemoveFixture{1},
         SetIntegrator{Integrator::implicitEuler},
         MoveFixture{2, Vec3(0, third, 0)},
+        Reset{},
+        KeepMoment{},
     };
     std::vector<RecordedCommand> recorded;
     for (const Command& command : all)

@@ -1,0 +1,211 @@
+#include "core/document/history.h"
+
+#include "core/simulation/moment.h"
+#include "core/simulation/replay.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+std::size_t memoryOf(const std::shared_ptr<const Bytes>& moment)
+{
+    return moment ? moment->size() : 0;
+}
+
+/// Commands are small beside moments; selections in them are not counted.
+std::size_t memoryOf(const HistoryRecord& record)
+{
+    return memoryOf(record.moment) + record.commands.size() * sizeof(RecordedCommand);
+}
+
+void requireTree(const std::vector<HistoryRecord>& records, History::Entry current)
+{
+    if (records.empty())
+        throw std::runtime_error("The history has no entries.");
+    for (std::size_t i = 0; i < records.size(); ++i)
+        if (records[i].parent >= std::max<std::size_t>(i, 1))
+            throw std::runtime_error("The history is damaged: its entry " + std::to_string(i) +
+                                     " follows one that comes later.");
+    if (current >= records.size())
+        throw std::runtime_error("The history is damaged: it is at an entry that it does not have.");
+}
+
+} // namespace
+
+HistoryRecord recordOf(Gesture gesture, std::string name, const Packing& packing)
+{
+    return {.name = std::move(name),
+            .commands = std::move(gesture.commands),
+            .step = gesture.moment->step,
+            .time = gesture.moment->time,
+            .hash = gesture.hash,
+            .moment = std::make_shared<const Bytes>(momentToBytes(*gesture.moment, packing))};
+}
+
+MomentPointer follow(const Way& way, const Scene& scene, const Packing& packing, TaskControl& control)
+{
+    ToolParts parts = toolPartsOf(scene, way.commands);
+    parts.insert(parts.end(), way.parts.begin(), way.parts.end());
+    MomentPointer begin;
+    if (way.from)
+        begin = std::make_shared<const Moment>(momentFromBytes(*way.from, scene.bodies, parts, packing));
+    if (begin && way.commands.empty())
+        return begin;
+    Simulation simulation(scene);
+    if (begin)
+        simulation.goTo(std::move(begin));
+    simulation = replay(std::move(simulation), way.commands, way.step, control);
+    if (simulation.stateHash() != way.hash)
+        throw std::runtime_error(
+            "Repeating what was done came to another state than it did then, as it does with another "
+            "version of Knead. Go to an entry that is kept.");
+    return simulation.keepMoment();
+}
+
+History::History(HistoryRecord first, std::size_t memory)
+    : m_most(memory)
+{
+    first.parent = 0;
+    add(std::move(first));
+}
+
+History::History(std::vector<HistoryRecord> records, Entry current, std::size_t memory)
+    : m_most(memory)
+{
+    requireTree(records, current);
+    for (HistoryRecord& record : records)
+        add(std::move(record));
+    goTo(current);
+}
+
+/// Without going there, but redo would.
+History::Entry History::add(HistoryRecord record)
+{
+    const auto entry = static_cast<Entry>(m_records.size());
+    m_used += memoryOf(record);
+    m_visited.push_back(entry);
+    m_visited[record.parent] = entry;
+    m_records.push_back(std::move(record));
+    return entry;
+}
+
+History::Entry History::append(HistoryRecord record)
+{
+    return appendStart(std::move(record), m_records[m_current].start);
+}
+
+History::Entry History::appendStart(HistoryRecord record, std::uint32_t start)
+{
+    record.parent = m_current;
+    record.start = start;
+    const Entry entry = add(std::move(record));
+    goTo(entry);
+    return entry;
+}
+
+void History::goTo(Entry entry)
+{
+    m_current = entry;
+    for (; entry != 0; entry = m_records[entry].parent)
+        m_visited[m_records[entry].parent] = entry;
+    thin();
+}
+
+std::optional<History::Entry> History::undoTarget() const
+{
+    return m_current == 0 ? std::nullopt : std::optional(m_records[m_current].parent);
+}
+
+std::optional<History::Entry> History::redoTarget() const
+{
+    return m_visited[m_current] == m_current ? std::nullopt : std::optional(m_visited[m_current]);
+}
+
+std::vector<History::Entry> History::childrenOf(Entry entry) const
+{
+    std::vector<Entry> children;
+    for (Entry other = entry + 1; other < m_records.size(); ++other)
+        if (m_records[other].parent == entry)
+            children.push_back(other);
+    return children;
+}
+
+std::vector<History::Entry> History::pathTo(Entry entry) const
+{
+    std::vector<Entry> path{entry};
+    for (; entry != 0; path.push_back(entry))
+        entry = m_records[entry].parent;
+    std::reverse(path.begin(), path.end());
+    return path;
+}
+
+bool History::beginsStart(Entry entry) const
+{
+    return entry == 0 || m_records[entry].start != m_records[m_records[entry].parent].start;
+}
+
+Way History::wayTo(Entry entry) const
+{
+    const HistoryRecord& target = m_records[entry];
+    Way way{.start = target.start, .from = {}, .commands = {}, .step = target.step, .hash = target.hash, .parts = {}};
+    std::vector<Entry> path = pathTo(entry);
+    const auto isBegin = [this](Entry each) { return beginsStart(each); };
+    path.erase(path.begin(), std::find_if(path.rbegin(), path.rend(), isBegin).base() - 1);
+    for (const Entry each : path) {
+        const HistoryRecord& record = m_records[each];
+        way.commands.insert(way.commands.end(), record.commands.begin(), record.commands.end());
+        const ToolParts parts = toolPartsOf({}, record.commands);
+        way.parts.insert(way.parts.end(), parts.begin(), parts.end());
+        if (record.moment) {
+            way.from = record.moment;
+            way.commands.clear();
+        }
+    }
+    return way;
+}
+
+void History::rename(Entry entry, std::string name)
+{
+    m_records[entry].name = std::move(name);
+}
+
+void History::setKey(Entry entry, bool isKey)
+{
+    m_records[entry].isKey = isKey;
+}
+
+void History::keep(Entry entry, std::shared_ptr<const Bytes> moment)
+{
+    HistoryRecord& record = m_records[entry];
+    m_used += memoryOf(moment);
+    m_used -= memoryOf(record.moment);
+    record.moment = std::move(moment);
+    thin();
+}
+
+void History::setMemory(std::size_t most)
+{
+    m_most = most;
+    thin();
+}
+
+void History::thin()
+{
+    enum Rank { common, key, start };
+    const auto rankOf = [this](Entry entry) {
+        return beginsStart(entry) ? start : m_records[entry].isKey ? key : common;
+    };
+    for (const Rank rank : {common, key, start})
+        for (Entry entry = 0; entry < m_records.size() && m_used > m_most; ++entry) {
+            if (entry == m_current || rankOf(entry) != rank)
+                continue;
+            m_used -= memoryOf(m_records[entry].moment);
+            m_records[entry].moment = nullptr;
+        }
+}
+
+} // namespace knead

@@ -1,0 +1,209 @@
+#include "core/document/moment_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+constexpr double farthest = 1e9;         // [m], [m/s]: beyond what any run comes to
+constexpr double fastestFixture = 100;   // [m/s]
+constexpr double strongestGravity = 1e4; // [m/s^2]
+constexpr double farthestFloor = 1e4;    // [m]
+constexpr double longestTimeStep = 1;    // [s]
+
+bool isWithin(double value, double low, double high)
+{
+    return value >= low && value <= high;
+}
+
+bool isPositive(double value)
+{
+    return std::isfinite(value) && value > 0;
+}
+
+bool isAmount(double value)
+{
+    return std::isfinite(value) && value >= 0;
+}
+
+bool isNear(const Vec3& vector)
+{
+    return vector.norm() <= farthest;
+}
+
+bool areNear(const VectorArray& vectors)
+{
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+        if (!isNear(vectors.at(i)))
+            return false;
+    return true;
+}
+
+template <typename List, typename Holds>
+bool all(const List& list, Holds holds)
+{
+    return std::all_of(std::begin(list), std::end(list), holds);
+}
+
+/// Looks at one moment; each function says whether a part of it is as it must be.
+class MomentCheck {
+public:
+    MomentCheck(const Moment& moment, std::span<const Body> bodies)
+        : m_moment(moment)
+        , m_bodies(bodies)
+    {
+    }
+
+    std::string problem() const
+    {
+        if (m_moment.bodies.size() != m_bodies.size())
+            return "it has another number of bodies than the scene";
+        for (std::size_t b = 0; b < m_bodies.size(); ++b)
+            if (std::string found = bodyProblem(m_moment.bodies[b], *m_bodies[b].aggregate); !found.empty())
+                return found;
+        if (!all(m_moment.tools, [this](const auto& tool) { return !tool || isTool(*tool); }))
+            return "a tool cannot be simulated";
+        if (!all(m_moment.fixtures, [this](const auto& fixture) { return !fixture || isFixture(*fixture); }) ||
+            m_moment.fixtureForces.size() > m_moment.fixtures.size() ||
+            !all(m_moment.fixtureForces, [](const Vec3& force) { return force.allFinite(); }))
+            return "a fixture cannot be simulated";
+        if (!all(m_moment.annealings, [this](const Annealing& annealing) { return isAnnealing(annealing); }))
+            return "a re-normalization under way is out of range";
+        if (!areContacts(m_moment.contacts))
+            return "a contact or joint is out of range";
+        return areNumbers() ? "" : "a number is out of range";
+    }
+
+private:
+    static std::string bodyProblem(const Moment::BodyMoment& body, const Aggregate& aggregate)
+    {
+        const std::size_t objects = aggregate.size();
+        const MaterialMap& map = body.materials;
+        if (map.materials().empty() || map.indices().size() != objects ||
+            !all(map.indices(), [&](MaterialMap::Index index) { return index < map.materials().size(); }) ||
+            !all(map.materials(), [](const Material& material) { return materialProblems(material).empty(); }))
+            return "a material is out of range";
+        if (body.rigid ? !isRigidMotion(body, objects) : !isState(body, objects))
+            return "objects are not where they can be";
+        if (!(body.mass.empty() || (body.mass.size() == objects && all(body.mass, isPositive))))
+            return "a mass is out of range";
+        const std::size_t mode = body.fastestMode.size();
+        return areChanges(body.changes, aggregate) && (mode == 0 || mode == 3 * objects)
+                   ? ""
+                   : "connections are not as they can be";
+    }
+
+    static bool isState(const Moment::BodyMoment& body, std::size_t objects)
+    {
+        return body.position.size() == objects && body.velocity.size() == objects && areNear(body.position) &&
+               areNear(body.velocity);
+    }
+
+    static bool isRigidMotion(const Moment::BodyMoment& body, std::size_t objects)
+    {
+        const RigidMotion::Memory& motion = *body.rigid;
+        return body.kind == BodyKind::rigid && motion.arms.size() == objects && areNear(motion.arms) &&
+               isNear(motion.center) && isNear(motion.velocity) && isNear(motion.angularVelocity) &&
+               motion.angularMomentum.allFinite() && std::abs(motion.rotation.norm() - 1) < 1e-6;
+    }
+
+    static bool areChanges(const StructuralConnections::Changes& changes, const Aggregate& aggregate)
+    {
+        for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
+            const auto fits = [&](const LaneVector<double>& numbers) {
+                return numbers.empty() || numbers.size() == aggregate.weight[d].size();
+            };
+            if (!fits(changes.nominalLength[d]) || !all(changes.nominalLength[d], isPositive) ||
+                !fits(changes.plasticStrain[d]) || !all(changes.plasticStrain[d], isAmount))
+                return false;
+        }
+        std::set<ConnectionId> seen;
+        const auto canBreak = [&](const ConnectionId& connection) {
+            return connection.direction < Lattice::directionCount &&
+                   connection.lower < aggregate.weight[connection.direction].size() &&
+                   aggregate.weight[connection.direction][connection.lower] > 0 && seen.insert(connection).second;
+        };
+        return (changes.restDilatation.empty() || changes.restDilatation.size() == aggregate.size()) &&
+               all(changes.restDilatation, [](double theta) { return std::isfinite(theta); }) &&
+               all(changes.broken, canBreak);
+    }
+
+    static bool isTool(const ToolRun& tool)
+    {
+        return manipulatorProblems(tool.manipulator).empty() && manipulatorProblems(tool.start).empty() &&
+               tool.force.allFinite() && tool.meanForce.allFinite() && tool.meanTorque.allFinite() &&
+               isAmount(tool.resistance) && isAmount(tool.peakForce);
+    }
+
+    bool isObject(const ObjectRef& object) const
+    {
+        return object.body < m_bodies.size() && object.object < m_bodies[object.body].aggregate->size();
+    }
+
+    bool isFixture(const Fixture& fixture) const
+    {
+        return fixture.body < m_bodies.size() && fixture.velocity.norm() <= fastestFixture;
+    }
+
+    bool isAnnealing(const Annealing& annealing) const
+    {
+        return annealing.body < m_bodies.size() && m_moment.bodies[annealing.body].kind == BodyKind::deformable &&
+               (annealing.marks.empty() || annealing.marks.size() == m_bodies[annealing.body].aggregate->size()) &&
+               isAmount(annealing.rate) && isAmount(annealing.end);
+    }
+
+    bool isJoint(const Joint& joint) const
+    {
+        const auto isNumber = [](double value) { return value >= 0; }; // may be infinite
+        return isObject(joint.first) && isObject(joint.second) && joint.first < joint.second &&
+               isAmount(joint.nominalLength) && isAmount(joint.stiffness) && isAmount(joint.damping) &&
+               isAmount(joint.friction) && isNumber(joint.tolerance) && isNumber(joint.yieldStrain) &&
+               isAmount(joint.flowTime) && isNumber(joint.ductility) && isAmount(joint.plasticStrain);
+    }
+
+    bool areContacts(const Contacts::Memory& memory) const
+    {
+        const auto isPair = [this](const Contacts::Memory::Pair& pair) {
+            return isObject(pair.first) && isObject(pair.second) && isAmount(pair.value);
+        };
+        const auto isOutOfOrder = [](const Joint& a, const Joint& b) {
+            return std::pair(a.first, a.second) >= std::pair(b.first, b.second);
+        };
+        const auto& joints = memory.joints;
+        return all(memory.keptLengths, isPair) && all(memory.pressedTimes, isPair) &&
+               all(memory.facingSlit, [this](const ObjectRef& object) { return isObject(object); }) &&
+               all(joints, [this](const Joint& joint) { return isJoint(joint); }) &&
+               std::adjacent_find(joints.begin(), joints.end(), isOutOfOrder) == joints.end() &&
+               isAmount(memory.frequency);
+    }
+
+    bool areNumbers() const
+    {
+        const Moment& m = m_moment;
+        const double ledger[] = {m.contactEnergy,   m.addedMass,       m.startEnergy,    m.unknownEnergy,
+                                 m.energy.viscous,  m.energy.friction, m.energy.plastic, m.energy.fracture,
+                                 m.energy.toolWork, m.energy.numerical};
+        return all(ledger, [](double value) { return std::isfinite(value); }) && m.gravity.norm() <= strongestGravity &&
+               (!m.floorHeight || std::abs(*m.floorHeight) <= farthestFloor) && isWithin(m.floorFriction, 0, 2) &&
+               isAmount(m.time) && isPositive(m.timeStep) && m.timeStep <= longestTimeStep &&
+               isWithin(m.lastStep, 0, longestTimeStep) && isPositive(m.stableStep) && isPositive(m.crowding);
+    }
+
+    const Moment& m_moment;
+    std::span<const Body> m_bodies;
+};
+
+} // namespace
+
+std::string momentProblem(const Moment& moment, std::span<const Body> bodies)
+{
+    return MomentCheck(moment, bodies).problem();
+}
+
+} // namespace knead

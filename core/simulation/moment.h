@@ -1,0 +1,98 @@
+#pragma once
+
+#include "core/mechanics/contacts.h"
+#include "core/mechanics/rigid_motion.h"
+#include "core/mechanics/structural_connections.h"
+#include "core/simulation/scene.h"
+#include "core/simulation/snapshot.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace knead {
+
+/// A tool while it is simulated. Its id is its place in the list; removed tools leave a gap.
+struct ToolRun {
+    explicit ToolRun(Manipulator tool = {})
+        : manipulator(tool)
+        , start(std::move(tool))
+    {
+    }
+
+    /// Of what was summed up since the last call, if anything.
+    void findMeans();
+
+    Manipulator manipulator;
+    Manipulator start;            ///< what Reset makes of it
+    Vec3 velocity = Vec3::Zero(); ///< over the last step [m/s]
+    Vec3 angularVelocity = Vec3::Zero();
+    Vec3 force = Vec3::Zero();    ///< of the material on it in the last step [N]
+    Vec3 forceSum = Vec3::Zero(); ///< over the steps since the last snapshot
+    Vec3 torqueSum = Vec3::Zero();
+    int stepsInSum = 0;
+    double resistance = 0; ///< by how much the force rose with its way when it last met its limit [N/m]; 0: not known
+    Vec3 meanForce = Vec3::Zero(); ///< over the last frame that had steps [N]
+    Vec3 meanTorque = Vec3::Zero();
+    double peakForce = 0;
+};
+
+/// A re-normalization under way.
+struct Annealing {
+    BodyId body = 0;
+    std::vector<std::uint8_t> marks; ///< per object; empty: all
+    double rate = 0;                 ///< [1/s]
+    double end = 0;                  ///< [s]
+};
+
+/// The state of a simulation at one moment: everything that its future depends on, and what a window shows of its past. What
+/// follows from that is left out and found again: lists of contact candidates, forces, factors of the implicit scheme. So is
+/// what no command changes: aggregates, names, what was chosen for the scene.
+///
+/// A simulation that keeps a moment goes on from what is found again as well (see KeepMoment). So it takes the same way, bit
+/// for bit, as one that goes back to the moment.
+struct Moment {
+    struct BodyMoment {
+        MaterialMap materials;
+        BodyKind kind = BodyKind::deformable;
+        std::optional<RigidMotion::Memory> rigid; ///< of a rigid body that is not held
+        VectorArray position;                     ///< [m]; empty where `rigid` tells
+        VectorArray velocity;                     ///< [m/s]; the same
+        LaneVector<double> mass; ///< with mass scaling, which goes by the shape of its time [kg]; else empty
+        StructuralConnections::Changes changes;
+        std::vector<std::int8_t> fastestMode; ///< see StructuralConnections
+    };
+
+    std::vector<BodyMoment> bodies;
+    std::vector<std::optional<ToolRun>> tools; ///< sums of forces apart
+    std::vector<std::optional<Fixture>> fixtures;
+    std::vector<Vec3> fixtureForces; ///< per fixture [N]
+    std::vector<Annealing> annealings;
+    Contacts::Memory contacts;
+    double contactEnergy = 0;     ///< [J]
+    std::size_t contactCount = 0; ///< contacts that touched in the last step
+    Vec3 gravity = Vec3::Zero();
+    std::optional<double> floorHeight;
+    double floorFriction = 0;
+    Integrator wantedIntegrator = Integrator::semiImplicitEuler;
+    Integrator integrator = Integrator::semiImplicitEuler; ///< in use; never automatic
+    std::string integratorReason;
+    int solverIterations = 0;
+
+    std::uint64_t step = 0;
+    double time = 0;
+    double timeStep = 0;
+    double lastStep = 0;   ///< by which positions moved last [s]; 0 at the start
+    double stableStep = 0; ///< [s]
+    double crowding = 1;
+    double addedMass = 0; ///< by mass scaling [kg]
+    EnergyLedger energy;  ///< what came in and went out
+    double startEnergy = 0;
+    double unknownEnergy = 0; ///< see Simulation::State [J]
+    bool wasSquashed = false;
+    Health health;
+};
+
+} // namespace knead

@@ -1,0 +1,177 @@
+// Keeping moments and going back to them.
+#include "core/simulation/simulation_state.h"
+
+#include <algorithm>
+
+namespace knead {
+
+void ToolRun::findMeans()
+{
+    if (stepsInSum == 0)
+        return;
+    meanForce = forceSum / stepsInSum;
+    meanTorque = torqueSum / stepsInSum;
+    forceSum.setZero();
+    torqueSum.setZero();
+    stepsInSum = 0;
+}
+
+Moment Simulation::State::moment() const
+{
+    Moment moment{.bodies = {},
+                  .tools = tools,
+                  .fixtures = fixtures,
+                  .fixtureForces = fixtureForces,
+                  .annealings = annealings,
+                  .contacts = contacts->memory(),
+                  .contactEnergy = contactReport.energy,
+                  .contactCount = contactReport.count,
+                  .gravity = gravity,
+                  .floorHeight = floorHeight,
+                  .floorFriction = floorFriction,
+                  .wantedIntegrator = wantedIntegrator,
+                  .integrator = integrator,
+                  .integratorReason = integratorReason,
+                  .solverIterations = solverIterations,
+                  .step = step,
+                  .time = time,
+                  .timeStep = timeStep,
+                  .lastStep = lastStep,
+                  .stableStep = stableStep,
+                  .crowding = crowding,
+                  .addedMass = addedMass,
+                  .energy = energy,
+                  .startEnergy = startEnergy,
+                  .unknownEnergy = unknownEnergy,
+                  .wasSquashed = wasSquashed,
+                  .health = health};
+    for (const auto& run : runs) {
+        Moment::BodyMoment body{.materials = run->materials,
+                                .kind = run->kind,
+                                .changes = run->connections.changes(),
+                                .fastestMode = run->connections.fastestMode()};
+        if (run->rigid) {
+            body.rigid = run->rigid->memory();
+        } else {
+            body.position = run->state.position;
+            body.velocity = run->state.velocity;
+        }
+        if (massScalingTimeStep)
+            body.mass = run->state.mass;
+        moment.bodies.push_back(std::move(body));
+    }
+    return moment;
+}
+
+bool Simulation::State::isOfThisScene(const Moment& moment) const
+{
+    return std::equal(moment.bodies.begin(), moment.bodies.end(), runs.begin(), runs.end(),
+                      [](const Moment::BodyMoment& body, const std::unique_ptr<BodyRun>& run) {
+                          return body.materials.indices().size() == run->state.size();
+                      });
+}
+
+void Simulation::State::restore(const Moment& moment)
+{
+    step = moment.step;
+    time = moment.time;
+    timeStep = moment.timeStep;
+    lastStep = moment.lastStep;
+    lastKick = 0; // the forces of that step are not kept
+    stableStep = moment.stableStep;
+    crowding = moment.crowding;
+    addedMass = moment.addedMass;
+    energy = moment.energy;
+    startEnergy = moment.startEnergy;
+    unknownEnergy = moment.unknownEnergy;
+    wasSquashed = moment.wasSquashed;
+    health = moment.health;
+    gravity = moment.gravity;
+    floorHeight = moment.floorHeight;
+    floorFriction = moment.floorFriction;
+    wantedIntegrator = moment.wantedIntegrator;
+    integrator = moment.integrator;
+    integratorReason = moment.integratorReason;
+    solverIterations = moment.solverIterations;
+    tools = moment.tools;
+    fixtures = moment.fixtures;
+    fixtureForces = moment.fixtureForces;
+    annealings = moment.annealings;
+    restoreBodies(moment);
+    restoreContacts(moment);
+    implicit.reset();
+    largestTravel = 0;
+    surfaceTravel = 0;
+    newlyBroken = false;
+    componentsVersion = ~std::uint64_t{0};
+}
+
+/// Materials, tools' and fixtures' turn has been; masses come before what moves with them.
+void Simulation::State::restoreBodies(const Moment& moment)
+{
+    for (std::size_t b = 0; b < runs.size(); ++b) {
+        BodyRun& run = *runs[b];
+        const Moment::BodyMoment& body = moment.bodies[b];
+        bodies[b].material = body.materials.materials().front();
+        bodies[b].kind = run.kind = body.kind;
+        run.materials = body.materials;
+        run.connections.restore(body.changes);
+        run.connections.setFastestMode(body.fastestMode);
+        if (body.mass.empty())
+            setMass(b);
+        else
+            run.state.mass = body.mass;
+        run.state.force.setZero();
+        run.state.damping.setZero();
+        run.rigid.reset();
+        if (body.rigid) {
+            run.rigid.emplace(*body.rigid, run.state.mass);
+            run.rigid->place(run.state);
+        } else {
+            run.state.position = body.position;
+            run.state.velocity = body.velocity;
+        }
+    }
+    holdFixtures();
+}
+
+void Simulation::State::restoreContacts(const Moment& moment)
+{
+    contacts = std::make_unique<Contacts>(contactBodies(), vicinity, moment.contacts);
+    lookAhead();
+    contactReport = {.energy = moment.contactEnergy, .count = moment.contactCount};
+}
+
+/// Goes on from exactly what going back to the moment would make.
+void Simulation::State::keepMoment()
+{
+    const double imbalance = storedEnergy().imbalance;
+    const bool knowsForces = lastKick > 0;
+    contacts->connectionsBroke();
+    for (auto& run : runs)
+        if (run->rigid)
+            run->rigid->place(run->state);
+    for (auto& tool : tools)
+        if (tool)
+            tool->findMeans();
+    Moment kept = moment();
+    restore(kept);
+    if (knowsForces)
+        kept.unknownEnergy = unknownEnergy = imbalance - storedEnergy().imbalance;
+    lastGood = std::make_shared<const Moment>(std::move(kept));
+}
+
+void Simulation::State::goTo(MomentPointer moment)
+{
+    pending.clear();
+    notice.clear();
+    if (!isOfThisScene(*moment)) {
+        notice = "The moment belongs to other bodies than these. Nothing was changed.";
+        return;
+    }
+    restore(*moment);
+    recording.clear();
+    lastGood = std::move(moment);
+}
+
+} // namespace knead

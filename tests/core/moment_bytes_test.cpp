@@ -1,0 +1,244 @@
+// Moments come back from their bytes to the bit; damaged bytes are a sentence.
+#include "core/document/moment_bytes.h"
+#include "support/fuzz_random.h"
+#include "support/scenes_of_every_kind.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace knead;
+
+namespace {
+
+const std::vector<scenes::KindOfScene>& kinds()
+{
+    static const std::vector<scenes::KindOfScene> all = scenes::scenesOfEveryKind();
+    return all;
+}
+
+/// What a scene is in its middle.
+struct Middle {
+    explicit Middle(const scenes::KindOfScene& kind)
+        : scene(kind.scene)
+        , simulation(scene)
+    {
+        scenes::runSteps(simulation, kind, 0, kind.steps);
+        moment = simulation.keepMoment();
+        parts = toolPartsOf(scene, simulation.recording());
+    }
+
+    Scene scene;
+    Simulation simulation;
+    MomentPointer moment;
+    ToolParts parts;
+};
+
+/// Runs of equal bytes as a count and the byte: a compressor that damage can reach.
+Packing runLengths()
+{
+    const auto pack = [](std::span<const std::byte> bytes) {
+        Bytes packed;
+        for (std::size_t i = 0; i < bytes.size();) {
+            std::size_t count = 1;
+            while (i + count < bytes.size() && count < 255 && bytes[i + count] == bytes[i])
+                ++count;
+            packed.push_back(static_cast<std::byte>(count));
+            packed.push_back(bytes[i]);
+            i += count;
+        }
+        return packed;
+    };
+    const auto unpack = [](std::span<const std::byte> packed, std::size_t size) {
+        Bytes bytes;
+        for (std::size_t i = 0; i + 1 < packed.size() && bytes.size() < size; i += 2)
+            bytes.insert(bytes.end(), std::to_integer<std::size_t>(packed[i]), packed[i + 1]);
+        return bytes;
+    };
+    return {pack, unpack};
+}
+
+/// The sentence that reading ends in; empty when it does not.
+std::string refusal(const Bytes& bytes, const Middle& middle)
+{
+    try {
+        momentFromBytes(bytes, middle.scene.bodies, middle.parts);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+/// Makes the checksum of what was damaged right, so that the damage itself has to be found.
+void sign(Bytes& bytes)
+{
+    constexpr std::size_t header = 36; // mark, version, two sizes, checksum
+    const std::uint64_t sum = checksumOf(std::span(bytes).subspan(header));
+    for (std::size_t i = 0; i < 8; ++i)
+        bytes[header - 8 + i] = static_cast<std::byte>(sum >> (8 * i));
+}
+
+} // namespace
+
+class MomentBytesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void momentsComeBackToTheBit_data()
+    {
+        QTest::addColumn<int>("kind");
+        for (std::size_t k = 0; k < kinds().size(); ++k)
+            QTest::newRow(kinds()[k].name.c_str()) << static_cast<int>(k);
+    }
+    void momentsComeBackToTheBit()
+    {
+        QFETCH(int, kind);
+        const scenes::KindOfScene& of = kinds()[static_cast<std::size_t>(kind)];
+        Middle middle(of);
+        const Bytes bytes = momentToBytes(*middle.moment);
+        const Moment read = momentFromBytes(bytes, middle.scene.bodies, middle.parts);
+        QVERIFY(momentToBytes(read) == bytes);
+
+        Simulation fresh(middle.scene);
+        fresh.goTo(std::make_shared<const Moment>(read));
+        QVERIFY(fresh.snapshot()->notice.empty());
+        QCOMPARE(fresh.stateHash(), middle.simulation.stateHash());
+        QCOMPARE(fresh.snapshot()->energy.imbalance, middle.simulation.snapshot()->energy.imbalance);
+        scenes::runSteps(fresh, of, of.steps, of.steps + of.steps / 2);
+        scenes::runSteps(middle.simulation, of, of.steps, of.steps + of.steps / 2);
+        QCOMPARE(fresh.stateHash(), middle.simulation.stateHash());
+    }
+
+    void keepingTwiceGivesTheSameBytes()
+    {
+        for (const scenes::KindOfScene& kind : kinds()) {
+            Middle middle(kind);
+            const Bytes once = momentToBytes(*middle.moment);
+            QVERIFY2(momentToBytes(*middle.simulation.keepMoment()) == once, kind.name.c_str());
+            middle.simulation.snapshot(); // looking is no change either
+            QVERIFY2(momentToBytes(*middle.simulation.keepMoment()) == once, kind.name.c_str());
+        }
+    }
+
+    void packedBytesAreSmallerAndComeBack()
+    {
+        const Scene scene = scenes::smallPress(scenes::clay());
+        Simulation simulation(scene);
+        const MomentPointer moment = simulation.keepMoment();
+        const Bytes plain = momentToBytes(*moment);
+        const Bytes packed = momentToBytes(*moment, runLengths());
+        QVERIFY(packed.size() < plain.size() / 4); // nothing has moved yet
+        const Moment read = momentFromBytes(packed, scene.bodies, {}, runLengths());
+        QVERIFY(momentToBytes(read) == plain);
+    }
+
+    void numbersOfAnyKindComeBack()
+    {
+        LaneVector<double> numbers{0,         -0.0, 1e-310, -1e-310, 1e308,   -1e308, 1e308, 1,
+                                   1 + 1e-15, 0.1,  0.2,    0.3,     -7.25e9, 3,      3,     3};
+        ByteWriter writer;
+        writer.numbers(numbers, numbers.size());
+        const Bytes bytes = writer.take();
+        LaneVector<double> read;
+        ByteReader reader(bytes);
+        reader.numbers(read, numbers.size());
+        QCOMPARE(read.size(), numbers.size());
+        QVERIFY(std::equal(read.begin(), read.end(), numbers.begin()));
+        QVERIFY(std::signbit(read[1]));
+        QVERIFY(reader.atEnd());
+    }
+
+    void aMomentOfOtherBodiesIsRefused()
+    {
+        const Middle middle(kinds()[0]);
+        const Bytes bytes = momentToBytes(*middle.moment);
+        const Scene larger = scenes::smallPress(scenes::soft(), 7);
+        QVERIFY_THROWS_EXCEPTION(std::runtime_error, momentFromBytes(bytes, larger.bodies));
+        QVERIFY_THROWS_EXCEPTION(std::runtime_error, momentFromBytes(bytes, {}));
+    }
+
+    void aToolPartThatIsMissingIsNamed()
+    {
+        const auto withPart = std::find_if(kinds().begin(), kinds().end(), [](const scenes::KindOfScene& kind) {
+            return std::any_of(kind.scene.manipulators.begin(), kind.scene.manipulators.end(),
+                               [](const Manipulator& tool) { return tool.part != nullptr; });
+        });
+        Middle middle(*withPart);
+        const Bytes bytes = momentToBytes(*middle.moment);
+        QVERIFY(refusal(bytes, middle).empty());
+        middle.parts = {std::make_shared<const ToolPart>(shapes::box(Vec3(1, 2, 3)))};
+        QVERIFY(refusal(bytes, middle).find("made of a part") != std::string::npos);
+        // The same surface in another place of memory is the same part.
+        middle.parts.push_back(std::make_shared<const ToolPart>(shapes::box({0.01, 0.01, 0.03})));
+        QVERIFY(refusal(bytes, middle).empty());
+    }
+
+    void anythingCutOffIsASentence()
+    {
+        const Middle middle(kinds()[3]);
+        const Bytes whole = momentToBytes(*middle.moment);
+        for (std::size_t size = 0; size < whole.size(); size += 97) {
+            Bytes bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
+            QVERIFY(!refusal(bytes, middle).empty());
+            bytes.resize(whole.size());
+            QVERIFY(!refusal(bytes, middle).empty());
+        }
+    }
+
+    void everyFlippedBitIsFound()
+    {
+        const Middle middle(kinds()[4]);
+        const Bytes whole = momentToBytes(*middle.moment);
+        fuzz::Random random(7);
+        for (int i = 0; i < 2000; ++i) {
+            Bytes bytes = whole;
+            const std::size_t place = i < 288 ? static_cast<std::size_t>(i) / 8 : random.below(bytes.size());
+            bytes[place] ^= static_cast<std::byte>(1U << random.below(8));
+            QVERIFY(!refusal(bytes, middle).empty());
+        }
+    }
+
+    void whatIsReadFromForgedBytesCanBeSimulated_data()
+    {
+        QTest::addColumn<int>("kind");
+        for (const int kind : {3, 4, 8, 9, 12, 13, 15, 18})
+            QTest::newRow(kinds()[static_cast<std::size_t>(kind)].name.c_str()) << kind;
+    }
+    void whatIsReadFromForgedBytesCanBeSimulated()
+    {
+        QFETCH(int, kind);
+        const Middle middle(kinds()[static_cast<std::size_t>(kind)]);
+        const Bytes whole = momentToBytes(*middle.moment);
+        fuzz::Random random(static_cast<std::uint64_t>(kind));
+        int refused = 0;
+        int simulated = 0;
+        Simulation simulation(middle.scene);
+        for (int i = 0; i < 400; ++i) {
+            Bytes bytes = whole;
+            // Small things, which numbers and indices are among, lie at the ends.
+            const std::size_t from = random.below(3);
+            const std::size_t range = from == 0 ? bytes.size() - 36 : std::min<std::size_t>(2000, bytes.size() - 36);
+            const std::size_t place = from == 1 ? bytes.size() - 1 - random.below(range) : 36 + random.below(range);
+            bytes[place] = random.chance(50) ? static_cast<std::byte>(random.next())
+                                             : bytes[place] ^ static_cast<std::byte>(1U << random.below(8));
+            sign(bytes);
+            try {
+                auto moment = std::make_shared<const Moment>(momentFromBytes(bytes, middle.scene.bodies, middle.parts));
+                simulation.goTo(std::move(moment));
+                for (int step = 0; step < 3; ++step)
+                    simulation.step();
+                simulation.snapshot();
+                simulation.keepMoment();
+                ++simulated;
+            } catch (const std::runtime_error&) {
+                ++refused;
+            }
+        }
+        QCOMPARE(refused + simulated, 400);
+        QVERIFY(refused > 0 && simulated > 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(MomentBytesTest)
+#include "moment_bytes_test.moc"
