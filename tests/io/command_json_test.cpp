@@ -11,6 +11,7 @@
 #include <set>
 
 using namespace knead;
+using namespace std::string_literals;
 
 namespace {
 
@@ -91,7 +92,7 @@ private slots:
 
     void textsOfAnyKindComeBack()
     {
-        Fixture fixture{.name = std::string("tab\t quote\" back\\ zero\0 Ümläut 立方体", 44)};
+        Fixture fixture{.name = "tab\t quote\" back\\ zero\0 Ümläut 立方体"s};
         const std::vector<RecordedCommand> commands{{0, AddFixture{fixture}}};
         QVERIFY(same::values(thereAndBack(commands), commands));
         fixture.name = "broken \xff utf"; // becomes what can be read, not what cannot

@@ -138,7 +138,7 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
     row("written twice", with("exports", R"([{"file": "a.stl"}, {"file": "a.stl"}])"),
         "exports[1].file is written twice: \"a.stl\".");
     row("mesh with a width", with("exports", R"([{"file": "a.stl", "width": 10}])"),
-        "exports[0].width is not a known key; allowed here: file, unit, tolerance_mm, ap214, report.");
+        "exports[0].width is not a known key; allowed here: file, unit, tolerance_mm, ap214, text, report.");
     row("view", with("exports", R"([{"file": "a.png", "view": "inside"}])"),
         "exports[0].view must be one of back, bottom, front, isometric, left, right, top or a direction of 3 numbers, "
         "got \"inside\".");
