@@ -7,8 +7,8 @@ namespace knead {
 
 namespace {
 
-constexpr double differenceShare = 1e-3; // of the feature size
-constexpr double longestDifference = 1;  // maps that have no features
+constexpr double differenceShare = 0.1; // of the feature size: steps of a skin beside thin walls are far smaller
+constexpr double longestDifference = 1; // maps that have no features
 
 } // namespace
 

@@ -23,7 +23,7 @@ public:
     /// Where one point is taken.
     Vec3 at(const Vec3& point) const;
 
-    /// Gradient F = dx/dX at a point, by central differences over a thousandth of the feature size. Its determinant is
+    /// Gradient F = dx/dX at a point, by central differences over a tenth of the feature size. Its determinant is
     /// negative where the map folds space.
     Mat3 gradient(const Vec3& point) const;
 };
