@@ -12,8 +12,31 @@ std::size_t SplineKnots::spanOf(double parameter) const
     return static_cast<std::size_t>(above - values.begin()) - 1;
 }
 
-SplineKnots SplineKnots::split(const std::vector<bool>& marked) const
+namespace {
+
+constexpr double steepest = 4.5; // ratio of spans side by side
+
+/// Marks spans, too, beside which much shorter ones would be.
+std::vector<bool> graded(const std::vector<double>& knots, std::vector<bool> marked)
 {
+    const auto length = [&](std::size_t span) { return (knots[span + 1] - knots[span]) / (marked[span] ? 2 : 1); };
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t i = 0; i + 1 < marked.size(); ++i) {
+            const std::size_t longer = length(i) > length(i + 1) ? i : i + 1;
+            const std::size_t other = longer == i ? i + 1 : i;
+            if (!marked[longer] && marked[other] && length(longer) > steepest * length(other))
+                changed = marked[longer] = true;
+        }
+    }
+    return marked;
+}
+
+} // namespace
+
+SplineKnots SplineKnots::split(const std::vector<bool>& wanted) const
+{
+    const std::vector<bool> marked = graded(values, wanted);
     SplineKnots result;
     for (std::size_t i = 0; i < values.size(); ++i) {
         result.values.push_back(values[i]);

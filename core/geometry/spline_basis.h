@@ -19,8 +19,9 @@ struct SplineKnots {
     /// Which span holds a parameter; the first or last one for those outside.
     std::size_t spanOf(double parameter) const;
 
-    /// In every span marked, a knot of multiplicity 1 in its middle.
-    SplineKnots split(const std::vector<bool>& marked) const;
+    /// In every span marked, a knot of multiplicity 1 in its middle; and in those beside that would become more than 4.5
+    /// times as long, since interpolation overshoots where spans of very different lengths meet.
+    SplineKnots split(const std::vector<bool>& wanted) const;
 
     /// Knots at a and b and nothing between.
     static SplineKnots between(double a, double b);

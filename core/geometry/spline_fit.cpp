@@ -9,7 +9,7 @@ namespace knead {
 
 namespace {
 
-constexpr int mostRounds = 14;
+constexpr int mostRounds = 24;
 constexpr std::size_t leastLooks = 3; // at errors within a span
 constexpr std::size_t mostLooks = 24; // features that small are below any sensible span
 constexpr std::size_t mostLines = 24; // along which errors are looked for, per direction
@@ -166,8 +166,8 @@ private:
             const Vec3 alongV = places[i + 3] - places[i + 2];
             const Vec3 normal = alongU.cross(alongV);
             if (normal.norm() > leastSine * alongU.norm() * alongV.norm()) // else: a pole, which has no normal
-                m_slopes.push_back({{parameters[i], parameters[i + 1], parameters[i + 2], parameters[i + 3]},
-                                    normal.normalized()});
+                m_slopes.push_back(
+                    {{parameters[i], parameters[i + 1], parameters[i + 2], parameters[i + 3]}, normal.normalized()});
         }
     }
 
@@ -206,48 +206,48 @@ private:
             m_bases[1].interpolate(&m_poles[i * nv], 1);
     }
 
-    /// The target where it counts, and something smooth that goes with it elsewhere: there it may be anything, and jump.
+    /// The target where it is known, and something smooth that goes with it elsewhere: there it may be anything, and jump.
     std::vector<Vec3> placesAt(const std::vector<Vec2>& grid) const
     {
-        std::vector<bool> counts(grid.size());
+        std::vector<bool> known(grid.size());
         std::vector<Vec2> asked;
         for (std::size_t i = 0; i < grid.size(); ++i)
-            if (counts[i] = m_wanted.counts(grid[i]); counts[i])
+            if (known[i] = m_wanted.isKnown(grid[i]); known[i])
                 asked.push_back(grid[i]);
         std::vector<Vec3> found(asked.size());
         m_wanted.target(asked, found);
         std::vector<Vec3> places(grid.size(), Vec3::Zero());
         for (std::size_t i = 0, next = 0; i < grid.size(); ++i)
-            if (counts[i])
+            if (known[i])
                 places[i] = found[next++];
-        joinEnds(places, counts);
-        if (std::find(counts.begin(), counts.end(), false) == counts.end())
+        joinEnds(places, known);
+        if (std::find(known.begin(), known.end(), false) == known.end())
             return places;
         std::vector<Vec3> rest(grid.size());
         m_wanted.rest(grid, rest);
         std::vector<Vec3> displacements(grid.size(), Vec3::Zero());
         for (std::size_t i = 0; i < grid.size(); ++i)
-            if (counts[i])
+            if (known[i])
                 displacements[i] = places[i] - rest[i];
-        completeGrid(linesOf(0), linesOf(1), counts, displacements);
+        completeGrid(linesOf(0), linesOf(1), known, displacements);
         for (std::size_t i = 0; i < grid.size(); ++i)
-            places[i] = counts[i] ? places[i] : rest[i] + displacements[i];
+            places[i] = known[i] ? places[i] : rest[i] + displacements[i];
         std::vector<bool> all(grid.size(), true);
         joinEnds(places, all);
         return places;
     }
 
-    /// Where the target is closed, its two ends become the same, bit by bit, and both count where one of them does.
-    void joinEnds(std::vector<Vec3>& places, std::vector<bool>& counts) const
+    /// Where the target is closed, its two ends become the same, bit by bit, and both are known where one of them is.
+    void joinEnds(std::vector<Vec3>& places, std::vector<bool>& known) const
     {
         const std::size_t nu = m_bases[0].size();
         const std::size_t nv = m_bases[1].size();
         const auto join = [&](std::size_t first, std::size_t last) {
-            if (counts[first])
+            if (known[first])
                 places[last] = places[first];
             else
                 places[first] = places[last];
-            counts[first] = counts[last] = counts[first] || counts[last];
+            known[first] = known[last] = known[first] || known[last];
         };
         if (m_wanted.isClosed[0])
             for (std::size_t j = 0; j < nv; ++j)

@@ -56,15 +56,16 @@ SplineFit<SplineCurve> fitCurve(const CurveTarget& target, const SplineKnots& st
 /// What a surface is fitted to and where.
 struct SurfaceToFit {
     SurfaceTarget target;
-    SurfaceTarget
-        rest;      ///< what the target is a deformation of. Where errors do not matter the target is not asked: it is
-                   ///< this, displaced in a way that goes on smoothly from where they do
-    SplineKnots u; ///< as `start` of fitCurve()
+    SurfaceTarget rest; ///< what the target is a deformation of. Where the target is not known the spline follows this,
+                        ///< displaced in a way that goes on smoothly from where it is
+    SplineKnots u;      ///< as `start` of fitCurve()
     SplineKnots v;
     Vec2 feature = Vec2::Ones();             ///< as `feature` of fitCurve(), along u and v
     std::function<bool(const Vec2&)> counts; ///< whether errors matter at a place
-    std::vector<Vec2> checks;                ///< places where they matter most
-    std::array<bool, 2> isClosed{};          ///< along u and v: the target ends where it begins, and so will the spline
+    /// Whether the target is known at a place, as it must be where errors matter; the further around, the smoother the spline.
+    std::function<bool(const Vec2&)> isKnown;
+    std::vector<Vec2> checks;       ///< places where they matter most
+    std::array<bool, 2> isClosed{}; ///< along u and v: the target ends where it begins, and so will the spline
 };
 
 /// As fitCurve(), for a surface: interpolation in both directions one after the other. Errors are looked for along lines of

@@ -24,6 +24,7 @@ namespace {
 constexpr int samplesPerEdge = 16;
 constexpr double leastLooks = 6; // into a face, per direction
 constexpr double mostLooks = 60;
+constexpr double reach = 0.4; // beyond a face, in features: so near to the material its map is good, and smooth
 
 Handle(Geom2d_Curve) withoutTrim(Handle(Geom2d_Curve) curve)
 {
@@ -55,15 +56,15 @@ class FaceMorpher {
 public:
     FaceMorpher(const TopoDS_Face& face, const SmoothMap& map, const MorphOptions& options)
         : m_face(face)
-        , m_mask(m_face)
         , m_map(map)
         , m_options(options)
         , m_border(m_face.borderSamples(samplesPerEdge))
+        , m_perFeature((m_face.lengths() / map.featureSize()).cwiseMax(1e-9))
+        , m_feature((m_face.high() - m_face.low()).cwiseQuotient(m_perFeature))
+        , m_mask(m_face, reach * m_feature)
     {
-        const Vec2 perFeature = m_face.lengths() / map.featureSize();
-        m_feature = (m_face.high() - m_face.low()).cwiseQuotient(perFeature.cwiseMax(1e-9));
         for (Eigen::Index axis = 0; axis < 2; ++axis)
-            m_looks[axis] = std::floor(std::clamp(2 * perFeature[axis] + 1, leastLooks, mostLooks));
+            m_looks[axis] = std::floor(std::clamp(2 * m_perFeature[axis] + 1, leastLooks, mostLooks));
     }
 
     MorphedFace run()
@@ -164,12 +165,13 @@ private:
             .v = knotsOf(part, SurfaceDirection::v, low[1], high[1], m_options.degree),
             .feature = m_feature,
             .counts = [&](const Vec2& at) { return m_mask.isNear(at); },
+            .isKnown = [&](const Vec2& at) { return m_mask.isInReach(at); },
             .checks = m_border,
             .isClosed = {isClosed(0), isClosed(1)},
         };
-        const auto fitted = fitSurface(wanted, {.degree = m_options.degree,
-                                                .tolerance = m_options.faceTolerance(),
-                                                .slopeTolerance = m_options.slope});
+        const auto fitted = fitSurface(
+            wanted,
+            {.degree = m_options.degree, .tolerance = m_options.faceTolerance(), .slopeTolerance = m_options.slope});
         result.kind = MorphedFaceKind::fitted;
         result.surface = toGeometry(fitted.spline);
         result.error = fitted.error;
@@ -250,11 +252,12 @@ private:
     }
 
     TrimmedFace m_face;
-    TrimMask m_mask;
     const SmoothMap& m_map;
     const MorphOptions& m_options;
     std::vector<Vec2> m_border;
-    Vec2 m_feature = Vec2::Ones(); // in parameters
+    Vec2 m_perFeature; // size of the face
+    Vec2 m_feature;    // in parameters
+    TrimMask m_mask;
     Vec2 m_looks = Vec2::Ones();
 };
 

@@ -10,18 +10,24 @@ namespace knead {
 namespace {
 
 constexpr int piecesPerCurve = 96;
+constexpr double widestReach = 1.0 / 12; // of the box
 
 } // namespace
 
-TrimMask::TrimMask(const TrimmedFace& face)
+TrimMask::TrimMask(const TrimmedFace& face, const Vec2& reach)
     : m_low(face.low())
     , m_high(face.high())
     , m_near(std::size_t{side} * side, face.edges().empty())
 {
-    if (face.edges().empty())
-        return;
-    markBorder(face);
-    fillInside(face);
+    if (!face.edges().empty()) {
+        markBorder(face);
+        fillInside(face);
+    }
+    m_inReach = m_near;
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+        const double share = std::min(widestReach, reach[axis] / (m_high - m_low)[axis]);
+        m_inReach = widened(m_inReach, static_cast<int>(side * share), axis);
+    }
 }
 
 int TrimMask::cellOf(double parameter, Eigen::Index axis) const
@@ -30,9 +36,25 @@ int TrimMask::cellOf(double parameter, Eigen::Index axis) const
     return static_cast<int>(std::clamp(std::floor(side * share), 0.0, side - 1.0));
 }
 
-bool TrimMask::isNear(const Vec2& parameters) const
+std::size_t TrimMask::cellAt(const Vec2& parameters) const
 {
-    return m_near[static_cast<std::size_t>(cellOf(parameters[0], 0) * side + cellOf(parameters[1], 1))];
+    return static_cast<std::size_t>(cellOf(parameters[0], 0) * side + cellOf(parameters[1], 1));
+}
+
+/// Marks all cells that are at most so many from a marked one, along one direction.
+TrimMask::Marks TrimMask::widened(const Marks& marks, int by, Eigen::Index axis) const
+{
+    Marks wide = marks;
+    const int step = axis == 0 ? side : 1;
+    for (int line = 0; line < side; ++line)
+        for (int i = 0; i < side; ++i) {
+            const int first = axis == 0 ? line : line * side;
+            if (!marks[static_cast<std::size_t>(first + i * step)])
+                continue;
+            for (int k = std::max(0, i - by); k <= std::min(side - 1, i + by); ++k)
+                wide[static_cast<std::size_t>(first + k * step)] = true;
+        }
+    return wide;
 }
 
 /// All cells that an edge goes through.
@@ -52,7 +74,7 @@ void TrimMask::markBorder(const TrimmedFace& face)
                 const int steps = 1 + static_cast<int>(std::min(2 * cells, 4.0 * side));
                 for (int step = 0; step <= steps; ++step) {
                     const Vec2 place = begin + (end - begin) * step / steps;
-                    m_near[static_cast<std::size_t>(cellOf(place[0], 0) * side + cellOf(place[1], 1))] = true;
+                    m_near[cellAt(place)] = true;
                 }
                 begin = end;
             }

@@ -96,7 +96,7 @@ private slots:
         wanted.rest = [&](std::span<const Vec2> parameters, std::span<Vec3> places) {
             std::transform(parameters.begin(), parameters.end(), places.begin(), ring);
         };
-        wanted.counts = [](const Vec2& at) { return at[1] < 0.6; };
+        wanted.counts = wanted.isKnown = [](const Vec2& at) { return at[1] < 0.6; };
         wanted.u = wanted.v = SplineKnots::between(0, 1);
         wanted.feature = Vec2(0.1, 1);
         wanted.isClosed = {true, false};
