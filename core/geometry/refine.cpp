@@ -151,4 +151,9 @@ TriangleMesh refine(const TriangleMesh& mesh, double maximumEdge, std::size_t ma
     return result;
 }
 
+TriangleMesh halveEdges(const TriangleMesh& mesh)
+{
+    return Splitter(mesh, 0).split();
+}
+
 } // namespace knead

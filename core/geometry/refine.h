@@ -13,4 +13,7 @@ namespace knead {
 /// @pre maximumEdge > 0
 TriangleMesh refine(const TriangleMesh& mesh, double maximumEdge, std::size_t maximumTriangles = 400'000);
 
+/// Every edge gets a vertex in its middle, so that four triangles take the place of each.
+TriangleMesh halveEdges(const TriangleMesh& mesh);
+
 } // namespace knead

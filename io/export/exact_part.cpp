@@ -3,8 +3,8 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/refine.h"
 #include "core/geometry/self_intersection.h"
-#include "core/skin/deformed_surface.h"
 #include "core/skin/skin_map.h"
+#include "io/export/divided_shape.h"
 #include "io/export/faceted_solid.h"
 #include "io/export/place_words.h"
 #include "io/face_integral.h"
@@ -15,6 +15,7 @@
 #include <gp_Trsf.hxx>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 
@@ -53,20 +54,35 @@ std::shared_ptr<const SmoothMap> mapOf(const PartToExport& part)
     return std::make_shared<SkinMap>(*part.aggregate, part.displacements);
 }
 
-/// A surface of a part at its present place, fine enough to bend with the objects as far as the number of triangles allows.
-TriangleMesh deformedMesh(const PartToExport& part, const TriangleMesh& rest, std::size_t most)
+/// A surface of a part, fine enough to bend with the objects as far as the number of triangles allows.
+TriangleMesh refined(const PartToExport& part, const TriangleMesh& rest, std::size_t most)
 {
-    if (part.map != nullptr) {
-        TriangleMesh mesh = refine(rest, part.part.box.diagonal().norm() / triangleEdges, most);
-        part.map->evaluate(std::vector<Vec3>(mesh.vertices), mesh.vertices);
-        return mesh;
-    }
-    return part.aggregate == nullptr ? rest : deformedSurface(rest, *part.aggregate, part.displacements, most);
+    if (part.map == nullptr && part.aggregate == nullptr)
+        return rest;
+    const double edge =
+        part.map == nullptr ? part.aggregate->lattice.spacing : part.part.box.diagonal().norm() / triangleEdges;
+    return refine(rest, edge, most);
+}
+
+TriangleMesh carried(const SmoothMap& map, TriangleMesh mesh)
+{
+    map.evaluate(std::vector<Vec3>(mesh.vertices), mesh.vertices);
+    return mesh;
+}
+
+/// What a closed surface holds once it is carried [m^3]. Chords cut volume off in proportion to the square of their length:
+/// where the triangles could not be as fine as wanted, halving their edges says how much.
+double volumeOf(const SmoothMap& map, const TriangleMesh& rest, const TriangleMesh& now)
+{
+    const double volume = massProperties(now).volume;
+    if (now.triangles.size() < mostTriangles)
+        return volume;
+    return volume + 4.0 / 3 * (massProperties(carried(map, halveEdges(rest))).volume - volume);
 }
 
 /// A closed surface of flat faces, as few as describe the part: CAD programs are slow with many.
 /// @param source its exact shape; null for a mesh
-TriangleMesh facetsOf(const PartToExport& part, const TopoDS_Shape& source)
+TriangleMesh facetsOf(const PartToExport& part, const SmoothMap& map, const TopoDS_Shape& source)
 {
     TriangleMesh rest = part.part.mesh;
     if (!source.IsNull()) {
@@ -75,7 +91,7 @@ TriangleMesh facetsOf(const PartToExport& part, const TopoDS_Shape& source)
         if (isWatertight(coarse) && coarse.triangles.size() < rest.triangles.size())
             rest = std::move(coarse);
     }
-    TriangleMesh facets = deformedMesh(part, rest, wantedFacets);
+    TriangleMesh facets = carried(map, refined(part, rest, wantedFacets));
     if (facets.triangles.size() > mostFacets)
         throw std::runtime_error("\"" + part.part.name + "\" would need " + std::to_string(facets.triangles.size()) +
                                  " flat faces, more than CAD programs can work with; export it as a mesh.");
@@ -155,28 +171,87 @@ void noteMisses(const MorphedShape& shape, const std::string& name, double aim, 
                              (count == 1 ? " does" : " do") + text);
 }
 
-void addFaceColors(const Part& part, CadPartToWrite& out)
+/// @param origin per face that is written: which of the part it is of
+void addFaceColors(const Part& part, const std::vector<std::uint32_t>& origin, CadPartToWrite& out)
 {
-    for (const PartFace& face : part.faces)
-        out.faceColors.push_back(face.color);
+    out.faceColors.clear();
+    for (const std::uint32_t face : origin)
+        out.faceColors.push_back(face < part.faces.size() ? part.faces[face].color : std::nullopt);
 }
 
 void makeFaceted(const PartToExport& part, const std::string& reason, ReadyPart& ready)
 {
-    const FacetedSolid solid = facetedSolid(facetsOf(part, ready.source), flatness * ready.report.tolerance);
+    ready.next.reset();
+    const FacetedSolid solid =
+        facetedSolid(facetsOf(part, *ready.map, ready.source), flatness * ready.report.tolerance);
     ready.out.shape = solid.shape;
     ready.source.Nullify();
     ready.report.form = PartExportReport::Form::faceted;
     ready.report.reason = reason;
-    ready.out.faceColors.clear();
-    for (const std::uint32_t face : solid.origin)
-        ready.out.faceColors.push_back(face < part.part.faces.size() ? part.part.faces[face].color : std::nullopt);
+    addFaceColors(part.part, solid.origin, ready.out);
+}
+
+/// Divides the faces of the source that close in themselves. @return false when there are none
+bool divideClosedFaces(const PartToExport& part, ReadyPart& ready)
+{
+    const DividedShape divided = withoutClosedFaces(ready.source);
+    const std::size_t added = divided.origin.size() - part.part.faces.size();
+    if (divided.origin.size() <= part.part.faces.size())
+        return false;
+    ready.source = divided.shape;
+    addFaceColors(part.part, divided.origin, ready.out);
+    ready.report.remarks.push_back(std::to_string(added) + (added == 1 ? " face was" : " faces were") +
+                                   " added: those that close in themselves came in two, since as they were bent here "
+                                   "they did not make a sound solid.");
+    return true;
+}
+
+/// Carries the faces of the source through the map.
+/// @return why they cannot be used; empty when they can
+std::string bend(ReadyPart& ready, TaskControl& control)
+{
+    PartExportReport& report = ready.report;
+    const MorphOptions options{.tolerance = 1e3 * report.tolerance};
+    MorphedShape morphed = morphShape(ready.source, *ready.map, options, control);
+    if (const std::string reason = whyNot(morphed); !reason.empty())
+        return reason;
+    report.keptFaces =
+        static_cast<int>(std::count_if(morphed.notes.begin(), morphed.notes.end(),
+                                       [](const MorphedFaceNote& note) { return note.kind == MorphedFaceKind::kept; }));
+    noteMisses(morphed, report.name, options.faceTolerance(), report);
+    ready.notes = std::move(morphed.notes);
+    ready.out.shape = faceIntegralsOf(morphed.shape).volume < 0 ? morphed.shape.Reversed() : morphed.shape;
+    return {};
+}
+
+/// Its own faces bent, divided where that is needed, or flat ones.
+void makeBent(const PartToExport& part, FaceManner from, TaskControl& control, ReadyPart& ready)
+{
+    const auto flat = ready.report.crossesItself ? std::nullopt // as flat faces would
+                                                 : std::optional(FaceManner::flat);
+    ready.next = from == FaceManner::own && hasClosedFaces(ready.source) ? FaceManner::divided : flat;
+    std::string reason = "read back from the file, its bent faces are no sound solid.";
+    if (from == FaceManner::own) {
+        TaskPortion portion(control, 0, 0.5);
+        reason = bend(ready, portion);
+        if (reason.empty())
+            return;
+    }
+    if (from != FaceManner::flat && divideClosedFaces(part, ready)) {
+        ready.next = flat;
+        TaskPortion portion(control, 0.5, 1);
+        reason = bend(ready, portion);
+        if (reason.empty())
+            return;
+        ready.report.remarks.pop_back();
+    }
+    makeFaceted(part, reason, ready);
 }
 
 } // namespace
 
-ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options,
-                    const std::string& flatBecause, TaskControl& control)
+ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options, FaceManner from,
+                    TaskControl& control)
 {
     ReadyPart ready;
     ready.out.name = part.part.name;
@@ -197,12 +272,12 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
     report.tolerance = options.tolerance > 0 ? options.tolerance : defaultTolerance * part.part.box.diagonal().norm();
 
     control.report(0, "bending the surface");
-    const TriangleMesh mesh = deformedMesh(part, part.part.mesh, mostTriangles);
+    const TriangleMesh rest = refined(part, part.part.mesh, mostTriangles);
+    const TriangleMesh now = carried(*ready.map, rest);
     // Triangles miss the volume of curved faces, in nearly the same measure before and after.
     const double restOfMesh = massProperties(part.part.mesh).volume;
-    report.skinVolume = !part.part.watertight ? 0
-                        : restOfMesh > 0      ? part.part.volume * massProperties(mesh).volume / restOfMesh
-                                              : massProperties(mesh).volume;
+    const double volume = part.part.watertight ? volumeOf(*ready.map, rest, now) : 0;
+    report.skinVolume = restOfMesh > 0 ? volume * part.part.volume / restOfMesh : volume;
     control.throwIfCancelled();
 
     if (shape.IsNull() && !part.part.watertight)
@@ -214,41 +289,23 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
     }
     const bool isMoved = dynamic_cast<const InPlace*>(ready.map.get()) == nullptr;
     ready.source = inMillimetres(shape, part.part.exact->unit);
-    if (!flatBecause.empty()) {
-        makeFaceted(part, flatBecause, ready);
-        return ready;
-    }
-    if (isMoved) {
-        const TriangleMesh fine =
-            refine(part.part.mesh, part.part.box.diagonal().norm() / triangleEdges, mostTriangles);
-        if (const auto fold = foldOf(*ready.map, fine)) {
-            makeFaceted(part,
-                        "its material is folded over itself near " + placeWords(*fold) +
-                            "; smooth faces cannot follow that.",
-                        ready);
-            return ready;
-        }
-        noteCrossings(part.part.mesh, mesh, control, report);
-    }
-    addFaceColors(part.part, ready.out);
+    std::vector<std::uint32_t> own(part.part.faces.size());
+    std::iota(own.begin(), own.end(), 0U);
+    addFaceColors(part.part, own, ready.out);
     if (!isMoved) {
         ready.out.shape = ready.source;
         report.keptFaces = report.facesBefore;
         return ready;
     }
-    TaskPortion morphing(control, 0.2, 1);
-    const MorphOptions morphOptions{.tolerance = 1e3 * report.tolerance};
-    MorphedShape morphed = morphShape(ready.source, *ready.map, morphOptions, morphing);
-    if (const std::string reason = whyNot(morphed); !reason.empty()) {
-        makeFaceted(part, reason, ready);
+    if (const auto fold = foldOf(*ready.map, rest)) {
+        makeFaceted(
+            part, "its material is folded over itself near " + placeWords(*fold) + "; smooth faces cannot follow that.",
+            ready);
         return ready;
     }
-    report.keptFaces =
-        static_cast<int>(std::count_if(morphed.notes.begin(), morphed.notes.end(),
-                                       [](const MorphedFaceNote& note) { return note.kind == MorphedFaceKind::kept; }));
-    noteMisses(morphed, part.part.name, morphOptions.faceTolerance(), report);
-    ready.notes = std::move(morphed.notes);
-    ready.out.shape = faceIntegralsOf(morphed.shape).volume < 0 ? morphed.shape.Reversed() : morphed.shape;
+    noteCrossings(part.part.mesh, now, control, report);
+    TaskPortion bending(control, 0.2, 1);
+    makeBent(part, from, bending, ready);
     return ready;
 }
 

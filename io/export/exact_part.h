@@ -7,24 +7,33 @@
 #include "io/morph/brep_morph.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace knead {
 
+/// What the faces of a part are to be: what comes first is better, what comes last always works.
+enum class FaceManner {
+    own,     ///< one for each of its own
+    divided, ///< those that close in themselves in two, see withoutClosedFaces()
+    flat,    ///< triangles
+};
+
 /// A part as it will be written, and what the check needs to know about it.
 struct ReadyPart {
     CadPartToWrite out;
-    PartExportReport report;              ///< what is known before the file is read back
-    TopoDS_Shape source;                  ///< of an exact part, at rest [mm]
+    std::optional<FaceManner> next; ///< what to try when it does not come back sound; none: nothing would be better
+    PartExportReport report;        ///< what is known before the file is read back
+    TopoDS_Shape source;            ///< of an exact part, at rest [mm]
     std::shared_ptr<const SmoothMap> map; ///< that took it where it is [m]
     std::vector<MorphedFaceNote> notes;
 };
 
-/// Makes the shape of a part: its own faces, carried through the skin's map; flat triangles, with the reason, where these would
-/// not make a sound solid or there are none.
+/// Makes the shape of a part: its own faces, carried through the skin's map; or, with the reason, another manner where these
+/// would not make a sound solid or there are none.
 /// @param shape of part.exact, as its bytes have it; null for a mesh
-/// @param flatBecause why its own faces will not do, a sentence; empty: that is not known yet
-ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options,
-                    const std::string& flatBecause, TaskControl& control);
+/// @param from what is known not to come back sound is not tried
+ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options, FaceManner from,
+                    TaskControl& control);
 
 } // namespace knead

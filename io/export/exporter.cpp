@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 namespace knead {
@@ -37,9 +38,10 @@ private:
     std::map<const std::string*, std::vector<TopoDS_Shape>> m_shapes;
 };
 
-/// @param flatBecause per part, see makeReady()
-std::vector<ReadyPart> makeAllReady(const ExportJob& job, const std::vector<std::string>& flatBecause,
-                                    TaskControl& control)
+/// Per part, see makeReady().
+using Manners = std::vector<FaceManner>;
+
+std::vector<ReadyPart> makeAllReady(const ExportJob& job, const Manners& manners, TaskControl& control)
 {
     ShapeStore shapes;
     std::vector<ReadyPart> ready;
@@ -47,7 +49,7 @@ std::vector<ReadyPart> makeAllReady(const ExportJob& job, const std::vector<std:
     for (const PartToExport& part : job.parts) {
         const auto done = static_cast<double>(ready.size());
         TaskPortion portion(control, done / count, (done + 1) / count);
-        ready.push_back(makeReady(part, shapes.of(part.part), job.options, flatBecause[ready.size()], portion));
+        ready.push_back(makeReady(part, shapes.of(part.part), job.options, manners[ready.size()], portion));
     }
     return ready;
 }
@@ -65,15 +67,21 @@ Model readBack(FormatKind kind, const std::string& bytes, const ExportJob& job, 
                    {.linearDeflection = checkDeflection * smallest, .heal = false}, control);
 }
 
-ExportedFile writeAndReadBack(FormatKind kind, const ExportJob& job, const std::vector<std::string>& flatBecause,
-                              TaskControl& control)
-{
+/// A file, and what to try where a part did not come back sound.
+struct Attempt {
     ExportedFile file;
+    std::vector<std::optional<FaceManner>> next; ///< per part
+};
+
+Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Manners& manners, TaskControl& control)
+{
+    Attempt attempt;
+    ExportedFile& file = attempt.file;
     std::vector<ReadyPart> ready;
     {
         const OcctSession session;
         TaskPortion making(control, 0, 0.5);
-        ready = makeAllReady(job, flatBecause, making);
+        ready = makeAllReady(job, manners, making);
         std::vector<CadPartToWrite> out;
         for (const ReadyPart& part : ready)
             out.push_back(part.out);
@@ -90,37 +98,30 @@ ExportedFile writeAndReadBack(FormatKind kind, const ExportJob& job, const std::
     file.report.format = back.format;
     file.report.unit = back.unit;
     file.report.bytes = file.bytes.size();
-    for (ReadyPart& part : ready)
+    for (ReadyPart& part : ready) {
         file.report.parts.push_back(std::move(part.report));
-    return file;
+        attempt.next.push_back(part.next);
+    }
+    return attempt;
 }
 
-/// A sound part whose own faces were bent, and are no longer a sound solid for who reads the file; not that of a surface which passes
-/// through itself, which flat faces would do as well.
+/// A sound part whose own faces were bent, and are no longer a sound solid for who reads the file.
 bool isSpoilt(const PartToExport& part, const PartExportReport& report)
 {
     return part.part.valid && part.part.watertight && report.form == PartExportReport::Form::exact &&
-           report.keptFaces < report.facesBefore && !report.crossesItself && !(report.valid && report.closed && report.freeEdges == 0);
+           report.keptFaces < report.facesBefore && !(report.valid && report.closed && report.freeEdges == 0);
 }
 
-/// Writes the parts again as flat faces that came back unsound.
-ExportedFile withoutSpoiltParts(ExportedFile file, FormatKind kind, const ExportJob& job, TaskControl& control)
+/// Chooses what is to be tried next. @return false when every part came back as well as it can
+bool choose(const ExportJob& job, const Attempt& last, Manners& manners)
 {
-    std::vector<std::string> flatBecause(job.parts.size());
     bool isAny = false;
     for (std::size_t i = 0; i < job.parts.size(); ++i)
-        if (isSpoilt(job.parts[i], file.report.parts[i])) {
-            flatBecause[i] = "read back from the file, its bent faces are no sound solid.";
+        if (last.next[i] && isSpoilt(job.parts[i], last.file.report.parts[i])) {
+            manners[i] = *last.next[i];
             isAny = true;
         }
-    if (!isAny)
-        return file;
-    try {
-        return writeAndReadBack(kind, job, flatBecause, control);
-    } catch (const std::runtime_error& error) { // too many flat faces: better the first file, with what is wrong with it
-        file.report.warnings.emplace_back(error.what());
-        return file;
-    }
+    return isAny;
 }
 
 } // namespace
@@ -130,15 +131,23 @@ ExportedFile exportCad(FormatKind kind, const ExportJob& job, TaskControl& contr
     if (job.parts.empty())
         throw std::runtime_error("There is nothing to export.");
     const auto start = std::chrono::steady_clock::now();
-    ExportedFile file;
-    {
-        TaskPortion first(control, 0, 0.8);
-        file = writeAndReadBack(kind, job, std::vector<std::string>(job.parts.size()), first);
+    Manners manners(job.parts.size(), FaceManner::own);
+    TaskPortion first(control, 0, 0.8);
+    Attempt attempt = writeAndReadBack(kind, job, manners, first);
+    for (double done = 0.8; choose(job, attempt, manners); done += 0.1) {
+        TaskPortion again(control, done, done + 0.1);
+        try {
+            attempt = writeAndReadBack(kind, job, manners, again);
+        } catch (const Cancelled&) {
+            throw;
+        } catch (const std::runtime_error& error) {
+            // Too many flat faces: better what there is, with what is wrong with it.
+            attempt.file.report.warnings.emplace_back(error.what());
+            break;
+        }
     }
-    TaskPortion second(control, 0.8, 1);
-    file = withoutSpoiltParts(std::move(file), kind, job, second);
-    file.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return file;
+    attempt.file.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return std::move(attempt.file);
 }
 
 } // namespace knead

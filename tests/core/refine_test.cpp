@@ -75,6 +75,16 @@ private slots:
         QVERIFY(fine.triangles.size() < 20'000);
         QVERIFY(isWatertight(fine));
     }
+
+    void halvesOfAllEdgesMakeFourTrianglesOfEach()
+    {
+        const TriangleMesh coarse = shapes::box({0.1, 0.03, 0.013});
+        const TriangleMesh fine = halveEdges(coarse);
+        QCOMPARE(fine.triangles.size(), 4 * coarse.triangles.size());
+        QCOMPARE(longestEdge(fine), 0.5 * longestEdge(coarse));
+        QVERIFY(isWatertight(fine));
+        QVERIFY(std::abs(massProperties(fine).volume - 0.1 * 0.03 * 0.013) < 1e-15);
+    }
 };
 
 QTEST_GUILESS_MAIN(RefineTest)
