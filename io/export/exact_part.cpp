@@ -26,8 +26,10 @@ namespace {
 constexpr double defaultTolerance = 1e-4; // of the size of the part
 constexpr std::size_t foldSamples = 3000;
 constexpr std::size_t mostTriangles = 400'000; // of the surface that volumes are compared with
-constexpr double facetDeflection = 1.0 / 400;  // of the size of a part that is written as flat faces
-constexpr double facetAngle = 0.35;            // [rad]
+constexpr std::size_t mostCrossings = 50'000;  // pairs of triangles that are looked at more closely
+constexpr int mostHalvings = 8;
+constexpr double facetDeflection = 1.0 / 400; // of the size of a part that is written as flat faces
+constexpr double facetAngle = 0.35;           // [rad]
 constexpr std::size_t wantedFacets = 10'000;
 constexpr std::size_t mostFacets = 60'000;
 constexpr double flatness = 0.1;      // of the tolerance, by which corners may be off a flat face
@@ -108,14 +110,55 @@ std::optional<Vec3> foldOf(const SmoothMap& map, const TriangleMesh& mesh)
     return std::nullopt;
 }
 
-/// Where the surface passes through itself although it did not at rest.
-void noteCrossings(const TriangleMesh& rest, const TriangleMesh& mesh, TaskControl& control, PartExportReport& report)
+/// The triangles of some pairs alone.
+TriangleMesh trianglesOf(const TriangleMesh& mesh, const Crossings& crossings)
 {
-    const Crossings now = findCrossings(mesh, control);
-    if (now.count == 0 || now.count <= findCrossings(rest, control).count)
+    TriangleMesh some;
+    std::vector<std::uint32_t> place(mesh.vertices.size(), std::numeric_limits<std::uint32_t>::max());
+    std::vector<std::uint32_t> triangles;
+    for (const auto& pair : crossings.some)
+        triangles.insert(triangles.end(), pair.begin(), pair.end());
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    for (const std::uint32_t triangle : triangles) {
+        TriangleMesh::Triangle corners = mesh.triangles[triangle];
+        for (std::uint32_t& corner : corners) {
+            if (place[corner] == std::numeric_limits<std::uint32_t>::max()) {
+                place[corner] = static_cast<std::uint32_t>(some.vertices.size());
+                some.vertices.push_back(mesh.vertices[corner]);
+            }
+            corner = place[corner];
+        }
+        some.triangles.push_back(corners);
+    }
+    return some;
+}
+
+/// Whether only chords cross, and not the surface that they stand for: then finer triangles cross less and less.
+bool isOfChords(const SmoothMap& map, const TriangleMesh& rest, const Crossings& found)
+{
+    TriangleMesh mesh = rest;
+    Crossings crossings = found;
+    for (int round = 0; round < mostHalvings && crossings.count <= crossings.some.size(); ++round) {
+        mesh = halveEdges(trianglesOf(mesh, crossings));
+        const std::size_t before = crossings.count;
+        crossings = findCrossings(carried(map, mesh), TaskControl::none(), mostCrossings);
+        if (crossings.count == 0 || crossings.count >= before)
+            break;
+    }
+    return crossings.count == 0;
+}
+
+/// Where the surface passes through itself although it did not at rest.
+/// @param rest the surface of the part, and the triangles that are carried to `now`
+void noteCrossings(const SmoothMap& map, const std::array<const TriangleMesh*, 2>& rest, const TriangleMesh& now,
+                   TaskControl& control, PartExportReport& report)
+{
+    const Crossings found = findCrossings(now, control, mostCrossings);
+    if (found.count == 0 || found.count <= findCrossings(*rest[0], control).count || isOfChords(map, *rest[1], found))
         return;
     report.crossesItself = true;
-    report.remarks.push_back("its surface passes through itself near " + placeWords(now.where.center()) +
+    report.remarks.push_back("its surface passes through itself near " + placeWords(found.where.center()) +
                              "; other programs may refuse that.");
 }
 
@@ -303,7 +346,7 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
             ready);
         return ready;
     }
-    noteCrossings(part.part.mesh, now, control, report);
+    noteCrossings(*ready.map, {&part.part.mesh, &rest}, now, control, report);
     TaskPortion bending(control, 0.2, 1);
     makeBent(part, from, bending, ready);
     return ready;

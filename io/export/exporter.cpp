@@ -18,6 +18,7 @@ namespace knead {
 namespace {
 
 constexpr double checkDeflection = 1.0 / 300; // of the size of the smallest part
+constexpr double finerTriangles = 0.6;
 
 /// The exact shape of a part; none for a mesh.
 class ShapeStore {
@@ -56,15 +57,39 @@ std::vector<ReadyPart> makeAllReady(const ExportJob& job, const Manners& manners
 
 /// With triangles for the smallest part, not finer and finer ones until these hold the volume, which is integrated exactly: a
 /// surface that passes through itself has none that they could approach.
-Model readBack(FormatKind kind, const std::string& bytes, const ExportJob& job, TaskControl& control)
+/// @param fineness of the triangles, 1 as a rule, less for finer ones
+Model readBack(FormatKind kind, const std::string& bytes, const ExportJob& job, double fineness, TaskControl& control)
 {
     double smallest = job.parts.front().part.box.diagonal().norm();
     for (const PartToExport& part : job.parts)
         smallest = std::min(smallest, part.part.box.diagonal().norm());
+    ImportOptions options{.linearDeflection = fineness * checkDeflection * smallest, .heal = false};
+    options.angularDeflection *= fineness;
     NamelessFile file;
     file.write(bytes);
-    return readCad("/proc/self/fd/" + std::to_string(file.descriptor()), kind,
-                   {.linearDeflection = checkDeflection * smallest, .heal = false}, control);
+    return readCad("/proc/self/fd/" + std::to_string(file.descriptor()), kind, options, control);
+}
+
+/// Parts whose faces meet, but whose triangles leave holes.
+std::ptrdiff_t partsWithHoles(const Model& model)
+{
+    return std::count_if(model.parts.begin(), model.parts.end(),
+                         [](const Part& part) { return !part.watertight && part.openEdges.empty(); });
+}
+
+/// Now and then a face cannot be covered with triangles of just this size; one that passes through itself with none.
+Model readBackWithoutHoles(FormatKind kind, const std::string& bytes, const ExportJob& job,
+                           const std::vector<ReadyPart>& ready, TaskControl& control)
+{
+    TaskPortion reading(control, 0, 0.5);
+    Model model = readBack(kind, bytes, job, 1, reading);
+    const bool crosses =
+        std::any_of(ready.begin(), ready.end(), [](const auto& part) { return part.report.crossesItself; });
+    if (crosses || partsWithHoles(model) == 0)
+        return model;
+    TaskPortion again(control, 0.5, 1);
+    Model finer = readBack(kind, bytes, job, finerTriangles, again);
+    return partsWithHoles(finer) < partsWithHoles(model) ? finer : model;
 }
 
 /// A file, and what to try where a part did not come back sound.
@@ -89,7 +114,7 @@ Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Manners& m
         file.bytes = writeCad(kind, out, job.tree, job.options, writing);
     }
     TaskPortion reading(control, 0.65, 0.9);
-    const Model back = readBack(kind, file.bytes, job, reading);
+    const Model back = readBackWithoutHoles(kind, file.bytes, job, ready, reading);
     {
         const OcctSession session;
         TaskPortion comparing(control, 0.9, 1);
