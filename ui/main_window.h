@@ -28,6 +28,7 @@ class MaterialPanel;
 class ModelTree;
 class StatusReadings;
 class TaskReading;
+class TimelinePanel;
 class ViewportWidget;
 
 /// The program's window: tree, properties, view, log and status bar around one document.
@@ -120,6 +121,7 @@ private:
     ImportPanel* m_import = nullptr;
     ExportPanel* m_export = nullptr;
     PerformancePanel* m_performance = nullptr;
+    TimelinePanel* m_timeline = nullptr;
     QMenu* m_addTool = nullptr;
     QLabel* m_hint = nullptr;
     StatusReadings* m_readings = nullptr;
