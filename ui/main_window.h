@@ -49,11 +49,10 @@ public:
     /// Fills the bodies anew in the background. @param spacing [m]
     void refill(double spacing);
 
+    void setTheme(Theme theme);
     /// Makes a video or pictures of what was simulated, in the background.
     /// @param path of the file, or of the folder of the pictures
     void record(const QString& path, const Recording& recording);
-
-    void setTheme(Theme theme);
 
     Document& document() { return m_document; }
     TaskRunner& tasks() { return m_tasks; }
@@ -91,6 +90,9 @@ private:
     void optionsChanged();
     void setGravity(bool on);
     void setFloor(bool on);
+    void connectRecording();
+    void askForRecording(Recording::Kind kind);
+    void askForPlace(const Recording& recording);
     void askForFile(bool withChoices);
     void askForChoices(std::vector<FilePreview> previews);
     void takeIn(const QString& unit);
@@ -106,8 +108,6 @@ private:
     std::vector<PlannedFile> planFiles(const QString& path, const ExportRequest& request) const;
     std::vector<bool> partsFor(ExportRequest::Which which) const;
     void showExport(const std::vector<ExportReport>& reports);
-    void askForRecording(Recording::Kind kind);
-    void askForPlace(const Recording& recording);
     void cancel();
     void showControls();
     void showAbout();
