@@ -49,11 +49,10 @@ public:
     /// Fills the bodies anew in the background. @param spacing [m]
     void refill(double spacing);
 
+    void setTheme(Theme theme);
     /// Makes a video or pictures of what was simulated, in the background.
     /// @param path of the file, or of the folder of the pictures
     void record(const QString& path, const Recording& recording);
-
-    void setTheme(Theme theme);
 
     Document& document() { return m_document; }
     TaskRunner& tasks() { return m_tasks; }

@@ -2,9 +2,6 @@
 #include "ui/run_window.h"
 
 #include <QComboBox>
-#include <QLabel>
-#include <QLineEdit>
-#include <QSpinBox>
 #include <QtTest>
 
 using namespace knead;

@@ -3,7 +3,6 @@
 #include "core/document/byte_stream.h"
 #include "support/window_on_test.h"
 
-#include <QComboBox>
 #include <QtTest>
 
 #include <cmath>
