@@ -6,6 +6,8 @@
 #include "io/export/export_formats.h"
 #include "io/importer.h"
 #include "io/material_library.h"
+#include "io/project/packing.h"
+#include "io/safe_file.h"
 #include "ui/run_window.h"
 
 namespace knead {
@@ -33,6 +35,12 @@ Services fileServices()
             writeReportBeside(report);
         return report;
     };
+    services.writeSafely = [](const std::string& path, const std::function<void(const std::string&)>& write) {
+        SafeFile file(path);
+        write(file.pathForNow());
+        file.keep();
+    };
+    services.packing = zstandardPacking();
     services.importFormats = formats(importFormats());
     services.exportFormats = formats(allExportFormats());
     services.materials = readMaterials(materialsFile());

@@ -73,11 +73,21 @@ Actions::Actions(QWidget* window)
     , exportMeshes(make(
           window, {"export", "&Export...", "export", {QKeySequence("Ctrl+E")}, "Write the deformed part to a file"}))
     , quit(make(window, {"quit", "&Quit", nullptr, {QKeySequence("Ctrl+Q")}}))
+    , undo(make(window, {"undo", "Undo", "undo", {QKeySequence("Ctrl+Z")}}))
+    , redo(make(window, {"redo", "Redo", "redo", {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")}}))
     , play(make(window, {"play", "Play", "play", {Qt::Key_Space}, "Run or pause the simulation"}))
     , step(make(window, {"step", "Step", "step", {Qt::Key_Period}, "One time step"}))
     , reset(make(window, {"reset", "Reset", "reset", {Qt::Key_Backspace, QKeySequence("Ctrl+R")}, "Back to the start"}))
     , gravity(make(window, {"gravity", "Gravity", "gravity", {Qt::Key_G}, "Let everything weigh something", true}))
     , floor(make(window, {"floor", "Floor", "floor", {}, "Put a floor under the part", true, true}))
+    , recordVideo(make(window, {"recordVideo",
+                                "Record &video...",
+                                "record",
+                                {},
+                                "Make a video of what was simulated, as the view shows it"}))
+    , recordPictures(make(
+          window,
+          {"recordPictures", "Record p&ictures...", nullptr, {}, "Write what was simulated as a sequence of pictures"}))
     , addTool(makeToolActions(window))
     , renormalize(
           make(window, {"renormalize",
@@ -115,6 +125,8 @@ Actions::Actions(QWidget* window)
     auto* themes = new QActionGroup(window);
     themes->addAction(lightTheme);
     themes->addAction(darkTheme);
+    undo->setEnabled(false);
+    redo->setEnabled(false);
     setDocumentOpen(false, false);
 }
 
@@ -124,6 +136,8 @@ void Actions::setDocumentOpen(bool isOpen, bool isSimulated)
         action->setEnabled(isOpen);
     for (QAction* action :
          {exportMeshes, play, step, reset, gravity, floor, renormalize, fixFaces, remove, objects, allObjects, hide})
+        action->setEnabled(isSimulated);
+    for (QAction* action : {recordVideo, recordPictures})
         action->setEnabled(isSimulated);
     for (QAction* action : addTool)
         action->setEnabled(isSimulated);

@@ -19,11 +19,16 @@ struct Actions {
     QAction* exportMeshes;
     QAction* quit;
 
+    QAction* undo;
+    QAction* redo;
+
     QAction* play;
     QAction* step;
     QAction* reset;
     QAction* gravity;
     QAction* floor;
+    QAction* recordVideo;
+    QAction* recordPictures;
 
     QList<QAction*> addTool; ///< one per form, in the order of toolKindLooks()
     QAction* renormalize;

@@ -9,6 +9,7 @@
 #include "ui/panels/model_tree.h"
 #include "ui/panels/performance_panel.h"
 #include "ui/panels/status_readings.h"
+#include "ui/panels/timeline_panel.h"
 #include "ui/units.h"
 #include "ui/viewport/viewport_widget.h"
 
@@ -27,6 +28,7 @@ namespace knead {
 namespace {
 
 constexpr double standardGravity = 9.81; // [m/s^2]
+constexpr int layoutVersion = 1;         // of the docks; layouts of another version are not restored
 } // namespace
 
 MainWindow::MainWindow(Services services, QWidget* parent)
@@ -34,6 +36,8 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     , m_services(std::move(services))
     , m_actions(std::make_unique<Actions>(this))
 {
+    m_document.setTasks(&m_tasks);
+    m_document.history().setPacking(m_services.packing);
     setObjectName("mainWindow");
     setWindowTitle(tr("Knead"));
     setWindowIcon(icon("knead"));
@@ -49,6 +53,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     connectSimulationActions();
     connectViewActions();
     connectTasks();
+    connectRecording();
     connect(&m_document, &Document::changed, this, &MainWindow::documentChanged);
     connect(&m_document, &Document::notice, this, [this](const QString& sentence) { showProblem(sentence); });
     selectionChanged();
@@ -81,6 +86,8 @@ void MainWindow::connectFileActions()
 
 void MainWindow::connectSimulationActions()
 {
+    connect(m_actions->undo, &QAction::triggered, &m_document, &Document::undo);
+    connect(m_actions->redo, &QAction::triggered, &m_document, &Document::redo);
     connect(m_actions->play, &QAction::triggered, &m_document, &Document::togglePlay);
     connect(m_actions->step, &QAction::triggered, &m_document, &Document::stepOnce);
     connect(m_actions->reset, &QAction::triggered, &m_document, &Document::reset);
@@ -96,6 +103,7 @@ void MainWindow::connectSimulationActions()
     connect(m_actions->fixFaces, &QAction::toggled, this, &MainWindow::showHint);
     connect(m_actions->remove, &QAction::triggered, &m_document, &Document::removeSelected);
     connect(m_material, &MaterialPanel::refillRequested, this, &MainWindow::refill);
+    connect(m_timeline, &TimelinePanel::looked, m_viewport, &ViewportWidget::lookBack);
     connect(m_banner, &Banner::remedyClicked, this, [this] {
         if (m_remedy)
             m_remedy();
@@ -143,7 +151,7 @@ void MainWindow::restoreSettings()
     const QSettings settings;
     setTheme(settings.value("theme").toString() == "dark" ? Theme::Dark : Theme::Light);
     restoreGeometry(settings.value("geometry").toByteArray());
-    restoreState(settings.value("docks").toByteArray());
+    restoreState(settings.value("docks").toByteArray(), layoutVersion);
 }
 
 void MainWindow::setTheme(Theme theme)
@@ -176,6 +184,13 @@ void MainWindow::documentChanged(Document::Change what)
         break;
     case Document::Change::Fixtures:
         break;
+    case Document::Change::History:
+        historyChanged();
+        break;
+    case Document::Change::Moment:
+        showSurroundings();
+        historyChanged();
+        break;
     }
 }
 
@@ -206,6 +221,17 @@ void MainWindow::contentChanged()
     for (const std::string& warning : content.warnings)
         m_log->add(QString::fromStdString(warning), LogPanel::Kind::Warning);
     showImport();
+}
+
+/// Menu and buttons say what they would undo and redo.
+void MainWindow::historyChanged()
+{
+    const auto show = [](QAction* action, const QString& verb, const std::optional<QString>& name) {
+        action->setEnabled(name.has_value());
+        action->setText(name ? tr("%1 \"%2\"").arg(verb, *name) : verb);
+    };
+    show(m_actions->undo, tr("Undo"), m_document.undoName());
+    show(m_actions->redo, tr("Redo"), m_document.redoName());
 }
 
 /// The switches say what the simulation has.
@@ -289,11 +315,13 @@ void MainWindow::setFloor(bool on)
     m_document.post(command);
 }
 
-/// Esc: stops the task, else leaves the mode, else selects nothing.
+/// Esc: stops the task, else comes back from the past, else leaves the mode, else selects nothing.
 void MainWindow::cancel()
 {
     if (m_tasks.isRunning())
         m_tasks.cancel();
+    else if (m_timeline->isLookingBack())
+        m_timeline->stopLooking();
     else if (m_actions->fixFaces->isChecked())
         m_actions->fixFaces->setChecked(false);
     else
@@ -305,7 +333,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     m_tasks.cancel();
     QSettings settings;
     settings.setValue("geometry", saveGeometry());
-    settings.setValue("docks", saveState());
+    settings.setValue("docks", saveState(layoutVersion));
     QMainWindow::closeEvent(event);
 }
 

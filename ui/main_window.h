@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/export_request.h"
+#include "ui/recording/recording.h"
 #include "ui/services.h"
 #include "ui/tasks/task_runner.h"
 #include "ui/theme.h"
@@ -28,6 +29,7 @@ class MaterialPanel;
 class ModelTree;
 class StatusReadings;
 class TaskReading;
+class TimelinePanel;
 class ViewportWidget;
 
 /// The program's window: tree, properties, view, log and status bar around one document.
@@ -48,6 +50,9 @@ public:
     void refill(double spacing);
 
     void setTheme(Theme theme);
+    /// Makes a video or pictures of what was simulated, in the background.
+    /// @param path of the file, or of the folder of the pictures
+    void record(const QString& path, const Recording& recording);
 
     Document& document() { return m_document; }
     TaskRunner& tasks() { return m_tasks; }
@@ -77,6 +82,7 @@ private:
     void showHint();
     void frameChanged();
     void selectionChanged();
+    void historyChanged();
     void showHealth(const Health& health);
     /// @param remedy what a click on the banner's button does
     void showProblem(const QString& sentence, const QString& remedyText = {}, std::function<void()> remedy = {});
@@ -84,6 +90,9 @@ private:
     void optionsChanged();
     void setGravity(bool on);
     void setFloor(bool on);
+    void connectRecording();
+    void askForRecording(Recording::Kind kind);
+    void askForPlace(const Recording& recording);
     void askForFile(bool withChoices);
     void askForChoices(std::vector<FilePreview> previews);
     void takeIn(const QString& unit);
@@ -105,8 +114,8 @@ private:
     bool isBusy();
 
     Services m_services;
-    Document m_document;
     TaskRunner m_tasks;
+    Document m_document;
     std::unique_ptr<Actions> m_actions;
     Banner* m_banner = nullptr;
     QStackedWidget* m_pages = nullptr;
@@ -119,6 +128,7 @@ private:
     ImportPanel* m_import = nullptr;
     ExportPanel* m_export = nullptr;
     PerformancePanel* m_performance = nullptr;
+    TimelinePanel* m_timeline = nullptr;
     QMenu* m_addTool = nullptr;
     QLabel* m_hint = nullptr;
     StatusReadings* m_readings = nullptr;

@@ -34,7 +34,13 @@ ViewportWidget::ViewportWidget(Document& document, QWidget* parent)
     , m_manipulation(new Manipulation(document, this))
     , m_scene(std::make_unique<SceneView>(renderWindow()))
     , m_turning(new QVariantAnimation(this))
+    , m_caption(new QLabel(this))
 {
+    m_caption->setObjectName("pastCaption");
+    m_caption->setProperty("role", "force");
+    m_caption->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_caption->move(12, 12);
+    m_caption->hide();
     setObjectName("viewport");
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -60,6 +66,7 @@ void ViewportWidget::setOptions(const SceneOptions& options)
 
 void ViewportWidget::setStyle(const SceneStyle& style)
 {
+    m_style = style;
     m_scene->setStyle(style);
     requestRender();
 }
@@ -74,20 +81,38 @@ void ViewportWidget::documentChanged(Document::Change what)
 {
     switch (what) {
     case Document::Change::Content:
+        m_past = nullptr;
+        m_caption->hide();
         m_options.hiddenParts = m_document.content().hiddenAtFirst();
         m_scene->setContent(m_document.content());
         m_scene->setOptions(m_options);
         m_scene->showFrame(m_document.frame());
         break;
     case Document::Change::Frame:
+        if (m_past)
+            return;
         m_scene->showFrame(m_document.frame());
         break;
     case Document::Change::Selection:
     case Document::Change::Fixtures:
+    case Document::Change::Moment:
         break;
+    case Document::Change::History:
+        return;
     }
     if (what != Document::Change::Frame)
         updateMarks();
+    requestRender();
+}
+
+void ViewportWidget::lookBack(const FramePointer& frame, const QString& caption)
+{
+    m_past = frame;
+    m_caption->setText(caption);
+    m_caption->adjustSize();
+    m_caption->setVisible(m_past != nullptr);
+    if (const FramePointer& shown = m_past ? m_past : m_document.frame())
+        m_scene->showFrame(shown);
     requestRender();
 }
 
@@ -104,12 +129,24 @@ void ViewportWidget::updateMarks()
         marks.hoveredTool = hovered.id;
     if (hovered.kind == PickHit::Kind::Body && m_manipulation->isFixing())
         marks.highlighted = SceneMarks::Face{hovered.id, hovered.face};
-    for (const FaceFixture& fixture : m_document.fixtures().list())
-        for (const std::uint32_t face : fixture.faces)
-            marks.fixed.push_back({fixture.body, face});
+    marks.fixed = fixedFaces();
     m_scene->setMarks(marks);
     setCursor(m_manipulation->cursor());
     requestRender();
+}
+
+std::vector<SceneMarks::Face> ViewportWidget::fixedFaces() const
+{
+    std::vector<SceneMarks::Face> faces;
+    for (const FaceFixture& fixture : m_document.fixtures().list())
+        for (const std::uint32_t face : fixture.faces)
+            faces.push_back({fixture.body, face});
+    return faces;
+}
+
+SceneLook ViewportWidget::look() const
+{
+    return {m_document.content(), m_options, {.fixed = fixedFaces()}, m_style, m_camera};
 }
 
 WindowSize ViewportWidget::window() const
@@ -224,6 +261,8 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event)
         lookFrom(*direction);
         return;
     }
+    if (m_past)
+        return;
     m_manipulation->press(rayAt(event->position()));
     setCursor(m_manipulation->cursor());
 }
@@ -241,7 +280,7 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
         setCamera(camera);
     } else if (event->buttons() & Qt::LeftButton) {
         m_manipulation->drag(rayAt(event->position()), m_camera);
-    } else {
+    } else if (!m_past) {
         m_manipulation->hover(rayAt(event->position()));
     }
 }
@@ -275,7 +314,9 @@ void ViewportWidget::keyPressEvent(QKeyEvent* event)
 {
     const bool isSlow = event->modifiers() & Qt::ShiftModifier;
     const bool isRepeated = event->isAutoRepeat() && m_document.frame() && m_document.frame()->snapshot->playing;
-    if (!isRepeated && !m_manipulation->keyPressed(event->key(), isSlow, m_camera))
+    if (m_past)
+        ViewportBridge::keyPressEvent(event);
+    else if (!isRepeated && !m_manipulation->keyPressed(event->key(), isSlow, m_camera))
         ViewportBridge::keyPressEvent(event);
 }
 
