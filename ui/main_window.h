@@ -39,7 +39,7 @@ public:
 
     /// Opens files in the background, several as one assembly. A failure is shown in a sentence and leaves everything as it was.
     void open(const QStringList& paths);
-    void open(const OpenRequest& request);
+    void open(const ImportChoices& request);
     /// Looks into the files first and asks what is wanted of them.
     void openWithChoices(const QStringList& paths);
     /// Writes the deformed parts in the background; the ending decides the format.
@@ -89,7 +89,7 @@ private:
     void takeIn(const QString& unit);
     void takeHealed(bool heal);
     void fillOpenParts();
-    void openAgain(const QString& title, std::function<Model(const Model&)> change, const OpenRequest& request);
+    void openAgain(const QString& title, std::function<Model(const Model&)> change, const ImportChoices& request);
     void askForExport();
     void askForPlace(const ExportRequest& request, const Services::Format& format);
     struct PlannedFile {

@@ -38,7 +38,7 @@ Material startMaterial(const std::vector<MaterialPreset>& presets)
 
 void MainWindow::open(const QStringList& paths)
 {
-    OpenRequest request;
+    ImportChoices request;
     request.options.timeLimit = 60 * QSettings().value("import/minutes", 0).toDouble();
     request.options.memoryLimit = (1U << 30U) * QSettings().value("import/gibibytes", 0).toDouble();
     qint64 size = 0;
@@ -72,7 +72,7 @@ void MainWindow::openWithChoices(const QStringList& paths)
         [this](std::vector<FilePreview> previews) { askForChoices(std::move(previews)); });
 }
 
-void MainWindow::open(const OpenRequest& request)
+void MainWindow::open(const ImportChoices& request)
 {
     if (request.paths.empty() || isBusy())
         return;
@@ -212,7 +212,7 @@ void MainWindow::showImport()
 }
 
 /// The same model, changed and filled by another request.
-void MainWindow::openAgain(const QString& title, std::function<Model(const Model&)> change, const OpenRequest& request)
+void MainWindow::openAgain(const QString& title, std::function<Model(const Model&)> change, const ImportChoices& request)
 {
     if (m_document.isEmpty() || isBusy())
         return;
@@ -227,7 +227,7 @@ void MainWindow::openAgain(const QString& title, std::function<Model(const Model
 
 void MainWindow::takeIn(const QString& unit)
 {
-    OpenRequest request = m_document.content().request;
+    ImportChoices request = m_document.content().request;
     request.options.unit = unit.toStdString();
     request.spacing.reset(); // it was chosen for another size
     openAgain(
@@ -237,7 +237,7 @@ void MainWindow::takeIn(const QString& unit)
 
 void MainWindow::fillOpenParts()
 {
-    OpenRequest request = m_document.content().request;
+    ImportChoices request = m_document.content().request;
     request.fillsOpenParts = true;
     request.options.heal = true;
     request.options.capsFlatOpenings = true;
@@ -246,7 +246,7 @@ void MainWindow::fillOpenParts()
 
 void MainWindow::takeHealed(bool heal)
 {
-    OpenRequest request = m_document.content().request;
+    ImportChoices request = m_document.content().request;
     request.options.heal = heal;
     open(request);
 }

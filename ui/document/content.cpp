@@ -26,7 +26,7 @@ std::string fileName(const Model& model)
     return std::filesystem::path(model.file).filename().string();
 }
 
-std::vector<std::size_t> partsToFill(const Model& model, const OpenRequest& request)
+std::vector<std::size_t> partsToFill(const Model& model, const ImportChoices& request)
 {
     std::vector<std::size_t> parts;
     for (std::size_t p = 0; p < model.parts.size(); ++p)
@@ -84,7 +84,7 @@ double automaticSpacing(const FillingSizes& sizes)
     return roundedDown(std::min(usual, std::max(forWalls, finest)));
 }
 
-double spacingOf(const OpenRequest& request, const FillingSizes& sizes)
+double spacingOf(const ImportChoices& request, const FillingSizes& sizes)
 {
     if (!request.spacing)
         return automaticSpacing(sizes);
@@ -166,7 +166,7 @@ void addPart(const Model& model, std::size_t index, std::set<std::string>& names
 }
 
 /// Fills every part that has an inside; the others become surfaces.
-Content fillContent(std::shared_ptr<const Model> model, const OpenRequest& request, TaskControl& control)
+Content fillContent(std::shared_ptr<const Model> model, const ImportChoices& request, TaskControl& control)
 {
     const std::vector<std::size_t> parts = partsToFill(*model, request);
     Content content;
@@ -241,7 +241,7 @@ std::set<std::size_t> Content::hiddenAtFirst() const
     return hidden;
 }
 
-PreparedContent prepareFiles(const Services& services, const OpenRequest& request, const Material& material,
+PreparedContent prepareFiles(const Services& services, const ImportChoices& request, const Material& material,
                              TaskControl& control)
 {
     TaskPortion importing(control, 0, importShare);
@@ -250,7 +250,7 @@ PreparedContent prepareFiles(const Services& services, const OpenRequest& reques
     return prepareModel(std::move(model), request, material, filling);
 }
 
-PreparedContent prepareModel(std::shared_ptr<const Model> model, const OpenRequest& request, const Material& material,
+PreparedContent prepareModel(std::shared_ptr<const Model> model, const ImportChoices& request, const Material& material,
                              TaskControl& control)
 {
     TaskPortion filling(control, 0, preparedShare);
@@ -265,7 +265,7 @@ PreparedContent prepareModel(std::shared_ptr<const Model> model, const OpenReque
 PreparedContent prepareRefill(const Content& before, double spacing, const Snapshot& now, TaskControl& control)
 {
     TaskPortion filling(control, 0, preparedShare);
-    OpenRequest request = before.request;
+    ImportChoices request = before.request;
     request.spacing = SpacingChoice{SpacingChoice::Kind::Length, spacing};
     Content content = fillContent(before.model, request, filling);
     control.report(preparedShare, "preparing the simulation");

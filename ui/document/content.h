@@ -2,6 +2,7 @@
 
 #include "core/aggregate/fill.h"
 #include "core/aggregate/spacing_choice.h"
+#include "core/document/project.h"
 #include "core/simulation/simulation.h"
 #include "core/skin/skin.h"
 #include "ui/services.h"
@@ -15,15 +16,6 @@
 #include <vector>
 
 namespace knead {
-
-/// What a person asked to be opened, and how.
-struct OpenRequest {
-    std::vector<std::string> paths; ///< at least one
-    ImportOptions options;
-    std::optional<SpacingChoice> spacing; ///< none: for real time, somewhat finer for thin walls
-    Touching touching = Touching::separate;
-    bool fillsOpenParts = false; ///< tries winding numbers on surfaces that are not closed
-};
 
 /// A body as the window shows it: the fine surface of its part and the map that carries it along. Immutable, shared
 /// between threads.
@@ -54,7 +46,7 @@ struct ContentSurface {
 /// Everything made from files, ready to be shown and simulated.
 struct Content {
     std::shared_ptr<const Model> model;
-    OpenRequest request; ///< that it was made for
+    ImportChoices request; ///< that it was made for
     std::vector<std::shared_ptr<const ContentBody>>
         bodies; ///< in the order of Scene::bodies; none when no part is closed
     std::vector<std::shared_ptr<const ContentSurface>> surfaces;
@@ -83,11 +75,11 @@ struct PreparedContent {
 
 /// Reads files, fills their closed parts with a material and lets them rest on a floor. Runs on a task thread.
 /// @throws std::runtime_error with a sentence, also when no part has a surface; Cancelled
-PreparedContent prepareFiles(const Services& services, const OpenRequest& request, const Material& material,
+PreparedContent prepareFiles(const Services& services, const ImportChoices& request, const Material& material,
                              TaskControl& control);
 
 /// As prepareFiles() with a model that was read already: after another choice of unit.
-PreparedContent prepareModel(std::shared_ptr<const Model> model, const OpenRequest& request, const Material& material,
+PreparedContent prepareModel(std::shared_ptr<const Model> model, const ImportChoices& request, const Material& material,
                              TaskControl& control);
 
 /// Fills the parts of a content again with another spacing [m]; materials, kinds of bodies, tools, gravity and floor stay as in `now`. Runs on a task
