@@ -66,6 +66,34 @@ private slots:
         QCOMPARE(*start->floorHeight, prepared.content.box.min().z());
     }
 
+    void aStartOfAProjectIsShownAsItWasFilled()
+    {
+        Model model;
+        model.parts = {boxPart("lid", {0.02, 0.02, 0.06}, {0, 0, 0.03}), boxPart("pin", {0.02, 0.02, 0.06}, {0.1, 0, 0.03}),
+                       boxPart("sheet", {0.02, 0.02, 0.06}, {0.2, 0, 0.03})};
+        model.parts[2].mesh.triangles.pop_back();
+        model.parts[2].watertight = false;
+        const Content before = prepare(model).content;
+        ProjectStart start;
+        for (const auto& body : before.bodies) {
+            start.scene.bodies.push_back({.name = body->name, .aggregate = body->aggregate});
+            start.partOfBody.push_back(body->part);
+        }
+        const Content content = contentOfStart(before.model, before.request, start, TaskControl::none());
+        QCOMPARE(content.bodies.size(), std::size_t{2});
+        QCOMPARE(content.surfaces.size(), std::size_t{1});
+        for (std::size_t b = 0; b < 2; ++b) {
+            QCOMPARE(content.bodies[b]->name, before.bodies[b]->name);
+            QCOMPARE(content.bodies[b]->part, before.bodies[b]->part);
+            QCOMPARE(content.bodies[b]->aggregate, before.bodies[b]->aggregate); // not filled again
+            QCOMPARE(content.bodies[b]->mesh.vertices, before.bodies[b]->mesh.vertices);
+            QCOMPARE(content.bodies[b]->surfaceObjects, before.bodies[b]->surfaceObjects);
+        }
+        QCOMPARE(content.spacing, before.spacing);
+        QCOMPARE(content.warnings, before.warnings);
+        QCOMPARE(content.box.min(), before.box.min());
+    }
+
     void theSurfaceIsFineEnoughToBend()
     {
         Model model;

@@ -110,25 +110,35 @@ std::vector<ObjectIndex> surfaceObjects(const Aggregate& aggregate)
     return objects;
 }
 
+/// The part around an aggregate that it was filled with: its surface, and the map that carries that along.
 std::shared_ptr<const ContentBody> makeBody(const Model& model, std::size_t index, const std::string& name,
-                                            double spacing, TaskControl& control)
+                                            std::shared_ptr<const Aggregate> aggregate, TaskControl& control)
 {
     const Part& part = model.parts[index];
     auto body = std::make_shared<ContentBody>();
     body->part = index;
     body->name = name;
     body->color = part.color.value_or(Color{});
-    TaskPortion filling(control, 0, 0.6);
-    const DirtySurface dirty = part.canBeFilled() ? DirtySurface::refuse : DirtySurface::windingNumber;
-    body->aggregate = std::make_shared<const Aggregate>(fill(part.mesh, {.spacing = spacing, .dirty = dirty}, filling));
-    control.report(0.6, "preparing the surface");
-    body->mesh = refine(part.mesh, spacing);
+    body->aggregate = std::move(aggregate);
+    control.report(0, "preparing the surface");
+    body->mesh = refine(part.mesh, body->aggregate->lattice.spacing);
     control.throwIfCancelled();
     body->render = renderMesh(body->mesh);
-    TaskPortion skinning(control, 0.7, 1);
+    TaskPortion skinning(control, 0.25, 1);
     body->skin.emplace(*body->aggregate, body->mesh.vertices, skinning);
     body->surfaceObjects = surfaceObjects(*body->aggregate);
     return body;
+}
+
+std::shared_ptr<const ContentBody> fillBody(const Model& model, std::size_t index, const std::string& name,
+                                            double spacing, TaskControl& control)
+{
+    const Part& part = model.parts[index];
+    TaskPortion filling(control, 0, 0.6);
+    const DirtySurface dirty = part.canBeFilled() ? DirtySurface::refuse : DirtySurface::windingNumber;
+    auto aggregate = std::make_shared<const Aggregate>(fill(part.mesh, {.spacing = spacing, .dirty = dirty}, filling));
+    TaskPortion dressing(control, 0.6, 1);
+    return makeBody(model, index, name, std::move(aggregate), dressing);
 }
 
 std::shared_ptr<const ContentSurface> makeSurface(const Model& model, std::size_t index)
@@ -154,7 +164,7 @@ void addPart(const Model& model, std::size_t index, std::set<std::string>& names
 {
     const Part& part = model.parts[index];
     try {
-        content.bodies.push_back(makeBody(model, index, uniqueName(part.name, names), content.spacing, control));
+        content.bodies.push_back(fillBody(model, index, uniqueName(part.name, names), content.spacing, control));
         return;
     } catch (const Cancelled&) {
         throw;
@@ -165,14 +175,14 @@ void addPart(const Model& model, std::size_t index, std::set<std::string>& names
     content.surfaces.push_back(makeSurface(model, index));
 }
 
-/// Fills every part that has an inside; the others become surfaces.
-Content fillContent(std::shared_ptr<const Model> model, const ImportChoices& request, TaskControl& control)
+/// What can be said of a model before anything of it is filled.
+Content unfilledContent(const Model& model, const ImportChoices& request)
 {
-    const std::vector<std::size_t> parts = partsToFill(*model, request);
     Content content;
-    content.warnings = model->missing;
-    content.warnings.insert(content.warnings.end(), model->warnings.begin(), model->warnings.end());
-    for (const Part& part : model->parts) {
+    content.request = request;
+    content.warnings = model.missing;
+    content.warnings.insert(content.warnings.end(), model.warnings.begin(), model.warnings.end());
+    for (const Part& part : model.parts) {
         content.warnings.insert(content.warnings.end(), part.warnings.begin(), part.warnings.end());
         if (!part.canBeFilled() && !request.fillsOpenParts)
             content.warnings.push_back(openSentence(part));
@@ -180,17 +190,37 @@ Content fillContent(std::shared_ptr<const Model> model, const ImportChoices& req
             content.box.extend(vertex);
     }
     if (content.box.isEmpty())
-        throw std::runtime_error(fileName(*model) + ": there is no solid and no surface in this file. Export the part "
-                                                    "as a solid and open it again.");
+        throw std::runtime_error(fileName(model) + ": there is no solid and no surface in this file. Export the part "
+                                                   "as a solid and open it again.");
+    return content;
+}
+
+void assess(Content& content, const FillingSizes& sizes)
+{
+    content.fineness = assessSpacing(content.spacing, sizes.all);
+    if (!content.fineness.warning.empty())
+        content.warnings.push_back(content.fineness.warning);
+}
+
+/// Of the parts that are shown and not among these.
+void addSurfaces(const Model& model, const std::vector<std::size_t>& bodies, Content& content)
+{
+    for (std::size_t p = 0; p < model.parts.size(); ++p)
+        if (!model.parts[p].mesh.empty() && std::find(bodies.begin(), bodies.end(), p) == bodies.end())
+            content.surfaces.push_back(makeSurface(model, p));
+}
+
+/// Fills every part that has an inside; the others become surfaces.
+Content fillContent(std::shared_ptr<const Model> model, const ImportChoices& request, TaskControl& control)
+{
+    const std::vector<std::size_t> parts = partsToFill(*model, request);
+    Content content = unfilledContent(*model, request);
     if (!parts.empty()) {
         TaskPortion measuring(control, 0, measuredShare);
         const FillingSizes sizes = measure(*model, parts, measuring);
         content.spacing = spacingOf(request, sizes);
-        content.fineness = assessSpacing(content.spacing, sizes.all);
-        if (!content.fineness.warning.empty())
-            content.warnings.push_back(content.fineness.warning);
+        assess(content, sizes);
     }
-    content.request = request;
     TaskPortion filling(control, measuredShare, 1);
     std::set<std::string> names;
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -198,9 +228,7 @@ Content fillContent(std::shared_ptr<const Model> model, const ImportChoices& req
         TaskPortion portion(filling, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
         addPart(*model, parts[i], names, content, portion);
     }
-    for (std::size_t p = 0; p < model->parts.size(); ++p)
-        if (!model->parts[p].mesh.empty() && std::find(parts.begin(), parts.end(), p) == parts.end())
-            content.surfaces.push_back(makeSurface(*model, p));
+    addSurfaces(*model, parts, content);
     content.model = std::move(model);
     return content;
 }
@@ -260,6 +288,28 @@ PreparedContent prepareModel(std::shared_ptr<const Model> model, const ImportCho
     for (Body& body : scene.bodies)
         body.material = material;
     return withFrame(std::move(content), std::move(scene));
+}
+
+Content contentOfStart(std::shared_ptr<const Model> model, const ImportChoices& request, const ProjectStart& start,
+                       TaskControl& control)
+{
+    Content content = unfilledContent(*model, request);
+    const std::vector<Body>& bodies = start.scene.bodies;
+    if (!bodies.empty()) {
+        TaskPortion measuring(control, 0, measuredShare);
+        content.spacing = bodies.front().aggregate->lattice.spacing;
+        assess(content, measure(*model, start.partOfBody, measuring));
+    }
+    TaskPortion dressing(control, measuredShare, 1);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const double count = static_cast<double>(bodies.size());
+        TaskPortion portion(dressing, static_cast<double>(b) / count, static_cast<double>(b + 1) / count);
+        content.bodies.push_back(
+            makeBody(*model, start.partOfBody[b], bodies[b].name, bodies[b].aggregate, portion));
+    }
+    addSurfaces(*model, start.partOfBody, content);
+    content.model = std::move(model);
+    return content;
 }
 
 PreparedContent prepareRefill(const Content& before, double spacing, const Snapshot& now, TaskControl& control)

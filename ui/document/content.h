@@ -82,6 +82,11 @@ PreparedContent prepareFiles(const Services& services, const ImportChoices& requ
 PreparedContent prepareModel(std::shared_ptr<const Model> model, const ImportChoices& request, const Material& material,
                              TaskControl& control);
 
+/// What a project shows at one of its starts: nothing is filled, its aggregates are taken. Runs on a task thread.
+/// @throws std::runtime_error with a sentence, when the model has no surface; Cancelled
+Content contentOfStart(std::shared_ptr<const Model> model, const ImportChoices& request, const ProjectStart& start,
+                       TaskControl& control);
+
 /// Fills the parts of a content again with another spacing [m]; materials, kinds of bodies, tools, gravity and floor stay as in `now`. Runs on a task
 /// thread.
 /// @throws as prepareFile
