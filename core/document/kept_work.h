@@ -23,6 +23,7 @@ struct WorkState {
 struct Recovery {
     std::string folder;      ///< where it is kept
     std::string projectFile; ///< as in WorkState
+    std::string part;        ///< name of the first one; empty: it cannot be read
     double lastChange = 0;   ///< when the last entry was made [s since 1970]; 0: there is none, or it cannot be read
     std::uint32_t entries = 0;
 };

@@ -109,6 +109,7 @@ private slots:
         const std::vector<Recovery> found = findRecoveries(m_folder);
         QCOMPARE(found.size(), std::size_t{1});
         QCOMPARE(found[0].projectFile, std::string("/home/ann/a.knead"));
+        QCOMPARE(found[0].part, m_project.model->parts[0].name);
         QCOMPARE(found[0].entries, 5U);
         QCOMPARE(found[0].lastChange, 2e9);
     }

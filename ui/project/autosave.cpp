@@ -155,16 +155,21 @@ void Autosave::beginAgain(Project project, WorkState state)
     });
 }
 
-void Autosave::follow(const std::vector<HistoryRecord>& entries, History::Entry current,
-                      const std::vector<ProjectStart>& starts)
+void Autosave::addStart(ProjectStart start)
+{
+    if (!m_known)
+        return;
+    ++m_known->starts;
+    m_worker->post([start = std::move(start)](Worker& worker) {
+        worker.change([&](KeptWork& kept) { kept.addStart(start); });
+    });
+}
+
+void Autosave::follow(const std::vector<HistoryRecord>& entries, History::Entry current)
 {
     if (!m_known)
         return;
     KnownHistory& known = *m_known;
-    for (; known.starts < starts.size(); ++known.starts)
-        m_worker->post([start = starts[known.starts]](Worker& worker) {
-            worker.change([&](KeptWork& kept) { kept.addStart(start); });
-        });
     for (std::size_t i = 0; i < known.entries.size(); ++i)
         if (!isSame(known.entries[i], entries[i])) {
             known.entries[i] = knownOf(entries[i]);

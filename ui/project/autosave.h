@@ -30,9 +30,10 @@ public:
     void beginAgain(Project project, WorkState state);
     bool isBegun() const { return m_known.has_value(); }
 
+    std::size_t knownStarts() const { return m_known ? m_known->starts : 0; }
+    void addStart(ProjectStart start); ///< before the entries that begin with it
     /// Keeps what has changed in the history since the last call.
-    void follow(const std::vector<HistoryRecord>& entries, History::Entry current,
-                const std::vector<ProjectStart>& starts);
+    void follow(const std::vector<HistoryRecord>& entries, History::Entry current);
 
     /// How often a gesture is kept. With what it takes to look at it and to write, no more than 5 s of work are lost.
     static constexpr std::chrono::seconds gestureInterval{4};
