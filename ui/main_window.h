@@ -24,6 +24,7 @@ class HomePage;
 class ImportPanel;
 class LogPanel;
 class PerformancePanel;
+class ProjectKeeper;
 class MaterialPanel;
 class ModelTree;
 class StatusReadings;
@@ -37,7 +38,8 @@ public:
     explicit MainWindow(Services services, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// Opens files in the background, several as one assembly. A failure is shown in a sentence and leaves everything as it was.
+    /// Opens files in the background, several as one assembly, or a project. A failure is shown in a sentence and leaves
+    /// everything as it was; what is not saved is not asked about.
     void open(const QStringList& paths);
     void open(const ImportChoices& request);
     /// Looks into the files first and asks what is wanted of them.
@@ -47,10 +49,14 @@ public:
     /// Fills the bodies anew in the background. @param spacing [m]
     void refill(double spacing);
 
+    /// Offers work that windows which are gone did not save.
+    void offerRecoveries();
+
     void setTheme(Theme theme);
 
     Document& document() { return m_document; }
     TaskRunner& tasks() { return m_tasks; }
+    ProjectKeeper& projects() { return *m_projects; }
     ViewportWidget& viewport() { return *m_viewport; }
     Banner& banner() { return *m_banner; }
 
@@ -70,6 +76,14 @@ private:
     void connectViewActions();
     void connectTasks();
     void restoreSettings();
+
+    void makeProjects();
+    void showTitle();
+    void listRecent();
+    void openRecent(const QString& path);
+    void openInstead(const QStringList& paths);
+    bool openedAsProject(const QStringList& paths);
+    void openPrepared(PreparedContent prepared);
 
     void documentChanged(Document::Change what);
     void contentChanged();
@@ -105,6 +119,8 @@ private:
     bool isBusy();
 
     Services m_services;
+    std::unique_ptr<ProjectKeeper> m_projects; // goes after the document
+    bool m_mayClose = false;                   ///< what is not saved is not wanted
     Document m_document;
     TaskRunner m_tasks;
     std::unique_ptr<Actions> m_actions;
@@ -120,6 +136,7 @@ private:
     ExportPanel* m_export = nullptr;
     PerformancePanel* m_performance = nullptr;
     QMenu* m_addTool = nullptr;
+    QMenu* m_recent = nullptr;
     QLabel* m_hint = nullptr;
     StatusReadings* m_readings = nullptr;
     TaskReading* m_taskReading = nullptr;

@@ -6,6 +6,7 @@
 #include "ui/panels/export_panel.h"
 #include "ui/panels/import_panel.h"
 #include "ui/panels/log_panel.h"
+#include "ui/project/project_keeper.h"
 #include "ui/units.h"
 #include "ui/viewport/viewport_widget.h"
 
@@ -38,6 +39,8 @@ Material startMaterial(const std::vector<MaterialPreset>& presets)
 
 void MainWindow::open(const QStringList& paths)
 {
+    if (openedAsProject(paths))
+        return;
     ImportChoices request;
     request.options.timeLimit = 60 * QSettings().value("import/minutes", 0).toDouble();
     request.options.memoryLimit = (1U << 30U) * QSettings().value("import/gibibytes", 0).toDouble();
@@ -83,7 +86,7 @@ void MainWindow::open(const ImportChoices& request)
     const auto others = static_cast<int>(request.paths.size()) - 1;
     m_tasks.run<PreparedContent>(others == 0 ? tr("Opening %1").arg(name)
                                              : tr("Opening %1 and %n more", nullptr, others).arg(name),
-                                 work, [this](PreparedContent prepared) { m_document.open(std::move(prepared)); });
+                                 work, [this](PreparedContent prepared) { openPrepared(std::move(prepared)); });
 }
 
 void MainWindow::refill(double spacing)
@@ -222,7 +225,7 @@ void MainWindow::openAgain(const QString& title, std::function<Model(const Model
         return prepareModel(std::make_shared<const Model>(change(*model)), request, material, control);
     };
     m_tasks.run<PreparedContent>(title, work,
-                                 [this](PreparedContent prepared) { m_document.open(std::move(prepared)); });
+                                 [this](PreparedContent prepared) { openPrepared(std::move(prepared)); });
 }
 
 void MainWindow::takeIn(const QString& unit)
@@ -230,9 +233,11 @@ void MainWindow::takeIn(const QString& unit)
     ImportChoices request = m_document.content().request;
     request.options.unit = unit.toStdString();
     request.spacing.reset(); // it was chosen for another size
-    openAgain(
-        tr("Taking lengths in %1").arg(unit),
-        [name = request.options.unit](const Model& model) { return takenIn(model, name); }, request);
+    m_projects->letGo([this, unit, request] {
+        openAgain(
+            tr("Taking lengths in %1").arg(unit),
+            [name = request.options.unit](const Model& model) { return takenIn(model, name); }, request);
+    });
 }
 
 void MainWindow::fillOpenParts()
@@ -241,14 +246,14 @@ void MainWindow::fillOpenParts()
     request.fillsOpenParts = true;
     request.options.heal = true;
     request.options.capsFlatOpenings = true;
-    open(request);
+    m_projects->letGo([this, request] { open(request); });
 }
 
 void MainWindow::takeHealed(bool heal)
 {
     ImportChoices request = m_document.content().request;
     request.options.heal = heal;
-    open(request);
+    m_projects->letGo([this, request] { open(request); });
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
@@ -264,7 +269,7 @@ void MainWindow::dropEvent(QDropEvent* event)
     QStringList paths;
     for (const QUrl& url : event->mimeData()->urls())
         paths << url.toLocalFile();
-    open(paths);
+    openInstead(paths);
 }
 
 } // namespace knead

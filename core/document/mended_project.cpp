@@ -64,7 +64,9 @@ MendedProject withReachableEntry(Project project, const Packing& packing, TaskCo
     std::vector<std::string> missing;
     while (!project.entries.empty())
         try {
-            currentMoment(historyOf(project), project, packing, control);
+            const MomentPointer moment = currentMoment(historyOf(project), project, packing, control);
+            if (auto& kept = project.entries[project.current].moment; kept == nullptr) // nobody shall look for it again
+                kept = std::make_shared<const Bytes>(momentToBytes(*moment, packing));
             return {std::move(project), std::move(missing)};
         } catch (const Cancelled&) {
             throw;

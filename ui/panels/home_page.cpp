@@ -9,6 +9,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace knead {
 
 namespace {
@@ -47,7 +49,7 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
     sign->setPixmap(icon("knead").pixmap(72, 72));
     sign->setAlignment(Qt::AlignCenter);
     column->addWidget(sign);
-    column->addWidget(centered(tr("Drop STEP, IGES or mesh files here"), "big", zone));
+    column->addWidget(centered(tr("Drop STEP, IGES, mesh or project files here"), "big", zone));
     column->addWidget(centered(tr("It becomes a lump of real material to push, bend and squeeze."), "dimmed", zone));
     auto* open = new QPushButton(tr("Open a file..."), zone);
     open->setObjectName("homeOpen");
@@ -77,10 +79,37 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
         column->addLayout(row);
     }
 
+    m_recent = new QVBoxLayout;
+    m_recent->setSpacing(4);
+    column->addLayout(m_recent);
+
     auto* page = new QVBoxLayout(this);
     page->addStretch();
     page->addWidget(zone, 0, Qt::AlignHCenter);
     page->addStretch();
+}
+
+void HomePage::showRecent(const QStringList& paths)
+{
+    constexpr qsizetype most = 4;
+    while (QLayoutItem* item = m_recent->takeAt(0)) {
+        if (QWidget* widget = item->widget()) {
+            widget->hide();
+            widget->deleteLater(); // it may be what was clicked
+        }
+        delete item;
+    }
+    if (paths.isEmpty())
+        return;
+    m_recent->addSpacing(10);
+    m_recent->addWidget(centered(tr("or go on with"), "dimmed", this));
+    for (const QString& path : paths.first(std::min(most, paths.size()))) {
+        auto* button = new QPushButton(icon("part"), QFileInfo(path).fileName(), this);
+        button->setObjectName("recent_" + QFileInfo(path).fileName());
+        button->setToolTip(path);
+        connect(button, &QPushButton::clicked, this, [this, path] { emit fileChosen(path); });
+        m_recent->addWidget(button, 0, Qt::AlignHCenter);
+    }
 }
 
 } // namespace knead

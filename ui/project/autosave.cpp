@@ -146,12 +146,13 @@ void Autosave::beginAgain(Project project, WorkState state)
     if (!m_services.keepWork)
         return;
     know(project);
-    m_worker->post([makes = m_services.keepWork, project = std::move(project), state = std::move(state),
+    m_worker->post([this, makes = m_services.keepWork, project = std::move(project), state = std::move(state),
                     stop = m_stop](Worker& worker) {
         worker.revisionInFile.reset();
         if (!worker.kept)
             worker.kept = makes();
         worker.kept->begin(project, state, *stop);
+        QMetaObject::invokeMethod(this, &Autosave::begun, Qt::QueuedConnection);
     });
 }
 
@@ -216,6 +217,21 @@ void Autosave::saved(const std::string& projectFile)
         if (worker.revisionInFile)
             worker.change([&](KeptWork& kept) { kept.markSaved(projectFile, *worker.revisionInFile); });
     });
+}
+
+void Autosave::find(std::function<void(std::vector<Recovery>)> told)
+{
+    if (!m_services.findRecoveries)
+        return;
+    m_worker->post([this, finds = m_services.findRecoveries, told = std::move(told)](Worker& /*worker*/) {
+        QMetaObject::invokeMethod(
+            this, [told, found = finds()] { told(found); }, Qt::QueuedConnection);
+    });
+}
+
+void Autosave::drop(const Recovery& recovery)
+{
+    m_worker->post([drops = m_services.dropRecovery, recovery](Worker& /*worker*/) { drops(recovery); });
 }
 
 void Autosave::discard()

@@ -6,6 +6,7 @@
 #include <QObject>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,10 +45,16 @@ public:
     void savingBegins();                       ///< with what was handed in until now
     void saved(const std::string& projectFile); ///< what savingBegins() was called for
 
+    /// Looks for the work of windows that are gone. @param told called in the window's thread
+    void find(std::function<void(std::vector<Recovery>)> told);
+    /// Removes such work, which the person does not want. A failure is told by failed().
+    void drop(const Recovery& recovery);
+
     /// Nothing of it is wanted any more: it was saved, or the person said so.
     void discard();
 
 signals:
+    void begun(); ///< all is kept from now on
     /// The disk refused; nothing more is kept. @param sentence for the person
     void failed(const QString& sentence);
 
