@@ -91,6 +91,7 @@ private:
     void showHint();
     void frameChanged();
     void selectionChanged();
+    void historyChanged();
     void showHealth(const Health& health);
     /// @param remedy what a click on the banner's button does
     void showProblem(const QString& sentence, const QString& remedyText = {}, std::function<void()> remedy = {});
@@ -121,8 +122,8 @@ private:
     Services m_services;
     std::unique_ptr<ProjectKeeper> m_projects; // goes after the document
     bool m_mayClose = false;                   ///< what is not saved is not wanted
-    Document m_document;
     TaskRunner m_tasks;
+    Document m_document;
     std::unique_ptr<Actions> m_actions;
     Banner* m_banner = nullptr;
     QStackedWidget* m_pages = nullptr;

@@ -124,6 +124,8 @@ void MainWindow::makeMenus()
     file->addSeparator();
     file->addAction(a.quit);
 
+    menuBar()->addMenu(tr("&Edit"))->addActions({a.undo, a.redo});
+
     QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
     simulation->addActions({a.play, a.step, a.reset});
     simulation->addSeparator();
@@ -160,6 +162,10 @@ void MainWindow::makeToolBar()
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     const Actions& a = *m_actions;
     bar->addActions({a.open, a.save, a.exportMeshes});
+    bar->addSeparator();
+    bar->addActions({a.undo, a.redo});
+    for (QAction* action : {a.undo, a.redo}) // their texts change
+        qobject_cast<QToolButton*>(bar->widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonIconOnly);
     bar->addSeparator();
     bar->addActions({a.play, a.step, a.reset});
     bar->addSeparator();

@@ -124,6 +124,7 @@ struct SimulationThread::Worker {
         shot->updatesPerSecond = playing ? updates : 0;
         shot->stepsPerFrame = playing ? steps : 0;
         shot->snapshotSeconds = snapshotSeconds;
+        shot->arrivals = arrivals;
         const std::lock_guard lock(mutex);
         latest = shot;
     }
@@ -142,6 +143,7 @@ struct SimulationThread::Worker {
     double updates = 0;
     int steps = 0;
     double snapshotSeconds = 0;
+    std::uint64_t arrivals = 0;
     std::deque<Frame> frames;
 
     // Shared.
@@ -204,6 +206,7 @@ void SimulationThread::goTo(MomentPointer moment)
     m_worker->ask([moment = std::move(moment)](Worker& worker) {
         worker.playing = false;
         worker.carry = 0;
+        ++worker.arrivals;
         worker.simulation.goTo(moment);
     });
 }

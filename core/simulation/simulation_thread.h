@@ -38,6 +38,7 @@ public:
     void lookAtGesture(std::function<void(std::vector<RecordedCommand> commands, std::uint64_t step)> told);
 
     /// Pauses and goes to a moment of this scene, see Simulation::goTo(). What was done since the last kept moment is given up.
+    /// Snapshots from there on count one arrival more.
     void goTo(MomentPointer moment);
 
     /// The newest state; never null. A new pointer whenever anything changed.

@@ -128,6 +128,7 @@ struct Snapshot {
     double updatesPerSecond = 0;
     int stepsPerFrame = 0;
     double snapshotSeconds = 0; ///< that taking this one took
+    std::uint64_t arrivals = 0; ///< how often SimulationThread::goTo() was carried out before
 };
 
 using SnapshotPointer = std::shared_ptr<const Snapshot>;

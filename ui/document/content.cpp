@@ -2,6 +2,7 @@
 
 #include "core/aggregate/spacing_choice.h"
 #include "core/geometry/refine.h"
+#include "ui/document/face_fixtures.h"
 #include "ui/document/frame.h"
 
 #include <algorithm>
@@ -110,7 +111,6 @@ std::vector<ObjectIndex> surfaceObjects(const Aggregate& aggregate)
     return objects;
 }
 
-/// The part around an aggregate that it was filled with: its surface, and the map that carries that along.
 std::shared_ptr<const ContentBody> makeBody(const Model& model, std::size_t index, const std::string& name,
                                             std::shared_ptr<const Aggregate> aggregate, TaskControl& control)
 {
@@ -130,15 +130,10 @@ std::shared_ptr<const ContentBody> makeBody(const Model& model, std::size_t inde
     return body;
 }
 
-std::shared_ptr<const ContentBody> fillBody(const Model& model, std::size_t index, const std::string& name,
-                                            double spacing, TaskControl& control)
+std::shared_ptr<const Aggregate> fillPart(const Part& part, double spacing, TaskControl& control)
 {
-    const Part& part = model.parts[index];
-    TaskPortion filling(control, 0, 0.6);
     const DirtySurface dirty = part.canBeFilled() ? DirtySurface::refuse : DirtySurface::windingNumber;
-    auto aggregate = std::make_shared<const Aggregate>(fill(part.mesh, {.spacing = spacing, .dirty = dirty}, filling));
-    TaskPortion dressing(control, 0.6, 1);
-    return makeBody(model, index, name, std::move(aggregate), dressing);
+    return std::make_shared<const Aggregate>(fill(part.mesh, {.spacing = spacing, .dirty = dirty}, control));
 }
 
 std::shared_ptr<const ContentSurface> makeSurface(const Model& model, std::size_t index)
@@ -164,7 +159,10 @@ void addPart(const Model& model, std::size_t index, std::set<std::string>& names
 {
     const Part& part = model.parts[index];
     try {
-        content.bodies.push_back(fillBody(model, index, uniqueName(part.name, names), content.spacing, control));
+        TaskPortion filling(control, 0, 0.6);
+        std::shared_ptr<const Aggregate> aggregate = fillPart(part, content.spacing, filling);
+        TaskPortion preparing(control, 0.6, 1);
+        content.bodies.push_back(makeBody(model, index, uniqueName(part.name, names), std::move(aggregate), preparing));
         return;
     } catch (const Cancelled&) {
         throw;
@@ -175,8 +173,8 @@ void addPart(const Model& model, std::size_t index, std::set<std::string>& names
     content.surfaces.push_back(makeSurface(model, index));
 }
 
-/// What can be said of a model before anything of it is filled.
-Content unfilledContent(const Model& model, const ImportChoices& request)
+/// What there is of a model before any part is filled.
+Content emptyContent(const Model& model, const ImportChoices& request)
 {
     Content content;
     content.request = request;
@@ -195,31 +193,18 @@ Content unfilledContent(const Model& model, const ImportChoices& request)
     return content;
 }
 
-void assess(Content& content, const FillingSizes& sizes)
-{
-    content.fineness = assessSpacing(content.spacing, sizes.all);
-    if (!content.fineness.warning.empty())
-        content.warnings.push_back(content.fineness.warning);
-}
-
-/// Of the parts that are shown and not among these.
-void addSurfaces(const Model& model, const std::vector<std::size_t>& bodies, Content& content)
-{
-    for (std::size_t p = 0; p < model.parts.size(); ++p)
-        if (!model.parts[p].mesh.empty() && std::find(bodies.begin(), bodies.end(), p) == bodies.end())
-            content.surfaces.push_back(makeSurface(model, p));
-}
-
 /// Fills every part that has an inside; the others become surfaces.
 Content fillContent(std::shared_ptr<const Model> model, const ImportChoices& request, TaskControl& control)
 {
     const std::vector<std::size_t> parts = partsToFill(*model, request);
-    Content content = unfilledContent(*model, request);
+    Content content = emptyContent(*model, request);
     if (!parts.empty()) {
         TaskPortion measuring(control, 0, measuredShare);
         const FillingSizes sizes = measure(*model, parts, measuring);
         content.spacing = spacingOf(request, sizes);
-        assess(content, sizes);
+        content.fineness = assessSpacing(content.spacing, sizes.all);
+        if (!content.fineness.warning.empty())
+            content.warnings.push_back(content.fineness.warning);
     }
     TaskPortion filling(control, measuredShare, 1);
     std::set<std::string> names;
@@ -228,7 +213,9 @@ Content fillContent(std::shared_ptr<const Model> model, const ImportChoices& req
         TaskPortion portion(filling, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
         addPart(*model, parts[i], names, content, portion);
     }
-    addSurfaces(*model, parts, content);
+    for (std::size_t p = 0; p < model->parts.size(); ++p)
+        if (!model->parts[p].mesh.empty() && std::find(parts.begin(), parts.end(), p) == parts.end())
+            content.surfaces.push_back(makeSurface(*model, p));
     content.model = std::move(model);
     return content;
 }
@@ -247,9 +234,10 @@ Scene restScene(const Content& content)
 
 PreparedContent withFrame(Content content, Scene scene)
 {
-    Simulation simulation(std::move(scene));
+    Simulation simulation(scene);
+    Gesture first = endGesture(simulation);
     FramePointer frame = prepareFrame(content.bodies, simulation.snapshot(), nullptr);
-    return {std::move(content), std::move(simulation), std::move(frame)};
+    return {std::move(content), std::move(scene), std::move(simulation), std::move(frame), std::move(first)};
 }
 
 } // namespace
@@ -290,29 +278,8 @@ PreparedContent prepareModel(std::shared_ptr<const Model> model, const ImportCho
     return withFrame(std::move(content), std::move(scene));
 }
 
-Content contentOfStart(std::shared_ptr<const Model> model, const ImportChoices& request, const ProjectStart& start,
-                       TaskControl& control)
-{
-    Content content = unfilledContent(*model, request);
-    const std::vector<Body>& bodies = start.scene.bodies;
-    if (!bodies.empty()) {
-        TaskPortion measuring(control, 0, measuredShare);
-        content.spacing = bodies.front().aggregate->lattice.spacing;
-        assess(content, measure(*model, start.partOfBody, measuring));
-    }
-    TaskPortion dressing(control, measuredShare, 1);
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-        const double count = static_cast<double>(bodies.size());
-        TaskPortion portion(dressing, static_cast<double>(b) / count, static_cast<double>(b + 1) / count);
-        content.bodies.push_back(
-            makeBody(*model, start.partOfBody[b], bodies[b].name, bodies[b].aggregate, portion));
-    }
-    addSurfaces(*model, start.partOfBody, content);
-    content.model = std::move(model);
-    return content;
-}
-
-PreparedContent prepareRefill(const Content& before, double spacing, const Snapshot& now, TaskControl& control)
+PreparedContent prepareRefill(const Content& before, double spacing, const Snapshot& now,
+                              const std::vector<FaceFixture>& fixtures, TaskControl& control)
 {
     TaskPortion filling(control, 0, preparedShare);
     ImportChoices request = before.request;
@@ -336,10 +303,38 @@ PreparedContent prepareRefill(const Content& before, double spacing, const Snaps
                                       .motion = HoldStill{},
                                       .kind = tool.kind,
                                       .part = tool.part});
+    scene.fixtures = sceneFixtures(content, fixtures);
     scene.gravity = now.gravity;
     scene.integrator = now.wantedIntegrator;
     scene.floorHeight = now.floorHeight;
     return withFrame(std::move(content), std::move(scene));
+}
+
+Content contentOf(std::shared_ptr<const Model> model, const ImportChoices& choices, const ProjectStart& start,
+                  TaskControl& control)
+{
+    Content content = emptyContent(*model, choices);
+    const std::vector<Body>& bodies = start.scene.bodies;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const auto count = static_cast<double>(bodies.size());
+        TaskPortion portion(control, static_cast<double>(b) / count, static_cast<double>(b + 1) / count);
+        content.bodies.push_back(makeBody(*model, start.partOfBody[b], bodies[b].name, bodies[b].aggregate, portion));
+        content.spacing = bodies[b].aggregate->lattice.spacing;
+    }
+    for (std::size_t p = 0; p < model->parts.size(); ++p)
+        if (!model->parts[p].mesh.empty() &&
+            std::find(start.partOfBody.begin(), start.partOfBody.end(), p) == start.partOfBody.end())
+            content.surfaces.push_back(makeSurface(*model, p));
+    content.model = std::move(model);
+    return content;
+}
+
+ProjectStart startOf(const Content& content, Scene scene)
+{
+    ProjectStart start{.scene = std::move(scene), .partOfBody = {}};
+    for (const auto& body : content.bodies)
+        start.partOfBody.push_back(body->part);
+    return start;
 }
 
 } // namespace knead

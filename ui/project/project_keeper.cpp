@@ -109,6 +109,7 @@ void ProjectKeeper::begin()
 {
     m_path.clear();
     m_lock.reset();
+    m_saving.reset();
     m_marks.clear();
     m_panels.clear();
     m_savedRevision.reset();
@@ -164,20 +165,16 @@ void ProjectKeeper::saveTo(const QString& path, std::function<void()> then)
         return;
     }
     m_saving = Saving{QFileInfo(path).absoluteFilePath(), std::move(then)};
-    m_window.document.finishGesture();
-    trySaving();
+    m_window.document.whenSettled([this] { startSaving(); });
 }
 
-/// When all that was done has become part of the history.
-void ProjectKeeper::trySaving()
+/// All that was done has become part of the history.
+void ProjectKeeper::startSaving()
 {
-    const Document& document = m_window.document;
-    if (!m_saving || m_saving->isRunning || m_isNew || !document.history().isSettled() || document.isGoing() ||
-        m_window.tasks.isRunning())
-        return;
+    historyChanged(); // in case it is told of it later
     m_saving->isRunning = true;
     m_autosave.savingBegins();
-    SavedFile file{.path = m_saving->path, .revision = document.history().revision()};
+    SavedFile file{.path = m_saving->path, .revision = m_window.document.history().revision()};
     if (file.path == m_path)
         file.lock = m_lock;
     const auto work = [services = m_services, file, project = collect(true)](TaskControl& control) {
@@ -193,8 +190,9 @@ void ProjectKeeper::trySaving()
         }
         return done;
     };
-    m_window.tasks.run<SavedFile>(tr("Saving %1").arg(QFileInfo(file.path).fileName()), work,
-                                  [this](SavedFile done) { finishSaving(std::move(done)); });
+    const QString title = tr("Saving %1").arg(QFileInfo(file.path).fileName());
+    if (!m_window.tasks.run<SavedFile>(title, work, [this](SavedFile done) { finishSaving(std::move(done)); }))
+        m_saving.reset(); // something else began in the meantime
 }
 
 void ProjectKeeper::finishSaving(SavedFile file)
@@ -279,9 +277,8 @@ void ProjectKeeper::close()
 
 void ProjectKeeper::documentChanged(Document::Change what)
 {
-    if (what == Document::Change::Moment)
-        trySaving();
-    noteModified();
+    if (what != Document::Change::Selection)
+        noteModified();
 }
 
 void ProjectKeeper::historyChanged()
@@ -297,7 +294,6 @@ void ProjectKeeper::historyChanged()
             m_autosave.addStart(history.starts()[start].start);
         m_autosave.follow(history.tree().records(), history.tree().current());
     }
-    trySaving();
     noteModified();
 }
 

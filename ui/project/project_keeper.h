@@ -91,7 +91,7 @@ private:
         bool isRunning = false; ///< else it waits for the end of what is under way
     };
     struct SavedFile;
-    void trySaving();
+    void startSaving();
     void finishSaving(SavedFile file);
     Project collect(bool withPicture) const;
     ProjectView view(bool withPicture) const;

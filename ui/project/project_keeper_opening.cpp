@@ -60,6 +60,7 @@ void ProjectKeeper::show(ReadProject read)
     const QString path = QFile::decodeName(read.path.c_str());
     if (!showContent(read))
         return;
+    m_saving.reset();
     m_path = path;
     m_lock = std::move(read.lock);
     m_marks = std::move(read.marks);

@@ -1,0 +1,408 @@
+#include "core/document/byte_stream.h"
+#include "support/fuzz_random.h"
+#include "support/window_on_test.h"
+#include "ui/run_window.h"
+
+#include <QComboBox>
+#include <QtTest>
+
+#include <map>
+
+using namespace knead;
+
+namespace {
+
+using Entry = Document::Entry;
+
+/// Everything that a person could see of a state, to the last bit.
+std::uint64_t digestOf(const Snapshot& snapshot)
+{
+    ByteWriter bytes;
+    bytes(snapshot.step);
+    bytes(snapshot.time);
+    bytes(snapshot.gravity);
+    bytes(snapshot.floorHeight.has_value());
+    for (const Snapshot::BodyState& body : snapshot.bodies) {
+        bytes(static_cast<int>(body.kind));
+        for (const Vec3& position : body.positions)
+            bytes(position);
+    }
+    for (const Material& material : snapshot.materials)
+        for (const MaterialField& field : materialFields())
+            bytes(material.*field.value);
+    for (const ToolState& tool : snapshot.tools) {
+        bytes(tool.id);
+        bytes(tool.name);
+        bytes(tool.size);
+        bytes(tool.pose.position);
+        bytes(tool.friction);
+    }
+    for (const Fixture& fixture : snapshot.fixtures) {
+        bytes(fixture.name);
+        for (const ObjectIndex object : fixture.objects)
+            bytes(object);
+    }
+    bytes(snapshot.energy.elastic);
+    return checksumOf(bytes.take());
+}
+
+} // namespace
+
+/// Undo and redo as a person uses them.
+class WindowHistoryTest : public QObject, WindowOnTest {
+    Q_OBJECT
+
+    const History& tree() { return document().history().tree(); }
+    const HistoryRecord& present() { return tree().record(tree().current()); }
+    QString presentName() { return QString::fromStdString(present().name); }
+
+    /// Waits until everything that was done is in the history and shown.
+    void settle()
+    {
+        QTest::qWait(1);
+        QTRY_VERIFY_WITH_TIMEOUT(document().history().isSettled() && !document().isGoing(), patience);
+        QTRY_VERIFY(snapshot().step == present().step && snapshot().time == present().time);
+        QTest::qWait(60); // what was posted last may have changed no step
+    }
+
+    std::uint64_t digest()
+    {
+        settle();
+        return digestOf(snapshot());
+    }
+
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(m_window.get(), key, modifiers); }
+    void undo() { key(Qt::Key_Z, Qt::ControlModifier); }
+    void redo() { key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier); }
+
+    void simulate(double seconds)
+    {
+        const double end = snapshot().time + seconds;
+        key(Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time >= end, patience);
+        key(Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing);
+    }
+
+    void addBlock()
+    {
+        const std::size_t before = snapshot().tools.size();
+        key(Qt::Key_B);
+        QTRY_COMPARE(snapshot().tools.size(), before + 1);
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
+    }
+
+    /// Undo and redo lead exactly back and forth.
+    void verifyUndo(std::uint64_t before, const QString& name)
+    {
+        const std::uint64_t after = digest();
+        QCOMPARE(presentName(), name);
+        QCOMPARE(action("undo")->text(), QString("Undo \"%1\"").arg(name));
+        undo();
+        QCOMPARE(digest(), before);
+        QCOMPARE(action("redo")->text(), QString("Redo \"%1\"").arg(name));
+        redo();
+        QCOMPARE(digest(), after);
+        QVERIFY(!action("redo")->isEnabled());
+    }
+
+private slots:
+    void initTestCase()
+    {
+        if (!hasDisplay())
+            QSKIP("The view needs a display: run this test under xvfb-run.");
+        prepare();
+    }
+
+    void init()
+    {
+        show(m_services);
+        QVERIFY(!action("undo")->isEnabled() && !action("redo")->isEnabled());
+        openExample("bar.step", 12);
+        settle();
+    }
+
+    void cleanup() { m_window.reset(); }
+
+    void importingAndFillingAreEntries()
+    {
+        QCOMPARE(tree().record(0).name, std::string("Import bar.step"));
+        QCOMPARE(tree().records().size(), std::size_t{2});
+        QVERIFY(presentName().startsWith("Refill "));
+        QVERIFY(present().wallTime > 1.7e9);
+        const std::size_t objects = snapshot().objects;
+        const std::uint64_t after = digest();
+        undo();
+        settle();
+        QCOMPARE(tree().current(), Entry{0});
+        QVERIFY(snapshot().objects != objects);
+        QCOMPARE(document().content().bodies[0]->aggregate->size(), snapshot().objects);
+        QVERIFY(!action("undo")->isEnabled());
+        redo();
+        QCOMPARE(digest(), after);
+        QCOMPARE(snapshot().objects, objects);
+    }
+
+    void aTime()
+    {
+        document().post(SetGravity{Vec3(0, 0, -9.81)});
+        const std::uint64_t before = digest();
+        simulate(0.2);
+        settle();
+        QVERIFY2(presentName().startsWith("Simulate ") && presentName().endsWith(" ms") == false,
+                 qPrintable(presentName()));
+        verifyUndo(before, presentName());
+        // From there on everything happens again as it did.
+        const std::uint64_t step = snapshot().step;
+        undo();
+        settle();
+        simulate(0.05);
+        QVERIFY(snapshot().step < step);
+    }
+
+    void toolsComeAndGo()
+    {
+        const std::uint64_t empty = digest();
+        addBlock();
+        verifyUndo(empty, "Add Block 1");
+        QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
+        click(snapshot().tools[0].pose.position);
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
+        const std::uint64_t withBlock = digest();
+        key(Qt::Key_Delete);
+        QTRY_VERIFY(snapshot().tools.empty());
+        verifyUndo(withBlock, "Remove Block 1");
+        undo();
+        undo();
+        QCOMPARE(digest(), empty);
+        QVERIFY(document().selection().kind != Selection::Kind::Tool);
+        addBlock();
+        QCOMPARE(snapshot().tools[0].name, std::string("Block 1"));
+    }
+
+    void aDraggedToolIsOneEntry()
+    {
+        addBlock();
+        key(Qt::Key_F);
+        QTest::qWait(500);
+        const std::uint64_t before = digest();
+        const std::size_t entries = tree().records().size();
+        ViewportWidget& view = m_window->viewport();
+        const QPoint from = view.widgetPosition(snapshot().tools[0].pose.position)->toPoint();
+        QTest::mouseMove(&view, from);
+        QTest::mousePress(&view, Qt::LeftButton, {}, from);
+        for (int i = 1; i <= 8; ++i) {
+            QTest::mouseMove(&view, from + QPoint(10 * i, 0));
+            QTest::qWait(20);
+        }
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(80, 0));
+        verifyUndo(before, "Move Block 1");
+        QCOMPARE(tree().records().size(), entries + 1);
+        // A click that moves nothing is none.
+        QTest::mouseClick(&view, Qt::LeftButton, {}, view.widgetPosition(snapshot().tools[0].pose.position)->toPoint());
+        settle();
+        QCOMPARE(tree().records().size(), entries + 1);
+    }
+
+    void keysWithinASecondAreOneEntry()
+    {
+        addBlock();
+        const std::uint64_t before = digest();
+        const std::size_t entries = tree().records().size();
+        m_window->viewport().setFocus();
+        for (int i = 0; i < 5; ++i) {
+            const double z = snapshot().tools[0].pose.position.z();
+            QTest::keyClick(&m_window->viewport(), Qt::Key_PageDown);
+            QTRY_VERIFY(snapshot().tools[0].pose.position.z() < z);
+        }
+        QTRY_COMPARE(tree().records().size(), entries + 1);
+        verifyUndo(before, "Move Block 1");
+    }
+
+    void aPushIsOneEntryAndWhatCameBeforeAnother()
+    {
+        addBlock();
+        const std::uint64_t before = digest();
+        const std::size_t entries = tree().records().size();
+        key(Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.15, patience);
+        QTest::keyPress(&m_window->viewport(), Qt::Key_PageDown);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().tools[0].force.z() > 0.05, patience);
+        QTest::keyRelease(&m_window->viewport(), Qt::Key_PageDown);
+        QTRY_COMPARE_WITH_TIMEOUT(tree().records().size(), entries + 2, patience);
+        QCOMPARE(presentName(), QString("Push with Block 1"));
+        QVERIFY(tree().record(present().parent).name.starts_with("Simulate "));
+        QVERIFY(snapshot().playing);
+        // Undone while it plays: what was simulated since is kept as well.
+        QTest::qWait(200);
+        undo();
+        settle();
+        QVERIFY(!snapshot().playing);
+        QCOMPARE(tree().records().size(), entries + 3);
+        QCOMPARE(presentName(), QString("Push with Block 1"));
+        QVERIFY(action("redo")->text().contains("Simulate"));
+        for (int i = 0; i < 2; ++i)
+            undo();
+        QCOMPARE(digest(), before);
+        redo();
+        redo();
+        settle();
+        QCOMPARE(presentName(), QString("Push with Block 1"));
+    }
+
+    void materialsAreUndone()
+    {
+        const std::uint64_t before = digest();
+        const double softness = snapshot().materials[0].youngsModulus;
+        auto* preset = find<QComboBox>("materialPreset");
+        preset->setCurrentText("Modeling clay");
+        emit preset->activated(preset->currentIndex());
+        QTRY_VERIFY(snapshot().materials[0].youngsModulus != softness);
+        verifyUndo(before, QString::fromUtf8("Material of Bar → Modeling clay"));
+        undo();
+        settle();
+        QCOMPARE(snapshot().materials[0].youngsModulus, softness);
+        QVERIFY(preset->currentText() != "Modeling clay");
+        redo();
+        settle();
+        QCOMPARE(preset->currentText(), QString("Modeling clay"));
+    }
+
+    void fixturesAreUndone()
+    {
+        const std::uint64_t before = digest();
+        key(Qt::Key_X);
+        const Box box = document().content().box;
+        click(Vec3(box.center().x(), box.center().y(), box.max().z()));
+        QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
+        verifyUndo(before, "Fix face");
+        QCOMPARE(document().fixtures().list().size(), std::size_t{1});
+        const std::vector<std::uint32_t> faces = document().fixtures().list()[0].faces;
+        QCOMPARE(faces.size(), std::size_t{1});
+        undo();
+        settle();
+        QVERIFY(document().fixtures().list().empty());
+        redo();
+        settle();
+        QCOMPARE(document().fixtures().list().at(0).faces, faces);
+        const std::uint64_t fixed = digest();
+        click(Vec3(box.center().x(), box.center().y(), box.max().z()));
+        QTRY_VERIFY(snapshot().fixtures.empty());
+        verifyUndo(fixed, "Free face");
+    }
+
+    void switchesFollow()
+    {
+        const std::uint64_t before = digest();
+        key(Qt::Key_G);
+        QTRY_VERIFY(!snapshot().gravity.isZero());
+        verifyUndo(before, "Gravity on");
+        QVERIFY(action("gravity")->isChecked());
+        undo();
+        settle();
+        QVERIFY(!action("gravity")->isChecked());
+    }
+
+    void resetAndRenormalizationAreUndone()
+    {
+        document().post(SetGravity{Vec3(0, 0, -9.81)});
+        simulate(0.1);
+        const std::uint64_t bent = digest();
+        key(Qt::Key_N);
+        settle();
+        verifyUndo(bent, "Re-normalize");
+        undo();
+        settle();
+        key(Qt::Key_Backspace);
+        settle();
+        verifyUndo(bent, "Reset");
+        undo();
+        QCOMPARE(digest(), bent);
+    }
+
+    void manyStepsBackMakeOneJourney()
+    {
+        std::vector<std::uint64_t> digests{digest()};
+        for (int i = 0; i < 6; ++i) {
+            key(Qt::Key_Period);
+            QTest::qWait(1100); // or they would be one
+            digests.push_back(digest());
+        }
+        for (int i = 0; i < 6; ++i)
+            undo();
+        QCOMPARE(digest(), digests[0]);
+        for (int i = 0; i < 4; ++i)
+            redo();
+        undo();
+        redo();
+        QCOMPARE(digest(), digests[4]);
+        document().goToEntry(tree().current() - 2);
+        QCOMPARE(digest(), digests[2]);
+    }
+
+    void aProjectComesBackWithItsHistory()
+    {
+        key(Qt::Key_X);
+        const Box box = document().content().box;
+        click(Vec3(box.center().x(), box.center().y(), box.max().z()));
+        settle();
+        const std::uint64_t fixed = digest();
+        key(Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.05, patience);
+        const std::uint64_t revision = document().history().revision();
+        std::optional<Project> project;
+        document().whenSettled([&] { project = document().project(); }); // while it plays
+        QTRY_VERIFY(project.has_value());
+        QVERIFY(document().history().revision() > revision);
+        QCOMPARE(project->entries.size(), std::size_t{4});
+        QCOMPARE(project->starts.size(), std::size_t{2});
+        key(Qt::Key_Space);
+        project->entries[2].moment = nullptr; // as if it had been thinned
+
+        show(m_services); // another window
+        document().open(prepareProject(*project, m_services.packing, TaskControl::none()));
+        settle();
+        QCOMPARE(tree().records().size(), std::size_t{4});
+        QVERIFY(presentName().startsWith("Simulate"));
+        QCOMPARE(document().fixtures().list().at(0).faces.size(), std::size_t{1});
+        undo();
+        QCOMPARE(digest(), fixed);
+        const std::size_t objects = snapshot().objects;
+        undo();
+        undo();
+        settle();
+        QCOMPARE(tree().current(), Entry{0});
+        QVERIFY(snapshot().objects != objects); // a content that was not shown before
+        QVERIFY(document().fixtures().list().empty());
+        addBlock();
+        settle();
+        QCOMPARE(presentName(), QString("Add Block 1"));
+    }
+
+    void whatIsDoneOnTheWayHappensThere()
+    {
+        addBlock();
+        settle();
+        undo();
+        key(Qt::Key_G); // before the simulation is there
+        settle();
+        QTRY_VERIFY(!snapshot().gravity.isZero());
+        QVERIFY(snapshot().tools.empty());
+        settle();
+        QCOMPARE(presentName(), QString("Gravity on"));
+        QCOMPARE(present().parent, Entry{1});
+        QVERIFY(!action("redo")->isEnabled());
+        document().goToEntry(2);
+        settle();
+        QCOMPARE(snapshot().tools.size(), std::size_t{1});
+    }
+};
+
+int main(int argc, char** argv)
+{
+    prepareGraphics();
+    QApplication application(argc, argv);
+    WindowHistoryTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "window_history_test.moc"
