@@ -18,6 +18,7 @@
 #include <QtTest>
 
 #include <atomic>
+#include <csignal>
 #include <filesystem>
 #include <stdexcept>
 
@@ -104,6 +105,7 @@ class WindowProjectTest : public QObject, WindowOnTest {
         QTRY_VERIFY2(find<QMessageBox>(name) != nullptr && find<QMessageBox>(name)->isVisible(), name);
         QTest::mouseClick(find<QMessageBox>(name)->button(button), Qt::LeftButton);
         QTRY_VERIFY(find<QMessageBox>(name) == nullptr);
+        m_window->activateWindow(); // there may be no window manager that does it
     }
 
     std::vector<std::vector<Vec3>> statesOfSteps(int steps)
@@ -207,7 +209,7 @@ private slots:
         picture("save question");
         answer("saveQuestion", QMessageBox::Cancel);
         QVERIFY(m_window->isVisible());
-
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
         QTest::keyClick(m_window.get(), Qt::Key_Q, Qt::ControlModifier);
         answer("saveQuestion", QMessageBox::Save);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), patience);
@@ -272,6 +274,8 @@ private slots:
         newWindow(m_services);
         QMimeData data;
         data.setUrls({QUrl::fromLocalFile(file("a.knead"))});
+        QDragEnterEvent enter(QPoint(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(m_window.get(), &enter);
         QDropEvent drop(QPointF(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(m_window.get(), &drop);
         QTRY_COMPARE_WITH_TIMEOUT(projects().path(), file("a.knead"), patience);

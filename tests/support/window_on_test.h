@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include <memory>
@@ -75,10 +76,12 @@ protected:
 
     static bool hasDisplay() { return QGuiApplication::platformName() != "offscreen"; }
 
-    /// Settings of its own, so that those of a person stay as they are.
+    /// Settings and recoveries of its own, so that those of a person stay as they are.
     void prepare()
     {
         QStandardPaths::setTestModeEnabled(true);
+        static const QTemporaryDir state;
+        qputenv("XDG_STATE_HOME", state.path().toUtf8());
         QApplication::setOrganizationName("knead-test");
         QApplication::setApplicationName("window-test");
         setCadProgram(KNEAD_PROGRAM);
