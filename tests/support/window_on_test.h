@@ -8,7 +8,9 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDialog>
 #include <QDir>
+#include <QPainter>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -70,8 +72,16 @@ protected:
     void picture(const char* name)
     {
         const QString folder = qEnvironmentVariable("KNEAD_PICTURES");
-        if (!folder.isEmpty())
-            m_window->grab().save(QDir(folder).filePath(QString(name) + ".png"));
+        if (folder.isEmpty())
+            return;
+        QPixmap image = m_window->grab();
+        QPainter painter(&image);
+        for (QWidget* dialog : m_window->findChildren<QDialog*>()) // in front of it, wherever it lies
+            if (dialog->isVisible())
+                painter.drawPixmap((m_window->width() - dialog->width()) / 2, (m_window->height() - dialog->height()) / 2,
+                                   dialog->grab());
+        painter.end();
+        image.save(QDir(folder).filePath(QString(name) + ".png"));
     }
 
     static bool hasDisplay() { return QGuiApplication::platformName() != "offscreen"; }

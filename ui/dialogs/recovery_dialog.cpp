@@ -14,6 +14,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace knead {
 
 namespace {
@@ -24,7 +26,7 @@ QString timeWords(double time)
     if (time <= 0)
         return RecoveryDialog::tr("nobody knows when");
     const QDateTime moment = QDateTime::fromSecsSinceEpoch(static_cast<qint64>(time));
-    const QString clock = QLocale().toString(moment.time(), QLocale::ShortFormat);
+    const QString clock = moment.time().toString("HH:mm");
     const qint64 days = moment.date().daysTo(QDate::currentDate());
     if (days == 0)
         return RecoveryDialog::tr("today, %1").arg(clock);
@@ -72,6 +74,7 @@ RecoveryDialog::RecoveryDialog(std::vector<Recovery> found, QWidget* parent)
     column->addWidget(text);
     addList(column);
     addButtons(column);
+    resize(minimumSizeHint());
 }
 
 void RecoveryDialog::addList(QVBoxLayout* column)
@@ -79,13 +82,17 @@ void RecoveryDialog::addList(QVBoxLayout* column)
     m_list = new QListWidget(this);
     m_list->setObjectName("recoveryList");
     m_list->setIconSize({28, 28});
-    m_list->setSpacing(2);
+    m_list->setUniformItemSizes(true);
     for (const Recovery& recovery : m_found) {
-        const QString about = tr("%1   %2").arg(timeWords(recovery.lastChange), amountWords(recovery.entries));
+        const QString about = tr("%1  \u00b7  %2").arg(timeWords(recovery.lastChange), amountWords(recovery.entries));
         auto* item = new QListWidgetItem(icon("part"), nameOf(recovery) + "\n" + about, m_list);
         item->setToolTip(recovery.projectFile.empty() ? QString() : QFile::decodeName(recovery.projectFile.c_str()));
     }
     m_list->setCurrentRow(0);
+    constexpr int mostShown = 5;
+    const auto shown = std::min(static_cast<int>(m_found.size()), mostShown);
+    m_list->setMinimumHeight(shown * m_list->sizeHintForRow(0) + 2 * m_list->frameWidth() + 4);
+    m_list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
     column->addWidget(m_list, 1);
     connect(m_list, &QListWidget::itemDoubleClicked, this, &RecoveryDialog::recover);
 }
@@ -126,11 +133,12 @@ void RecoveryDialog::askToDiscard()
     const int row = m_list->currentRow();
     if (row < 0)
         return;
-    auto* box = new QMessageBox(QMessageBox::Warning, tr("Discard unsaved work"),
+    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Discard unsaved work"),
                                 tr("Discard the unsaved work on \"%1\"? It cannot be brought back.")
                                     .arg(nameOf(m_found[static_cast<std::size_t>(row)])),
                                 QMessageBox::Discard | QMessageBox::Cancel, this);
     box->setObjectName("discardBox");
+    box->setIconPixmap(icon("warning").pixmap(32, 32));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Cancel);
     connect(box, &QMessageBox::finished, this, [this, row](int button) {

@@ -33,6 +33,20 @@ QLabel* centered(const QString& text, const char* role, QWidget* parent)
     return label;
 }
 
+/// Everything in a layout.
+void takeAway(QLayout* layout)
+{
+    while (QLayoutItem* item = layout->takeAt(0)) {
+        if (QWidget* widget = item->widget()) {
+            widget->hide();
+            widget->deleteLater(); // it may be what was clicked
+        }
+        if (item->layout() != nullptr)
+            takeAway(item->layout());
+        delete item;
+    }
+}
+
 } // namespace
 
 HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
@@ -41,7 +55,7 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
     setObjectName("homePage");
     auto* zone = new QFrame(this);
     zone->setObjectName("dropZone");
-    zone->setFixedWidth(560);
+    zone->setFixedWidth(700);
     auto* column = new QVBoxLayout(zone);
     column->setContentsMargins(36, 32, 36, 32);
     column->setSpacing(14);
@@ -80,7 +94,7 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
     }
 
     m_recent = new QVBoxLayout;
-    m_recent->setSpacing(4);
+    m_recent->setSpacing(14);
     column->addLayout(m_recent);
 
     auto* page = new QVBoxLayout(this);
@@ -92,24 +106,24 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
 void HomePage::showRecent(const QStringList& paths)
 {
     constexpr qsizetype most = 4;
-    while (QLayoutItem* item = m_recent->takeAt(0)) {
-        if (QWidget* widget = item->widget()) {
-            widget->hide();
-            widget->deleteLater(); // it may be what was clicked
-        }
-        delete item;
-    }
+    constexpr int longestName = 110; // [pixels]
+    takeAway(m_recent);
     if (paths.isEmpty())
         return;
     m_recent->addSpacing(10);
     m_recent->addWidget(centered(tr("or go on with"), "dimmed", this));
+    auto* row = new QHBoxLayout;
+    row->addStretch();
     for (const QString& path : paths.first(std::min(most, paths.size()))) {
-        auto* button = new QPushButton(icon("part"), QFileInfo(path).fileName(), this);
+        const QString name = fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, longestName);
+        auto* button = new QPushButton(icon("part"), name, this);
         button->setObjectName("recent_" + QFileInfo(path).fileName());
         button->setToolTip(path);
         connect(button, &QPushButton::clicked, this, [this, path] { emit fileChosen(path); });
-        m_recent->addWidget(button, 0, Qt::AlignHCenter);
+        row->addWidget(button);
     }
+    row->addStretch();
+    m_recent->addLayout(row);
 }
 
 } // namespace knead

@@ -4,6 +4,7 @@
 #include "ui/project/project_view.h"
 #include "ui/project/recent_files.h"
 #include "ui/tasks/task_runner.h"
+#include "ui/theme.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QFile>
@@ -250,12 +251,14 @@ void ProjectKeeper::letGo(std::function<void()> then)
         m_question->raise();
         return;
     }
-    m_question = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+    m_question = new QMessageBox(QMessageBox::NoIcon, tr("Unsaved changes"),
                                  tr("Save the changes to \"%1\"?").arg(name()),
                                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window.widget);
     m_question->setObjectName("saveQuestion");
     m_question->setAttribute(Qt::WA_DeleteOnClose);
-    m_question->setInformativeText(tr("What is not saved is lost."));
+    m_question->setIconPixmap(icon("save").pixmap(32, 32));
+    m_question->setInformativeText(m_path.isEmpty() ? tr("It has never been saved.")
+                                                    : tr("What was done since it was saved is lost otherwise."));
     m_question->setDefaultButton(QMessageBox::Save);
     connect(m_question, &QMessageBox::finished, this, [this, then = std::move(then)](int button) {
         if (button == QMessageBox::Save)

@@ -6,6 +6,7 @@
 #include "ui/project/project_view.h"
 #include "ui/project/recent_files.h"
 #include "ui/tasks/task_runner.h"
+#include "ui/theme.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QFile>
@@ -124,9 +125,10 @@ void ProjectKeeper::listMissing(const std::vector<std::string>& missing)
         lines << tr("and %1 more").arg(missing.size() - most);
     for (const std::string& phrase : missing)
         emit told(tr("Not whole: %1").arg(QString::fromStdString(phrase)));
-    auto* box = new QMessageBox(QMessageBox::Warning, tr("Not everything is whole"),
+    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Not everything is whole"),
                                 tr("This could not be brought back:"), QMessageBox::Ok, m_window.widget);
     box->setObjectName("missingBox");
+    box->setIconPixmap(icon("warning").pixmap(32, 32));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setInformativeText(lines.join('\n'));
     box->open();
