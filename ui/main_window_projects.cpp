@@ -27,6 +27,7 @@ void MainWindow::makeProjects()
     const ProjectKeeper* keeper = m_projects.get();
     connect(keeper, &ProjectKeeper::changed, this, &MainWindow::showTitle);
     connect(keeper, &ProjectKeeper::problem, this, &MainWindow::showProblem);
+    connect(keeper, &ProjectKeeper::opening, m_banner, &QWidget::hide);
     connect(keeper, &ProjectKeeper::told, this, [this](const QString& sentence) { m_log->add(sentence); });
     connect(keeper, &ProjectKeeper::recentChanged, this, &MainWindow::listRecent);
     connect(keeper, &ProjectKeeper::perspectiveRestored, m_actions->perspective, &QAction::setChecked);
@@ -100,8 +101,7 @@ bool MainWindow::openedAsProject(const QStringList& paths)
 /// A part with nothing saved yet.
 void MainWindow::openPrepared(PreparedContent prepared)
 {
-    m_document.open(std::move(prepared));
-    m_projects->begin();
+    m_projects->open(std::move(prepared));
     for (const std::string& path : m_document.content().request.paths)
         recent_files::add(QFile::decodeName(path.c_str()));
     listRecent();

@@ -137,7 +137,7 @@ QPushButton[role="primary"] { background: @accent; color: @accentText; border-co
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QListWidget { border: 1px solid @line; border-radius: 6px; background: @base; outline: none; }
 QListWidget::item { padding: 7px 8px; border-radius: 4px; }
-QListWidget::item:selected { background: @tint; color: @text; }
+QListWidget::item:selected { background: @accent; color: @accentText; }
 QStatusBar { border-top: 1px solid @line; }
 QStatusBar::item { border: none; }
 QProgressBar { border: 1px solid @line; border-radius: 4px; background: @base; text-align: center; max-height: 16px; }

@@ -231,6 +231,82 @@ private slots:
         QVERIFY(findRecoveries().empty());
     }
 
+    void workBeforeARefillComesBackToo()
+    {
+        openExample("bar.step", 10); // opened and refilled
+        document().undo();
+        wait();
+        const std::uint64_t first = hash();
+        const std::size_t objects = snapshot().objects;
+        document().redo();
+        wait();
+        saveTo(file("a.knead"));
+        QVERIFY(snapshot().objects != objects);
+        newWindow(m_services);
+        openProject(file("a.knead"));
+        document().undo();
+        wait();
+        QTRY_COMPARE_WITH_TIMEOUT(snapshot().objects, objects, patience);
+        QCOMPARE(hash(), first);
+        QVERIFY(m_window->isWindowModified());
+    }
+
+    void aProjectOpensInItsOwnWindowAgain()
+    {
+        openExample("bar.step", 10);
+        saveTo(file("a.knead"));
+        const std::uint64_t saved = hash();
+        QTest::keyClick(m_window.get(), Qt::Key_G);
+        QTest::qWait(1200);
+        wait();
+        openProject(file("a.knead")); // as after Discard
+        QCOMPARE(hash(), saved);
+        QCOMPARE(projects().path(), file("a.knead"));
+        QVERIFY(!m_window->isWindowModified());
+    }
+
+    void anotherPartIsAnotherProject()
+    {
+        work();
+        saveTo(file("a.knead"));
+        openExample("bar.step", 10);
+        wait();
+        QVERIFY(projects().path().isEmpty());
+        QVERIFY(m_window->windowTitle().startsWith("bar.step"));
+        QVERIFY(ProjectLock(bytesOf(file("a.knead"))).isHeld()); // nobody works on it any more
+        QTest::keyClick(m_window.get(), Qt::Key_G);
+        QTest::qWait(1200);
+        wait();
+        newWindow(m_services);
+        const std::vector<Recovery> left = findRecoveries();
+        QCOMPARE(left.size(), std::size_t{1});
+        QVERIFY(left[0].projectFile.empty());
+        QCOMPARE(left[0].part, std::string("Bar"));
+    }
+
+    void savingWhileTimeRunsGoesOn()
+    {
+        openExample("bar.step", 10);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.1, patience);
+        projects().saveTo(file("a.knead"));
+        QTRY_COMPARE_WITH_TIMEOUT(projects().path(), file("a.knead"), patience);
+        QVERIFY(snapshot().playing);
+        QTRY_VERIFY(m_window->isWindowModified());
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        const Project saved = readProject(bytesOf(file("a.knead")));
+        QVERIFY(saved.entries[saved.current].time >= 0.1);
+    }
+
+    void aPlaceThatCannotBeWrittenToIsOneSentence()
+    {
+        openExample("bar.step", 10);
+        projects().saveTo("/proc/nowhere/a.knead");
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->banner().sentence().contains("a.knead"), patience);
+        QVERIFY(projects().path().isEmpty());
+        QCOMPARE(find<QToolButton>("bannerRemedy")->text(), QString("Save as..."));
+    }
+
     void undoingMarksTheTitleToo()
     {
         openExample("bar.step", 10);
@@ -337,6 +413,7 @@ private slots:
         answer("missingBox", QMessageBox::Ok);
         QVERIFY(!document().isEmpty());
         QVERIFY(document().history().tree().records().size() >= 2);
+        QVERIFY(m_window->banner().sentence().isEmpty());
         QVERIFY(projects().path().isEmpty()); // the damaged file stays as it is
         QVERIFY(m_window->isWindowModified());
         QCOMPARE(find<QWidget>("mainWindow"), nullptr);

@@ -68,13 +68,11 @@ RecoveryDialog::RecoveryDialog(std::vector<Recovery> found, QWidget* parent)
     auto* heading = new QLabel(tr("Knead ended before this was saved"), this);
     heading->setProperty("role", "heading");
     column->addWidget(heading);
-    auto* text = new QLabel(tr("Recovered work opens as it was, unsaved. It stays here until you save or discard it."), this);
+    auto* text = new QLabel(tr("What is recovered opens unsaved, and stays here until you save or discard it."), this);
     text->setProperty("role", "dimmed");
-    text->setWordWrap(true);
     column->addWidget(text);
     addList(column);
     addButtons(column);
-    resize(minimumSizeHint());
 }
 
 void RecoveryDialog::addList(QVBoxLayout* column)
@@ -91,9 +89,8 @@ void RecoveryDialog::addList(QVBoxLayout* column)
     m_list->setCurrentRow(0);
     constexpr int mostShown = 5;
     const auto shown = std::min(static_cast<int>(m_found.size()), mostShown);
-    m_list->setMinimumHeight(shown * m_list->sizeHintForRow(0) + 2 * m_list->frameWidth() + 4);
-    m_list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
-    column->addWidget(m_list, 1);
+    m_list->setFixedHeight(shown * m_list->sizeHintForRow(0) + 2 * m_list->frameWidth() + 4);
+    column->addWidget(m_list);
     connect(m_list, &QListWidget::itemDoubleClicked, this, &RecoveryDialog::recover);
 }
 

@@ -11,6 +11,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QScopedValueRollback>
 #include <QSettings>
 #include <QTimer>
 
@@ -106,8 +107,10 @@ QString ProjectKeeper::filter() const
     return tr("Knead projects (*.%1)").arg(QString::fromStdString(m_services.ending));
 }
 
-void ProjectKeeper::begin()
+void ProjectKeeper::open(PreparedContent parts)
 {
+    const QScopedValueRollback changing(m_isChanging, true);
+    m_window.document.open(std::move(parts));
     m_path.clear();
     m_lock.reset();
     m_saving.reset();
@@ -115,7 +118,6 @@ void ProjectKeeper::begin()
     m_panels.clear();
     m_savedRevision.reset();
     m_isNew = true;
-    historyChanged();
     emit changed();
 }
 
@@ -252,7 +254,8 @@ void ProjectKeeper::letGo(std::function<void()> then)
         return;
     }
     m_question = new QMessageBox(QMessageBox::NoIcon, tr("Unsaved changes"),
-                                 tr("Save the changes to \"%1\"?").arg(name()),
+                                 m_path.isEmpty() ? tr("Save the work on \"%1\" as a project?").arg(name())
+                                                  : tr("Save the changes to \"%1\"?").arg(name()),
                                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window.widget);
     m_question->setObjectName("saveQuestion");
     m_question->setAttribute(Qt::WA_DeleteOnClose);
@@ -287,6 +290,8 @@ void ProjectKeeper::documentChanged(Document::Change what)
 void ProjectKeeper::historyChanged()
 {
     const DocumentHistory& history = m_window.document.history();
+    if (m_isChanging)
+        return;
     if (!history.isEmpty() && m_isNew && history.isSettled()) {
         m_isNew = false;
         m_savedRevision = history.revision();

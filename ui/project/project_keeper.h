@@ -46,8 +46,8 @@ public:
     bool isProject(const QString& file) const; ///< by its ending
     QString filter() const;                    ///< "Knead projects (*.knead)"
 
-    /// A part was opened: a new project without a file begins.
-    void begin();
+    /// Shows parts that were opened: a new project without a file begins.
+    void open(PreparedContent parts);
 
     /// Reads a project in the background. A failure leaves everything as it was; remedies are offered with the sentence.
     void open(const ProjectWish& wish);
@@ -74,6 +74,7 @@ signals:
     void perspectiveRestored(bool isPerspective); ///< with the camera of a project
     /// @param remedy what a click on the button with its text does
     void problem(const QString& sentence, const QString& remedyText, const std::function<void()>& remedy);
+    void opening(); ///< what was said of an earlier attempt is of no interest any more
     void told(const QString& sentence);
     void recentChanged();
 
@@ -119,7 +120,8 @@ private:
     std::shared_ptr<void> m_lock; ///< of the file
     std::vector<ProjectMark> m_marks;
     std::map<std::string, std::string> m_panels;
-    bool m_isNew = false; ///< opened, but its first entry is not there yet
+    bool m_isChanging = false; ///< the document is about to be another one
+    bool m_isNew = false;      ///< opened, but its first entry is not there yet
     std::optional<std::uint64_t> m_savedRevision; ///< of the history that is in the file; none: recovered work is not
     bool m_wasModified = false;
     std::optional<Saving> m_saving;

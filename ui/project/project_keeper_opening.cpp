@@ -12,6 +12,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QScopedValueRollback>
 
 #include <stdexcept>
 #include <utility>
@@ -32,7 +33,10 @@ QString titleOf(const ProjectWish& wish)
 
 void ProjectKeeper::open(const ProjectWish& wish)
 {
-    const auto work = [services = m_services, packing = m_packing, wish](TaskControl& control) {
+    ProjectWish own = wish;
+    if (!m_path.isEmpty() && wish.path == QFile::encodeName(m_path).toStdString())
+        own.lock = m_lock;
+    const auto work = [services = m_services, packing = m_packing, wish = own](TaskControl& control) {
         return readProjectFor(wish, services, packing, control);
     };
     const auto finish = [this, wish](ReadProject read) {
@@ -41,7 +45,9 @@ void ProjectKeeper::open(const ProjectWish& wish)
         else
             offerRemedy(wish, read);
     };
-    if (!m_window.tasks.run<ReadProject>(titleOf(wish), work, finish))
+    if (m_window.tasks.run<ReadProject>(titleOf(wish), work, finish))
+        emit opening();
+    else
         emit problem(tr("%1 is still going on: wait for it, or cancel it with Esc.").arg(m_window.tasks.title()), {},
                      {});
 }
@@ -93,11 +99,11 @@ void ProjectKeeper::show(ReadProject read)
 bool ProjectKeeper::showContent(ReadProject& read)
 {
     if (read.parts) {
-        m_window.document.open(std::move(*read.parts));
-        begin();
+        open(std::move(*read.parts));
         return true;
     }
     try {
+        const QScopedValueRollback changing(m_isChanging, true);
         m_window.document.open(std::move(*read.project));
         m_isNew = false;
         return true;

@@ -32,7 +32,7 @@ Raw readFile(const ProjectWish& wish, const ProjectServices& services, ReadProje
     }
     if (!wish.isCopy) {
         try {
-            result.lock = services.lock(wish.path);
+            result.lock = wish.lock ? wish.lock : services.lock(wish.path);
         } catch (const std::runtime_error& error) {
             result.obstacle = ReadProject::Obstacle::lock;
             result.sentence = error.what();

@@ -17,6 +17,7 @@ struct ProjectWish {
     std::optional<Recovery> recovery; ///< instead of a file
     bool isCopy = false;              ///< without the name and the lock of the file
     bool rescues = false;             ///< takes what is whole of a damaged one
+    std::shared_ptr<void> lock;       ///< of the file, when this window has it already
 };
 
 /// A project that is ready to be shown, or why there is none.
