@@ -5,6 +5,7 @@
 #include "ui/panels/banner.h"
 #include "ui/panels/export_panel.h"
 #include "ui/panels/fixture_panel.h"
+#include "ui/panels/history_panel.h"
 #include "ui/panels/home_page.h"
 #include "ui/panels/import_panel.h"
 #include "ui/panels/log_panel.h"
@@ -94,11 +95,15 @@ void MainWindow::makeDocks()
     m_performance = new PerformancePanel(this);
 
     QDockWidget* tree = makeDock(this, tr("Model"), "modelDock", m_tree, Qt::LeftDockWidgetArea);
+    QDockWidget* history =
+        makeDock(this, tr("History"), "historyDock", new HistoryPanel(m_document), Qt::LeftDockWidgetArea);
     QDockWidget* properties = makeDock(this, tr("Properties"), "propertiesDock", m_properties, Qt::LeftDockWidgetArea);
     QDockWidget* log = makeDock(this, tr("Log"), "logDock", m_log, Qt::BottomDockWidgetArea);
     QDockWidget* performance =
         makeDock(this, tr("Performance"), "performanceDock", m_performance, Qt::BottomDockWidgetArea);
     QDockWidget* report = makeDock(this, tr("Import report"), "importDock", m_import, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(tree, history);
+    tree->raise();
     tabifyDockWidget(log, report);
     QDockWidget* exported = makeDock(this, tr("Export report"), "exportDock", m_export, Qt::BottomDockWidgetArea);
     tabifyDockWidget(report, exported);

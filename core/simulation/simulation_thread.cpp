@@ -44,6 +44,7 @@ struct SimulationThread::Worker {
         {
             const std::lock_guard lock(mutex);
             requests.push_back(std::move(request));
+            ++asked;
         }
         wake.notify_one();
     }
@@ -72,6 +73,7 @@ struct SimulationThread::Worker {
         }
         for (const auto& request : taken)
             request(*this);
+        carriedOut += taken.size();
         if (!playing)
             simulation.applyCommands();
     }
@@ -125,6 +127,7 @@ struct SimulationThread::Worker {
         shot->stepsPerFrame = playing ? steps : 0;
         shot->snapshotSeconds = snapshotSeconds;
         shot->arrivals = arrivals;
+        shot->requests = carriedOut;
         const std::lock_guard lock(mutex);
         latest = shot;
     }
@@ -144,12 +147,14 @@ struct SimulationThread::Worker {
     int steps = 0;
     double snapshotSeconds = 0;
     std::uint64_t arrivals = 0;
+    std::uint64_t carriedOut = 0;
     std::deque<Frame> frames;
 
     // Shared.
     std::mutex mutex;
     std::condition_variable_any wake;
     std::deque<std::function<void(Worker&)>> requests;
+    std::uint64_t asked = 0;
     SnapshotPointer latest;
 
     std::jthread thread; // last: stops before the rest goes
@@ -219,6 +224,12 @@ void SimulationThread::setSpeed(double ratio)
 void SimulationThread::post(Command command)
 {
     m_worker->ask([command = std::move(command)](Worker& worker) { worker.simulation.post(command); });
+}
+
+std::uint64_t SimulationThread::requests() const
+{
+    const std::lock_guard lock(m_worker->mutex);
+    return m_worker->asked;
 }
 
 SnapshotPointer SimulationThread::latest() const

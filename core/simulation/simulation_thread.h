@@ -41,6 +41,9 @@ public:
     /// Snapshots from there on count one arrival more.
     void goTo(MomentPointer moment);
 
+    /// How many requests there were so far: a snapshot that counts as many has seen what all calls before asked for.
+    std::uint64_t requests() const;
+
     /// The newest state; never null. A new pointer whenever anything changed.
     SnapshotPointer latest() const;
 

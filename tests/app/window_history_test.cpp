@@ -4,8 +4,14 @@
 #include "ui/run_window.h"
 
 #include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QTreeWidget>
 #include <QtTest>
 
+#include <cmath>
 #include <map>
 
 using namespace knead;
@@ -59,10 +65,8 @@ class WindowHistoryTest : public QObject, WindowOnTest {
     /// Waits until everything that was done is in the history and shown.
     void settle()
     {
-        QTest::qWait(1);
-        QTRY_VERIFY_WITH_TIMEOUT(document().history().isSettled() && !document().isGoing(), patience);
-        QTRY_VERIFY(snapshot().step == present().step && snapshot().time == present().time);
-        QTest::qWait(60); // what was posted last may have changed no step
+        QTRY_VERIFY_WITH_TIMEOUT(document().isSettled(), 5'000);
+        QVERIFY(snapshot().step == present().step && snapshot().time == present().time);
     }
 
     std::uint64_t digest()
@@ -82,6 +86,11 @@ class WindowHistoryTest : public QObject, WindowOnTest {
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().time >= end, patience);
         key(Qt::Key_Space);
         QTRY_VERIFY(!snapshot().playing);
+    }
+
+    double spacingOfObjects(double count)
+    {
+        return std::cbrt(document().content().bodies[0]->aggregate->meshVolume / count);
     }
 
     void addBlock()
@@ -377,6 +386,211 @@ private slots:
         addBlock();
         settle();
         QCOMPARE(presentName(), QString("Add Block 1"));
+    }
+
+    void aClickInThePanelGoesThere()
+    {
+        auto* panel = find<QTreeWidget>("historyTree");
+        find<QDockWidget>("historyDock")->raise();
+        const auto itemOf = [&](Entry entry) -> QTreeWidgetItem* {
+            for (QTreeWidgetItemIterator it(panel); *it != nullptr; ++it)
+                if ((*it)->data(0, Qt::UserRole).toUInt() == entry)
+                    return *it;
+            return nullptr;
+        };
+        QTRY_VERIFY(itemOf(0) != nullptr);
+        const auto clickItem = [&](Entry entry, int column = 0) {
+            const QRect row = panel->visualItemRect(itemOf(entry));
+            const int x = panel->columnViewportPosition(column) + (column == 0 ? row.left() + 40 : 8);
+            QTest::mouseClick(panel->viewport(), Qt::LeftButton, {}, QPoint(x, row.center().y()));
+        };
+        addBlock();
+        settle();
+        const Entry withBlock = tree().current();
+        const std::uint64_t blockDigest = digest();
+        key(Qt::Key_G);
+        settle();
+        simulate(0.15);
+        settle();
+        const Entry simulated = tree().current();
+        QTRY_VERIFY(itemOf(simulated) != nullptr && itemOf(simulated)->font(0).bold());
+        clickItem(withBlock);
+        settle();
+        QCOMPARE(tree().current(), withBlock);
+        QCOMPARE(digest(), blockDigest);
+        QTRY_VERIFY(itemOf(withBlock)->font(0).bold() && !itemOf(simulated)->font(0).bold());
+
+        // Something else begins a branch; what was done before moves aside.
+        simulate(0.1);
+        settle();
+        QTRY_VERIFY(itemOf(tree().current()) != nullptr);
+        QCOMPARE(itemOf(simulated)->parent(), itemOf(withBlock));
+        QCOMPARE(itemOf(tree().current())->parent(), nullptr);
+        clickItem(simulated);
+        settle();
+        QCOMPARE(tree().current(), simulated);
+
+        clickItem(simulated, 1);
+        QVERIFY(tree().record(simulated).isKey);
+        panel->setCurrentItem(itemOf(simulated), 0);
+        panel->setFocus();
+        QTest::keyClick(panel, Qt::Key_F2);
+        auto* editor = panel->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        editor->selectAll();
+        QTest::keyClicks(editor, "hanging down");
+        picture("history");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(tree().record(simulated).name, std::string("hanging down"));
+        QTRY_COMPARE(itemOf(simulated)->text(0), QString("hanging down"));
+        QVERIFY(find<QLabel>("historyMemory")->text().endsWith(" kB"));
+        auto* allowed = find<QSpinBox>("historyMemoryAllowed");
+        allowed->setValue(100);
+        QCOMPARE(document().history().memoryLimit(), std::size_t{100} << 20U);
+        allowed->setValue(512);
+        m_window->setTheme(Theme::Dark);
+        QTest::qWait(200);
+        picture("history-dark");
+        m_window->setTheme(Theme::Light);
+    }
+
+    void anySequenceOfEditsComesBack_data()
+    {
+        QTest::addColumn<int>("seed");
+        QTest::newRow("1") << 1;
+        QTest::newRow("2") << 2;
+    }
+    void anySequenceOfEditsComesBack()
+    {
+        QFETCH(int, seed);
+        fuzz::Random random(static_cast<std::uint64_t>(seed));
+        std::map<Entry, std::uint64_t> digests{{tree().current(), digest()}};
+        const Box box = document().content().box;
+        int goings = 0;
+        for (int i = 0; i < 60; ++i) {
+            const std::size_t what = random.below(14);
+            switch (what) {
+            case 0:
+                key(Qt::Key_B);
+                break;
+            case 1:
+                key(Qt::Key_Delete);
+                break;
+            case 2:
+                key(Qt::Key_G);
+                break;
+            case 3:
+                document().toggleFace(0, static_cast<std::uint32_t>(random.below(6)));
+                break;
+            case 4:
+                document().post(SetMaterial{0, {.youngsModulus = 1e5 * static_cast<double>(1 + random.below(9))}});
+                break;
+            case 5:
+                key(Qt::Key_N);
+                break;
+            case 6:
+                key(Qt::Key_Period);
+                break;
+            case 7:
+            case 8:
+                key(Qt::Key_Space);
+                QTest::qWait(static_cast<int>(random.below(120)));
+                key(Qt::Key_Space);
+                break;
+            case 9:
+                if (random.below(4) == 0) {
+                    m_window->refill(document().size() / static_cast<double>(8 + random.below(6)));
+                    QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+                }
+                break;
+            case 10:
+                document().goToEntry(static_cast<Entry>(random.below(tree().records().size())));
+                ++goings;
+                break;
+            default:
+                for (std::size_t times = 1 + random.below(3); times > 0; --times)
+                    random.below(3) == 0 ? redo() : undo();
+                ++goings;
+            }
+            if (random.below(3) == 0)
+                continue; // at once something else
+            const std::uint64_t now = digest();
+            if (QTest::currentTestFailed())
+                return;
+            const auto [known, isNew] = digests.emplace(tree().current(), now);
+            QVERIFY2(known->second == now,
+                     qPrintable(QString("%1: entry %2, after %3").arg(i).arg(tree().current()).arg(what)));
+        }
+        for (const auto& [entry, before] : digests) {
+            document().goToEntry(entry);
+            QCOMPARE(digest(), before);
+        }
+        qInfo("%zu entries, %zu seen, %d goings, %zu bytes", tree().records().size(), digests.size(), goings,
+              tree().memory());
+    }
+
+    void thinnedEntriesAreFoundAgainAndAGoingCanBeCancelled()
+    {
+        document().post(SetGravity{Vec3(0, 0, -9.81)});
+        simulate(0.3);
+        const std::uint64_t first = digest();
+        const Entry thinned = tree().current();
+        document().post(SetGravity{Vec3(0, 0, 5)});
+        settle();
+        std::vector<HistoryRecord> records = tree().records();
+        for (Entry entry = 1; entry < records.size(); ++entry)
+            if (entry != tree().current())
+                records[entry].moment = nullptr;
+        Project project = document().project();
+        project.entries = records;
+        document().open(prepareProject(project, m_services.packing, TaskControl::none()));
+        const std::uint64_t last = digest();
+        undo();
+        QVERIFY(m_window->tasks().isRunning());
+        m_window->tasks().cancel();
+        settle();
+        QCOMPARE(digest(), last);
+        QCOMPARE(tree().current(), project.current);
+        QVERIFY(!tree().record(thinned).moment);
+        undo();
+        QVERIFY(m_window->tasks().isRunning());
+        QCOMPARE(digest(), first);
+        QCOMPARE(tree().current(), thinned);
+        QVERIFY(tree().record(thinned).moment != nullptr);
+    }
+
+    void aHundredEntriesOfALargeBodyStayWithinMemoryWhileTheWindowAnswers()
+    {
+        m_window->refill(spacingOfObjects(27'000));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        QVERIFY(snapshot().objects > 20'000);
+        settle();
+        constexpr std::size_t memory = std::size_t{48} << 20U;
+        document().history().setMemory(memory);
+        document().post(SetGravity{Vec3(0, 0, -9.81)});
+        QElapsedTimer clock;
+        qint64 longest = 0;
+        for (int i = 0; i < 100; ++i) {
+            document().stepOnce();
+            document().finishGesture();
+            clock.start();
+            QTest::qWait(10);
+            longest = std::max(longest, clock.elapsed());
+            QVERIFY(tree().memory() <= memory);
+        }
+        settle();
+        QVERIFY(tree().records().size() >= 100);
+        QVERIFY(tree().memory() <= memory);
+        const std::uint64_t end = digest();
+        for (int i = 0; i < 5; ++i)
+            undo();
+        settle();
+        for (int i = 0; i < 5; ++i)
+            redo();
+        QCOMPARE(digest(), end);
+        document().history().setMemory(History::defaultMemory);
+        qInfo("%zu entries, %zu bytes, the window answered within %lld ms", tree().records().size(), tree().memory(),
+              longest);
     }
 
     void whatIsDoneOnTheWayHappensThere()

@@ -140,7 +140,7 @@ void Document::start(Simulation simulation, std::shared_ptr<const Content> conte
     m_simulation = std::make_unique<SimulationThread>(std::move(simulation));
     m_seen = m_simulation->latest();
     m_arrivals = 0;
-    m_isPlaying = m_wasSeenPlaying = false;
+    m_isPlaying = false;
     m_ending->stop();
     m_gesture = {.begin = m_frame->snapshot->time};
     const std::uint64_t generation = ++m_generation;

@@ -119,6 +119,9 @@ public:
     /// Between asking for another entry and seeing it. What is posted in the meantime happens there.
     bool isGoing() const { return m_journey != JourneyState::none || !m_wishes.empty(); }
 
+    /// Nothing is under way: the history has all that was done, and the frame shows it.
+    bool isSettled() const;
+
     /// Looks at the gesture under way, see SimulationThread::lookAtGesture().
     void lookAtGesture(std::function<void(std::vector<RecordedCommand> commands, std::uint64_t step)> told);
 
@@ -198,7 +201,7 @@ private:
     Gesture m_gesture;
     QTimer* m_ending; ///< until a gesture that may be gone on with ends
     bool m_isPlaying = false;
-    bool m_wasSeenPlaying = false;
+    std::uint64_t m_playRequest = 0; ///< snapshots that count as many requests have heard of it
 
     JourneyState m_journey = JourneyState::none;
     Entry m_shown = 0;            ///< where the simulation is, or was when it began to do something else

@@ -25,6 +25,7 @@ void Document::play()
     m_isPlaying = true;
     noteGesture();
     m_simulation->play();
+    m_playRequest = m_simulation->requests();
 }
 
 void Document::pause()
@@ -33,13 +34,15 @@ void Document::pause()
         return;
     emit stopping();
     m_simulation->pause();
-    m_isPlaying = m_wasSeenPlaying = false;
+    m_isPlaying = false;
     finishGesture();
 }
 
 void Document::togglePlay()
 {
-    if (m_simulation && m_simulation->latest()->playing)
+    if (later([this] { togglePlay(); }))
+        return;
+    if (m_isPlaying)
         pause();
     else
         play();
@@ -62,7 +65,7 @@ void Document::reset()
     emit stopping();
     finishGesture();
     m_simulation->reset();
-    m_isPlaying = m_wasSeenPlaying = false;
+    m_isPlaying = false;
     m_gesture = {.isAny = true, .name = tr("Reset")};
     finishGesture();
 }
@@ -140,15 +143,20 @@ void Document::finishGesture()
     m_gesture = {.isAny = m_isPlaying, .begin = m_frame ? m_frame->snapshot->time : 0};
 }
 
-/// The simulation stops by itself when it is in trouble.
+/// The simulation stops by itself when it is in trouble, or does not begin.
 void Document::noticeStop()
 {
-    const bool isPlaying = m_frame->snapshot->playing;
-    if (m_isPlaying && m_wasSeenPlaying && !isPlaying) {
-        m_isPlaying = false;
-        finishGesture();
-    }
-    m_wasSeenPlaying = m_isPlaying && isPlaying;
+    const Snapshot& snapshot = *m_frame->snapshot;
+    if (!m_isPlaying || snapshot.playing || snapshot.requests < m_playRequest)
+        return;
+    m_isPlaying = false;
+    finishGesture();
+}
+
+bool Document::isSettled() const
+{
+    return m_history.isSettled() && !isGoing() && !m_isPlaying && !m_gesture.isAny &&
+           (!m_simulation || m_frame->snapshot->requests == m_simulation->requests());
 }
 
 void Document::lookAtGesture(std::function<void(std::vector<RecordedCommand>, std::uint64_t)> told)

@@ -54,7 +54,7 @@ void Document::wish(Wish wish)
     if (!isGoing()) {
         emit stopping();
         m_simulation->pause();
-        m_isPlaying = m_wasSeenPlaying = false;
+        m_isPlaying = false;
         finishGesture();
     }
     m_wishes.push_back(std::move(wish));

@@ -185,6 +185,8 @@ QString simulatedName(double seconds)
 
 QString timeText(double seconds)
 {
+    if (seconds == 0)
+        return tr("0 s");
     if (std::abs(seconds) < 0.0995)
         return tr("%1 ms").arg(1000 * seconds, 0, 'f', std::abs(seconds) < 0.00995 ? 1 : 0);
     return tr("%1 s").arg(seconds, 0, 'f', std::abs(seconds) < 9.95 ? 2 : 1);
