@@ -193,6 +193,13 @@ Content emptyContent(const Model& model, const ImportChoices& request)
     return content;
 }
 
+void assess(Content& content, const FillingSizes& sizes)
+{
+    content.fineness = assessSpacing(content.spacing, sizes.all);
+    if (!content.fineness.warning.empty())
+        content.warnings.push_back(content.fineness.warning);
+}
+
 /// Fills every part that has an inside; the others become surfaces.
 Content fillContent(std::shared_ptr<const Model> model, const ImportChoices& request, TaskControl& control)
 {
@@ -202,9 +209,7 @@ Content fillContent(std::shared_ptr<const Model> model, const ImportChoices& req
         TaskPortion measuring(control, 0, measuredShare);
         const FillingSizes sizes = measure(*model, parts, measuring);
         content.spacing = spacingOf(request, sizes);
-        content.fineness = assessSpacing(content.spacing, sizes.all);
-        if (!content.fineness.warning.empty())
-            content.warnings.push_back(content.fineness.warning);
+        assess(content, sizes);
     }
     TaskPortion filling(control, measuredShare, 1);
     std::set<std::string> names;
@@ -315,11 +320,14 @@ Content contentOf(std::shared_ptr<const Model> model, const ImportChoices& choic
 {
     Content content = emptyContent(*model, choices);
     const std::vector<Body>& bodies = start.scene.bodies;
+    if (!bodies.empty()) {
+        content.spacing = bodies.front().aggregate->lattice.spacing;
+        assess(content, measure(*model, start.partOfBody, TaskControl::none()));
+    }
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const auto count = static_cast<double>(bodies.size());
         TaskPortion portion(control, static_cast<double>(b) / count, static_cast<double>(b + 1) / count);
         content.bodies.push_back(makeBody(*model, start.partOfBody[b], bodies[b].name, bodies[b].aggregate, portion));
-        content.spacing = bodies[b].aggregate->lattice.spacing;
     }
     for (std::size_t p = 0; p < model->parts.size(); ++p)
         if (!model->parts[p].mesh.empty() &&
