@@ -50,7 +50,8 @@ void MainWindow::askForFile(bool withChoices)
     }
     QSettings settings;
     const QStringList paths =
-        QFileDialog::getOpenFileNames(this, withChoices ? tr("Open parts") : tr("Open a project or parts"), settings.value("folder").toString(), filters.join(";;"));
+        QFileDialog::getOpenFileNames(this, withChoices ? tr("Open parts") : tr("Open a project or parts"),
+                                      settings.value("folder").toString(), filters.join(";;"));
     if (paths.isEmpty())
         return;
     settings.setValue("folder", QFileInfo(paths.front()).absolutePath());

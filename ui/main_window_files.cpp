@@ -217,7 +217,8 @@ void MainWindow::showImport()
 }
 
 /// The same model, changed and filled by another request.
-void MainWindow::openAgain(const QString& title, std::function<Model(const Model&)> change, const ImportChoices& request)
+void MainWindow::openAgain(const QString& title, std::function<Model(const Model&)> change,
+                           const ImportChoices& request)
 {
     if (m_document.isEmpty() || isBusy())
         return;
@@ -226,8 +227,7 @@ void MainWindow::openAgain(const QString& title, std::function<Model(const Model
                        material = startMaterial(m_services.materials)](TaskControl& control) {
         return prepareModel(std::make_shared<const Model>(change(*model)), request, material, control);
     };
-    m_tasks.run<PreparedContent>(title, work,
-                                 [this](PreparedContent prepared) { openPrepared(std::move(prepared)); });
+    m_tasks.run<PreparedContent>(title, work, [this](PreparedContent prepared) { openPrepared(std::move(prepared)); });
 }
 
 void MainWindow::takeIn(const QString& unit)

@@ -21,9 +21,9 @@ namespace knead {
 
 void MainWindow::makeProjects()
 {
-    m_projects = std::make_unique<ProjectKeeper>(
-        m_services.projects, m_services.packing,
-        ProjectKeeper::Window{this, m_document, m_tasks, *m_viewport, *m_tree});
+    m_projects =
+        std::make_unique<ProjectKeeper>(m_services.projects, m_services.packing,
+                                        ProjectKeeper::Window{this, m_document, m_tasks, *m_viewport, *m_tree});
     const ProjectKeeper* keeper = m_projects.get();
     connect(keeper, &ProjectKeeper::changed, this, &MainWindow::showTitle);
     connect(keeper, &ProjectKeeper::problem, this, &MainWindow::showProblem);
@@ -57,7 +57,8 @@ void MainWindow::listRecent()
     for (const QString& path : paths) {
         QAction* action = m_recent->addAction(QFileInfo(path).fileName());
         action->setToolTip(path);
-        connect(action, &QAction::triggered, this, [this, path] { openRecent(path); }, Qt::QueuedConnection);
+        connect(
+            action, &QAction::triggered, this, [this, path] { openRecent(path); }, Qt::QueuedConnection);
     }
     m_recent->addSeparator();
     const auto forget = [this] {

@@ -71,7 +71,8 @@ MendedProject withReachableEntry(Project project, const Packing& packing, TaskCo
         } catch (const Cancelled&) {
             throw;
         } catch (const std::exception&) {
-            const HistoryRecord& record = project.entries[std::min<std::size_t>(project.current, project.entries.size() - 1)];
+            const HistoryRecord& record =
+                project.entries[std::min<std::size_t>(project.current, project.entries.size() - 1)];
             missing.push_back("the state after \"" + record.name + "\"");
             if (project.current == 0)
                 break;

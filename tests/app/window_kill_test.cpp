@@ -33,12 +33,12 @@ constexpr auto mostLost = std::chrono::seconds(5);
 /// What the window says of itself, over and over.
 struct Word {
     enum class Kind : std::uint32_t { working, saving, saved } kind = Kind::working;
-    std::uint32_t entries = 0;   ///< of the history
+    std::uint32_t entries = 0; ///< of the history
     std::uint32_t current = 0;
     std::uint32_t isUnderWay = 0; ///< something is done that is not in them
     std::uint64_t step = 0;
-    std::uint64_t hash = 0;      ///< of the current entry
-    std::int64_t time = 0;       ///< of the steady clock [ns]
+    std::uint64_t hash = 0; ///< of the current entry
+    std::int64_t time = 0;  ///< of the steady clock [ns]
 };
 
 // --- what the window does until it is killed ------------------------------------------------------------------------------

@@ -366,7 +366,8 @@ private slots:
             const ProjectLock other(bytesOf(file("a.knead")));
             openProject(file("a.knead"));
             QVERIFY(document().isEmpty());
-            QVERIFY2(m_window->banner().sentence().contains("another window"), qPrintable(m_window->banner().sentence()));
+            QVERIFY2(m_window->banner().sentence().contains("another window"),
+                     qPrintable(m_window->banner().sentence()));
             picture("locked");
             QCOMPARE(find<QToolButton>("bannerRemedy")->text(), QString("Open a copy"));
             clickOn<QToolButton>("bannerRemedy");
@@ -498,8 +499,8 @@ private slots:
     {
         std::atomic<bool> goes = false;
         Services slow = m_services;
-        slow.projects.write = [&goes, write = m_services.projects.write](const std::string& path, const Project& project,
-                                                                         TaskControl& control) {
+        slow.projects.write = [&goes, write = m_services.projects.write](const std::string& path,
+                                                                         const Project& project, TaskControl& control) {
             while (!goes)
                 QTest::qSleep(5);
             write(path, project, control);

@@ -78,8 +78,8 @@ protected:
         QPainter painter(&image);
         for (QWidget* dialog : m_window->findChildren<QDialog*>()) // in front of it, wherever it lies
             if (dialog->isVisible())
-                painter.drawPixmap((m_window->width() - dialog->width()) / 2, (m_window->height() - dialog->height()) / 2,
-                                   dialog->grab());
+                painter.drawPixmap((m_window->width() - dialog->width()) / 2,
+                                   (m_window->height() - dialog->height()) / 2, dialog->grab());
         painter.end();
         image.save(QDir(folder).filePath(QString(name) + ".png"));
     }

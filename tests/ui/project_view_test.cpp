@@ -25,8 +25,11 @@ private slots:
         QFETCH(double, yaw);
         QFETCH(double, pitch);
         for (const bool perspective : {false, true}) {
-            const Camera camera{
-                .target = Vec3(0.1, -0.2, 0.03), .distance = 0.7, .yaw = yaw, .pitch = pitch, .perspective = perspective};
+            const Camera camera{.target = Vec3(0.1, -0.2, 0.03),
+                                .distance = 0.7,
+                                .yaw = yaw,
+                                .pitch = pitch,
+                                .perspective = perspective};
             const Camera back = restored(kept(camera));
             QVERIFY((back.target - camera.target).norm() < 1e-15);
             QVERIFY((back.eye() - camera.eye()).norm() < 1e-12);

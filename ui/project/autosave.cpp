@@ -161,9 +161,8 @@ void Autosave::addStart(ProjectStart start)
     if (!m_known)
         return;
     ++m_known->starts;
-    m_worker->post([start = std::move(start)](Worker& worker) {
-        worker.change([&](KeptWork& kept) { kept.addStart(start); });
-    });
+    m_worker->post(
+        [start = std::move(start)](Worker& worker) { worker.change([&](KeptWork& kept) { kept.addStart(start); }); });
 }
 
 void Autosave::follow(const std::vector<HistoryRecord>& entries, History::Entry current)
@@ -181,13 +180,11 @@ void Autosave::follow(const std::vector<HistoryRecord>& entries, History::Entry 
     for (std::size_t i = known.entries.size(); i < entries.size(); ++i) {
         known.entries.push_back(knownOf(entries[i]));
         known.current = static_cast<History::Entry>(i);
-        m_worker->post([record = entries[i]](Worker& worker) {
-            worker.change([&](KeptWork& kept) { kept.append(record); });
-        });
+        m_worker->post(
+            [record = entries[i]](Worker& worker) { worker.change([&](KeptWork& kept) { kept.append(record); }); });
     }
     if (std::exchange(known.current, current) != current)
-        m_worker->post(
-            [current](Worker& worker) { worker.change([&](KeptWork& kept) { kept.setCurrent(current); }); });
+        m_worker->post([current](Worker& worker) { worker.change([&](KeptWork& kept) { kept.setCurrent(current); }); });
 }
 
 void Autosave::keepGesture(std::vector<RecordedCommand> commands, std::uint64_t step)
@@ -199,16 +196,14 @@ void Autosave::keepGesture(std::vector<RecordedCommand> commands, std::uint64_t 
 
 void Autosave::keepView(ProjectView view)
 {
-    m_worker->post([view = std::move(view)](Worker& worker) {
-        worker.change([&](KeptWork& kept) { kept.setView(view); });
-    });
+    m_worker->post(
+        [view = std::move(view)](Worker& worker) { worker.change([&](KeptWork& kept) { kept.setView(view); }); });
 }
 
 void Autosave::savingBegins()
 {
-    m_worker->post([](Worker& worker) {
-        worker.change([&](KeptWork& kept) { worker.revisionInFile = kept.revision(); });
-    });
+    m_worker->post(
+        [](Worker& worker) { worker.change([&](KeptWork& kept) { worker.revisionInFile = kept.revision(); }); });
 }
 
 void Autosave::saved(const std::string& projectFile)

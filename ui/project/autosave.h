@@ -42,7 +42,7 @@ public:
     void keepGesture(std::vector<RecordedCommand> commands, std::uint64_t step);
     void keepView(ProjectView view);
 
-    void savingBegins();                       ///< with what was handed in until now
+    void savingBegins();                        ///< with what was handed in until now
     void saved(const std::string& projectFile); ///< what savingBegins() was called for
 
     /// Looks for the work of windows that are gone. @param told called in the window's thread
@@ -82,7 +82,7 @@ private:
 
     ProjectServices m_services;
     std::optional<KnownHistory> m_known; ///< what was handed to the thread
-    std::shared_ptr<Stop> m_stop; ///< of the writing of what is not discarded
+    std::shared_ptr<Stop> m_stop;        ///< of the writing of what is not discarded
     std::unique_ptr<Worker> m_worker;
 };
 

@@ -162,9 +162,9 @@ void ProjectKeeper::saveTo(const QString& path, std::function<void()> then)
         return;
     }
     if (m_window.tasks.isRunning()) {
-        emit problem(tr("%1 is still going on: wait for it, or cancel it with Esc, and save again.")
-                         .arg(m_window.tasks.title()),
-                     {}, {});
+        emit problem(
+            tr("%1 is still going on: wait for it, or cancel it with Esc, and save again.").arg(m_window.tasks.title()),
+            {}, {});
         return;
     }
     m_saving = Saving{QFileInfo(path).absoluteFilePath(), std::move(then)};

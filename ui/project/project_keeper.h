@@ -70,7 +70,7 @@ public:
     void offerRecoveries(bool saysNone);
 
 signals:
-    void changed();                         ///< name(), or isModified()
+    void changed();                               ///< name(), or isModified()
     void perspectiveRestored(bool isPerspective); ///< with the camera of a project
     /// @param remedy what a click on the button with its text does
     void problem(const QString& sentence, const QString& remedyText, const std::function<void()>& remedy);
@@ -120,8 +120,8 @@ private:
     std::shared_ptr<void> m_lock; ///< of the file
     std::vector<ProjectMark> m_marks;
     std::map<std::string, std::string> m_panels;
-    bool m_isChanging = false; ///< the document is about to be another one
-    bool m_isNew = false;      ///< opened, but its first entry is not there yet
+    bool m_isChanging = false;                    ///< the document is about to be another one
+    bool m_isNew = false;                         ///< opened, but its first entry is not there yet
     std::optional<std::uint64_t> m_savedRevision; ///< of the history that is in the file; none: recovered work is not
     bool m_wasModified = false;
     std::optional<Saving> m_saving;

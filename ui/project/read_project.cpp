@@ -72,8 +72,7 @@ Project mended(Raw raw, const Packing& packing, ReadProject& result, TaskControl
     MendedProject reachable = withReachableEntry(std::move(raw.project), packing, control);
     const bool isCut = !reachable.missing.empty(); // the gesture went on from what is missing
     append(result.missing, std::move(reachable.missing));
-    MendedProject done =
-        withGesture(std::move(reachable.project), isCut ? WorkState{} : raw.state, packing, control);
+    MendedProject done = withGesture(std::move(reachable.project), isCut ? WorkState{} : raw.state, packing, control);
     append(result.missing, std::move(done.missing));
     return std::move(done.project);
 }
@@ -81,8 +80,9 @@ Project mended(Raw raw, const Packing& packing, ReadProject& result, TaskControl
 void prepare(Project project, const Packing& packing, ReadProject& result, TaskControl& control)
 {
     if (project.model == nullptr)
-        throw std::runtime_error("The parts of this project are lost, so that nothing of it can be shown. Open the part "
-                                 "that it was made from.");
+        throw std::runtime_error(
+            "The parts of this project are lost, so that nothing of it can be shown. Open the part "
+            "that it was made from.");
     result.view = project.view;
     result.marks = project.marks;
     result.panels = project.panels;

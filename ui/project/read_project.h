@@ -26,9 +26,9 @@ struct ReadProject {
     Obstacle obstacle = Obstacle::none;
     std::string sentence; ///< about the obstacle
 
-    std::string path;              ///< that it is saved to; empty: none yet
-    std::shared_ptr<void> lock;    ///< of the file there
-    std::shared_ptr<KeptWork> kept; ///< of a recovery: it is gone on with
+    std::string path;                 ///< that it is saved to; empty: none yet
+    std::shared_ptr<void> lock;       ///< of the file there
+    std::shared_ptr<KeptWork> kept;   ///< of a recovery: it is gone on with
     std::vector<std::string> missing; ///< a phrase each: what could not be brought back
     bool isSaved = false;             ///< nothing differs from the file
 
