@@ -111,7 +111,7 @@ void MainWindow::openPrepared(PreparedContent prepared)
 /// First what is not saved is asked about, and then the window closes by itself.
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (m_projects->isModified() && !m_mayClose) {
+    if (!m_projects->mayGo() && !m_mayClose) {
         event->ignore();
         m_projects->letGo([this] {
             m_mayClose = true;
