@@ -9,6 +9,7 @@
 #include "ui/panels/model_tree.h"
 #include "ui/panels/performance_panel.h"
 #include "ui/panels/status_readings.h"
+#include "ui/panels/timeline_panel.h"
 #include "ui/project/project_keeper.h"
 #include "ui/units.h"
 #include "ui/viewport/viewport_widget.h"
@@ -101,6 +102,7 @@ void MainWindow::connectSimulationActions()
     connect(m_actions->fixFaces, &QAction::toggled, this, &MainWindow::showHint);
     connect(m_actions->remove, &QAction::triggered, &m_document, &Document::removeSelected);
     connect(m_material, &MaterialPanel::refillRequested, this, &MainWindow::refill);
+    connect(m_timeline, &TimelinePanel::looked, m_viewport, &ViewportWidget::lookBack);
     connect(m_banner, &Banner::remedyClicked, this, [this] {
         if (m_remedy)
             m_remedy();
@@ -148,7 +150,7 @@ void MainWindow::restoreSettings()
     const QSettings settings;
     setTheme(settings.value("theme").toString() == "dark" ? Theme::Dark : Theme::Light);
     restoreGeometry(settings.value("geometry").toByteArray());
-    restoreState(settings.value("docks").toByteArray());
+    restoreState(settings.value("docks").toByteArray(), layoutVersion);
 }
 
 void MainWindow::setTheme(Theme theme)
@@ -311,11 +313,13 @@ void MainWindow::setFloor(bool on)
     m_document.post(command);
 }
 
-/// Esc: stops the task, else leaves the mode, else selects nothing.
+/// Esc: stops the task, else comes back from the past, else leaves the mode, else selects nothing.
 void MainWindow::cancel()
 {
     if (m_tasks.isRunning())
         m_tasks.cancel();
+    else if (m_timeline->isLookingBack())
+        m_timeline->stopLooking();
     else if (m_actions->fixFaces->isChecked())
         m_actions->fixFaces->setChecked(false);
     else

@@ -29,6 +29,7 @@ class MaterialPanel;
 class ModelTree;
 class StatusReadings;
 class TaskReading;
+class TimelinePanel;
 class ViewportWidget;
 
 /// The program's window: tree, properties, view, log and status bar around one document.
@@ -66,6 +67,8 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
+    static constexpr int layoutVersion = 1; ///< of the docks; layouts of another version are not restored
+
     void makeCenter();
     void makeDocks();
     void makeMenus();
@@ -136,6 +139,7 @@ private:
     ImportPanel* m_import = nullptr;
     ExportPanel* m_export = nullptr;
     PerformancePanel* m_performance = nullptr;
+    TimelinePanel* m_timeline = nullptr;
     QMenu* m_addTool = nullptr;
     QMenu* m_recent = nullptr;
     QLabel* m_hint = nullptr;
