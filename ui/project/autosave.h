@@ -39,7 +39,7 @@ public:
     void followPanels(const std::map<std::string, std::string>& panels);
 
     /// How often a gesture is kept. With what it takes to look at it and to write, no more than 5 s of work are lost.
-    static constexpr std::chrono::seconds gestureInterval{4};
+    static constexpr std::chrono::seconds gestureInterval{3};
     /// @param commands all since the current entry @param step that the simulation has reached
     void keepGesture(std::vector<RecordedCommand> commands, std::uint64_t step);
     void keepView(ProjectView view);
