@@ -4,20 +4,17 @@
 #include "io/project/project_file.h"
 #include "io/project/recovery.h"
 #include "support/fuzz_random.h"
-#include "support/window_on_test.h"
-#include "ui/project/project_keeper.h"
-#include "ui/run_window.h"
+#include "support/restless_window.h"
 
 #include <QTemporaryDir>
-#include <QTimer>
 #include <QtTest>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <deque>
 #include <filesystem>
-#include <iterator>
 #include <thread>
 
 #include <fcntl.h>
@@ -31,134 +28,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr auto mostLost = std::chrono::seconds(5);
-
-/// What the window says of itself, over and over.
-struct Word {
-    enum class Kind : std::uint32_t { working, saving, saved } kind = Kind::working;
-    std::uint32_t entries = 0; ///< of the history
-    std::uint32_t current = 0;
-    std::uint32_t isUnderWay = 0; ///< something is done that is not in them
-    std::uint64_t step = 0;
-    std::uint64_t hash = 0; ///< of the current entry
-    std::int64_t time = 0;  ///< of the steady clock [ns]
-};
-
-// --- what the window does until it is killed ------------------------------------------------------------------------------
-
-/// What the window does: a bit of everything; nothing but letting time run; or saving and exporting without a pause.
-enum class Work { all, play, save };
-constexpr const char* workNames[] = {"--work", "--play", "--save"};
-
-/// A window that works without end, driven by timers.
-class Worker : public QObject, WindowOnTest {
-public:
-    explicit Worker(const QString& folder)
-        : m_folder(folder)
-    {
-    }
-
-    void begin(Work work)
-    {
-        prepare();
-        qputenv("XDG_STATE_HOME", m_folder.toUtf8());
-        m_services.projects.write = [write = m_services.projects.write](const std::string& path, const Project& project,
-                                                                        TaskControl& control) {
-            sayOfSaving(Word::Kind::saving, project);
-            write(path, project, control);
-            sayOfSaving(Word::Kind::saved, project);
-        };
-        show(m_services);
-        m_window->open(QStringList(m_folder + "/work.knead"));
-        QTRY_VERIFY_WITH_TIMEOUT(!document().isEmpty() && !m_window->tasks().isRunning(), patience);
-        every(20, [this] { say(); });
-        if (work == Work::all)
-            workOnAll();
-        else if (work == Work::save)
-            saveAndExport();
-        document().play();
-        say();
-    }
-
-private:
-    void workOnAll()
-    {
-        every(700, [this] { push(); });
-        every(2300, [this] { document().togglePlay(); });
-        every(1900, [this] { m_window->projects().save(); });
-        every(3100, [this] { m_window->exportTo(m_folder + "/out.stl"); });
-    }
-
-    void saveAndExport()
-    {
-        every(700, [this] { push(); });
-        every(30, [this] {
-            if (m_window->tasks().isRunning())
-                return;
-            if ((m_isExportNext = !m_isExportNext))
-                m_window->projects().save();
-            else
-                m_window->exportTo(m_folder + "/out.stl");
-        });
-    }
-
-    void every(int milliseconds, const std::function<void()>& action)
-    {
-        auto* timer = new QTimer(this);
-        connect(timer, &QTimer::timeout, this, action);
-        timer->start(milliseconds);
-    }
-
-    /// Down and up in turns; the tool is there.
-    void push()
-    {
-        document().select({Selection::Kind::Tool, 0});
-        const auto key = m_isDown ? Qt::Key_PageUp : Qt::Key_PageDown;
-        QTest::keyRelease(&m_window->viewport(), m_isDown ? Qt::Key_PageDown : Qt::Key_PageUp);
-        QTest::keyPress(&m_window->viewport(), key);
-        m_isDown = !m_isDown;
-    }
-
-    static void sayOfSaving(Word::Kind kind, const Project& project)
-    {
-        tell({.kind = kind, .hash = project.entries[project.current].hash});
-    }
-
-    static void tell(Word word)
-    {
-        word.time = Clock::now().time_since_epoch().count();
-        [[maybe_unused]] const auto written = write(STDOUT_FILENO, &word, sizeof word);
-    }
-
-    void say()
-    {
-        const DocumentHistory& history = document().history();
-        if (!history.isSettled() || document().isGoing())
-            return;
-        Word word;
-        word.entries = static_cast<std::uint32_t>(history.tree().records().size());
-        word.current = history.tree().current();
-        word.isUnderWay = document().isAnythingUnderWay() ? 1 : 0;
-        word.step = snapshot().step;
-        word.hash = history.tree().record(word.current).hash;
-        tell(word);
-    }
-
-    QString m_folder;
-    bool m_isDown = false;
-    bool m_isExportNext = false;
-};
-
-int workForever(int argc, char** argv)
-{
-    prepareGraphics();
-    QApplication application(argc, argv);
-    Worker worker(argv[2]);
-    const auto* name = std::find(std::begin(workNames), std::end(workNames), std::string(argv[1]));
-    worker.begin(static_cast<Work>(name - std::begin(workNames)));
-    return QApplication::exec();
-}
-
-// --- and what its parent does ---------------------------------------------------------------------------------------------
 
 /// The process of a window, and what it said until it was killed.
 class Child {
@@ -182,12 +51,22 @@ public:
         m_words.push_back(first);
         m_listener = std::thread([this] {
             Word word;
-            while (read(m_said, &word, sizeof word) == sizeof word)
+            while (read(m_said, &word, sizeof word) == sizeof word) {
                 m_words.push_back(word);
+                m_savings += word.kind == Word::Kind::saving ? 1 : 0;
+            }
         });
     }
 
     bool isAtWork() const { return m_isAtWork; }
+
+    /// Until it begins to write its project, or does not for long.
+    void waitForSaving() const
+    {
+        const Clock::time_point latest = Clock::now() + std::chrono::seconds(10);
+        for (const int before = m_savings; m_savings == before && Clock::now() < latest;)
+            std::this_thread::sleep_for(std::chrono::microseconds(100));
+    }
 
     std::deque<Word> kill()
     {
@@ -204,6 +83,7 @@ private:
     pid_t m_process = -1;
     int m_said = -1;
     bool m_isAtWork = false;
+    std::atomic<int> m_savings = 0;
     std::deque<Word> m_words;
     std::thread m_listener;
     Clock::time_point m_killed;
@@ -319,14 +199,15 @@ private slots:
     {
         constexpr int kills = 20;
         QTest::addColumn<int>("work");
-        QTest::addColumn<int>("time"); // [ms]
+        QTest::addColumn<int>("time");  // [ms]
+        QTest::addColumn<int>("delay"); // after the beginning of a saving [us]
         fuzz::Random random(17);
         const Work works[] = {Work::all, Work::save, Work::all, Work::save, Work::play};
         for (int i = 0; i < kills; ++i) {
             const Work work = works[i % 5];
             const int least = work == Work::play ? 7000 : 500; // one gesture, which is longer than what may be lost
             const int time = least + static_cast<int>(random.below(i % 5 == 0 ? 9000 : 3000));
-            QTest::addRow("kill %d", i + 1) << static_cast<int>(work) << time;
+            QTest::addRow("kill %d", i + 1) << static_cast<int>(work) << time << static_cast<int>(random.below(15'000));
         }
     }
 
@@ -334,11 +215,16 @@ private slots:
     {
         QFETCH(int, work);
         QFETCH(int, time);
+        QFETCH(int, delay);
         for (const Recovery& recovery : findRecoveries())
             dropRecovery(recovery);
         Child child(static_cast<Work>(work), m_folder);
         QVERIFY(child.isAtWork());
         std::this_thread::sleep_for(std::chrono::milliseconds(time));
+        if (work == static_cast<int>(Work::save)) {
+            child.waitForSaving();
+            std::this_thread::sleep_for(std::chrono::microseconds(delay));
+        }
         const std::deque<Word> words = child.kill();
         const std::size_t entries = checkFile(words);
         checkRecovery(words, child.killed(), entries);

@@ -19,6 +19,16 @@ using namespace knead;
 class WindowProjectTest : public QObject, ProjectsOnTest {
     Q_OBJECT
 
+    void drop(const QString& path)
+    {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QDragEnterEvent enter(QPoint(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(m_window.get(), &enter);
+        QDropEvent event(QPointF(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(m_window.get(), &event);
+    }
+
 private slots:
     void initTestCase()
     {
@@ -232,13 +242,25 @@ private slots:
         openExample("bar.step", 10);
         saveTo(file("a.knead"));
         newWindow(m_services);
-        QMimeData data;
-        data.setUrls({QUrl::fromLocalFile(file("a.knead"))});
-        QDragEnterEvent enter(QPoint(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(m_window.get(), &enter);
-        QDropEvent drop(QPointF(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(m_window.get(), &drop);
+        drop(file("a.knead"));
         QTRY_COMPARE_WITH_TIMEOUT(projects().path(), file("a.knead"), patience);
+    }
+
+    void whatIsNotSavedIsAskedAboutBeforeAnotherOpens()
+    {
+        openExample("bar.step", 10);
+        saveTo(file("a.knead"));
+        switchGravity();
+        const std::uint64_t mine = hash();
+        drop(example("bracket.step"));
+        answer("saveQuestion", QMessageBox::Cancel);
+        QCOMPARE(hash(), mine);
+        QVERIFY(!m_window->tasks().isRunning());
+        drop(example("bracket.step"));
+        answer("saveQuestion", QMessageBox::Save);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->windowTitle().startsWith("bracket.step"), patience);
+        const Project saved = readProject(bytesOf(file("a.knead")));
+        QCOMPARE(saved.entries[saved.current].hash, mine);
     }
 
     void aProjectOfAnotherWindowOpensAsACopy()
