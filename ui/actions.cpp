@@ -145,8 +145,10 @@ void Actions::setDocumentOpen(bool isOpen, bool isSimulated)
     for (QAction* action :
          {save, saveAs, fit, front, back, right, left, top, bottom, isometric, perspective, edges, openEdges, grid})
         action->setEnabled(isOpen);
-    for (QAction* action : {exportMeshes, play, step, reset, gravity, floor, recordVideo, recordPictures, renormalize,
-                            fixFaces, remove, objects, allObjects, hide})
+    for (QAction* action :
+         {exportMeshes, play, step, reset, gravity, floor, renormalize, fixFaces, remove, objects, allObjects, hide})
+        action->setEnabled(isSimulated);
+    for (QAction* action : {recordVideo, recordPictures})
         action->setEnabled(isSimulated);
     for (QAction* action : addTool)
         action->setEnabled(isSimulated);

@@ -53,6 +53,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     connectSimulationActions();
     connectViewActions();
     connectTasks();
+    connectRecording();
     connect(&m_document, &Document::changed, this, &MainWindow::documentChanged);
     connect(&m_document, &Document::notice, this, [this](const QString& sentence) { showProblem(sentence); });
     selectionChanged();
@@ -102,9 +103,6 @@ void MainWindow::connectSimulationActions()
     connect(m_actions->fixFaces, &QAction::toggled, this, &MainWindow::showHint);
     connect(m_actions->remove, &QAction::triggered, &m_document, &Document::removeSelected);
     connect(m_material, &MaterialPanel::refillRequested, this, &MainWindow::refill);
-    connect(m_actions->recordVideo, &QAction::triggered, this, [this] { askForRecording(Recording::Kind::video); });
-    connect(m_actions->recordPictures, &QAction::triggered, this,
-            [this] { askForRecording(Recording::Kind::pictures); });
     connect(m_timeline, &TimelinePanel::looked, m_viewport, &ViewportWidget::lookBack);
     connect(m_banner, &Banner::remedyClicked, this, [this] {
         if (m_remedy)

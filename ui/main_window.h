@@ -53,12 +53,11 @@ public:
 
     /// Offers work that windows which are gone did not save.
     void offerRecoveries();
+    void setTheme(Theme theme);
 
     /// Makes a video or pictures of what was simulated, in the background.
     /// @param path of the file, or of the folder of the pictures
     void record(const QString& path, const Recording& recording);
-
-    void setTheme(Theme theme);
 
     Document& document() { return m_document; }
     TaskRunner& tasks() { return m_tasks; }
@@ -107,6 +106,9 @@ private:
     void optionsChanged();
     void setGravity(bool on);
     void setFloor(bool on);
+    void connectRecording();
+    void askForRecording(Recording::Kind kind);
+    void askForPlace(const Recording& recording);
     void askForFile(bool withChoices);
     void askForChoices(std::vector<FilePreview> previews);
     void takeIn(const QString& unit);
@@ -122,8 +124,6 @@ private:
     std::vector<PlannedFile> planFiles(const QString& path, const ExportRequest& request) const;
     std::vector<bool> partsFor(ExportRequest::Which which) const;
     void showExport(const std::vector<ExportReport>& reports);
-    void askForRecording(Recording::Kind kind);
-    void askForPlace(const Recording& recording);
     void cancel();
     void showControls();
     void showAbout();

@@ -1,18 +1,27 @@
 // What the main window does to make videos and pictures of what was simulated.
 #include "ui/main_window.h"
 
+#include "ui/actions.h"
 #include "ui/dialogs/record_dialog.h"
 #include "ui/panels/log_panel.h"
 #include "ui/recording/studio.h"
 #include "ui/units.h"
 #include "ui/viewport/viewport_widget.h"
 
+#include <QAction>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
 
 namespace knead {
+
+void MainWindow::connectRecording()
+{
+    connect(m_actions->recordVideo, &QAction::triggered, this, [this] { askForRecording(Recording::Kind::video); });
+    connect(m_actions->recordPictures, &QAction::triggered, this,
+            [this] { askForRecording(Recording::Kind::pictures); });
+}
 
 void MainWindow::askForRecording(Recording::Kind kind)
 {

@@ -214,6 +214,9 @@ private slots:
         const std::uint64_t before = digest();
         const std::size_t entries = tree().records().size();
         ViewportWidget& view = m_window->viewport();
+        QPointF seen; // until the view has turned
+        QTRY_VERIFY(std::exchange(seen, *view.widgetPosition(snapshot().tools[0].pose.position)) ==
+                    *view.widgetPosition(snapshot().tools[0].pose.position));
         const QPoint from = view.widgetPosition(snapshot().tools[0].pose.position)->toPoint();
         QTest::mouseMove(&view, from);
         QTest::mousePress(&view, Qt::LeftButton, {}, from);

@@ -146,12 +146,18 @@ void TimelineAxis::paintFilm(QPainter& painter) const
     painter.drawRoundedRect(band(0, m_timeline.end), bandHeight / 2.0, bandHeight / 2.0);
     painter.setBrush(palette().color(QPalette::Highlight));
     const auto& pictures = m_timeline.pictures;
+    constexpr double gap = 8 * Film::interval; // thinned frames are further apart
+    const auto tickAt = [&](double at) {
+        const Timeline::Tick* tick = m_timeline.tickNear(at, gap);
+        return tick == nullptr ? at : tick->at;
+    };
     for (std::size_t i = 0; i < pictures.size();) {
         std::size_t last = i;
-        constexpr double gap = 8 * Film::interval; // thinned frames are further apart
         while (last + 1 < pictures.size() && pictures[last + 1].at - pictures[last].at < gap)
             ++last;
-        painter.drawRect(band(pictures[i].at, pictures[last].at));
+        const double from = pictures[i].at;
+        const double to = pictures[last].at;
+        painter.drawRect(band(std::min(from, tickAt(from)), std::max(to, tickAt(to))));
         i = last + 1;
     }
 }
