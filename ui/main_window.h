@@ -25,6 +25,7 @@ class HomePage;
 class ImportPanel;
 class LogPanel;
 class PerformancePanel;
+class ProjectKeeper;
 class MaterialPanel;
 class ModelTree;
 class StatusReadings;
@@ -39,9 +40,10 @@ public:
     explicit MainWindow(Services services, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// Opens files in the background, several as one assembly. A failure is shown in a sentence and leaves everything as it was.
+    /// Opens files in the background, several as one assembly, or a project. A failure is shown in a sentence and leaves
+    /// everything as it was; what is not saved is not asked about.
     void open(const QStringList& paths);
-    void open(const OpenRequest& request);
+    void open(const ImportChoices& request);
     /// Looks into the files first and asks what is wanted of them.
     void openWithChoices(const QStringList& paths);
     /// Writes the deformed parts in the background; the ending decides the format.
@@ -49,13 +51,17 @@ public:
     /// Fills the bodies anew in the background. @param spacing [m]
     void refill(double spacing);
 
+    /// Offers work that windows which are gone did not save.
+    void offerRecoveries();
     void setTheme(Theme theme);
+
     /// Makes a video or pictures of what was simulated, in the background.
     /// @param path of the file, or of the folder of the pictures
     void record(const QString& path, const Recording& recording);
 
     Document& document() { return m_document; }
     TaskRunner& tasks() { return m_tasks; }
+    ProjectKeeper& projects() { return *m_projects; }
     ViewportWidget& viewport() { return *m_viewport; }
     Banner& banner() { return *m_banner; }
 
@@ -65,6 +71,8 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
+    static constexpr int layoutVersion = 1; ///< of the docks; layouts of another version are not restored
+
     void makeCenter();
     void makeDocks();
     void makeMenus();
@@ -75,6 +83,14 @@ private:
     void connectViewActions();
     void connectTasks();
     void restoreSettings();
+
+    void makeProjects();
+    void showTitle();
+    void listRecent();
+    void openRecent(const QString& path);
+    void openInstead(const QStringList& paths);
+    bool openedAsProject(const QStringList& paths);
+    void openPrepared(PreparedContent prepared);
 
     void documentChanged(Document::Change what);
     void contentChanged();
@@ -98,7 +114,7 @@ private:
     void takeIn(const QString& unit);
     void takeHealed(bool heal);
     void fillOpenParts();
-    void openAgain(const QString& title, std::function<Model(const Model&)> change, const OpenRequest& request);
+    void openAgain(const QString& title, std::function<Model(const Model&)> change, const ImportChoices& request);
     void askForExport();
     void askForPlace(const ExportRequest& request, const Services::Format& format);
     struct PlannedFile {
@@ -114,6 +130,8 @@ private:
     bool isBusy();
 
     Services m_services;
+    std::unique_ptr<ProjectKeeper> m_projects; // goes after the document
+    bool m_mayClose = false;                   ///< what is not saved is not wanted
     TaskRunner m_tasks;
     Document m_document;
     std::unique_ptr<Actions> m_actions;
@@ -130,6 +148,7 @@ private:
     PerformancePanel* m_performance = nullptr;
     TimelinePanel* m_timeline = nullptr;
     QMenu* m_addTool = nullptr;
+    QMenu* m_recent = nullptr;
     QLabel* m_hint = nullptr;
     StatusReadings* m_readings = nullptr;
     TaskReading* m_taskReading = nullptr;

@@ -8,6 +8,7 @@
 #include "core/model/import_options.h"
 #include "core/model/part.h"
 #include "core/task/task_control.h"
+#include "ui/project/project_services.h"
 
 #include <functional>
 #include <string>
@@ -40,6 +41,7 @@ struct Services {
     std::vector<Format> exportFormats;
     std::vector<MaterialPreset> materials;
     std::string examplesFolder;
+    ProjectServices projects;
 };
 
 } // namespace knead

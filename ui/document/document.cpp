@@ -122,8 +122,13 @@ Project Document::project() const
         project.starts.push_back(start.start);
     project.entries = m_history.tree().records();
     project.current = m_history.tree().current();
-    project.panels[fixturesPanel] = m_fixtures.memory();
+    project.panels = panels();
     return project;
+}
+
+std::map<std::string, std::string> Document::panels() const
+{
+    return {{fixturesPanel, m_fixtures.memory()}};
 }
 
 void Document::showStart()

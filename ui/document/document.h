@@ -83,6 +83,7 @@ public:
     /// All that a project file keeps but marks, view and the panels of others. What is under way is not in it: call it from
     /// whenSettled().
     Project project() const;
+    std::map<std::string, std::string> panels() const; ///< what of Project::panels is the document's
     /// Ends what is under way, and does something as soon as it is in the history: at once, or some ms later. Another document
     /// in between does away with it.
     void whenSettled(std::function<void()> action);
@@ -110,6 +111,8 @@ public:
     /// Ends whatever is under way, be it playing (and goes on playing) or not: nothing is lost by what comes next.
     void finishGesture();
     bool isInGesture() const { return m_gesture.isHeld; }
+    /// Something was done that is not in the history yet.
+    bool isAnythingUnderWay() const { return m_gesture.isAny; }
 
     void undo();
     void redo();
