@@ -3,6 +3,7 @@
 #include "app/commands/convert_command.h"
 #include "app/commands/info_command.h"
 #include "app/commands/recipe_command.h"
+#include "app/commands/replay_command.h"
 #include "app/commands/run_command.h"
 #include "app/commands/sweep_command.h"
 #include "app/exit_status.h"
@@ -51,6 +52,7 @@ int runProgram(int argc, char** argv)
     addSweepCommand(program, status);
     addSweepPointCommand(program, status);
     addRecipeCommand(program, status);
+    addReplayCommand(program, status);
 
     try {
         program.parse(argc, argv);

@@ -233,7 +233,10 @@ RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskC
 
     TaskPortion writing(control, stepsEnd, 1);
     RunReport report = runner.takeReport();
-    WrittenExports written = writeExports(recipe.exports, outputFolder, ready, runner.latest(), writing);
+    if (recipe.exports.empty())
+        return report;
+    WrittenExports written = writeExports(recipe.exports, outputFolder, exportJobOf(ready, runner.latest()),
+                                          runner.latest(), writing);
     report.files = std::move(written.files);
     report.exports = std::move(written.reports);
     return report;

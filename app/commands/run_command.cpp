@@ -1,6 +1,7 @@
 #include "app/commands/run_command.h"
 
 #include "app/exit_status.h"
+#include "app/hexadecimal.h"
 #include "app/recipe_runner.h"
 #include "app/recipe_scene.h"
 #include "app/resources.h"
@@ -16,8 +17,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <cstdio>
 #include <iostream>
 #include <iterator>
@@ -42,14 +41,6 @@ int complain(const std::string& sentence, int status)
 {
     std::cerr << "knead: " << sentence << '\n';
     return status;
-}
-
-/// 64 bits do not fit into a JSON number, hence hexadecimal digits.
-std::string hexadecimal(std::uint64_t number)
-{
-    std::array<char, 17> text{};
-    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(number));
-    return text.data();
 }
 
 nlohmann::ordered_json list(const Vec3& vector)
