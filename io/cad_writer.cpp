@@ -2,6 +2,7 @@
 
 #include "core/model/length_units.h"
 #include "io/occt_progress.h"
+#include "io/step_order.h"
 #include "io/worker/child_process.h"
 #include "io/xcaf_document.h"
 
@@ -207,7 +208,7 @@ std::string writeStep(const Handle(TDocStd_Document) & document, bool hasCurvedF
     const NamelessFile file;
     if (writer.Write(nameOf(file).c_str()) != IFSelect_RetDone)
         throw std::runtime_error("The STEP text could not be written.");
-    return file.content();
+    return withStylesInOrder(file.content());
 }
 
 std::string writeIges(const Handle(TDocStd_Document) & document, const ExportOptions& options, TaskControl& control)
