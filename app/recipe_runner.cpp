@@ -1,5 +1,6 @@
 #include "app/recipe_runner.h"
 
+#include "app/recipe_events.h"
 #include "app/recipe_exports.h"
 #include "app/recipe_scene.h"
 #include "core/simulation/simulation.h"
@@ -8,7 +9,6 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <stdexcept>
 
 namespace knead {
@@ -53,9 +53,13 @@ class Runner {
 public:
     Runner(const Recipe& recipe, const RecipeScene& ready)
         : m_recipe(recipe)
+        , m_events(recipe, ready)
         , m_ready(ready)
         , m_simulation(ready.scene)
     {
+        for (std::size_t i = 0; i < recipe.events.size(); ++i)
+            if (std::holds_alternative<StartAgain>(recipe.events[i].action))
+                m_eventsToDo = i + 1;
     }
 
     void run(TaskControl& control)
@@ -63,9 +67,8 @@ public:
         const Clock::time_point start = Clock::now();
         Clock::time_point nextReport = start;
         m_latest = m_simulation.snapshot();
-        while (!isAt(m_recipe.duration)) {
+        for (carryOutDueEvents(); !isDone(); carryOutDueEvents()) {
             control.throwIfCancelled();
-            postDueEvents();
             m_simulation.step();
             checkHealth();
             if (isAt(m_latest->time + frame))
@@ -77,6 +80,9 @@ public:
         }
         m_wall = secondsSince(start);
         takeSnapshot();
+        if (m_nextEvent < m_recipe.events.size())
+            m_warnings.push_back("The run ended before " + std::to_string(m_recipe.events.size() - m_nextEvent) +
+                                 " of the events were due.");
     }
 
     const Snapshot& latest() const { return *m_latest; }
@@ -111,57 +117,37 @@ private:
     /// Whether the step nearest to a time has been reached.
     bool isAt(double time) const { return m_simulation.time() + 0.5 * m_simulation.timeStep() >= time; }
 
-    void postDueEvents()
+    bool isDue(const RecipeEvent& event) const
     {
-        for (; m_nextEvent < m_recipe.events.size() && isAt(m_recipe.events[m_nextEvent].time); ++m_nextEvent)
-            std::visit([this](const auto& action) { post(action); }, m_recipe.events[m_nextEvent].action);
+        return event.step ? m_simulation.stepCount() >= *event.step : isAt(event.time);
     }
 
-    void post(const ChangeMaterial& change)
+    /// The end counts from the last time that the run begins again.
+    bool isDone() const
     {
-        for (BodyObjects& at : objectsWithin(m_ready, change.body, change.box, "events"))
-            carryOut(SetMaterial{at.body, change.material.on(m_ready.scene.bodies[at.body].material),
-                                 std::move(at.objects)});
+        return m_nextEvent >= m_eventsToDo && (m_recipe.durationSteps
+                                                   ? m_simulation.stepCount() >= *m_recipe.durationSteps
+                                                   : isAt(m_recipe.duration));
     }
 
-    void post(const RenormalizeBodies& wanted)
+    void carryOutDueEvents()
     {
-        for (BodyObjects& at : objectsWithin(m_ready, wanted.body, wanted.box, "events"))
-            if (!wanted.body.empty() || m_simulation.bodies()[at.body].kind == BodyKind::deformable)
-                carryOut(Renormalize{at.body, std::move(at.objects), wanted.duration});
+        for (; m_nextEvent < m_recipe.events.size() && isDue(m_recipe.events[m_nextEvent]); ++m_nextEvent)
+            for (Command& command : m_events.commandsOf(m_nextEvent, m_simulation.bodies()))
+                carryOut(std::move(command));
     }
-
-    void post(const ChangeBodyKind& change)
-    {
-        for (const BodyId body : bodiesNamed(change.body, m_ready.parts, "events"))
-            carryOut(SetBodyKind{body, change.kind});
-    }
-
-    void post(const ReleaseFixture& release)
-    {
-        for (std::size_t i = 0; i < m_recipe.fixtures.size(); ++i)
-            if (m_recipe.fixtures[i].name == release.fixture)
-                for (const FixtureId id : m_ready.fixtureIds[i])
-                    carryOut(RemoveFixture{id});
-    }
-
-    void post(const TakeManipulatorAway& away)
-    {
-        for (std::size_t i = 0; i < m_recipe.manipulators.size(); ++i)
-            if (m_recipe.manipulators[i].name == away.manipulator)
-                carryOut(RemoveManipulator{static_cast<ToolId>(i)});
-    }
-
-    void post(const ChangeGravity& change) { carryOut(SetGravity{change.gravity}); }
 
     /// A command that makes no sense changes nothing; the person gets to know why.
     void carryOut(Command command)
     {
+        const std::size_t before = m_simulation.recording().size();
         m_simulation.post(std::move(command));
         m_simulation.applyCommands();
+        const std::vector<RecordedCommand>& recording = m_simulation.recording();
+        if (recording.size() > before)
+            return m_events.carriedOut(recording.back().command);
         takeSnapshot();
-        if (!m_latest->notice.empty())
-            m_warnings.push_back("at " + fixed(m_latest->time, 3) + " s: " + m_latest->notice);
+        m_warnings.push_back("at " + fixed(m_latest->time, 3) + " s: " + m_latest->notice);
     }
 
     void checkHealth() const
@@ -188,35 +174,33 @@ private:
     void report(TaskControl& control, double wall) const
     {
         const double time = m_simulation.time();
-        control.report(sceneEnd + (stepsEnd - sceneEnd) * std::min(1.0, time / m_recipe.duration),
-                       "simulating " + fixed(time, 2) + " of " + fixed(m_recipe.duration, 2) + " s, " +
-                           fixed(wall > 0 ? time / wall : 0, 2) + "x");
+        const auto steps = static_cast<double>(m_recipe.durationSteps.value_or(0));
+        const double done = m_recipe.durationSteps
+                                ? static_cast<double>(m_simulation.stepCount()) / std::max(1.0, steps)
+                                : time / m_recipe.duration;
+        const std::string end = m_recipe.durationSteps ? " s, " : " of " + fixed(m_recipe.duration, 2) + " s, ";
+        control.report(sceneEnd + (stepsEnd - sceneEnd) * std::min(1.0, done),
+                       "simulating " + fixed(time, 2) + end + fixed(wall > 0 ? time / wall : 0, 2) + "x");
     }
 
     const Recipe& m_recipe;
+    EventCommands m_events;
     const RecipeScene& m_ready;
     Simulation m_simulation;
     SnapshotPointer m_latest;
     std::vector<ToolState> m_tools;
     std::vector<std::string> m_warnings;
     std::size_t m_nextEvent = 0;
+    std::size_t m_eventsToDo = 0; ///< before the end counts
     double m_wall = 0;
 };
 
 /// Names and boxes are checked before the first step, not when the event is due.
 void checkEvents(const Recipe& recipe, const RecipeScene& ready)
 {
-    for (std::size_t i = 0; i < recipe.events.size(); ++i) {
-        const std::string place =
-            std::filesystem::path(recipe.file).filename().string() + ": events[" + std::to_string(i) + "]";
-        const RecipeAction& action = recipe.events[i].action;
-        if (const auto* change = std::get_if<ChangeMaterial>(&action))
-            objectsWithin(ready, change->body, change->box, place);
-        if (const auto* wanted = std::get_if<RenormalizeBodies>(&action))
-            objectsWithin(ready, wanted->body, wanted->box, place);
-        if (const auto* change = std::get_if<ChangeBodyKind>(&action))
-            bodiesNamed(change->body, ready.parts, place);
-    }
+    const EventCommands events(recipe, ready);
+    for (std::size_t i = 0; i < recipe.events.size(); ++i)
+        events.commandsOf(i, ready.scene.bodies);
 }
 
 } // namespace

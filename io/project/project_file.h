@@ -22,6 +22,9 @@ void writeProject(const std::string& path, const Project& project, TaskControl& 
 /// @throws Cancelled
 Project readProject(const std::string& path, TaskControl& control = TaskControl::none());
 
+/// Whether a file begins as projects do, whatever its name; no promise that it can be read.
+bool isProjectFile(const std::string& path);
+
 /// What could be read of a damaged project.
 struct RescuedProject {
     Project project; ///< without its model when that is lost; entries whose parents and starts are whole

@@ -23,7 +23,8 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
     QTest::addColumn<QString>("recipe");
     QTest::addColumn<QString>("message");
     const auto row = [](const char* name, const json& recipe, const char* message) {
-        QTest::newRow(name) << QString::fromStdString(recipe.dump()) << QString("bend.recipe.json: ") + message;
+        const QString line = QString(message).startsWith("the file ") ? "" : ", line 1";
+        QTest::newRow(name) << QString::fromStdString(recipe.dump()) << "bend.recipe.json" + line + ": " + message;
     };
 
     row("negative size", withManipulator(R"({"name": "a", "size_mm": [10, -2, 10], "position_mm": [0, 0, 0]})"),
@@ -35,8 +36,8 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
     row("no position", withManipulator(R"({"name": "a", "size_mm": [1, 2, 3]})"),
         "manipulators[0] must have the key \"position_mm\".");
     row("unknown key", withManipulator(R"({"name": "a", "size": [1, 2, 3]})"),
-        "manipulators[0].size is not a known key; allowed here: name, kind, size_mm, part_file, position_mm, "
-        "rotation_deg, friction, speed_limit_mm_s, force_limit_n, keyframes.");
+        "manipulators[0].size is not a known key; allowed here: name, kind, size_mm, part_file, part_number, "
+        "friction, speed_limit_mm_s, force_limit_n, position_mm, rotation_deg, rotation_wxyz, keyframes, motion.");
     row("unknown kind", withManipulator(R"({"name": "a", "kind": "cone"})"),
         "manipulators[0].kind must be one of box, ball, cylinder, wedge, plate, part, got \"cone\".");
     row("ball with edges", withManipulator(R"({"name": "a", "kind": "ball", "size_mm": [1, 2, 3]})"),
@@ -81,7 +82,7 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
     row("floor", with("floor", "{}"), "floor must have the key \"height_mm\".");
 
     row("faces and box", with("fixtures", R"([{"name": "a", "faces": [1], "box_mm": [0, 0, 0, 1, 1, 1]}])"),
-        "fixtures[0] must have either faces or box_mm.");
+        "fixtures[0] must have exactly one of the keys faces, box_mm and objects.");
     row("no faces", with("fixtures", R"([{"name": "a", "faces": []}])"),
         "fixtures[0].faces must hold at least one face.");
     row("half a face", with("fixtures", R"([{"name": "a", "faces": [1.5]}])"),
@@ -95,7 +96,8 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
         "events[0].time_s must be a number between 0 and 2, got 3.");
     row("event of nothing", with("events", R"([{"time_s": 1}])"),
         "events[0] must have exactly one of the keys material, remove_fixture, remove_manipulator, gravity_m_s2, "
-        "renormalize, body_kind.");
+        "renormalize, body_kind, floor, integrator, add_fixture, move_fixture, add_manipulator, move_manipulator, "
+        "place_manipulator, reshape_manipulator, reset, keep_moment.");
     row("two events in one", with("events", R"([{"time_s": 1, "renormalize": {}, "gravity_m_s2": [0, 0, 0]}])"),
         "events[0] must have only one of the keys gravity_m_s2 and renormalize.");
     row("box of gravity", with("events", R"([{"time_s": 1, "gravity_m_s2": [0, 0, 0], "box_mm": [0, 0, 0, 1, 1, 1]}])"),
@@ -177,7 +179,7 @@ void RecipeErrorsTest::missingFilesAreNamed()
 {
     QVERIFY_EXCEPTION_THROWN(readRecipe("/nowhere/bend.recipe.json", presets), std::runtime_error);
     const std::string message = messageFor(with("part", R"({"file": "missing.step"})"));
-    QVERIFY2(message.starts_with("bend.recipe.json: part.file names a file that does not exist: "), message.c_str());
+    QVERIFY2(message.starts_with("bend.recipe.json, line 1: part.file names a file that does not exist: "), message.c_str());
     QVERIFY2(message.find("/missing.step") != std::string::npos, message.c_str());
     const std::string extra = messageFor(with("extra_parts", R"([{"file": "no.step"}])"));
     QVERIFY2(extra.starts_with("bend.recipe.json: extra_parts[0].file names a file that does not exist: "),
