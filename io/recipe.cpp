@@ -342,8 +342,9 @@ Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& pr
 Recipe readRecipeText(const std::string& text, const std::string& path, const std::vector<MaterialPreset>& presets,
                       const std::vector<RecipeOverride>& changes)
 {
-    const std::string file = std::filesystem::path(path).filename().string();
-    return readRoot(rootOf(parseJson(text, file), path, changes), path, presets);
+    JsonValue recipe = parseJson(text, std::filesystem::path(path).filename().string());
+    forgetLines(recipe);
+    return readRoot(rootOf(std::move(recipe), path, changes), path, presets);
 }
 
 namespace {

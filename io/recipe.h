@@ -206,7 +206,7 @@ struct Recipe {
 Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets,
                   const std::vector<RecipeOverride>& changes = {});
 
-/// The same of a text, as if it lay at the path.
+/// The same of a text that nobody sees, as if it lay at the path.
 Recipe readRecipeText(const std::string& text, const std::string& path, const std::vector<MaterialPreset>& presets,
                       const std::vector<RecipeOverride>& changes = {});
 

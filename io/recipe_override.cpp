@@ -43,18 +43,6 @@ std::optional<std::size_t> indexOf(std::string_view step)
     return error == std::errc{} && end == step.data() + step.size() ? std::optional(index) : std::nullopt;
 }
 
-/// What is set stands in no line of the file.
-void forgetLines(JsonValue& value)
-{
-    value.line = 0;
-    if (auto* list = std::get_if<JsonValue::List>(&value.content))
-        for (JsonValue& item : *list)
-            forgetLines(item);
-    if (auto* object = std::get_if<JsonValue::Object>(&value.content))
-        for (auto& member : *object)
-            forgetLines(member.second);
-}
-
 /// Follows one path from the root to the value it names.
 class Walk {
 public:
@@ -209,6 +197,18 @@ RecipeOverride parseOverride(const std::string& text)
     return {text.substr(0, sign), text.substr(sign + 1)};
 }
 
+void forgetLines(JsonValue& value)
+{
+    value.line = 0;
+    if (auto* list = std::get_if<JsonValue::List>(&value.content))
+        for (JsonValue& item : *list)
+            forgetLines(item);
+    if (auto* object = std::get_if<JsonValue::Object>(&value.content))
+        for (auto& member : *object)
+            forgetLines(member.second);
+}
+
+/// What is set stands in no line of the file.
 JsonValue overrideValue(const RecipeOverride& change)
 {
     try {

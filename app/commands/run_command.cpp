@@ -10,6 +10,8 @@
 #include "app/thread_limit.h"
 #include "io/export/job_file.h"
 #include "io/material_library.h"
+#include "io/project/project_file.h"
+#include "io/project/recipe_of_project.h"
 #include "io/recipe.h"
 #include "io/worker/child_process.h"
 
@@ -22,6 +24,7 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace knead {
@@ -149,15 +152,38 @@ int carryOut(const Recipe& recipe, const RunOptions& options)
     }
 }
 
+/// What was done in a project, with the parts that it keeps. Where something is changed, what was set before the first step
+/// is the start, so that the change counts.
+Recipe recipeOfSession(const RunOptions& options, const std::vector<MaterialPreset>& presets,
+                       const std::vector<RecipeOverride>& changes)
+{
+    Project project = readProject(options.recipe);
+    if (!changes.empty())
+        project = withSettingsFirst(std::move(project));
+    const RecipeOfProjectChoices choices{
+        .recipePath = options.recipe, .projectPath = options.recipe, .namesProject = true};
+    const RecipeOfProject recipe = recipeOfProject(project, choices, presets);
+    for (const std::string& remark : recipe.remarks)
+        std::cerr << "knead: warning: " << remark << '\n';
+    return readRecipeText(recipe.text, options.recipe, presets, changes);
+}
+
+Recipe recipeOf(const RunOptions& options)
+{
+    std::vector<RecipeOverride> changes;
+    std::transform(options.settings.begin(), options.settings.end(), std::back_inserter(changes), parseOverride);
+    const std::vector<MaterialPreset> presets = readMaterials(materialsFile());
+    return isProjectFile(options.recipe) ? recipeOfSession(options, presets, changes)
+                                         : readRecipe(options.recipe, presets, changes);
+}
+
 int run(const RunOptions& options)
 {
     if (options.endsWithParent)
         endWithParent();
     Recipe recipe;
     try {
-        std::vector<RecipeOverride> changes;
-        std::transform(options.settings.begin(), options.settings.end(), std::back_inserter(changes), parseOverride);
-        recipe = readRecipe(options.recipe, readMaterials(materialsFile()), changes);
+        recipe = recipeOf(options);
     } catch (const std::exception& error) {
         return complain(error.what(), exit_status::wrongUse);
     }
@@ -169,8 +195,9 @@ int run(const RunOptions& options)
 void addRunCommand(CLI::App& program, int& exitStatus)
 {
     auto options = std::make_shared<RunOptions>();
-    CLI::App* command = program.add_subcommand("run", "Carry out a recipe without a window");
-    command->add_option("RECIPE", options->recipe, "Recipe to carry out, a JSON file")->required();
+    CLI::App* command = program.add_subcommand("run", "Carry out a recipe, or what was done in a project, without a window");
+    command->add_option("RECIPE", options->recipe, "Recipe to carry out, a JSON file, or a project saved by the window")
+        ->required();
     command->add_option("--out", options->outputFolder, "Folder for the exports, made when missing")
         ->type_name("FOLDER")
         ->capture_default_str();

@@ -15,6 +15,10 @@ struct RecipeOfProjectChoices {
     bool namesProject = false; ///< takes the parts from the project even where the files that it was made from are still there
 };
 
+/// The same project with what was set before its first step (materials, kinds of bodies, gravity, floor, integrator) as its
+/// start: for changes to these, which commands would undo. It comes to another state in the last bits.
+Project withSettingsFirst(Project project);
+
 /// A session as a recipe.
 struct RecipeOfProject {
     std::string text;                 ///< JSON

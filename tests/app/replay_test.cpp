@@ -1,4 +1,5 @@
 // What was done in a project, repeated on the command line.
+#include "app/hexadecimal.h"
 #include "io/project/project_file.h"
 #include "support/pressed_part.h"
 #include "support/workshop.h"
@@ -139,6 +140,56 @@ private slots:
         QVERIFY2(outcome.errors.find(words.toStdString()) != std::string::npos, outcome.errors.c_str());
         QCOMPARE(lineCount(outcome.errors), std::size_t{1});
         QCOMPARE(outcome.out, std::string());
+    }
+
+    void aProjectRunsAsARecipe()
+    {
+        for (const char* threads : {"1", "2"}) {
+            const Outcome outcome = workshop::knead({"run", m_shop.qPath("bracket.knead"), "--json", "--threads", threads,
+                                                     "--out", m_shop.qPath("run")});
+            QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+            const json report = json::parse(outcome.out);
+            QCOMPARE(report.at("state_hash").get<std::string>(), hexadecimal(m_project.entries[4].hash));
+            QCOMPARE(report.at("tools")[0].at("name").get<std::string>(), std::string("Block 1"));
+        }
+    }
+
+    void changesOfAProjectCount()
+    {
+        const auto run = [&](const QStringList& changes) {
+            QStringList arguments{"run", m_shop.qPath("bracket.knead"), "--json"};
+            for (const QString& change : changes)
+                arguments << "--set" << change;
+            const Outcome outcome = workshop::knead(arguments);
+            return outcome.status == 0 ? json::parse(outcome.out) : json{{"error", outcome.errors}};
+        };
+        const json softer = run({"material.youngs_modulus_pa=1e5"});
+        QVERIFY2(softer.contains("objects"), softer.dump().c_str());
+        const json finer = run({"spacing_mm=3.5", "duration_steps=20"});
+        QVERIFY2(finer.at("objects").get<int>() > softer.at("objects").get<int>(), finer.dump().c_str());
+        const json asItWas = run({});
+        QVERIFY2(asItWas.at("tools")[0].at("peak_force_n").get<double>() > 0, asItWas.dump().c_str());
+        QVERIFY2(softer.at("tools")[0].at("peak_force_n") != asItWas.at("tools")[0].at("peak_force_n"),
+                 softer.dump().c_str());
+        const json wrong = run({"material.youngs=1"});
+        const std::string sentence = wrong.at("error");
+        QVERIFY2(sentence.starts_with("knead: bracket.knead with --set: material.youngs is not a known key"),
+                 sentence.c_str());
+    }
+
+    void aProjectBecomesARecipe()
+    {
+        const Outcome written =
+            workshop::knead({"recipe", m_shop.qPath("bracket.knead"), "-o", m_shop.qPath("session.recipe.json")});
+        QVERIFY2(written.status == 0, written.errors.c_str());
+        const Outcome outcome = workshop::knead({"run", m_shop.qPath("session.recipe.json"), "--json"});
+        QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+        QCOMPARE(json::parse(outcome.out).at("state_hash").get<std::string>(), hexadecimal(m_project.entries[4].hash));
+        const Outcome shown = workshop::knead({"recipe", m_shop.qPath("bracket.knead")});
+        QVERIFY(json::parse(shown.out).at("part").at("file").get<std::string>().starts_with('/'));
+        const Outcome damaged = workshop::knead({"recipe", m_shop.qPath("damaged.knead")});
+        QCOMPARE(damaged.status, 2);
+        QCOMPARE(lineCount(damaged.errors), std::size_t{1});
     }
 
     void interruptedItLeavesNoFiles()

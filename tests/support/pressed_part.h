@@ -38,6 +38,16 @@ inline void endGesture(Document& document, const std::string& name)
     document.history.append(recordOf(knead::endGesture(document.simulation), name));
 }
 
+/// The middle of what lies highest.
+inline Vec3 topOf(const Part& part)
+{
+    Box top;
+    for (const Vec3& vertex : part.mesh.vertices)
+        if (vertex.z() > part.box.max().z() - 1e-6)
+            top.extend(vertex);
+    return top.center();
+}
+
 /// Entries: 0 start, 1 block added, 2 pushed down, 3 softened, 4 pushed aside from 2, which is the present one.
 inline Project pressedPart(const std::string& file, double spacing)
 {
@@ -45,12 +55,12 @@ inline Project pressedPart(const std::string& file, double spacing)
     Document document(restingScene(*model, spacing));
     const Box box = model->parts[0].box;
     Manipulator block{.name = "Block 1", .size = Vec3::Constant(0.3 * box.sizes().x()), .forceLimit = 50};
-    block.pose.position = Vec3(box.center().x(), box.center().y(), box.max().z() + 0.15 * box.sizes().x() + spacing);
+    block.pose.position = topOf(model->parts[0]) + Vec3(0, 0, block.size.z() / 2 + spacing / 4);
     block.speedLimit = 3;
     document.simulation.post(AddManipulator{block});
     document.simulation.applyCommands();
     endGesture(document, "Add Block 1");
-    const Vec3 down(0, 0, -1.5 * spacing - 0.02 * box.sizes().z());
+    const Vec3 down(0, 0, -1.5 * spacing);
     drag(document, 0, block.pose.position, down, 60);
     endGesture(document, "Push with Block 1");
     document.simulation.post(SetMaterial{0, scenes::clay()});
