@@ -6,6 +6,7 @@
 #include "io/export/export_formats.h"
 #include "io/importer.h"
 #include "io/material_library.h"
+#include "io/project/packing.h"
 #include "ui/run_window.h"
 
 namespace knead {
@@ -33,6 +34,7 @@ Services fileServices()
             writeReportBeside(report);
         return report;
     };
+    services.packing = zstandardPacking();
     services.importFormats = formats(importFormats());
     services.exportFormats = formats(allExportFormats());
     services.materials = readMaterials(materialsFile());

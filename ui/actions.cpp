@@ -73,6 +73,8 @@ Actions::Actions(QWidget* window)
     , exportMeshes(make(
           window, {"export", "&Export...", "export", {QKeySequence("Ctrl+E")}, "Write the deformed part to a file"}))
     , quit(make(window, {"quit", "&Quit", nullptr, {QKeySequence("Ctrl+Q")}}))
+    , undo(make(window, {"undo", "Undo", "undo", {QKeySequence("Ctrl+Z")}}))
+    , redo(make(window, {"redo", "Redo", "redo", {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")}}))
     , play(make(window, {"play", "Play", "play", {Qt::Key_Space}, "Run or pause the simulation"}))
     , step(make(window, {"step", "Step", "step", {Qt::Key_Period}, "One time step"}))
     , reset(make(window, {"reset", "Reset", "reset", {Qt::Key_Backspace, QKeySequence("Ctrl+R")}, "Back to the start"}))
@@ -115,6 +117,8 @@ Actions::Actions(QWidget* window)
     auto* themes = new QActionGroup(window);
     themes->addAction(lightTheme);
     themes->addAction(darkTheme);
+    undo->setEnabled(false);
+    redo->setEnabled(false);
     setDocumentOpen(false, false);
 }
 

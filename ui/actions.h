@@ -19,6 +19,9 @@ struct Actions {
     QAction* exportMeshes;
     QAction* quit;
 
+    QAction* undo;
+    QAction* redo;
+
     QAction* play;
     QAction* step;
     QAction* reset;

@@ -34,6 +34,8 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     , m_services(std::move(services))
     , m_actions(std::make_unique<Actions>(this))
 {
+    m_document.setTasks(&m_tasks);
+    m_document.history().setPacking(m_services.packing);
     setObjectName("mainWindow");
     setWindowTitle(tr("Knead"));
     setWindowIcon(icon("knead"));
@@ -81,6 +83,8 @@ void MainWindow::connectFileActions()
 
 void MainWindow::connectSimulationActions()
 {
+    connect(m_actions->undo, &QAction::triggered, &m_document, &Document::undo);
+    connect(m_actions->redo, &QAction::triggered, &m_document, &Document::redo);
     connect(m_actions->play, &QAction::triggered, &m_document, &Document::togglePlay);
     connect(m_actions->step, &QAction::triggered, &m_document, &Document::stepOnce);
     connect(m_actions->reset, &QAction::triggered, &m_document, &Document::reset);
@@ -176,6 +180,13 @@ void MainWindow::documentChanged(Document::Change what)
         break;
     case Document::Change::Fixtures:
         break;
+    case Document::Change::History:
+        historyChanged();
+        break;
+    case Document::Change::Moment:
+        showSurroundings();
+        historyChanged();
+        break;
     }
 }
 
@@ -206,6 +217,17 @@ void MainWindow::contentChanged()
     for (const std::string& warning : content.warnings)
         m_log->add(QString::fromStdString(warning), LogPanel::Kind::Warning);
     showImport();
+}
+
+/// Menu and buttons say what they would undo and redo.
+void MainWindow::historyChanged()
+{
+    const auto show = [](QAction* action, const QString& verb, const std::optional<QString>& name) {
+        action->setEnabled(name.has_value());
+        action->setText(name ? tr("%1 \"%2\"").arg(verb, *name) : verb);
+    };
+    show(m_actions->undo, tr("Undo"), m_document.undoName());
+    show(m_actions->redo, tr("Redo"), m_document.redoName());
 }
 
 /// The switches say what the simulation has.

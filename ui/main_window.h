@@ -77,6 +77,7 @@ private:
     void showHint();
     void frameChanged();
     void selectionChanged();
+    void historyChanged();
     void showHealth(const Health& health);
     /// @param remedy what a click on the banner's button does
     void showProblem(const QString& sentence, const QString& remedyText = {}, std::function<void()> remedy = {});
@@ -105,8 +106,8 @@ private:
     bool isBusy();
 
     Services m_services;
-    Document m_document;
     TaskRunner m_tasks;
+    Document m_document;
     std::unique_ptr<Actions> m_actions;
     Banner* m_banner = nullptr;
     QStackedWidget* m_pages = nullptr;

@@ -91,8 +91,10 @@ void MainWindow::refill(double spacing)
     if (m_document.isEmpty() || isBusy())
         return;
     m_banner->hide();
-    const auto work = [before = m_document.content(), spacing, now = m_document.frame()->snapshot](
-                          TaskControl& control) { return prepareRefill(before, spacing, *now, control); };
+    const auto work = [before = m_document.content(), spacing, now = m_document.frame()->snapshot,
+                       fixtures = m_document.fixtures().list()](TaskControl& control) {
+        return prepareRefill(before, spacing, *now, fixtures, control);
+    };
     m_tasks.run<PreparedContent>(tr("Filling with a spacing of %1").arg(formatQuantity(spacing, Quantity::Length)),
                                  work, [this](PreparedContent prepared) { m_document.refill(std::move(prepared)); });
 }

@@ -5,6 +5,7 @@
 #include "ui/panels/banner.h"
 #include "ui/panels/export_panel.h"
 #include "ui/panels/fixture_panel.h"
+#include "ui/panels/history_panel.h"
 #include "ui/panels/home_page.h"
 #include "ui/panels/import_panel.h"
 #include "ui/panels/log_panel.h"
@@ -94,11 +95,15 @@ void MainWindow::makeDocks()
     m_performance = new PerformancePanel(this);
 
     QDockWidget* tree = makeDock(this, tr("Model"), "modelDock", m_tree, Qt::LeftDockWidgetArea);
+    QDockWidget* history =
+        makeDock(this, tr("History"), "historyDock", new HistoryPanel(m_document), Qt::LeftDockWidgetArea);
     QDockWidget* properties = makeDock(this, tr("Properties"), "propertiesDock", m_properties, Qt::LeftDockWidgetArea);
     QDockWidget* log = makeDock(this, tr("Log"), "logDock", m_log, Qt::BottomDockWidgetArea);
     QDockWidget* performance =
         makeDock(this, tr("Performance"), "performanceDock", m_performance, Qt::BottomDockWidgetArea);
     QDockWidget* report = makeDock(this, tr("Import report"), "importDock", m_import, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(tree, history);
+    tree->raise();
     tabifyDockWidget(log, report);
     QDockWidget* exported = makeDock(this, tr("Export report"), "exportDock", m_export, Qt::BottomDockWidgetArea);
     tabifyDockWidget(report, exported);
@@ -116,6 +121,8 @@ void MainWindow::makeMenus()
     file->addActions({a.open, a.openWithChoices, a.exportMeshes});
     file->addSeparator();
     file->addAction(a.quit);
+
+    menuBar()->addMenu(tr("&Edit"))->addActions({a.undo, a.redo});
 
     QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
     simulation->addActions({a.play, a.step, a.reset});
@@ -153,6 +160,10 @@ void MainWindow::makeToolBar()
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     const Actions& a = *m_actions;
     bar->addActions({a.open, a.exportMeshes});
+    bar->addSeparator();
+    bar->addActions({a.undo, a.redo});
+    for (QAction* action : {a.undo, a.redo}) // their texts change
+        qobject_cast<QToolButton*>(bar->widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonIconOnly);
     bar->addSeparator();
     bar->addActions({a.play, a.step, a.reset});
     bar->addSeparator();

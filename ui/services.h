@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/aggregate/material.h"
+#include "core/document/moment_bytes.h"
 #include "core/model/export_job.h"
 #include "core/model/export_report.h"
 #include "core/model/file_preview.h"
@@ -22,6 +23,8 @@ struct Services {
     std::function<FilePreview(const std::string& path, TaskControl&)> preview;
     /// The ending decides the format. The report can be kept beside the file. @throws as import
     std::function<ExportReport(const std::string& path, const ExportJob&, bool keepsReport, TaskControl&)> exportParts;
+
+    Packing packing; ///< of the moments in the history
 
     struct Format {
         std::string name;

@@ -44,6 +44,7 @@ struct SimulationThread::Worker {
         {
             const std::lock_guard lock(mutex);
             requests.push_back(std::move(request));
+            ++asked;
         }
         wake.notify_one();
     }
@@ -72,6 +73,7 @@ struct SimulationThread::Worker {
         }
         for (const auto& request : taken)
             request(*this);
+        carriedOut += taken.size();
         if (!playing)
             simulation.applyCommands();
     }
@@ -124,6 +126,8 @@ struct SimulationThread::Worker {
         shot->updatesPerSecond = playing ? updates : 0;
         shot->stepsPerFrame = playing ? steps : 0;
         shot->snapshotSeconds = snapshotSeconds;
+        shot->arrivals = arrivals;
+        shot->requests = carriedOut;
         const std::lock_guard lock(mutex);
         latest = shot;
     }
@@ -142,12 +146,15 @@ struct SimulationThread::Worker {
     double updates = 0;
     int steps = 0;
     double snapshotSeconds = 0;
+    std::uint64_t arrivals = 0;
+    std::uint64_t carriedOut = 0;
     std::deque<Frame> frames;
 
     // Shared.
     std::mutex mutex;
     std::condition_variable_any wake;
     std::deque<std::function<void(Worker&)>> requests;
+    std::uint64_t asked = 0;
     SnapshotPointer latest;
 
     std::jthread thread; // last: stops before the rest goes
@@ -204,6 +211,7 @@ void SimulationThread::goTo(MomentPointer moment)
     m_worker->ask([moment = std::move(moment)](Worker& worker) {
         worker.playing = false;
         worker.carry = 0;
+        ++worker.arrivals;
         worker.simulation.goTo(moment);
     });
 }
@@ -216,6 +224,12 @@ void SimulationThread::setSpeed(double ratio)
 void SimulationThread::post(Command command)
 {
     m_worker->ask([command = std::move(command)](Worker& worker) { worker.simulation.post(command); });
+}
+
+std::uint64_t SimulationThread::requests() const
+{
+    const std::lock_guard lock(m_worker->mutex);
+    return m_worker->asked;
 }
 
 SnapshotPointer SimulationThread::latest() const

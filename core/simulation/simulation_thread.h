@@ -38,7 +38,11 @@ public:
     void lookAtGesture(std::function<void(std::vector<RecordedCommand> commands, std::uint64_t step)> told);
 
     /// Pauses and goes to a moment of this scene, see Simulation::goTo(). What was done since the last kept moment is given up.
+    /// Snapshots from there on count one arrival more.
     void goTo(MomentPointer moment);
+
+    /// How many requests there were so far: a snapshot that counts as many has seen what all calls before asked for.
+    std::uint64_t requests() const;
 
     /// The newest state; never null. A new pointer whenever anything changed.
     SnapshotPointer latest() const;

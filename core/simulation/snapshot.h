@@ -128,6 +128,8 @@ struct Snapshot {
     double updatesPerSecond = 0;
     int stepsPerFrame = 0;
     double snapshotSeconds = 0; ///< that taking this one took
+    std::uint64_t arrivals = 0; ///< how often SimulationThread::goTo() was carried out before
+    std::uint64_t requests = 0; ///< how many requests were, see SimulationThread::requests()
 };
 
 using SnapshotPointer = std::shared_ptr<const Snapshot>;

@@ -2,6 +2,7 @@
 #include "ui/document/face_fixtures.h"
 
 #include "core/geometry/mass_properties.h"
+#include "core/simulation/moment.h"
 #include "support/shapes.h"
 
 #include <QtTest>
@@ -155,38 +156,78 @@ private slots:
         QVERIFY_THROWS_EXCEPTION(Cancelled, prepareFiles(servicesFor(model), {{"part.step"}, {}}, {}, control));
     }
 
-    void fixturesArePostedOnceAndFollowEdits()
+    void fixturesFollowEditsAndMoments()
     {
         Model model;
         model.parts = {boxPart("bar", {0.1, 0.02, 0.02}, Vec3::Zero())};
         PreparedContent prepared = prepare(model);
         Simulation& simulation = prepared.simulation;
         FaceFixtures fixtures;
-        const auto exchange = [&] {
-            const std::vector<Command> commands = fixtures.changes(*simulation.snapshot(), prepared.content);
-            for (const Command& command : commands)
+        const auto post = [&](const std::vector<Command>& commands) {
+            for (const Command& command : commands) {
+                fixtures.posted(command);
                 simulation.post(command);
+            }
             return commands.size();
         };
-        const std::uint32_t key = fixtures.toggle(0, 0, 0);
-        QCOMPARE(fixtures.toggle(0, 1, key), key);
+        const auto toggle = [&](std::uint32_t face, std::uint32_t active) {
+            const FaceFixtures::Edit edit = fixtures.toggle(prepared.content, 0, face, active);
+            return std::pair(edit.key, post(edit.commands));
+        };
+        const auto held = [&] { return simulation.snapshot()->fixtures; };
+        const auto [key, count] = toggle(0, 0);
+        QCOMPARE(count, std::size_t{1});
+        const MomentPointer one = simulation.keepMoment();
+        QCOMPARE(toggle(1, key), std::pair(key, std::size_t{2})); // the small one goes, the larger one comes
         QCOMPARE(fixtures.find(key)->faces, (std::vector<std::uint32_t>{0, 1}));
-        QCOMPARE(exchange(), std::size_t{1});
-        QCOMPARE(exchange(), std::size_t{0}); // on its way
+        const MomentPointer two = simulation.keepMoment();
+        const std::size_t both = held().at(0).objects.size();
+        QCOMPARE(toggle(1, key).first, 0U);
         simulation.applyCommands();
-        QCOMPARE(exchange(), std::size_t{0}); // arrived
-        const std::size_t both = simulation.snapshot()->fixtures.at(0).objects.size();
+        QCOMPARE(held().size(), std::size_t{1});
+        QCOMPARE(held()[0].objects.size(), both / 2);
 
-        QCOMPARE(fixtures.toggle(0, 1, key), 0U);
-        QCOMPARE(exchange(), std::size_t{2}); // the old one goes, the smaller one comes
+        simulation.goTo(two);
+        fixtures.follow(prepared.content, two->fixtures);
+        QCOMPARE(fixtures.find(key)->faces.size(), std::size_t{2});
+        simulation.goTo(one);
+        fixtures.follow(prepared.content, one->fixtures);
+        QCOMPARE(fixtures.list().size(), std::size_t{1});
+        QCOMPARE(fixtures.find(key)->faces, std::vector<std::uint32_t>{0});
+        post(fixtures.remove(key));
         simulation.applyCommands();
-        QCOMPARE(simulation.snapshot()->fixtures.size(), std::size_t{1});
-        QCOMPARE(simulation.snapshot()->fixtures[0].objects.size(), both / 2);
+        QVERIFY(held().empty());
 
-        fixtures.remove(key);
-        QCOMPARE(exchange(), std::size_t{1});
-        simulation.applyCommands();
-        QVERIFY(simulation.snapshot()->fixtures.empty());
+        // What is known of faces goes into a project and comes back.
+        FaceFixtures later;
+        later.remember(fixtures.memory());
+        later.remember("no such thing");
+        later.follow(prepared.content, two->fixtures);
+        QCOMPARE(later.list().at(0).key, key);
+        QCOMPARE(later.list().at(0).faces, (std::vector<std::uint32_t>{0, 1}));
+        FaceFixtures ignorant;
+        ignorant.follow(prepared.content, two->fixtures);
+        QVERIFY(ignorant.list().at(0).faces.empty());
+        QCOMPARE(ignorant.remove(ignorant.list().at(0).key).size(), std::size_t{1});
+    }
+
+    void aStartIsShownAgainWithoutFilling()
+    {
+        Model model;
+        model.parts = {boxPart("bar", {0.1, 0.02, 0.02}, Vec3::Zero()),
+                       boxPart("lid", {0.1, 0.02, 0.002}, {0, 0, 0.1})};
+        model.parts[1].watertight = false;
+        const PreparedContent prepared = prepare(model);
+        const Content& before = prepared.content;
+        const ProjectStart start = startOf(before, prepared.scene);
+        const Content again = contentOf(before.model, before.request, start, TaskControl::none());
+        QCOMPARE(again.bodies.size(), before.bodies.size());
+        QCOMPARE(again.bodies[0]->aggregate, before.bodies[0]->aggregate);
+        QCOMPARE(again.bodies[0]->name, before.bodies[0]->name);
+        QCOMPARE(again.bodies[0]->mesh.vertices.size(), before.bodies[0]->mesh.vertices.size());
+        QCOMPARE(again.surfaces.size(), std::size_t{1});
+        QCOMPARE(again.spacing, before.spacing);
+        QCOMPARE(again.box.max().z(), before.box.max().z());
     }
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/aggregate/spacing_choice.h"
 #include "core/geometry/refine.h"
+#include "ui/document/face_fixtures.h"
 #include "ui/document/frame.h"
 
 #include <algorithm>
@@ -111,24 +112,28 @@ std::vector<ObjectIndex> surfaceObjects(const Aggregate& aggregate)
 }
 
 std::shared_ptr<const ContentBody> makeBody(const Model& model, std::size_t index, const std::string& name,
-                                            double spacing, TaskControl& control)
+                                            std::shared_ptr<const Aggregate> aggregate, TaskControl& control)
 {
     const Part& part = model.parts[index];
     auto body = std::make_shared<ContentBody>();
     body->part = index;
     body->name = name;
     body->color = part.color.value_or(Color{});
-    TaskPortion filling(control, 0, 0.6);
-    const DirtySurface dirty = part.canBeFilled() ? DirtySurface::refuse : DirtySurface::windingNumber;
-    body->aggregate = std::make_shared<const Aggregate>(fill(part.mesh, {.spacing = spacing, .dirty = dirty}, filling));
-    control.report(0.6, "preparing the surface");
-    body->mesh = refine(part.mesh, spacing);
+    body->aggregate = std::move(aggregate);
+    control.report(0, "preparing the surface");
+    body->mesh = refine(part.mesh, body->aggregate->lattice.spacing);
     control.throwIfCancelled();
     body->render = renderMesh(body->mesh);
-    TaskPortion skinning(control, 0.7, 1);
+    TaskPortion skinning(control, 0.25, 1);
     body->skin.emplace(*body->aggregate, body->mesh.vertices, skinning);
     body->surfaceObjects = surfaceObjects(*body->aggregate);
     return body;
+}
+
+std::shared_ptr<const Aggregate> fillPart(const Part& part, double spacing, TaskControl& control)
+{
+    const DirtySurface dirty = part.canBeFilled() ? DirtySurface::refuse : DirtySurface::windingNumber;
+    return std::make_shared<const Aggregate>(fill(part.mesh, {.spacing = spacing, .dirty = dirty}, control));
 }
 
 std::shared_ptr<const ContentSurface> makeSurface(const Model& model, std::size_t index)
@@ -154,7 +159,10 @@ void addPart(const Model& model, std::size_t index, std::set<std::string>& names
 {
     const Part& part = model.parts[index];
     try {
-        content.bodies.push_back(makeBody(model, index, uniqueName(part.name, names), content.spacing, control));
+        TaskPortion filling(control, 0, 0.6);
+        std::shared_ptr<const Aggregate> aggregate = fillPart(part, content.spacing, filling);
+        TaskPortion preparing(control, 0.6, 1);
+        content.bodies.push_back(makeBody(model, index, uniqueName(part.name, names), std::move(aggregate), preparing));
         return;
     } catch (const Cancelled&) {
         throw;
@@ -165,14 +173,14 @@ void addPart(const Model& model, std::size_t index, std::set<std::string>& names
     content.surfaces.push_back(makeSurface(model, index));
 }
 
-/// Fills every part that has an inside; the others become surfaces.
-Content fillContent(std::shared_ptr<const Model> model, const OpenRequest& request, TaskControl& control)
+/// What there is of a model before any part is filled.
+Content emptyContent(const Model& model, const OpenRequest& request)
 {
-    const std::vector<std::size_t> parts = partsToFill(*model, request);
     Content content;
-    content.warnings = model->missing;
-    content.warnings.insert(content.warnings.end(), model->warnings.begin(), model->warnings.end());
-    for (const Part& part : model->parts) {
+    content.request = request;
+    content.warnings = model.missing;
+    content.warnings.insert(content.warnings.end(), model.warnings.begin(), model.warnings.end());
+    for (const Part& part : model.parts) {
         content.warnings.insert(content.warnings.end(), part.warnings.begin(), part.warnings.end());
         if (!part.canBeFilled() && !request.fillsOpenParts)
             content.warnings.push_back(openSentence(part));
@@ -180,8 +188,16 @@ Content fillContent(std::shared_ptr<const Model> model, const OpenRequest& reque
             content.box.extend(vertex);
     }
     if (content.box.isEmpty())
-        throw std::runtime_error(fileName(*model) + ": there is no solid and no surface in this file. Export the part "
-                                                    "as a solid and open it again.");
+        throw std::runtime_error(fileName(model) + ": there is no solid and no surface in this file. Export the part "
+                                                   "as a solid and open it again.");
+    return content;
+}
+
+/// Fills every part that has an inside; the others become surfaces.
+Content fillContent(std::shared_ptr<const Model> model, const OpenRequest& request, TaskControl& control)
+{
+    const std::vector<std::size_t> parts = partsToFill(*model, request);
+    Content content = emptyContent(*model, request);
     if (!parts.empty()) {
         TaskPortion measuring(control, 0, measuredShare);
         const FillingSizes sizes = measure(*model, parts, measuring);
@@ -190,7 +206,6 @@ Content fillContent(std::shared_ptr<const Model> model, const OpenRequest& reque
         if (!content.fineness.warning.empty())
             content.warnings.push_back(content.fineness.warning);
     }
-    content.request = request;
     TaskPortion filling(control, measuredShare, 1);
     std::set<std::string> names;
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -219,9 +234,10 @@ Scene restScene(const Content& content)
 
 PreparedContent withFrame(Content content, Scene scene)
 {
-    Simulation simulation(std::move(scene));
+    Simulation simulation(scene);
+    Gesture first = endGesture(simulation);
     FramePointer frame = prepareFrame(content.bodies, simulation.snapshot(), nullptr);
-    return {std::move(content), std::move(simulation), std::move(frame)};
+    return {std::move(content), std::move(scene), std::move(simulation), std::move(frame), std::move(first)};
 }
 
 } // namespace
@@ -262,7 +278,8 @@ PreparedContent prepareModel(std::shared_ptr<const Model> model, const OpenReque
     return withFrame(std::move(content), std::move(scene));
 }
 
-PreparedContent prepareRefill(const Content& before, double spacing, const Snapshot& now, TaskControl& control)
+PreparedContent prepareRefill(const Content& before, double spacing, const Snapshot& now,
+                              const std::vector<FaceFixture>& fixtures, TaskControl& control)
 {
     TaskPortion filling(control, 0, preparedShare);
     OpenRequest request = before.request;
@@ -286,10 +303,38 @@ PreparedContent prepareRefill(const Content& before, double spacing, const Snaps
                                       .motion = HoldStill{},
                                       .kind = tool.kind,
                                       .part = tool.part});
+    scene.fixtures = sceneFixtures(content, fixtures);
     scene.gravity = now.gravity;
     scene.integrator = now.wantedIntegrator;
     scene.floorHeight = now.floorHeight;
     return withFrame(std::move(content), std::move(scene));
+}
+
+Content contentOf(std::shared_ptr<const Model> model, const ImportChoices& choices, const ProjectStart& start,
+                  TaskControl& control)
+{
+    Content content = emptyContent(*model, choices);
+    const std::vector<Body>& bodies = start.scene.bodies;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const auto count = static_cast<double>(bodies.size());
+        TaskPortion portion(control, static_cast<double>(b) / count, static_cast<double>(b + 1) / count);
+        content.bodies.push_back(makeBody(*model, start.partOfBody[b], bodies[b].name, bodies[b].aggregate, portion));
+        content.spacing = bodies[b].aggregate->lattice.spacing;
+    }
+    for (std::size_t p = 0; p < model->parts.size(); ++p)
+        if (!model->parts[p].mesh.empty() &&
+            std::find(start.partOfBody.begin(), start.partOfBody.end(), p) == start.partOfBody.end())
+            content.surfaces.push_back(makeSurface(*model, p));
+    content.model = std::move(model);
+    return content;
+}
+
+ProjectStart startOf(const Content& content, Scene scene)
+{
+    ProjectStart start{.scene = std::move(scene), .partOfBody = {}};
+    for (const auto& body : content.bodies)
+        start.partOfBody.push_back(body->part);
+    return start;
 }
 
 } // namespace knead

@@ -2,7 +2,8 @@
 
 #include "core/aggregate/fill.h"
 #include "core/aggregate/spacing_choice.h"
-#include "core/simulation/simulation.h"
+#include "core/document/project.h"
+#include "core/simulation/gesture.h"
 #include "core/skin/skin.h"
 #include "ui/services.h"
 #include "ui/viewport/render_mesh.h"
@@ -16,14 +17,8 @@
 
 namespace knead {
 
-/// What a person asked to be opened, and how.
-struct OpenRequest {
-    std::vector<std::string> paths; ///< at least one
-    ImportOptions options;
-    std::optional<SpacingChoice> spacing; ///< none: for real time, somewhat finer for thin walls
-    Touching touching = Touching::separate;
-    bool fillsOpenParts = false; ///< tries winding numbers on surfaces that are not closed
-};
+/// What a person asked to be opened, and how. Without a spacing: for real time, somewhat finer for thin walls.
+using OpenRequest = ImportChoices;
 
 /// A body as the window shows it: the fine surface of its part and the map that carries it along. Immutable, shared
 /// between threads.
@@ -77,8 +72,10 @@ struct Frame; // ui/document/frame.h
 /// A content with the simulation of its bodies and what is drawn at its start, as a task hands it over.
 struct PreparedContent {
     Content content;
+    Scene scene; ///< that the simulation begins with
     Simulation simulation;
     std::shared_ptr<const Frame> frame;
+    Gesture first; ///< nothing was done yet: where a history begins
 };
 
 /// Reads files, fills their closed parts with a material and lets them rest on a floor. Runs on a task thread.
@@ -90,9 +87,20 @@ PreparedContent prepareFiles(const Services& services, const OpenRequest& reques
 PreparedContent prepareModel(std::shared_ptr<const Model> model, const OpenRequest& request, const Material& material,
                              TaskControl& control);
 
-/// Fills the parts of a content again with another spacing [m]; materials, kinds of bodies, tools, gravity and floor stay as in `now`. Runs on a task
-/// thread.
+struct FaceFixture; // ui/document/face_fixtures.h
+
+/// Fills the parts of a content again with another spacing [m]; materials, kinds of bodies, tools, gravity and floor stay as in
+/// `now`, and fixtures on their faces. Runs on a task thread.
 /// @throws as prepareFile
-PreparedContent prepareRefill(const Content& before, double spacing, const Snapshot& now, TaskControl& control);
+PreparedContent prepareRefill(const Content& before, double spacing, const Snapshot& now,
+                              const std::vector<FaceFixture>& fixtures, TaskControl& control);
+
+/// The content of a start that was kept in a project: as when it was filled, without filling. Runs on a task thread.
+/// @throws std::runtime_error with a sentence; Cancelled
+Content contentOf(std::shared_ptr<const Model> model, const ImportChoices& choices, const ProjectStart& start,
+                  TaskControl& control);
+
+/// What a project keeps of a start.
+ProjectStart startOf(const Content& content, Scene scene);
 
 } // namespace knead

@@ -1,14 +1,17 @@
 #include "ui/document/document.h"
 
 #include "core/model/part_tree.h"
-
+#include "core/simulation/moment.h"
 #include "ui/document/tool_kinds.h"
+#include "ui/tasks/task_runner.h"
+#include "ui/units.h"
 
 #include <QTimer>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <utility>
 
@@ -22,58 +25,134 @@ constexpr double blockShare = 0.25;      // size of a new block, in sizes of the
 constexpr double crossingTime = 1.5;     // a tool crosses the part in this time [s]
 // A new tool stalls at this strain of the stiffest material under its face: enough to bend and dent, not to crush.
 constexpr double stallStrain = 0.25;
+constexpr const char* fixturesPanel = "fixtures"; // in Project::panels
 
 } // namespace
 
 Document::Document(QObject* parent)
     : QObject(parent)
+    , m_content(std::make_shared<const Content>())
+    , m_ending(new QTimer(this))
     , m_timer(new QTimer(this))
 {
     setDisplayInterval(fastestDisplay);
     m_timer->setTimerType(Qt::PreciseTimer);
+    m_ending->setSingleShot(true);
     connect(m_timer, &QTimer::timeout, this, &Document::poll);
+    connect(m_ending, &QTimer::timeout, this, &Document::finishGesture);
+    connect(&m_history, &DocumentHistory::appended, this, [this](Entry entry) { m_shown = entry; });
+    connect(&m_history, &DocumentHistory::settled, this, &Document::tellSettled);
+    connect(&m_history, &DocumentHistory::changed, this, [this] { emit changed(Change::History); });
 }
 
 Document::~Document() = default;
 
+void Document::setTasks(TaskRunner* tasks)
+{
+    m_tasks = tasks;
+    const auto tripEnded = [this](const QString& title) {
+        if (m_journey == JourneyState::looking && title == m_longTitle)
+            giveUp({});
+    };
+    connect(tasks, &TaskRunner::cancelled, this, tripEnded);
+    connect(tasks, &TaskRunner::failed, this, tripEnded);
+}
+
 void Document::open(PreparedContent prepared)
 {
+    const auto content = std::make_shared<const Content>(std::move(prepared.content));
+    const QString file = QString::fromStdString(std::filesystem::path(content->model->file).filename().string());
+    start(std::move(prepared.simulation), content, std::move(prepared.frame));
+    forgetGoing();
+    m_whenSettled.clear();
     m_fixtures.clear();
-    start(std::move(prepared));
-    m_toolCount.clear();
-    m_selection = m_content.bodies.empty() ? Selection{} : Selection{Selection::Kind::Body, 0};
-    emit changed(Change::Content);
-    emit changed(Change::Selection);
+    m_history.begin({startOf(*content, std::move(prepared.scene)), content}, std::move(prepared.first),
+                    tr("Import %1").arg(file));
+    showStart();
 }
 
-void Document::refill(PreparedContent prepared)
+void Document::refill(PreparedContent prepared, const QString& name)
 {
-    m_fixtures.refilled();
-    start(std::move(prepared));
-    if (m_selection.kind == Selection::Kind::Tool) // tools are numbered anew
-        m_selection = m_content.bodies.empty() ? Selection{} : Selection{Selection::Kind::Body, 0};
+    const auto content = std::make_shared<const Content>(std::move(prepared.content));
+    if (!isGoing())
+        finishGesture();
+    const std::vector<Fixture>& fixtures = prepared.scene.fixtures;
+    const std::vector<std::optional<Fixture>> held(fixtures.begin(), fixtures.end());
+    start(std::move(prepared.simulation), content, std::move(prepared.frame));
+    forgetGoing();
+    m_fixtures.follow(*content, held);
+    const QString spacing = formatQuantity(content->spacing, Quantity::Length);
+    m_history.expectStart({startOf(*content, std::move(prepared.scene)), content}, std::move(prepared.first),
+                          name.isEmpty() ? tr("Refill %1").arg(spacing) : name);
+    showStart();
+}
+
+void Document::open(PreparedProject prepared)
+{
+    Project& project = prepared.project;
+    Arrival& arrival = prepared.arrival;
+    std::vector<DocumentHistory::Start> starts;
+    for (ProjectStart& start : project.starts)
+        starts.push_back({std::move(start), nullptr});
+    m_history.begin(std::move(starts), std::move(project.entries), project.current);
+    m_history.setContent(m_history.tree().record(project.current).start, arrival.content);
+    start(std::move(*arrival.simulation), arrival.content, std::move(arrival.frame));
+    forgetGoing();
+    m_whenSettled.clear();
+    m_shown = project.current;
+    m_fixtures.clear();
+    m_fixtures.remember(project.panels[fixturesPanel]);
+    follow(*arrival.moment);
+    showStart();
+}
+
+Project Document::project() const
+{
+    Project project;
+    if (m_history.isEmpty())
+        return project;
+    project.model = m_content->model;
+    project.import = m_content->request;
+    for (const DocumentHistory::Start& start : m_history.starts())
+        project.starts.push_back(start.start);
+    project.entries = m_history.tree().records();
+    project.current = m_history.tree().current();
+    project.panels[fixturesPanel] = m_fixtures.memory();
+    return project;
+}
+
+void Document::showStart()
+{
+    m_toolCount.clear();
+    m_toolToSelect.clear();
+    if (m_selection.kind != Selection::Kind::Fixture ||
+        m_fixtures.find(m_selection.id) == nullptr) // tools have other numbers
+        m_selection = m_content->bodies.empty() ? Selection{} : Selection{Selection::Kind::Body, 0};
     emit changed(Change::Content);
     emit changed(Change::Selection);
 }
 
-void Document::start(PreparedContent prepared)
+void Document::start(Simulation simulation, std::shared_ptr<const Content> content, FramePointer frame)
 {
     retire();
-    m_content = std::move(prepared.content);
-    m_frame = std::move(prepared.frame);
-    m_simulation = std::make_unique<SimulationThread>(std::move(prepared.simulation));
+    m_content = std::move(content);
+    m_frame = std::move(frame);
+    m_simulation = std::make_unique<SimulationThread>(std::move(simulation));
     m_seen = m_simulation->latest();
-    m_toolToSelect.clear();
+    m_arrivals = 0;
+    m_isPlaying = false;
+    m_ending->stop();
+    m_gesture = {.begin = m_frame->snapshot->time};
     const std::uint64_t generation = ++m_generation;
-    m_preparer = std::make_unique<FramePreparer>(m_content.bodies, [this, generation](const FramePointer& frame) {
+    m_preparer = std::make_unique<FramePreparer>(m_content->bodies, [this, generation](const FramePointer& newest) {
         QMetaObject::invokeMethod(
-            this, [this, frame, generation] { accept(frame, generation); }, Qt::QueuedConnection);
+            this, [this, newest, generation] { accept(newest, generation); }, Qt::QueuedConnection);
     });
     m_preparer->prepare(m_seen);
     m_timer->start();
 }
 
-/// Lets go of the simulation without waiting for the step it is in.
+/// Lets go of the simulation without waiting for the step it is in. The gesture that was ended last is still told.
 void Document::retire()
 {
     std::erase_if(m_retiring, [](const std::future<void>& one) {
@@ -83,6 +162,10 @@ void Document::retire()
         m_retiring.push_back(std::async(
             std::launch::async, [simulation = std::move(m_simulation), preparer = std::move(m_preparer)]() mutable {
                 preparer.reset();
+                simulation->pause();
+                std::promise<void> toldAll;
+                simulation->lookAtGesture([&](const auto&, auto) { toldAll.set_value(); });
+                toldAll.get_future().wait();
                 simulation.reset();
             }));
 }
@@ -98,13 +181,15 @@ void Document::poll()
 
 void Document::accept(const FramePointer& frame, std::uint64_t generation)
 {
-    if (generation != m_generation)
+    if (generation != m_generation || frame->snapshot->arrivals < m_arrivals)
         return;
     m_frame = frame;
-    postFixtures();
+    noticeStop();
     selectNewTool();
     dropLostSelection();
     emit changed(Change::Frame);
+    if (m_journey == JourneyState::arriving)
+        endJourney();
 }
 
 void Document::setDisplayInterval(double seconds)
@@ -112,44 +197,6 @@ void Document::setDisplayInterval(double seconds)
     const int interval = static_cast<int>(1000 * std::clamp(seconds, fastestDisplay, slowestDisplay));
     if (interval != m_timer->interval())
         m_timer->setInterval(interval);
-}
-
-void Document::play()
-{
-    if (m_simulation)
-        m_simulation->play();
-}
-
-void Document::pause()
-{
-    if (m_simulation)
-        m_simulation->pause();
-}
-
-void Document::togglePlay()
-{
-    if (m_simulation && m_simulation->latest()->playing)
-        pause();
-    else
-        play();
-}
-
-void Document::stepOnce()
-{
-    if (m_simulation)
-        m_simulation->stepOnce();
-}
-
-void Document::reset()
-{
-    if (m_simulation)
-        m_simulation->reset();
-}
-
-void Document::post(Command command)
-{
-    if (m_simulation)
-        m_simulation->post(std::move(command));
 }
 
 void Document::select(const Selection& selection)
@@ -162,23 +209,26 @@ void Document::select(const Selection& selection)
 
 void Document::removeSelected()
 {
+    if (later([this] { removeSelected(); }))
+        return;
     if (m_selection.kind == Selection::Kind::Tool) {
         post(RemoveManipulator{m_selection.id});
-    } else if (m_selection.kind == Selection::Kind::Fixture) {
-        m_fixtures.remove(m_selection.id);
+    } else if (const FaceFixture* fixture = m_fixtures.find(m_selection.id);
+               m_selection.kind == Selection::Kind::Fixture && fixture != nullptr) {
+        const QString name = tr("Remove %1").arg(QString::fromStdString(fixture->name));
+        postAll(m_fixtures.remove(m_selection.id), name);
         select({});
-        postFixtures();
         emit changed(Change::Fixtures);
     }
 }
 
 void Document::addTool(ToolKind kind)
 {
-    if (isEmpty())
+    if (isEmpty() || later([this, kind] { addTool(kind); }))
         return;
     const ToolKindLook& look = lookOf(kind);
     Manipulator tool;
-    tool.name = look.name + std::string(" ") + std::to_string(++m_toolCount[kind]);
+    tool.name = look.name + std::string(" ") + std::to_string(numberOfNewTool(look));
     tool.kind = kind;
     tool.size = size() * blockShare * look.proportions;
     tool.pose.position = placeAbove(tool.size);
@@ -191,9 +241,22 @@ void Document::addTool(ToolKind kind)
     post(AddManipulator{std::move(tool)});
 }
 
+/// Above those of the tools that are there and of those that were just added.
+int Document::numberOfNewTool(const ToolKindLook& look)
+{
+    int& count = m_toolCount[look.kind];
+    const QString begin = QString(look.name) + ' ';
+    for (const ToolState& tool : m_frame->snapshot->tools)
+        if (const QString name = QString::fromStdString(tool.name); name.startsWith(begin))
+            count = std::max(count, name.mid(begin.size()).toInt());
+    return ++count;
+}
+
 void Document::renormalize()
 {
-    for (BodyId body = 0; body < m_content.bodies.size(); ++body) {
+    if (later([this] { renormalize(); }))
+        return;
+    for (BodyId body = 0; body < m_content->bodies.size(); ++body) {
         const bool isMeant = m_selection.kind != Selection::Kind::Body || m_selection.id == body;
         if (isMeant && m_frame->snapshot->bodies[body].kind == BodyKind::deformable)
             post(Renormalize{.body = body});
@@ -221,7 +284,7 @@ Vec3 Document::placeAbove(const Vec3& toolSize) const
         raise(tool.pose.position, tool.size / 2);
     if (top < box.min().z()) // nothing there, as in a ring
         top = box.max().z();
-    return {center.x(), center.y(), top + m_content.spacing + toolSize.z() / 2};
+    return {center.x(), center.y(), top + m_content->spacing + toolSize.z() / 2};
 }
 
 void Document::selectNewTool()
@@ -253,12 +316,12 @@ const ToolState* Document::tool(ToolId id) const
 
 double Document::size() const
 {
-    return isEmpty() ? 0 : m_content.box.sizes().maxCoeff();
+    return isEmpty() ? 0 : m_content->box.sizes().maxCoeff();
 }
 
 ExportJob Document::exportJob(const std::vector<bool>& keep) const
 {
-    const Model& model = *m_content.model;
+    const Model& model = *m_content->model;
     ExportJob job;
     job.tree = prunedTree(model.tree, keep);
     job.options.unit = canBeWrittenIn(model.unit) ? model.unit : std::string();
@@ -267,9 +330,9 @@ ExportJob Document::exportJob(const std::vector<bool>& keep) const
         if (!keep[p])
             continue;
         PartToExport& part = job.parts.emplace_back(PartToExport{.part = model.parts[p]});
-        for (std::size_t b = 0; b < m_content.bodies.size(); ++b)
-            if (m_content.bodies[b]->part == p) {
-                part.aggregate = m_content.bodies[b]->aggregate;
+        for (std::size_t b = 0; b < m_content->bodies.size(); ++b)
+            if (m_content->bodies[b]->part == p) {
+                part.aggregate = m_content->bodies[b]->aggregate;
                 part.displacements = snapshot.bodies[b].displacements();
                 part.broken = snapshot.bodies[b].broken;
                 part.relaxed = snapshot.bodies[b].relaxed;
@@ -281,36 +344,37 @@ ExportJob Document::exportJob(const std::vector<bool>& keep) const
 
 void Document::toggleFace(BodyId body, std::uint32_t face)
 {
-    if (m_content.model->parts[m_content.bodies[body]->part].faces.empty()) {
+    if (later([this, body, face] { toggleFace(body, face); }))
+        return;
+    if (m_content->model->parts[m_content->bodies[body]->part].faces.empty()) {
         emit notice(tr("\"%1\" is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.")
-                        .arg(QString::fromStdString(m_content.bodies[body]->name)));
+                        .arg(QString::fromStdString(m_content->bodies[body]->name)));
         return;
     }
     const std::uint32_t active = m_selection.kind == Selection::Kind::Fixture ? m_selection.id : 0;
-    const std::uint32_t key = m_fixtures.toggle(body, face, active);
-    if (key != 0)
-        select({Selection::Kind::Fixture, key});
+    FaceFixtures::Edit edit = m_fixtures.toggle(*m_content, body, face, active);
+    postAll(std::move(edit.commands), edit.key != 0 ? tr("Fix face") : tr("Free face"));
+    if (edit.key != 0)
+        select({Selection::Kind::Fixture, edit.key});
     else if (m_fixtures.find(active) == nullptr)
         select({});
     noticeEmptyFixtures();
-    postFixtures();
     emit changed(Change::Fixtures);
 }
 
 void Document::noticeEmptyFixtures()
 {
-    const std::vector<Fixture>& wanted = m_fixtures.wanted(m_content);
     for (const FaceFixture& fixture : m_fixtures.list())
-        if (std::none_of(wanted.begin(), wanted.end(), [&](const Fixture& f) { return f.name == fixture.name; }))
+        if (!fixture.id)
             emit notice(
                 tr("%1 holds no objects: its faces are smaller than the spacing. Choose a finer spacing and refill.")
                     .arg(QString::fromStdString(fixture.name)));
 }
 
-void Document::postFixtures()
+void Document::postAll(std::vector<Command> commands, const QString& name)
 {
-    for (Command& command : m_fixtures.changes(*m_frame->snapshot, m_content))
-        post(std::move(command));
+    for (Command& command : commands)
+        post(std::move(command), name);
 }
 
 } // namespace knead

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "core/simulation/simulation_thread.h"
+#include "ui/document/arrival.h"
+#include "ui/document/document_history.h"
 #include "ui/document/face_fixtures.h"
 #include "ui/document/frame.h"
 
 #include <QObject>
 
+#include <functional>
 #include <future>
 #include <map>
 #include <memory>
@@ -17,6 +20,9 @@ class QTimer;
 
 namespace knead {
 
+class TaskRunner;
+struct ToolKindLook;
+
 /// What panels and view point at together.
 struct Selection {
     enum class Kind { None, Body, Tool, Fixture };
@@ -25,33 +31,97 @@ struct Selection {
     friend bool operator==(const Selection&, const Selection&) = default;
 };
 
-/// The open part with its simulation: what every panel and the view show. Window thread only.
+/// A project made ready to be shown, on a task thread.
+struct PreparedProject {
+    Project project;
+    Arrival arrival; ///< at its current entry
+};
+
+/// The open part with its simulation and its history: what every panel and the view show. Window thread only.
+///
+/// Whatever is posted is recorded. What a person did in one go, a gesture, is one entry of the history: each edit while
+/// paused; from play to pause; from beginGesture() to endGesture(), as when a tool is dragged. Nothing has to be done for undo
+/// but to post commands.
+///
+/// Saving: whenSettled([=] { write(project()); }), with history().revision() to know what is unsaved. Opening: prepareProject()
+/// on a task thread, then open().
 class Document final : public QObject {
     Q_OBJECT
 public:
-    enum class Change { Content, Frame, Selection, Fixtures };
+    enum class Change {
+        Content,
+        Frame,
+        Selection,
+        Fixtures,
+        History, ///< entries, their names, what undo and redo would do
+        Moment   ///< another moment of the history is shown, or the journey there was given up
+    };
+    using Entry = History::Entry;
 
     explicit Document(QObject* parent = nullptr);
     ~Document() override;
 
-    bool isEmpty() const { return m_content.isEmpty(); }
-    const Content& content() const { return m_content; }
+    /// Runs what takes long, with progress. @param tasks outlives the document
+    void setTasks(TaskRunner* tasks);
+
+    bool isEmpty() const { return m_content->isEmpty(); }
+    const Content& content() const { return *m_content; }
     /// The newest frame; null while empty.
     const FramePointer& frame() const { return m_frame; }
     const Selection& selection() const { return m_selection; }
     const FaceFixtures& fixtures() const { return m_fixtures; }
 
-    /// Shows another content with its simulation, paused at its start.
+    /// Shows another content with its simulation, paused at its start: a new document, with a history of its own.
     void open(PreparedContent prepared);
-    /// Shows the same model filled anew. Fixtures stay on their faces.
-    void refill(PreparedContent prepared);
+    /// Shows the same model filled anew: the next entry of the history.
+    void refill(PreparedContent prepared, const QString& name = {});
+    /// Shows a project at its current entry.
+    /// @throws std::runtime_error, in a sentence, when its entries do not form a tree; nothing has changed
+    void open(PreparedProject prepared);
+
+    /// All that a project file keeps but marks, view and the panels of others. What is under way is not in it: call it from
+    /// whenSettled().
+    Project project() const;
+    /// Ends what is under way, and does something as soon as it is in the history: at once, or some ms later. Another document
+    /// in between does away with it.
+    void whenSettled(std::function<void()> action);
 
     void play();
     void pause();
     void togglePlay();
     void stepOnce();
     void reset();
-    void post(Command command);
+    /// @param name for the history; empty: what the command says itself
+    void post(Command command, const QString& name = {});
+
+    // ---- The history: undo, redo, and gestures, which are its entries (document_gestures.cpp, document_going.cpp) ----
+
+    DocumentHistory& history() { return m_history; }
+    const DocumentHistory& history() const { return m_history; }
+
+    enum class Ends { now, soon };
+    /// What is posted from now on belongs together, until endGesture().
+    /// @param key of gestures that are one when they follow each other within a second; empty: never
+    void beginGesture(const QString& key = {});
+    /// @param ends soon: within a second, unless another gesture with the same key goes on with it
+    void endGesture(Ends ends = Ends::now);
+    /// Ends whatever is under way, be it playing (and goes on playing) or not: nothing is lost by what comes next.
+    void finishGesture();
+    bool isInGesture() const { return m_gesture.isHeld; }
+
+    void undo();
+    void redo();
+    void goToEntry(Entry entry);
+    std::optional<QString> undoName() const; ///< of what would be undone; nothing to undo: none
+    std::optional<QString> redoName() const;
+    /// Between asking for another entry and seeing it. What is posted in the meantime happens there.
+    bool isGoing() const { return m_journey != JourneyState::none || !m_wishes.empty(); }
+
+    /// Nothing is under way: the history has all that was done, and the frame shows it.
+    bool isSettled() const;
+
+    /// Looks at the gesture under way, see SimulationThread::lookAtGesture().
+    void lookAtGesture(std::function<void(std::vector<RecordedCommand> commands, std::uint64_t step)> told);
 
     /// Frames come no faster than this: drawing must leave time for computing [s].
     void setDisplayInterval(double seconds);
@@ -78,20 +148,69 @@ public:
 signals:
     void changed(knead::Document::Change what);
     void notice(const QString& sentence); ///< something the person should know, for the log
+    void stopping();                      ///< time is about to stand still: who drives a tool lets go of it
 
 private:
-    void start(PreparedContent prepared);
+    struct Gesture {
+        bool isAny = false;    ///< anything was done
+        bool isEdited = false; ///< a command was posted since it began
+        bool isHeld = false;   ///< between beginGesture() and endGesture()
+        QString name;
+        QString key;
+        double begin = 0; ///< simulated [s]
+    };
+    enum class JourneyState { none, looking, arriving };
+    using Wish = std::function<std::optional<Entry>(const History&)>;
+
+    void start(Simulation simulation, std::shared_ptr<const Content> content, FramePointer frame);
+    void showStart();
     void retire();
     void poll();
     void accept(const FramePointer& frame, std::uint64_t generation);
     Vec3 placeAbove(const Vec3& toolSize) const;
+    int numberOfNewTool(const ToolKindLook& look);
     void selectNewTool();
     void dropLostSelection();
-    void postFixtures();
+    void postAll(std::vector<Command> commands, const QString& name);
     void noticeEmptyFixtures();
 
-    Content m_content;
+    void openGesture(const QString& key);
+    void noteGesture();
+    void noticeStop();
+
+    bool later(std::function<void()> action);
+    void wish(Wish wish);
+    void takeWishes();
+    void tellSettled();
+    void setOut();
+    Journey journeyTo(Entry entry) const;
+    void goLong(const Journey& journey);
+    void goShort(const Journey& journey);
+    void arrive(Arrival arrival);
+    void follow(const Moment& moment);
+    void giveUp(const QString& sentence);
+    void forgetGoing();
+    void endJourney();
+
+    TaskRunner* m_tasks = nullptr;
+    std::shared_ptr<const Content> m_content;
     FaceFixtures m_fixtures;
+    DocumentHistory m_history;
+    Gesture m_gesture;
+    QTimer* m_ending; ///< until a gesture that may be gone on with ends
+    bool m_isPlaying = false;
+    std::uint64_t m_playRequest = 0; ///< snapshots that count as many requests have heard of it
+
+    JourneyState m_journey = JourneyState::none;
+    Entry m_shown = 0;            ///< where the simulation is, or was when it began to do something else
+    Entry m_target = 0;           ///< of the journey
+    std::uint64_t m_travels = 0;  ///< counts them; who comes late is dropped
+    QString m_longTitle;          ///< of the task that does a long journey
+    std::uint64_t m_arrivals = 0; ///< that frames must have seen
+    std::vector<Wish> m_wishes;
+    std::vector<std::function<void()>> m_afterwards; ///< when the journey has ended
+    std::vector<std::function<void()>> m_whenSettled;
+
     std::map<ToolKind, int> m_toolCount; ///< added so far, for their names
     std::string m_toolToSelect;          ///< posted, not yet in a snapshot
     Selection m_selection;
@@ -99,9 +218,13 @@ private:
     SnapshotPointer m_seen;
     FramePointer m_frame;
     QTimer* m_timer;
-    std::unique_ptr<SimulationThread> m_simulation;
+    std::unique_ptr<SimulationThread> m_simulation; // gone before the history, which it tells of gestures
     std::unique_ptr<FramePreparer> m_preparer;
     std::vector<std::future<void>> m_retiring; ///< earlier simulations on their way out
 };
+
+/// Makes a project ready to be shown. Runs on a task thread.
+/// @throws std::runtime_error with a sentence; Cancelled
+PreparedProject prepareProject(Project project, const Packing& packing, TaskControl& control);
 
 } // namespace knead

@@ -1,26 +1,35 @@
 #include "ui/document/face_fixtures.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
 #include <algorithm>
 
 namespace knead {
 
 namespace {
 
-bool contains(const std::vector<Fixture>& list, const Fixture& fixture)
-{
-    return std::any_of(list.begin(), list.end(), [&](const Fixture& other) {
-        return other.name == fixture.name && other.body == fixture.body && other.objects == fixture.objects;
-    });
-}
-
-bool areEqual(const std::vector<Fixture>& a, const std::vector<Fixture>& b)
-{
-    return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](const Fixture& f) { return contains(b, f); });
-}
-
 bool holds(const FaceFixture& fixture, BodyId body, std::uint32_t face)
 {
     return fixture.body == body && std::count(fixture.faces.begin(), fixture.faces.end(), face) > 0;
+}
+
+std::vector<ObjectIndex> objectsOf(const Content& content, const FaceFixture& fixture)
+{
+    const ContentBody& body = *content.bodies[fixture.body];
+    const Part& part = content.model->parts[body.part];
+    const bool areThere = std::all_of(fixture.faces.begin(), fixture.faces.end(),
+                                      [&](std::uint32_t face) { return face < part.faces.size(); });
+    return areThere ? objectsAtFaces(*body.aggregate, part.mesh, fixture.faces) : std::vector<ObjectIndex>();
+}
+
+std::uint32_t freeKey(const std::vector<FaceFixture>& fixtures)
+{
+    std::uint32_t key = 1;
+    for (const FaceFixture& fixture : fixtures)
+        key = std::max(key, fixture.key + 1);
+    return key;
 }
 
 } // namespace
@@ -36,77 +45,136 @@ void FaceFixtures::clear()
     *this = {};
 }
 
-void FaceFixtures::remove(std::uint32_t key)
+std::vector<Command> FaceFixtures::remove(std::uint32_t key)
 {
-    std::erase_if(m_list, [key](const FaceFixture& fixture) { return fixture.key == key; });
-    edited();
+    const FaceFixture* fixture = find(key);
+    if (fixture == nullptr)
+        return {};
+    std::vector<Command> commands;
+    if (fixture->id)
+        commands.emplace_back(RemoveFixture{*fixture->id});
+    std::erase_if(m_list, [key](const FaceFixture& other) { return other.key == key; });
+    return commands;
 }
 
-std::uint32_t FaceFixtures::toggle(BodyId body, std::uint32_t face, std::uint32_t active)
+FaceFixtures::Edit FaceFixtures::toggle(const Content& content, BodyId body, std::uint32_t face, std::uint32_t active)
 {
-    edited();
     const auto holding =
         std::find_if(m_list.begin(), m_list.end(), [&](const FaceFixture& f) { return holds(f, body, face); });
     if (holding != m_list.end()) {
+        if (holding->faces.size() == 1)
+            return {0, remove(holding->key)};
         std::erase(holding->faces, face);
-        std::erase_if(m_list, [](const FaceFixture& fixture) { return fixture.faces.empty(); });
-        return 0;
+        return {0, hold(content, *holding)};
     }
-    const auto chosen = std::find_if(m_list.begin(), m_list.end(),
-                                     [&](const FaceFixture& f) { return f.key == active && f.body == body; });
+    const auto chosen = std::find_if(m_list.begin(), m_list.end(), [&](const FaceFixture& f) {
+        return f.key == active && f.body == body && !f.faces.empty();
+    });
     if (chosen != m_list.end()) {
         chosen->faces.push_back(face);
-        return active;
+        return {active, hold(content, *chosen)};
     }
-    const std::uint32_t key = m_nextKey++;
-    m_list.push_back({key, "Fixture " + std::to_string(key), body, {face}});
-    return key;
+    const std::uint32_t key = freeKey(m_list);
+    m_list.push_back({.key = key, .name = "Fixture " + std::to_string(key), .body = body, .faces = {face}, .id = {}});
+    return {key, hold(content, m_list.back())};
 }
 
-void FaceFixtures::refilled()
+/// Other faces: the simulation gets another fixture in place of the one it has.
+std::vector<Command> FaceFixtures::hold(const Content& content, FaceFixture& fixture)
 {
-    m_isWantedKnown = false;
-    m_isPosted = false;
-}
-
-void FaceFixtures::edited()
-{
-    m_isWantedKnown = false;
-}
-
-std::vector<Command> FaceFixtures::changes(const Snapshot& now, const Content& content)
-{
-    if (m_isPosted && !areEqual(now.fixtures, m_posted))
-        return {};
-    m_isPosted = false;
-    const std::vector<Fixture>& target = wanted(content);
+    keepInMind(fixture);
     std::vector<Command> commands;
-    for (std::size_t f = 0; f < now.fixtures.size(); ++f)
-        if (!contains(target, now.fixtures[f]))
-            commands.emplace_back(RemoveFixture{now.fixtureIds[f]});
-    for (const Fixture& fixture : target)
-        if (!contains(now.fixtures, fixture))
-            commands.emplace_back(AddFixture{fixture});
-    if (!commands.empty()) {
-        m_posted = target;
-        m_isPosted = true;
+    if (fixture.id)
+        commands.emplace_back(RemoveFixture{*fixture.id});
+    fixture.id.reset();
+    std::vector<ObjectIndex> objects = objectsOf(content, fixture);
+    if (!objects.empty()) {
+        commands.emplace_back(AddFixture{{fixture.name, fixture.body, std::move(objects)}});
+        fixture.id = m_nextId;
     }
     return commands;
 }
 
-const std::vector<Fixture>& FaceFixtures::wanted(const Content& content)
+void FaceFixtures::posted(const Command& command)
 {
-    if (m_isWantedKnown)
-        return m_wanted;
-    m_wanted.clear();
-    for (const FaceFixture& fixture : m_list) {
-        const ContentBody& body = *content.bodies[fixture.body];
-        const TriangleMesh& mesh = content.model->parts[body.part].mesh;
-        m_wanted.push_back({fixture.name, fixture.body, objectsAtFaces(*body.aggregate, mesh, fixture.faces)});
+    if (std::holds_alternative<AddFixture>(command))
+        ++m_nextId;
+}
+
+void FaceFixtures::keepInMind(const FaceFixture& fixture)
+{
+    FaceFixture known = fixture;
+    known.id.reset();
+    std::sort(known.faces.begin(), known.faces.end());
+    const bool isNew = std::none_of(m_known.begin(), m_known.end(), [&](const FaceFixture& other) {
+        return other.name == known.name && other.body == known.body && other.faces == known.faces;
+    });
+    if (isNew)
+        m_known.push_back(std::move(known));
+}
+
+FaceFixture FaceFixtures::faceFixtureOf(const Content& content, const Fixture& held) const
+{
+    for (const FaceFixture& known : m_known)
+        if (known.name == held.name && known.body == held.body && objectsOf(content, known) == held.objects)
+            return known;
+    return {.key = 0, .name = held.name, .body = held.body, .faces = {}, .id = {}};
+}
+
+void FaceFixtures::follow(const Content& content, std::span<const std::optional<Fixture>> held)
+{
+    m_list.clear();
+    for (std::size_t id = 0; id < held.size(); ++id) {
+        if (!held[id])
+            continue;
+        FaceFixture fixture = faceFixtureOf(content, *held[id]);
+        fixture.id = static_cast<FixtureId>(id);
+        if (fixture.key == 0 || find(fixture.key) != nullptr)
+            fixture.key = freeKey(m_list);
+        m_list.push_back(std::move(fixture));
     }
-    std::erase_if(m_wanted, [](const Fixture& fixture) { return fixture.objects.empty(); });
-    m_isWantedKnown = true;
-    return m_wanted;
+    m_nextId = static_cast<FixtureId>(held.size());
+}
+
+std::string FaceFixtures::memory() const
+{
+    QJsonArray all;
+    for (const FaceFixture& known : m_known) {
+        QJsonArray faces;
+        for (const std::uint32_t face : known.faces)
+            faces.append(static_cast<qint64>(face));
+        all.append(QJsonObject{{"name", QString::fromStdString(known.name)},
+                               {"key", static_cast<qint64>(known.key)},
+                               {"body", static_cast<qint64>(known.body)},
+                               {"faces", faces}});
+    }
+    return QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();
+}
+
+void FaceFixtures::remember(const std::string& memory)
+{
+    const QJsonArray all = QJsonDocument::fromJson(QByteArray::fromStdString(memory)).array();
+    for (const QJsonValue& value : all) {
+        FaceFixture known{.key = static_cast<std::uint32_t>(value["key"].toInteger()),
+                          .name = value["name"].toString().toStdString(),
+                          .body = static_cast<BodyId>(value["body"].toInteger()),
+                          .faces = {},
+                          .id = {}};
+        const QJsonArray faces = value["faces"].toArray();
+        for (const QJsonValue& face : faces)
+            known.faces.push_back(static_cast<std::uint32_t>(face.toInteger()));
+        keepInMind(known);
+    }
+}
+
+std::vector<Fixture> sceneFixtures(const Content& content, const std::vector<FaceFixture>& fixtures)
+{
+    std::vector<Fixture> result;
+    for (const FaceFixture& fixture : fixtures)
+        if (fixture.body < content.bodies.size())
+            result.push_back({fixture.name, fixture.body, objectsOf(content, fixture)});
+    std::erase_if(result, [](const Fixture& fixture) { return fixture.objects.empty(); });
+    return result;
 }
 
 } // namespace knead

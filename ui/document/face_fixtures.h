@@ -1,10 +1,11 @@
 #pragma once
 
 #include "core/simulation/command.h"
-#include "core/simulation/snapshot.h"
 #include "ui/document/content.h"
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,41 +16,52 @@ struct FaceFixture {
     std::uint32_t key = 0; ///< names the fixture as long as the document lives
     std::string name;      ///< unique; the name of the Fixture in the scene
     BodyId body = 0;
-    std::vector<std::uint32_t> faces;
+    std::vector<std::uint32_t> faces; ///< none: objects are held that no faces are known of
+    std::optional<FixtureId> id;      ///< in the simulation; none where the faces hold no object
 };
 
-/// The fixtures a person made by picking faces, and how the simulation comes to have them. The simulation numbers its
-/// own
-/// fixtures, so changes are posted one set at a time, against what a snapshot shows.
+/// The fixtures that a person made by picking faces. The simulation knows of objects only, so faces are remembered here, also
+/// of fixtures that are gone: going back to a moment shows them again.
+///
+/// Every edit says what to post. The simulation numbers fixtures in the order in which it gets them, so all commands must be
+/// told, see posted().
 class FaceFixtures {
 public:
     const std::vector<FaceFixture>& list() const { return m_list; }
     const FaceFixture* find(std::uint32_t key) const;
 
     void clear();
-    void remove(std::uint32_t key);
+
+    struct Edit {
+        std::uint32_t key = 0; ///< of the fixture that now holds the face; 0 when it is free
+        std::vector<Command> commands;
+    };
     /// Fixes a face, in the fixture `active` when that belongs to the same body, in a new one otherwise; or frees it.
-    /// @return the fixture that now holds the face; 0 when it is free
-    std::uint32_t toggle(BodyId body, std::uint32_t face, std::uint32_t active);
+    Edit toggle(const Content& content, BodyId body, std::uint32_t face, std::uint32_t active);
+    std::vector<Command> remove(std::uint32_t key);
 
-    /// The content was filled anew: the same faces hold other objects.
-    void refilled();
+    /// A command goes to the simulation.
+    void posted(const Command& command);
 
-    /// What to post so that the simulation gets these fixtures; empty when it has them, or is about to.
-    std::vector<Command> changes(const Snapshot& now, const Content& content);
+    /// The simulation is at another moment, or begins: these are the fixtures there.
+    /// @param held by their ids; none where one was removed
+    void follow(const Content& content, std::span<const std::optional<Fixture>> held);
 
-    /// The fixtures as the scene knows them. Those whose faces hold no object are left out.
-    const std::vector<Fixture>& wanted(const Content& content);
+    /// What faces are remembered, for a project file; and back. A text that is none changes nothing.
+    std::string memory() const;
+    void remember(const std::string& memory);
 
 private:
-    void edited();
+    std::vector<Command> hold(const Content& content, FaceFixture& fixture);
+    void keepInMind(const FaceFixture& fixture);
+    FaceFixture faceFixtureOf(const Content& content, const Fixture& held) const;
 
     std::vector<FaceFixture> m_list;
-    std::uint32_t m_nextKey = 1;
-    bool m_isWantedKnown = false;
-    std::vector<Fixture> m_wanted;
-    bool m_isPosted = false; ///< waiting for the simulation to take m_posted over
-    std::vector<Fixture> m_posted;
+    std::vector<FaceFixture> m_known; ///< every one that there was, without ids
+    FixtureId m_nextId = 0;           ///< of the next fixture that the simulation gets
 };
+
+/// The fixtures as a scene knows them. Those whose faces hold no object are left out.
+std::vector<Fixture> sceneFixtures(const Content& content, const std::vector<FaceFixture>& fixtures);
 
 } // namespace knead

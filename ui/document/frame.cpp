@@ -24,7 +24,9 @@ std::shared_ptr<const BodyFrame> bodyFrame(const ContentBody& body, const Snapsh
 FramePointer prepareFrame(const ContentBodies& bodies, SnapshotPointer snapshot, const FramePointer& previous)
 {
     auto frame = std::make_shared<Frame>();
-    if (previous && previous->snapshot->step == snapshot->step)
+    const bool isUnmoved = previous && previous->snapshot->step == snapshot->step &&
+                           previous->snapshot->arrivals == snapshot->arrivals; // branches meet at equal steps
+    if (isUnmoved)
         frame->bodies = previous->bodies;
     else
         for (std::size_t b = 0; b < bodies.size(); ++b)

@@ -175,7 +175,11 @@ void MaterialPanel::documentChanged(Document::Change what)
     case Document::Change::Frame:
         showMaterial();
         break;
+    case Document::Change::Moment: // what was posted before is not to come
+        showBody();
+        break;
     case Document::Change::Fixtures:
+    case Document::Change::History:
         break;
     }
 }
@@ -225,10 +229,11 @@ void MaterialPanel::showMaterial()
 
 void MaterialPanel::choosePreset(int index)
 {
-    m_material = m_presets[static_cast<std::size_t>(index)].material;
+    const MaterialPreset& preset = m_presets[static_cast<std::size_t>(index)];
+    m_material = preset.material;
     for (const auto& [value, field] : m_fields)
         field->restore();
-    post();
+    post(tr("Material of %1 → %2").arg(m_name->text(), QString::fromStdString(preset.name)));
 }
 
 void MaterialPanel::chooseKind(int index)
@@ -246,13 +251,16 @@ void MaterialPanel::chooseIntegrator(int index)
 void MaterialPanel::commit(double Material::*value, double number)
 {
     m_material.*value = number;
-    post();
+    const MaterialField& field = fieldOf(value);
+    const QString shown =
+        number == 0 && *field.zero != '\0' ? tr(field.zero) : formatQuantity(number, quantityOfUnit(field.unit));
+    post(tr("%1 of %2 → %3").arg(tr(field.name), m_name->text(), shown));
 }
 
-void MaterialPanel::post()
+void MaterialPanel::post(const QString& what)
 {
     m_isPosted = true;
-    m_document.post(SetMaterial{m_body, m_material});
+    m_document.post(SetMaterial{m_body, m_material}, what);
 }
 
 } // namespace knead

@@ -40,7 +40,7 @@ private:
     void chooseKind(int index);
     void chooseIntegrator(int index);
     void commit(double Material::*value, double number);
-    void post();
+    void post(const QString& what);
     double cellsAcross(double spacing) const;
 
     Document& m_document;

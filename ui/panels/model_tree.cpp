@@ -86,6 +86,8 @@ void ModelTree::documentChanged(Document::Change what)
         listFixtures();
         break;
     case Document::Change::Selection:
+    case Document::Change::History:
+    case Document::Change::Moment:
         break;
     }
     if (what != Document::Change::Frame)
@@ -177,7 +179,9 @@ void ModelTree::listFixtures()
 {
     clearChildren(m_fixtures);
     for (const FaceFixture& fixture : m_document.fixtures().list()) {
-        const QString faces = fixture.faces.size() == 1 ? tr("1 face") : tr("%1 faces").arg(fixture.faces.size());
+        const QString faces = fixture.faces.empty()       ? tr("objects")
+                              : fixture.faces.size() == 1 ? tr("1 face")
+                                                          : tr("%1 faces").arg(fixture.faces.size());
         const QString text = QStringLiteral("%1 (%2)").arg(QString::fromStdString(fixture.name), faces);
         markItem(makeItem(m_fixtures, text, icon("fix")), {Selection::Kind::Fixture, fixture.key});
     }

@@ -87,7 +87,7 @@ void ToolPanel::documentChanged(Document::Change what)
     const Selection& selection = m_document.selection();
     if (selection.kind != Selection::Kind::Tool)
         return;
-    if (what == Document::Change::Selection) {
+    if (what == Document::Change::Selection || what == Document::Change::Moment) {
         m_tool = selection.id;
         for (const auto& group : {m_position, m_size})
             for (QuantityField* field : group)

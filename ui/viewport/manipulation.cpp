@@ -43,6 +43,7 @@ Manipulation::Manipulation(Document& document, QObject* parent)
     , m_document(document)
     , m_picker(document)
 {
+    connect(&document, &Document::stopping, this, &Manipulation::releaseKeys);
     connect(&document, &Document::changed, this, [this](Document::Change what) {
         if (what != Document::Change::Content)
             return;
@@ -95,6 +96,7 @@ void Manipulation::press(const Ray& ray)
     if (hit.kind == PickHit::Kind::Tool) {
         m_document.select({Selection::Kind::Tool, hit.id});
         m_drag = Drag{hit.id, hit.place, m_document.tool(hit.id)->pose};
+        m_document.beginGesture();
     } else if (hit.kind == PickHit::Kind::Body) {
         if (m_isFixing)
             m_document.toggleFace(hit.id, hit.face);
@@ -109,6 +111,10 @@ void Manipulation::drag(const Ray& ray, const Camera& camera)
 {
     if (!m_drag)
         return;
+    if (!m_document.isInGesture()) { // undone under the hand
+        m_drag.reset();
+        return;
+    }
     Pose target = m_drag->start;
     target.position += onPlane(ray, m_drag->grabbed, camera.towardsEye()) - m_drag->grabbed;
     if (m_document.frame()->snapshot->playing)
@@ -119,6 +125,8 @@ void Manipulation::drag(const Ray& ray, const Camera& camera)
 
 void Manipulation::release()
 {
+    if (m_drag)
+        m_document.endGesture();
     m_drag.reset();
     emit hoverChanged();
 }
@@ -163,6 +171,7 @@ void Manipulation::drive()
     const ToolState* tool = selectedTool();
     if (m_driven && (tool == nullptr || tool->id != *m_driven || m_keys.empty())) {
         m_document.post(SetManipulatorMotion{*m_driven, HoldStill{}});
+        m_document.endGesture(Document::Ends::soon);
         m_driven.reset();
     }
     if (tool == nullptr || m_keys.empty())
@@ -170,6 +179,8 @@ void Manipulation::drive()
     Vec3 direction = Vec3::Zero();
     for (const int key : m_keys)
         direction += keyDirection(key, m_camera);
+    if (!m_driven)
+        m_document.beginGesture(QStringLiteral("drive %1").arg(tool->id));
     const double speed = tool->speedLimit * (m_isSlow ? slowness : 1);
     m_document.post(SetManipulatorMotion{tool->id, DriveAt{speed * direction.normalized(), Vec3::Zero()}});
     m_driven = tool->id;

@@ -84,7 +84,10 @@ void ViewportWidget::documentChanged(Document::Change what)
         break;
     case Document::Change::Selection:
     case Document::Change::Fixtures:
+    case Document::Change::Moment:
         break;
+    case Document::Change::History:
+        return;
     }
     if (what != Document::Change::Frame)
         updateMarks();

@@ -1,0 +1,42 @@
+#include "io/project/packing.h"
+
+#include <zstd.h>
+
+#include <new>
+#include <stdexcept>
+
+namespace knead {
+
+namespace {
+
+constexpr int level = 1; // positions and velocities hardly shrink, whatever the effort
+
+Bytes pack(std::span<const std::byte> bytes)
+{
+    Bytes packed(ZSTD_compressBound(bytes.size()));
+    const std::size_t size = ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), level);
+    if (ZSTD_isError(size) != 0)
+        throw std::bad_alloc();
+    packed.resize(size);
+    packed.shrink_to_fit();
+    return packed;
+}
+
+Bytes unpack(std::span<const std::byte> packed, std::size_t size)
+{
+    Bytes bytes(size);
+    const std::size_t unpacked = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
+    if (ZSTD_isError(unpacked) != 0)
+        throw std::runtime_error("it cannot be unpacked");
+    bytes.resize(unpacked);
+    return bytes;
+}
+
+} // namespace
+
+Packing zstandardPacking()
+{
+    return {pack, unpack};
+}
+
+} // namespace knead

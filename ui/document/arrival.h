@@ -1,0 +1,36 @@
+#pragma once
+
+#include "ui/document/document_history.h"
+#include "ui/document/frame.h"
+
+#include <memory>
+#include <optional>
+
+namespace knead {
+
+/// What it takes to be at an entry of the history, found on another thread than the window's.
+struct Arrival {
+    MomentPointer moment;
+    std::shared_ptr<const Content> content; ///< of the start of the entry
+    std::optional<Simulation> simulation;   ///< at the moment, and its frame: where another start is shown before
+    FramePointer frame;
+    std::shared_ptr<const Bytes> found; ///< the moment packed anew, where it was not kept
+};
+
+/// A journey to an entry of the history: plain values for another thread.
+struct Journey {
+    Way way;
+    DocumentHistory::Start start;
+    std::shared_ptr<const Model> model;
+    ImportChoices choices;
+    Packing packing;
+    bool changesStart = false; ///< another start is shown now
+
+    /// Commands have to be repeated, or a content has to be prepared: seconds to minutes.
+    bool isLong() const { return !way.commands.empty() || !start.content; }
+
+    /// @throws std::runtime_error with a sentence; Cancelled
+    Arrival go(TaskControl& control) const;
+};
+
+} // namespace knead

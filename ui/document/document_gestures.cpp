@@ -1,0 +1,168 @@
+// How what a person does becomes gestures, which are the entries of the history.
+#include "ui/document/document.h"
+
+#include "ui/document/entry_names.h"
+
+#include <QTimer>
+
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+constexpr int goingOnTime = 1000;    // within which the same goes on as one gesture [ms]
+constexpr double worthAnEntry = 0.1; // what is simulated before an edit gets an entry of its own from here on [s]
+
+} // namespace
+
+void Document::play()
+{
+    if (!m_simulation || later([this] { play(); }))
+        return;
+    if (m_ending->isActive())
+        finishGesture();
+    m_isPlaying = true;
+    noteGesture();
+    m_simulation->play();
+    m_playRequest = m_simulation->requests();
+}
+
+void Document::pause()
+{
+    if (!m_simulation || later([this] { pause(); }))
+        return;
+    emit stopping();
+    m_simulation->pause();
+    m_isPlaying = false;
+    finishGesture();
+}
+
+void Document::togglePlay()
+{
+    if (later([this] { togglePlay(); }))
+        return;
+    if (m_isPlaying)
+        pause();
+    else
+        play();
+}
+
+void Document::stepOnce()
+{
+    if (!m_simulation || later([this] { stepOnce(); }))
+        return;
+    openGesture(QStringLiteral("step"));
+    noteGesture();
+    m_simulation->stepOnce();
+    m_ending->start(goingOnTime);
+}
+
+void Document::reset()
+{
+    if (!m_simulation || later([this] { reset(); }))
+        return;
+    emit stopping();
+    finishGesture();
+    m_simulation->reset();
+    m_isPlaying = false;
+    m_gesture = {.isAny = true, .name = tr("Reset")};
+    finishGesture();
+}
+
+void Document::post(Command command, const QString& name)
+{
+    if (!m_simulation || later([this, command, name] { post(command, name); }))
+        return;
+    const QString key = mergeKeyOf(command);
+    if (!m_gesture.isHeld || !m_gesture.isEdited)
+        openGesture(m_gesture.isHeld ? m_gesture.key : key);
+    if (m_gesture.name.isEmpty())
+        m_gesture.name = name.isEmpty() ? nameOf(command, *m_content, *m_frame->snapshot) : name;
+    m_gesture.isEdited = true;
+    noteGesture();
+    m_fixtures.posted(command);
+    m_simulation->post(std::move(command));
+    if (!m_gesture.isHeld)
+        m_ending->start(key.isEmpty() ? 0 : goingOnTime);
+}
+
+/// There is something to undo from now on.
+void Document::noteGesture()
+{
+    if (m_gesture.isAny)
+        return;
+    m_gesture.isAny = true;
+    emit changed(Change::History);
+}
+
+/// Goes on with a gesture that waits for its like; else what was done before ends first.
+void Document::openGesture(const QString& key)
+{
+    const bool isHeld = m_gesture.isHeld;
+    const bool goesOn = m_ending->isActive() && m_gesture.key == key;
+    const bool isWorthAnEntry = m_isPlaying && std::abs(m_frame->snapshot->time - m_gesture.begin) >= worthAnEntry;
+    if (!goesOn && (m_ending->isActive() || isWorthAnEntry))
+        finishGesture();
+    m_ending->stop();
+    m_gesture.key = key;
+    m_gesture.isHeld = isHeld;
+}
+
+void Document::beginGesture(const QString& key)
+{
+    if (!m_simulation || later([this, key] { beginGesture(key); }))
+        return;
+    const bool goesOn = m_ending->isActive() && m_gesture.key == key && !key.isEmpty();
+    if (m_ending->isActive() && !goesOn)
+        finishGesture();
+    m_ending->stop();
+    m_gesture.isHeld = true;
+    m_gesture.isEdited = goesOn;
+    m_gesture.key = key;
+}
+
+void Document::endGesture(Ends ends)
+{
+    if (!m_simulation || later([this, ends] { endGesture(ends); }))
+        return;
+    m_gesture.isHeld = false;
+    if (!m_gesture.isEdited)
+        return;
+    if (ends == Ends::soon)
+        m_ending->start(goingOnTime);
+    else
+        finishGesture();
+}
+
+void Document::finishGesture()
+{
+    m_ending->stop();
+    if (m_gesture.isAny && m_simulation)
+        m_simulation->endGesture(m_history.expect(m_gesture.name));
+    m_gesture = {.isAny = m_isPlaying, .begin = m_frame ? m_frame->snapshot->time : 0};
+}
+
+/// The simulation stops by itself when it is in trouble, or does not begin.
+void Document::noticeStop()
+{
+    const Snapshot& snapshot = *m_frame->snapshot;
+    if (!m_isPlaying || snapshot.playing || snapshot.requests < m_playRequest)
+        return;
+    m_isPlaying = false;
+    finishGesture();
+}
+
+bool Document::isSettled() const
+{
+    return m_history.isSettled() && !isGoing() && !m_isPlaying && !m_gesture.isAny &&
+           (!m_simulation || m_frame->snapshot->requests == m_simulation->requests());
+}
+
+void Document::lookAtGesture(std::function<void(std::vector<RecordedCommand>, std::uint64_t)> told)
+{
+    if (m_simulation)
+        m_simulation->lookAtGesture(std::move(told));
+}
+
+} // namespace knead

@@ -1,0 +1,258 @@
+// Undo, redo, and going to any entry of the history. The tree is at the wanted entry at once; the simulation follows as soon as
+// its moment was found, on another thread. Many wishes in a row make one journey.
+#include "ui/document/document.h"
+
+#include "core/simulation/moment.h"
+#include "ui/tasks/task_runner.h"
+
+#include <QTimer>
+
+#include <limits>
+#include <new>
+#include <utility>
+
+namespace knead {
+
+std::optional<QString> Document::undoName() const
+{
+    if (m_history.isEmpty())
+        return {};
+    if (m_gesture.isAny)
+        return m_gesture.name.isEmpty() ? tr("Simulate") : m_gesture.name;
+    const History& tree = m_history.tree();
+    return tree.undoTarget() ? std::optional(QString::fromStdString(tree.record(tree.current()).name)) : std::nullopt;
+}
+
+std::optional<QString> Document::redoName() const
+{
+    if (m_history.isEmpty() || m_gesture.isAny)
+        return {};
+    const std::optional<Entry> target = m_history.tree().redoTarget();
+    return target ? std::optional(QString::fromStdString(m_history.tree().record(*target).name)) : std::nullopt;
+}
+
+void Document::undo()
+{
+    wish([](const History& tree) { return tree.undoTarget(); });
+}
+
+void Document::redo()
+{
+    wish([](const History& tree) { return tree.redoTarget(); });
+}
+
+void Document::goToEntry(Entry entry)
+{
+    wish([entry](const History& tree) { return entry < tree.records().size() ? std::optional(entry) : std::nullopt; });
+}
+
+/// What is under way becomes an entry before anything else, so that nothing is lost.
+void Document::wish(Wish wish)
+{
+    if (m_history.isEmpty())
+        return;
+    if (!isGoing()) {
+        emit stopping();
+        m_simulation->pause();
+        m_isPlaying = false;
+        finishGesture();
+    }
+    m_wishes.push_back(std::move(wish));
+    takeWishes();
+}
+
+void Document::whenSettled(std::function<void()> action)
+{
+    if (!isGoing())
+        finishGesture();
+    m_whenSettled.push_back(std::move(action));
+    if (m_history.isSettled())
+        tellSettled();
+}
+
+void Document::tellSettled()
+{
+    takeWishes();
+    const auto actions = std::exchange(m_whenSettled, {});
+    for (const auto& action : actions)
+        action();
+}
+
+void Document::takeWishes()
+{
+    if (!m_history.isSettled())
+        return; // called again when it is
+    const std::vector<Wish> wishes = std::exchange(m_wishes, {});
+    for (const Wish& wish : wishes)
+        if (const std::optional<Entry> entry = wish(m_history.tree()))
+            m_history.goTo(*entry);
+    if (m_journey != JourneyState::none)
+        return; // goes on from there
+    if (m_history.tree().current() != m_shown)
+        setOut();
+    else if (!wishes.empty())
+        endJourney();
+}
+
+Journey Document::journeyTo(Entry entry) const
+{
+    const History& tree = m_history.tree();
+    Journey journey;
+    journey.way = tree.wayTo(entry);
+    journey.start = m_history.starts()[journey.way.start];
+    journey.model = m_content->model;
+    journey.choices = m_content->request;
+    journey.packing = m_history.packing();
+    journey.changesStart = journey.way.start != tree.record(m_shown).start;
+    return journey;
+}
+
+void Document::setOut()
+{
+    m_target = m_history.tree().current();
+    m_journey = JourneyState::looking;
+    ++m_travels;
+    const Journey journey = journeyTo(m_target);
+    if (journey.isLong() && m_tasks != nullptr)
+        goLong(journey);
+    else
+        goShort(journey);
+}
+
+/// With progress, to be cancelled.
+void Document::goLong(const Journey& journey)
+{
+    const QString name = QString::fromStdString(m_history.tree().record(m_target).name);
+    const auto work = [journey](TaskControl& control) { return journey.go(control); };
+    const auto finish = [this, travel = m_travels](Arrival arrival) {
+        if (travel == m_travels)
+            arrive(std::move(arrival));
+    };
+    m_longTitle = tr("Going to %1").arg(name);
+    if (!m_tasks->run<Arrival>(m_longTitle, work, finish))
+        giveUp(
+            tr("%1 is still going on: wait for it, or cancel it with Esc, then go to %2.").arg(m_tasks->title(), name));
+}
+
+void Document::goShort(const Journey& journey)
+{
+    m_history.inBackground([this, journey, travel = m_travels] {
+        auto arrival = std::make_shared<Arrival>();
+        QString failure;
+        try {
+            *arrival = journey.go(TaskControl::none());
+        } catch (const std::bad_alloc&) {
+            failure = tr("There is not enough memory for this moment. Close other programs and try again.");
+        } catch (const std::exception& error) {
+            failure = QString::fromStdString(error.what());
+        }
+        const auto tell = [this, arrival, failure, travel] {
+            if (travel != m_travels)
+                return;
+            if (failure.isEmpty())
+                arrive(std::move(*arrival));
+            else
+                giveUp(failure);
+        };
+        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+    });
+}
+
+void Document::arrive(Arrival arrival)
+{
+    if (arrival.found)
+        m_history.keep(m_target, std::move(arrival.found));
+    const std::uint32_t startIndex = m_history.tree().record(m_target).start;
+    m_history.setContent(startIndex, arrival.content);
+    if (m_history.tree().current() != m_target) {
+        endJourney();
+        return;
+    }
+    m_shown = m_target;
+    const MomentPointer moment = arrival.moment;
+    if (arrival.simulation) {
+        start(std::move(*arrival.simulation), arrival.content, std::move(arrival.frame));
+        follow(*moment);
+        emit changed(Change::Content);
+        emit changed(Change::Selection);
+        endJourney();
+        return;
+    }
+    m_journey = JourneyState::arriving; // until a frame shows it
+    ++m_arrivals;
+    m_simulation->goTo(moment);
+    follow(*moment);
+    emit changed(Change::Selection);
+    emit changed(Change::Fixtures);
+}
+
+/// What the window keeps besides the simulation becomes what it is at a moment.
+void Document::follow(const Moment& moment)
+{
+    m_fixtures.follow(*m_content, moment.fixtures);
+    m_toolCount.clear();
+    m_toolToSelect.clear();
+    m_gesture = {.begin = moment.time};
+    const bool isLost = (m_selection.kind == Selection::Kind::Fixture && m_fixtures.find(m_selection.id) == nullptr) ||
+                        (m_selection.kind == Selection::Kind::Tool &&
+                         (m_selection.id >= moment.tools.size() || !moment.tools[m_selection.id]));
+    if (isLost)
+        m_selection = m_content->bodies.empty() ? Selection{} : Selection{Selection::Kind::Body, 0};
+}
+
+/// Stays where the simulation is.
+void Document::giveUp(const QString& sentence)
+{
+    forgetGoing();
+    m_history.goTo(m_shown);
+    endJourney();
+    if (!sentence.isEmpty())
+        emit notice(sentence);
+}
+
+void Document::endJourney()
+{
+    m_journey = JourneyState::none;
+    if (m_history.tree().current() != m_shown) { // it was thought better of
+        setOut();
+        return;
+    }
+    emit changed(Change::Moment);
+    const auto actions = std::exchange(m_afterwards, {});
+    for (const auto& action : actions)
+        action();
+}
+
+/// Another document, or another start: nobody waits for the journey any more.
+void Document::forgetGoing()
+{
+    ++m_travels;
+    m_journey = JourneyState::none;
+    m_wishes.clear();
+    m_afterwards.clear();
+}
+
+/// @return whether the action has to wait for the end of a journey
+bool Document::later(std::function<void()> action)
+{
+    if (!isGoing())
+        return false;
+    m_afterwards.push_back(std::move(action));
+    return true;
+}
+
+PreparedProject prepareProject(Project project, const Packing& packing, TaskControl& control)
+{
+    const History tree(project.entries, project.current, std::numeric_limits<std::size_t>::max());
+    Journey journey;
+    journey.way = tree.wayTo(project.current);
+    journey.start = {project.starts.at(journey.way.start), nullptr};
+    journey.model = project.model;
+    journey.choices = project.import;
+    journey.packing = packing;
+    journey.changesStart = true;
+    Arrival arrival = journey.go(control);
+    return {std::move(project), std::move(arrival)};
+}
+
+} // namespace knead

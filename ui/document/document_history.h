@@ -1,0 +1,111 @@
+#pragma once
+
+#include "core/document/history.h"
+#include "core/document/project.h"
+#include "ui/document/content.h"
+#include "ui/tasks/ordered_worker.h"
+
+#include <QObject>
+#include <QString>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace knead {
+
+/// The history of the open document as the window keeps it: the tree of entries, the starts that their steps count from, and a
+/// thread that packs moments. Window thread only. Document says when a gesture ends and goes where the tree says it is.
+///
+/// Entries come in the order in which they were expected, whatever threads their gestures come from, and some ms later than the
+/// gesture ended; isSettled() says whether all are there.
+///
+/// Saving takes records(), tree().current(), starts() and what Document::project() adds; revision() says whether anything is new.
+class DocumentHistory final : public QObject {
+    Q_OBJECT
+public:
+    using Entry = History::Entry;
+
+    struct Start {
+        ProjectStart start;
+        std::shared_ptr<const Content> content; ///< null until it is shown, in a project that was opened
+    };
+
+    explicit DocumentHistory(QObject* parent = nullptr);
+    ~DocumentHistory() override;
+
+    void setPacking(Packing packing) { m_packing = std::move(packing); }
+    const Packing& packing() const { return m_packing; }
+
+    /// A new document; `first` becomes entry 0. What was there before is forgotten.
+    void begin(Start start, Gesture first, const QString& name);
+    /// One that was saved. @throws std::runtime_error, in a sentence, when entries do not form a tree; nothing has changed
+    void begin(std::vector<Start> starts, std::vector<HistoryRecord> entries, Entry current);
+
+    bool isEmpty() const { return !m_tree; }
+    const History& tree() const { return *m_tree; } ///< @pre not empty
+    const std::vector<Start>& starts() const { return m_starts; }
+    void setContent(std::uint32_t start, std::shared_ptr<const Content> content) { m_starts[start].content = content; }
+
+    /// An entry is to come after all that were expected before. One in which nothing happened is left out.
+    /// @param name empty: after how long was simulated
+    /// @return takes its gesture, once, on any thread
+    std::function<void(Gesture)> expect(const QString& name);
+    /// The same for one that begins with another start.
+    void expectStart(Start start, Gesture first, const QString& name);
+    bool isSettled() const { return m_nextTicket == m_nextEntry; }
+
+    void goTo(Entry entry);
+    void rename(Entry entry, const QString& name);
+    void setKey(Entry entry, bool isKey);
+    void keep(Entry entry, std::shared_ptr<const Bytes> moment);
+
+    static constexpr std::size_t leastMemory = std::size_t{16} << 20U; // [bytes]
+    void setMemory(std::size_t most); ///< what moments and commands may take [bytes], also in documents to come
+    std::size_t memoryLimit() const { return m_memory; }
+
+    /// Goes up with every entry, name, mark and going: equal to that at the last saving when nothing is unsaved.
+    std::uint64_t revision() const { return m_revision; }
+
+    /// Does work on the thread that packs, after all that it was given before. @param work must not throw
+    void inBackground(std::function<void()> work) { m_worker.run(std::move(work)); }
+
+signals:
+    void changed(); ///< anything
+    void appended(std::uint32_t entry);
+    void edited(std::uint32_t entry); ///< its name, mark or moment
+    void settled();                   ///< all that was expected is there
+
+private:
+    /// The place of an entry that is to come.
+    struct Ticket {
+        std::uint64_t document;
+        std::uint64_t number;
+        QString name;
+        std::optional<std::uint32_t> start; ///< that begins with it
+        Packing packing;
+    };
+
+    Ticket nextTicket(const QString& name);
+    void pack(const Ticket& ticket, Gesture gesture);
+    void arrive(const Ticket& ticket, HistoryRecord record);
+    void append(HistoryRecord record, std::optional<std::uint32_t> start);
+    void forget();
+    void noteEdit(Entry entry);
+
+    Packing m_packing;
+    std::size_t m_memory = History::defaultMemory;
+    std::optional<History> m_tree;
+    std::vector<Start> m_starts;
+    std::uint64_t m_revision = 0;
+    std::uint64_t m_document = 0; ///< counts them; what comes late for an earlier one is dropped
+    std::uint64_t m_nextTicket = 0;
+    std::uint64_t m_nextEntry = 0; ///< the ticket whose turn it is
+    std::map<std::uint64_t, std::pair<HistoryRecord, std::optional<std::uint32_t>>> m_waiting; ///< by ticket
+    OrderedWorker m_worker;                                                                    // last: it ends first
+};
+
+} // namespace knead

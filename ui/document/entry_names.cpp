@@ -1,0 +1,201 @@
+#include "ui/document/entry_names.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <variant>
+
+namespace knead {
+
+namespace {
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("EntryNames", text);
+}
+
+/// Names what commands do.
+class Namer {
+public:
+    Namer(const Content& content, const Snapshot& now)
+        : m_content(content)
+        , m_now(now)
+    {
+    }
+
+    QString operator()(const SetMaterial& command) const { return tr("Material of %1").arg(body(command.body)); }
+    QString operator()(const SetBodyKind& command) const
+    {
+        return (command.kind == BodyKind::rigid  ? tr("%1 becomes rigid")
+                : command.kind == BodyKind::glue ? tr("%1 becomes glue")
+                                                 : tr("%1 becomes deformable"))
+            .arg(body(command.body));
+    }
+    QString operator()(const Renormalize&) const { return tr("Re-normalize"); }
+    QString operator()(const SetGravity& command) const
+    {
+        return command.gravity.isZero() ? tr("Gravity off") : tr("Gravity on");
+    }
+    QString operator()(const SetFloor& command) const { return command.height ? tr("Floor on") : tr("Floor off"); }
+    QString operator()(const AddManipulator& command) const
+    {
+        return tr("Add %1").arg(QString::fromStdString(command.manipulator.name));
+    }
+    QString operator()(const RemoveManipulator& command) const { return tr("Remove %1").arg(tool(command.tool)); }
+    QString operator()(const SetManipulatorMotion& command) const
+    {
+        return std::holds_alternative<HoldStill>(command.motion) ? tr("Stop %1").arg(tool(command.tool))
+                                                                 : tr("Push with %1").arg(tool(command.tool));
+    }
+    QString operator()(const ReshapeManipulator& command) const { return tr("Change %1").arg(tool(command.tool)); }
+    QString operator()(const PlaceManipulator& command) const { return tr("Move %1").arg(tool(command.tool)); }
+    QString operator()(const AddFixture& command) const
+    {
+        return tr("Fix %1").arg(QString::fromStdString(command.fixture.name));
+    }
+    QString operator()(const RemoveFixture& command) const { return tr("Remove %1").arg(fixture(command.fixture)); }
+    QString operator()(const MoveFixture& command) const { return tr("Move %1").arg(fixture(command.fixture)); }
+    QString operator()(const SetIntegrator& command) const
+    {
+        switch (command.integrator) {
+        case Integrator::semiImplicitEuler:
+            return tr("Semi-implicit steps");
+        case Integrator::forwardEuler:
+            return tr("Forward steps");
+        case Integrator::implicitEuler:
+            return tr("Implicit steps");
+        case Integrator::automatic:
+            break;
+        }
+        return tr("Automatic steps");
+    }
+    QString operator()(const Reset&) const { return tr("Reset"); }
+    QString operator()(const KeepMoment&) const { return {}; }
+
+private:
+    QString body(BodyId id) const
+    {
+        return id < m_content.bodies.size() ? QString::fromStdString(m_content.bodies[id]->name) : tr("the body");
+    }
+    QString tool(ToolId id) const
+    {
+        const auto found =
+            std::find_if(m_now.tools.begin(), m_now.tools.end(), [id](const ToolState& tool) { return tool.id == id; });
+        return found == m_now.tools.end() ? tr("the tool") : QString::fromStdString(found->name);
+    }
+    QString fixture(FixtureId id) const
+    {
+        const auto found = std::find(m_now.fixtureIds.begin(), m_now.fixtureIds.end(), id);
+        return found == m_now.fixtureIds.end()
+                   ? tr("the fixture")
+                   : QString::fromStdString(
+                         m_now.fixtures[static_cast<std::size_t>(found - m_now.fixtureIds.begin())].name);
+    }
+
+    const Content& m_content;
+    const Snapshot& m_now;
+};
+
+/// What a command is about; nothing for one that only goes with others.
+std::optional<EntryKind> kindOf(const Command& command)
+{
+    switch (command.index()) { // in the order of Command
+    case 0:
+    case 1:
+        return EntryKind::Material;
+    case 2:
+        return EntryKind::Renormalize;
+    case 3:
+    case 4:
+    case 13:
+        return EntryKind::Scene;
+    case 5:
+        return EntryKind::AddTool;
+    case 6:
+        return EntryKind::RemoveTool;
+    case 7:
+        return EntryKind::Push;
+    case 8:
+    case 9:
+        return EntryKind::MoveTool;
+    case 10:
+    case 11:
+    case 12:
+        return EntryKind::Fixture;
+    case 14:
+        return EntryKind::Reset;
+    default:
+        return {};
+    }
+}
+static_assert(std::variant_size_v<Command> == 16);
+
+} // namespace
+
+EntryKind kindOf(const HistoryRecord& record, bool beginsStart)
+{
+    if (beginsStart)
+        return EntryKind::Start;
+    for (const RecordedCommand& recorded : record.commands)
+        if (const auto kind = kindOf(recorded.command))
+            return *kind;
+    return EntryKind::Simulate;
+}
+
+const char* iconOf(EntryKind kind)
+{
+    switch (kind) {
+    case EntryKind::Start:
+        return "open";
+    case EntryKind::Simulate:
+        return "play";
+    case EntryKind::Push:
+        return "push";
+    case EntryKind::AddTool:
+        return "add-block";
+    case EntryKind::MoveTool:
+        return "block";
+    case EntryKind::RemoveTool:
+        return "delete";
+    case EntryKind::Material:
+        return "material";
+    case EntryKind::Fixture:
+        return "fix";
+    case EntryKind::Renormalize:
+        return "renormalize";
+    case EntryKind::Reset:
+        return "reset";
+    case EntryKind::Scene:
+        break;
+    }
+    return "gravity";
+}
+
+QString nameOf(const Command& command, const Content& content, const Snapshot& now)
+{
+    return std::visit(Namer(content, now), command);
+}
+
+QString simulatedName(double seconds)
+{
+    return tr("Simulate %1").arg(timeText(seconds));
+}
+
+QString timeText(double seconds)
+{
+    if (seconds == 0)
+        return tr("0 s");
+    if (std::abs(seconds) < 0.0995)
+        return tr("%1 ms").arg(1000 * seconds, 0, 'f', std::abs(seconds) < 0.00995 ? 1 : 0);
+    return tr("%1 s").arg(seconds, 0, 'f', std::abs(seconds) < 9.95 ? 2 : 1);
+}
+
+QString mergeKeyOf(const Command& command)
+{
+    const auto* place = std::get_if<PlaceManipulator>(&command);
+    return place == nullptr ? QString() : QStringLiteral("place %1").arg(place->tool);
+}
+
+} // namespace knead

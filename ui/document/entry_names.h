@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/document/history_record.h"
+#include "core/simulation/snapshot.h"
+#include "ui/document/content.h"
+
+#include <QString>
+
+namespace knead {
+
+/// What an entry of the history is about, as far as its icon tells.
+enum class EntryKind {
+    Start,
+    Simulate,
+    Push,
+    AddTool,
+    MoveTool,
+    RemoveTool,
+    Material,
+    Fixture,
+    Renormalize,
+    Reset,
+    Scene
+};
+
+/// Of the first command that tells.
+/// @param beginsStart whether steps begin to be counted at the entry: after opening or filling
+EntryKind kindOf(const HistoryRecord& record, bool beginsStart);
+/// Of a file in resources/icons.
+const char* iconOf(EntryKind kind);
+
+/// What a command does, in words for the history: "Add Block 1"; empty for one that is nothing by itself.
+/// @param now as it was before the command
+QString nameOf(const Command& command, const Content& content, const Snapshot& now);
+
+/// "Simulate 3.2 s"
+QString simulatedName(double seconds);
+
+/// "3.2 s", "41 ms": simulated time with as many digits as help.
+QString timeText(double seconds);
+
+/// What commands have in common that are one entry when they follow each other within a second: moves of one tool. Empty for
+/// others.
+QString mergeKeyOf(const Command& command);
+
+} // namespace knead

@@ -1,0 +1,325 @@
+#include "ui/panels/history_panel.h"
+
+#include "ui/document/entry_names.h"
+#include "ui/theme.h"
+#include "ui/units.h"
+
+#include <QDateTime>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QMenu>
+#include <QScopedValueRollback>
+#include <QSettings>
+#include <QSpinBox>
+#include <QTimer>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+enum Column { name, mark, simulated, made, columnCount };
+constexpr int entryRole = Qt::UserRole;
+constexpr int updateTime = 30; // [ms]
+constexpr double bytesPerMegabyte = 1 << 20U;
+constexpr const char* memorySetting = "history/megabytes";
+
+Document::Entry entryOf(const QTreeWidgetItem* item)
+{
+    return item->data(name, entryRole).toUInt();
+}
+
+QString clockTime(double wallTime)
+{
+    const QDateTime time = QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(1000 * wallTime));
+    const bool isToday = time.date() == QDate::currentDate();
+    return isToday ? time.toString("HH:mm:ss") : QLocale().toString(time, QLocale::ShortFormat);
+}
+
+/// "57 kB", "1.5 MB"
+QString memoryText(std::size_t bytes)
+{
+    const double value = static_cast<double>(bytes) / bytesPerMegabyte;
+    if (value < 0.95)
+        return HistoryPanel::tr("%1 kB").arg(std::ceil(1024 * value), 0, 'f', 0);
+    return HistoryPanel::tr("%1 MB").arg(value, 0, 'f', value < 10 ? 1 : 0);
+}
+
+/// The tree with keys of its own: Enter goes to an entry.
+class EntryTree final : public QTreeWidget {
+public:
+    using QTreeWidget::QTreeWidget;
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override
+    {
+        const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+        if (isEnter && state() != EditingState && currentItem() != nullptr)
+            emit itemClicked(currentItem(), name);
+        else
+            QTreeWidget::keyPressEvent(event);
+    }
+
+    QModelIndex moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) override
+    {
+        const QModelIndex index = QTreeWidget::moveCursor(action, modifiers);
+        return index.siblingAtColumn(name); // the keyboard stays with the names
+    }
+
+    /// Only names can be typed.
+    bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override
+    {
+        return index.column() == name && QTreeWidget::edit(index, trigger, event);
+    }
+};
+
+} // namespace
+
+HistoryPanel::HistoryPanel(Document& document, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_tree(new EntryTree(this))
+    , m_used(new QLabel(this))
+    , m_allowed(new QSpinBox(this))
+    , m_soon(new QTimer(this))
+{
+    setObjectName("historyPanel");
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    makeTree();
+    makeFoot();
+    m_soon->setSingleShot(true);
+    m_soon->setInterval(updateTime);
+    connect(m_soon, &QTimer::timeout, this, &HistoryPanel::bringUpToDate);
+    connect(&document, &Document::changed, this, &HistoryPanel::documentChanged);
+}
+
+void HistoryPanel::makeTree()
+{
+    m_tree->setObjectName("historyTree");
+    m_tree->setColumnCount(columnCount);
+    m_tree->setHeaderLabels({tr("What was done"), QString(), tr("Time"), tr("Made at")});
+    m_tree->headerItem()->setToolTip(simulated, tr("Simulated time at its end"));
+    m_tree->headerItem()->setToolTip(mark, tr("Key moments: memory is kept for them longest"));
+    m_tree->headerItem()->setIcon(mark, icon("star"));
+    m_tree->setIconSize({16, 16});
+    m_tree->setIndentation(14);
+    m_tree->setUniformRowHeights(true);
+    m_tree->setAllColumnsShowFocus(true);
+    m_tree->setTextElideMode(Qt::ElideRight);
+    m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
+    QHeaderView* header = m_tree->header();
+    header->setStretchLastSection(false);
+    header->setMinimumSectionSize(24);
+    header->setSectionResizeMode(name, QHeaderView::Stretch);
+    header->setSectionResizeMode(mark, QHeaderView::Fixed);
+    header->resizeSection(mark, 24);
+    for (const Column column : {simulated, made})
+        header->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    connect(m_tree, &QTreeWidget::itemClicked, this, &HistoryPanel::entryClicked);
+    connect(m_tree, &QTreeWidget::itemChanged, this, &HistoryPanel::entryEdited);
+    connect(m_tree, &QWidget::customContextMenuRequested, this, &HistoryPanel::askWhatToDo);
+    layout()->addWidget(m_tree);
+}
+
+void HistoryPanel::makeFoot()
+{
+    auto* foot = new QWidget(this);
+    auto* row = new QHBoxLayout(foot);
+    row->setContentsMargins(8, 4, 8, 4);
+    row->setSpacing(6);
+    m_used->setObjectName("historyMemory");
+    m_used->setProperty("role", "dimmed");
+    m_allowed->setObjectName("historyMemoryAllowed");
+    m_allowed->setRange(static_cast<int>(DocumentHistory::leastMemory >> 20U), 1 << 16);
+    m_allowed->setSingleStep(64);
+    m_allowed->setSuffix(tr(" MB"));
+    m_allowed->setKeyboardTracking(false);
+    m_allowed->setToolTip(tr("What moments may take. The oldest ones are dropped, and found again by repeating"));
+    const std::size_t usual = History::defaultMemory >> 20U;
+    m_allowed->setValue(QSettings().value(memorySetting, static_cast<qulonglong>(usual)).toInt());
+    const auto allow = [this](int megabytes) {
+        m_document.history().setMemory(static_cast<std::size_t>(megabytes) << 20U);
+    };
+    allow(m_allowed->value());
+    connect(m_allowed, &QSpinBox::valueChanged, this, [allow](int megabytes) {
+        QSettings().setValue(memorySetting, megabytes);
+        allow(megabytes);
+    });
+    row->addWidget(m_used);
+    row->addWidget(new QLabel(tr("of"), foot));
+    row->addWidget(m_allowed);
+    row->addStretch(1);
+    layout()->addWidget(foot);
+}
+
+void HistoryPanel::documentChanged(Document::Change what)
+{
+    if (what != Document::Change::History && what != Document::Change::Moment)
+        return;
+    if (isVisible() && !m_soon->isActive())
+        m_soon->start();
+}
+
+void HistoryPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    m_soon->start();
+}
+
+void HistoryPanel::bringUpToDate()
+{
+    if (m_document.history().isEmpty())
+        return;
+    if (m_tree->findChild<QLineEdit*>() != nullptr) { // a name is being typed
+        m_soon->start();
+        return;
+    }
+    const QScopedValueRollback updating(m_isUpdating, true);
+    const auto& records = m_document.history().tree().records();
+    const bool isSame = std::equal(records.begin(), records.end(), m_parents.begin(), m_parents.end(),
+                                   [](const HistoryRecord& record, Entry parent) { return record.parent == parent; });
+    if (!isSame)
+        build();
+    showEntries();
+    showMemory();
+}
+
+void HistoryPanel::build()
+{
+    const History& tree = m_document.history().tree();
+    m_tree->clear();
+    m_items.assign(tree.records().size(), nullptr);
+    m_parents.clear();
+    for (const HistoryRecord& record : tree.records())
+        m_parents.push_back(record.parent);
+    addWay(outlineOf(tree), m_tree->invisibleRootItem());
+    m_tree->expandAll();
+    const bool hasBranches = m_tree->topLevelItemCount() < static_cast<int>(m_items.size());
+    m_tree->setRootIsDecorated(hasBranches);
+}
+
+void HistoryPanel::addWay(const std::vector<OutlineRow>& way, QTreeWidgetItem* parent)
+{
+    const History& tree = m_document.history().tree();
+    for (const OutlineRow& row : way) {
+        auto* item = new QTreeWidgetItem(parent);
+        const HistoryRecord& record = tree.record(row.entry);
+        const bool beginsStart = row.entry == 0 || record.start != tree.record(record.parent).start;
+        const EntryKind kind = kindOf(record, beginsStart);
+        item->setData(name, entryRole, row.entry);
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
+        item->setIcon(name, icon(beginsStart && row.entry != 0 ? "refill" : iconOf(kind)));
+        item->setText(simulated, timeText(record.time));
+        item->setText(made, clockTime(record.wallTime));
+        for (const Column column : {simulated, made})
+            item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+        m_items[row.entry] = item;
+        for (const auto& branch : row.branches)
+            addWay(branch, item);
+    }
+}
+
+void HistoryPanel::showEntries()
+{
+    const History& tree = m_document.history().tree();
+    m_isOnWay.assign(m_items.size(), false);
+    for (const Entry entry : tree.pathTo(tree.current()))
+        m_isOnWay[entry] = true;
+    for (QTreeWidgetItem* item : m_items)
+        showEntry(item);
+    QTreeWidgetItem* current = m_items[tree.current()];
+    if (m_tree->currentItem() != current) {
+        m_tree->setCurrentItem(current, name);
+        m_tree->scrollToItem(current);
+    }
+}
+
+void HistoryPanel::showEntry(QTreeWidgetItem* item)
+{
+    const Entry entry = entryOf(item);
+    const History& tree = m_document.history().tree();
+    const HistoryRecord& record = tree.record(entry);
+    QFont font = m_tree->font();
+    font.setBold(entry == tree.current());
+    const QColor dimmed = palette().color(QPalette::PlaceholderText);
+    item->setText(name, QString::fromStdString(record.name));
+    item->setFont(name, font);
+    item->setData(name, Qt::ForegroundRole, m_isOnWay[entry] ? QVariant() : QVariant(dimmed));
+    for (const Column column : {simulated, made})
+        item->setForeground(column, dimmed);
+    item->setIcon(mark, record.isKey ? icon("star-full") : QIcon());
+    const QString kept = record.moment ? tr("Kept, %1").arg(memoryText(record.moment->size()))
+                                       : tr("Found again by repeating what leads to it");
+    item->setToolTip(
+        name, tr("%1\nSimulated: %2, step %3\n%4")
+                  .arg(QString::fromStdString(record.name), timeText(record.time), formatCount(record.step), kept));
+    item->setToolTip(mark, record.isKey ? tr("A key moment; click: no longer one") : tr("Mark as a key moment"));
+}
+
+void HistoryPanel::showMemory()
+{
+    m_used->setText(memoryText(m_document.history().tree().memory()));
+}
+
+void HistoryPanel::entryClicked(QTreeWidgetItem* item, int column)
+{
+    const Entry entry = entryOf(item);
+    if (column == mark)
+        toggleKey(entry);
+    else if (entry != m_document.history().tree().current())
+        m_document.goToEntry(entry);
+}
+
+void HistoryPanel::entryEdited(QTreeWidgetItem* item, int column)
+{
+    if (m_isUpdating || column != name)
+        return;
+    if (const QString typed = item->text(name).trimmed(); !typed.isEmpty())
+        m_document.history().rename(entryOf(item), typed);
+    m_soon->start();
+}
+
+void HistoryPanel::toggleKey(Entry entry)
+{
+    DocumentHistory& history = m_document.history();
+    history.setKey(entry, !history.tree().record(entry).isKey);
+}
+
+void HistoryPanel::renameEntry(QTreeWidgetItem* item)
+{
+    m_tree->setCurrentItem(item, name);
+    m_tree->editItem(item, name);
+}
+
+void HistoryPanel::askWhatToDo(const QPoint& place)
+{
+    QTreeWidgetItem* item = m_tree->itemAt(place);
+    if (item == nullptr)
+        return;
+    const Entry entry = entryOf(item);
+    const bool isKey = m_document.history().tree().record(entry).isKey;
+    auto* menu = new QMenu(this);
+    menu->setObjectName("historyMenu");
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const bool isCurrent = entry == m_document.history().tree().current();
+    QAction* go = menu->addAction(tr("Go here, and branch from here with what is done next"), this,
+                                  [this, entry] { m_document.goToEntry(entry); });
+    go->setEnabled(!isCurrent);
+    menu->addSeparator();
+    menu->addAction(tr("Rename"), QKeySequence(Qt::Key_F2), this, [this, entry] { renameEntry(m_items[entry]); });
+    menu->addAction(icon(isKey ? "star" : "star-full"), isKey ? tr("No longer a key moment") : tr("Mark as key moment"),
+                    this, [this, entry] { toggleKey(entry); });
+    menu->popup(m_tree->viewport()->mapToGlobal(place));
+}
+
+} // namespace knead
