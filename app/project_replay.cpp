@@ -2,6 +2,7 @@
 
 #include "app/recipe_exports.h"
 #include "core/document/project_export.h"
+#include "io/project/packing.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -68,7 +69,7 @@ bool ReplayReport::isSame() const
 
 ReplayReport replayProject(const Project& project, const ReplayChoices& choices, TaskControl& control)
 {
-    HistoryReplay replay(project, choices.from);
+    HistoryReplay replay(project, choices.from, zstandardPacking());
     const double share = choices.exports.empty() ? 1 : repeatingShare;
     TaskPortion repeating(control, 0, share);
     ReplayReport report{repeatAll(replay, choices.entries, repeating), {}, {}};

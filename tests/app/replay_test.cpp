@@ -1,5 +1,7 @@
 // What was done in a project, repeated on the command line.
 #include "app/hexadecimal.h"
+#include "core/simulation/moment.h"
+#include "io/project/packing.h"
 #include "io/project/project_file.h"
 #include "support/pressed_part.h"
 #include "support/workshop.h"
@@ -22,6 +24,16 @@ std::string contentOf(const std::string& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// With moments as the window keeps them.
+Project packed(Project project)
+{
+    for (HistoryRecord& entry : project.entries)
+        if (const auto& bodies = project.starts[entry.start].scene.bodies; entry.moment)
+            entry.moment = std::make_shared<const Bytes>(
+                momentToBytes(momentFromBytes(*entry.moment, bodies), zstandardPacking()));
+    return project;
+}
+
 } // namespace
 
 class ReplayTest : public QObject {
@@ -30,7 +42,7 @@ class ReplayTest : public QObject {
 private slots:
     void initTestCase()
     {
-        m_project = pressedPart(bracket, 0.004);
+        m_project = packed(pressedPart(bracket, 0.004));
         QVERIFY(m_project.entries[2].hash != m_project.entries[1].hash);
         writeProject(m_shop.path("bracket.knead"), m_project);
     }
