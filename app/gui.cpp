@@ -2,6 +2,7 @@
 
 #include "app/cad_process.h"
 #include "app/export_file.h"
+#include "app/project_services.h"
 #include "app/resources.h"
 #include "io/export/export_formats.h"
 #include "io/importer.h"
@@ -39,6 +40,7 @@ Services fileServices()
     services.exportFormats = formats(allExportFormats());
     services.materials = readMaterials(materialsFile());
     services.examplesFolder = resourcesFolder() + "/examples";
+    services.projects = projectServices();
     return services;
 }
 

@@ -70,6 +70,16 @@ Actions::Actions(QWidget* window)
                                     nullptr,
                                     {QKeySequence("Ctrl+Shift+O")},
                                     "Look into files and choose parts, detail and units before they are opened"}))
+    , save(make(window,
+                {"save", "&Save", "save", {QKeySequence("Ctrl+S")}, "Keep part, history and view in a project file"}))
+    , saveAs(make(window, {"saveAs",
+                           "Save &as...",
+                           nullptr,
+                           {QKeySequence("Ctrl+Shift+S")},
+                           "Keep the project in another file and go on with that"}))
+    , recover(make(
+          window,
+          {"recover", "Recover &unsaved work...", nullptr, {}, "Look for work that was not saved when Knead ended"}))
     , exportMeshes(make(
           window, {"export", "&Export...", "export", {QKeySequence("Ctrl+E")}, "Write the deformed part to a file"}))
     , quit(make(window, {"quit", "&Quit", nullptr, {QKeySequence("Ctrl+Q")}}))
@@ -124,7 +134,8 @@ Actions::Actions(QWidget* window)
 
 void Actions::setDocumentOpen(bool isOpen, bool isSimulated)
 {
-    for (QAction* action : {fit, front, back, right, left, top, bottom, isometric, perspective, edges, openEdges, grid})
+    for (QAction* action :
+         {save, saveAs, fit, front, back, right, left, top, bottom, isometric, perspective, edges, openEdges, grid})
         action->setEnabled(isOpen);
     for (QAction* action :
          {exportMeshes, play, step, reset, gravity, floor, renormalize, fixFaces, remove, objects, allObjects, hide})

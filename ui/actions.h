@@ -16,6 +16,9 @@ struct Actions {
 
     QAction* open;
     QAction* openWithChoices;
+    QAction* save;
+    QAction* saveAs;
+    QAction* recover;
     QAction* exportMeshes;
     QAction* quit;
 

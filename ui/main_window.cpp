@@ -9,12 +9,12 @@
 #include "ui/panels/model_tree.h"
 #include "ui/panels/performance_panel.h"
 #include "ui/panels/status_readings.h"
+#include "ui/project/project_keeper.h"
 #include "ui/units.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
 #include <QApplication>
-#include <QCloseEvent>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
@@ -47,6 +47,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     makeMenus();
     makeToolBar();
     makeStatusBar();
+    makeProjects();
     connectFileActions();
     connectSimulationActions();
     connectViewActions();
@@ -78,7 +79,7 @@ void MainWindow::connectFileActions()
     connect(m_actions->controls, &QAction::triggered, this, &MainWindow::showControls);
     connect(m_actions->about, &QAction::triggered, this, &MainWindow::showAbout);
     connect(m_home, &HomePage::openClicked, this, [this] { askForFile(false); });
-    connect(m_home, &HomePage::fileChosen, this, [this](const QString& path) { open(QStringList(path)); });
+    connect(m_home, &HomePage::fileChosen, this, [this](const QString& path) { openInstead({path}); });
 }
 
 void MainWindow::connectSimulationActions()
@@ -194,7 +195,6 @@ void MainWindow::contentChanged()
 {
     const Content& content = m_document.content();
     const QString name = QFileInfo(QString::fromStdString(content.model->file)).fileName();
-    setWindowTitle(tr("%1 - Knead").arg(name));
     m_pages->setCurrentWidget(m_viewport);
     const bool isSimulated = !content.bodies.empty();
     m_actions->setDocumentOpen(true, isSimulated);
@@ -320,15 +320,6 @@ void MainWindow::cancel()
         m_actions->fixFaces->setChecked(false);
     else
         m_document.select({});
-}
-
-void MainWindow::closeEvent(QCloseEvent* event)
-{
-    m_tasks.cancel();
-    QSettings settings;
-    settings.setValue("geometry", saveGeometry());
-    settings.setValue("docks", saveState());
-    QMainWindow::closeEvent(event);
 }
 
 } // namespace knead

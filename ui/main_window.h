@@ -24,6 +24,7 @@ class HomePage;
 class ImportPanel;
 class LogPanel;
 class PerformancePanel;
+class ProjectKeeper;
 class MaterialPanel;
 class ModelTree;
 class StatusReadings;
@@ -37,9 +38,10 @@ public:
     explicit MainWindow(Services services, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// Opens files in the background, several as one assembly. A failure is shown in a sentence and leaves everything as it was.
+    /// Opens files in the background, several as one assembly, or a project. A failure is shown in a sentence and leaves
+    /// everything as it was; what is not saved is not asked about.
     void open(const QStringList& paths);
-    void open(const OpenRequest& request);
+    void open(const ImportChoices& request);
     /// Looks into the files first and asks what is wanted of them.
     void openWithChoices(const QStringList& paths);
     /// Writes the deformed parts in the background; the ending decides the format.
@@ -47,10 +49,14 @@ public:
     /// Fills the bodies anew in the background. @param spacing [m]
     void refill(double spacing);
 
+    /// Offers work that windows which are gone did not save.
+    void offerRecoveries();
+
     void setTheme(Theme theme);
 
     Document& document() { return m_document; }
     TaskRunner& tasks() { return m_tasks; }
+    ProjectKeeper& projects() { return *m_projects; }
     ViewportWidget& viewport() { return *m_viewport; }
     Banner& banner() { return *m_banner; }
 
@@ -71,6 +77,14 @@ private:
     void connectTasks();
     void restoreSettings();
 
+    void makeProjects();
+    void showTitle();
+    void listRecent();
+    void openRecent(const QString& path);
+    void openInstead(const QStringList& paths);
+    bool openedAsProject(const QStringList& paths);
+    void openPrepared(PreparedContent prepared);
+
     void documentChanged(Document::Change what);
     void contentChanged();
     void showSurroundings();
@@ -90,7 +104,7 @@ private:
     void takeIn(const QString& unit);
     void takeHealed(bool heal);
     void fillOpenParts();
-    void openAgain(const QString& title, std::function<Model(const Model&)> change, const OpenRequest& request);
+    void openAgain(const QString& title, std::function<Model(const Model&)> change, const ImportChoices& request);
     void askForExport();
     void askForPlace(const ExportRequest& request, const Services::Format& format);
     struct PlannedFile {
@@ -106,6 +120,8 @@ private:
     bool isBusy();
 
     Services m_services;
+    std::unique_ptr<ProjectKeeper> m_projects; // goes after the document
+    bool m_mayClose = false;                   ///< what is not saved is not wanted
     TaskRunner m_tasks;
     Document m_document;
     std::unique_ptr<Actions> m_actions;
@@ -121,6 +137,7 @@ private:
     ExportPanel* m_export = nullptr;
     PerformancePanel* m_performance = nullptr;
     QMenu* m_addTool = nullptr;
+    QMenu* m_recent = nullptr;
     QLabel* m_hint = nullptr;
     StatusReadings* m_readings = nullptr;
     TaskReading* m_taskReading = nullptr;

@@ -3,6 +3,7 @@
 
 #include "ui/dialogs/export_dialog.h"
 #include "ui/dialogs/import_dialog.h"
+#include "ui/project/project_keeper.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QApplication>
@@ -41,14 +42,20 @@ void MainWindow::askForFile(bool withChoices)
     for (const Services::Format& format : m_services.importFormats)
         for (const std::string& ending : format.endings)
             all << "*." + QString::fromStdString(ending);
-    const QStringList filters = QStringList(tr("Parts (%1)").arg(all.join(' '))) + filtersOf(m_services.importFormats);
+    QStringList filters = QStringList(tr("Parts (%1)").arg(all.join(' '))) + filtersOf(m_services.importFormats);
+    if (!withChoices) {
+        const QString ending = "*." + QString::fromStdString(m_services.projects.ending);
+        filters[0] = tr("Projects and parts (%1)").arg(ending + ' ' + all.join(' '));
+        filters.insert(1, m_projects->filter());
+    }
     QSettings settings;
     const QStringList paths =
-        QFileDialog::getOpenFileNames(this, tr("Open parts"), settings.value("folder").toString(), filters.join(";;"));
+        QFileDialog::getOpenFileNames(this, withChoices ? tr("Open parts") : tr("Open a project or parts"),
+                                      settings.value("folder").toString(), filters.join(";;"));
     if (paths.isEmpty())
         return;
     settings.setValue("folder", QFileInfo(paths.front()).absolutePath());
-    withChoices ? openWithChoices(paths) : open(paths);
+    m_projects->letGo([this, withChoices, paths] { withChoices ? openWithChoices(paths) : open(paths); });
 }
 
 void MainWindow::askForChoices(std::vector<FilePreview> previews)
@@ -110,6 +117,7 @@ void MainWindow::showControls()
            "<tr><td><b>O, H, E</b></td><td>objects, hide body, edges</td></tr>"
            "<tr><td><b>1, 3, 7, 0</b></td><td>front, right, top, isometric; Ctrl: from the other side</td></tr>"
            "<tr><td><b>5, F</b></td><td>perspective or parallel, fit</td></tr>"
+           "<tr><td><b>Ctrl+S</b></td><td>save the project; Ctrl+Shift+S under another name</td></tr>"
            "<tr><td><b>Esc</b></td><td>cancel</td></tr></table>"));
     box->open();
 }

@@ -118,7 +118,14 @@ void MainWindow::makeMenus()
 {
     const Actions& a = *m_actions;
     QMenu* file = menuBar()->addMenu(tr("&File"));
-    file->addActions({a.open, a.openWithChoices, a.exportMeshes});
+    file->addActions({a.open, a.openWithChoices});
+    m_recent = file->addMenu(tr("Open &recent"));
+    m_recent->setObjectName("recentMenu");
+    m_recent->setToolTipsVisible(true);
+    file->addSeparator();
+    file->addActions({a.save, a.saveAs, a.exportMeshes});
+    file->addSeparator();
+    file->addAction(a.recover);
     file->addSeparator();
     file->addAction(a.quit);
 
@@ -159,7 +166,7 @@ void MainWindow::makeToolBar()
     bar->setIconSize({20, 20});
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     const Actions& a = *m_actions;
-    bar->addActions({a.open, a.exportMeshes});
+    bar->addActions({a.open, a.save, a.exportMeshes});
     bar->addSeparator();
     bar->addActions({a.undo, a.redo});
     for (QAction* action : {a.undo, a.redo}) // their texts change

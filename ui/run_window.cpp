@@ -28,6 +28,7 @@ int showMainWindow(int argc, char** argv, Services services, const std::vector<s
         paths << QFile::decodeName(file.c_str());
     if (!paths.empty())
         window.open(paths);
+    window.offerRecoveries();
     return QApplication::exec();
 }
 

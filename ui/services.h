@@ -8,6 +8,7 @@
 #include "core/model/import_options.h"
 #include "core/model/part.h"
 #include "core/task/task_control.h"
+#include "ui/project/project_services.h"
 
 #include <functional>
 #include <string>
@@ -35,6 +36,7 @@ struct Services {
     std::vector<Format> exportFormats;
     std::vector<MaterialPreset> materials;
     std::string examplesFolder;
+    ProjectServices projects;
 };
 
 } // namespace knead

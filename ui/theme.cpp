@@ -134,6 +134,10 @@ QPushButton:hover { border-color: @accent; }
 QPushButton:pressed { background: @line; }
 QPushButton:disabled { color: @disabled; }
 QPushButton[role="primary"] { background: @accent; color: @accentText; border-color: @accent; font-weight: 600; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
+QListWidget { border: 1px solid @line; border-radius: 6px; background: @base; outline: none; }
+QListWidget::item { padding: 7px 8px; border-radius: 4px; }
+QListWidget::item:selected { background: @accent; color: @accentText; }
 QStatusBar { border-top: 1px solid @line; }
 QStatusBar::item { border: none; }
 QProgressBar { border: 1px solid @line; border-radius: 4px; background: @base; text-align: center; max-height: 16px; }

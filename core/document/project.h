@@ -18,9 +18,9 @@ namespace knead {
 
 /// What a person asked to be opened, and how.
 struct ImportChoices {
-    std::vector<std::string> paths;
+    std::vector<std::string> paths; ///< at least one
     ImportOptions options;
-    std::optional<SpacingChoice> spacing; ///< none: chosen by the program
+    std::optional<SpacingChoice> spacing; ///< none: for real time, somewhat finer for thin walls
     Touching touching = Touching::separate;
     bool fillsOpenParts = false; ///< tries winding numbers on surfaces that are not closed
 };

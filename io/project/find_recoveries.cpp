@@ -35,6 +35,9 @@ std::optional<Recovery> summaryOf(const std::string& folder)
             recovery.entries = entries.getColumn(0).getUInt();
             recovery.lastChange = entries.getColumn(1).getDouble();
         }
+        SQLite::Statement parts(*database, "SELECT name FROM parts ORDER BY id LIMIT 1");
+        if (parts.executeStep())
+            recovery.part = parts.getColumn(0).getString();
     } catch (const std::runtime_error&) {
         // It is listed with what is known of it: perhaps it can be rescued.
     }

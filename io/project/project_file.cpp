@@ -28,7 +28,7 @@ constexpr double writingShare = 0.9; // of the progress of saving; the rest is r
 
 [[noreturn]] void failDamaged(const std::string& path, const std::string& what)
 {
-    failReading(path, "the project is damaged: " + what + ". What is whole can be rescued.");
+    throw DamagedProject(shortName(path) + ": the project is damaged: " + what + ". What is whole can be rescued.");
 }
 
 /// Root may write everywhere, but a person who marked a file as read-only meant it.

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "core/document/project.h"
+#include "core/document/rescued_project.h"
 #include "core/task/task_control.h"
 
 #include <string>
-#include <vector>
 
 namespace knead {
 
@@ -19,17 +18,11 @@ void writeProject(const std::string& path, const Project& project, TaskControl& 
 
 /// Reads what writeProject() wrote, to the last bit; files of older versions too, which stay as they are. A file of a newer
 /// version, one that is no project, and one in which anything is not as it was written are refused.
-/// @throws Cancelled
+/// @throws DamagedProject, in a sentence; Cancelled
 Project readProject(const std::string& path, TaskControl& control = TaskControl::none());
 
 /// Whether a file begins as projects do, whatever its name; no promise that it can be read.
 bool isProjectFile(const std::string& path);
-
-/// What could be read of a damaged project.
-struct RescuedProject {
-    Project project; ///< without its model when that is lost; entries whose parents and starts are whole
-    std::vector<std::string> missing; ///< a phrase each, for the person; empty when nothing is
-};
 
 /// Takes from a file what is whole. @throws std::runtime_error when no table of a project is left; Cancelled
 RescuedProject rescueProject(const std::string& path, TaskControl& control = TaskControl::none());

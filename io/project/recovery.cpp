@@ -231,17 +231,13 @@ void RecoveryFile::setPanels(const std::map<std::string, std::string>& panels)
     change([&](ProjectTables& tables) { tables.setPanels(panels); }, false);
 }
 
-bool RecoveryFile::keepGesture(std::span<const RecordedCommand> commands, std::uint64_t step, Clock::time_point now)
+void RecoveryFile::keepGesture(std::span<const RecordedCommand> commands, std::uint64_t step)
 {
-    if (!m_tables || (m_gestureAt && now - *m_gestureAt < gestureInterval))
-        return false;
-    m_gestureAt = now;
     change([&](ProjectTables&) {
         if (commands.size() < m_gestureKept) // another gesture
             forgetGesture();
         putGesture(commands, step);
     });
-    return true;
 }
 
 void RecoveryFile::markSaved(const std::string& projectFile, std::uint64_t revision)

@@ -109,6 +109,7 @@ private slots:
         const std::vector<Recovery> found = findRecoveries(m_folder);
         QCOMPARE(found.size(), std::size_t{1});
         QCOMPARE(found[0].projectFile, std::string("/home/ann/a.knead"));
+        QCOMPARE(found[0].part, m_project.model->parts[0].name);
         QCOMPARE(found[0].entries, 5U);
         QCOMPARE(found[0].lastChange, 2e9);
     }
@@ -218,18 +219,15 @@ private slots:
 
     void aGestureIsKeptWhileItGoesOn()
     {
-        using Clock = RecoveryFile::Clock;
-        const Clock::time_point start = Clock::now();
         const std::vector<RecordedCommand> commands = sample::commands(sample::toolPart(0.3));
         {
             RecoveryFile file(m_folder);
             file.begin(m_project, {});
             const std::span all(commands);
-            QVERIFY(file.keepGesture(all.first(3), 10, start));
-            QVERIFY(!file.keepGesture(all.first(5), 20, start + std::chrono::milliseconds(4999)));
-            QVERIFY(file.keepGesture(all.first(9), 30, start + std::chrono::seconds(5)));
-            QVERIFY(file.keepGesture(all.first(9), 35, start + std::chrono::seconds(10)));
-            QVERIFY(file.keepGesture(all, 40, start + std::chrono::seconds(15)));
+            file.keepGesture(all.first(3), 10);
+            file.keepGesture(all.first(9), 30);
+            file.keepGesture(all.first(9), 35);
+            file.keepGesture(all, 40);
         }
         const WorkState state = left().state;
         QVERIFY(same::values(state.gesture, commands));

@@ -8,8 +8,11 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDialog>
 #include <QDir>
+#include <QPainter>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include <memory>
@@ -69,16 +72,26 @@ protected:
     void picture(const char* name)
     {
         const QString folder = qEnvironmentVariable("KNEAD_PICTURES");
-        if (!folder.isEmpty())
-            m_window->grab().save(QDir(folder).filePath(QString(name) + ".png"));
+        if (folder.isEmpty())
+            return;
+        QPixmap image = m_window->grab();
+        QPainter painter(&image);
+        for (QWidget* dialog : m_window->findChildren<QDialog*>()) // in front of it, wherever it lies
+            if (dialog->isVisible())
+                painter.drawPixmap((m_window->width() - dialog->width()) / 2,
+                                   (m_window->height() - dialog->height()) / 2, dialog->grab());
+        painter.end();
+        image.save(QDir(folder).filePath(QString(name) + ".png"));
     }
 
     static bool hasDisplay() { return QGuiApplication::platformName() != "offscreen"; }
 
-    /// Settings of its own, so that those of a person stay as they are.
+    /// Settings and recoveries of its own, so that those of a person stay as they are.
     void prepare()
     {
         QStandardPaths::setTestModeEnabled(true);
+        static const QTemporaryDir state;
+        qputenv("XDG_STATE_HOME", state.path().toUtf8());
         QApplication::setOrganizationName("knead-test");
         QApplication::setApplicationName("window-test");
         setCadProgram(KNEAD_PROGRAM);

@@ -327,9 +327,9 @@ void ImportDialog::addChosen(const QTreeWidgetItem* item, std::vector<std::strin
     }
 }
 
-OpenRequest ImportDialog::request() const
+ImportChoices ImportDialog::request() const
 {
-    OpenRequest request;
+    ImportChoices request;
     for (const FilePreview& preview : m_previews)
         request.paths.push_back(preview.file);
     const Detail& detail = details[static_cast<std::size_t>(m_detail->currentIndex())];

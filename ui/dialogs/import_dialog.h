@@ -29,7 +29,7 @@ public:
     explicit ImportDialog(std::vector<FilePreview> previews, QWidget* parent = nullptr);
 
     /// The choices as they stand.
-    OpenRequest request() const;
+    ImportChoices request() const;
 
 private:
     QWidget* makeFacts();

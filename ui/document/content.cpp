@@ -27,7 +27,7 @@ std::string fileName(const Model& model)
     return std::filesystem::path(model.file).filename().string();
 }
 
-std::vector<std::size_t> partsToFill(const Model& model, const OpenRequest& request)
+std::vector<std::size_t> partsToFill(const Model& model, const ImportChoices& request)
 {
     std::vector<std::size_t> parts;
     for (std::size_t p = 0; p < model.parts.size(); ++p)
@@ -85,7 +85,7 @@ double automaticSpacing(const FillingSizes& sizes)
     return roundedDown(std::min(usual, std::max(forWalls, finest)));
 }
 
-double spacingOf(const OpenRequest& request, const FillingSizes& sizes)
+double spacingOf(const ImportChoices& request, const FillingSizes& sizes)
 {
     if (!request.spacing)
         return automaticSpacing(sizes);
@@ -174,7 +174,7 @@ void addPart(const Model& model, std::size_t index, std::set<std::string>& names
 }
 
 /// What there is of a model before any part is filled.
-Content emptyContent(const Model& model, const OpenRequest& request)
+Content emptyContent(const Model& model, const ImportChoices& request)
 {
     Content content;
     content.request = request;
@@ -193,8 +193,15 @@ Content emptyContent(const Model& model, const OpenRequest& request)
     return content;
 }
 
+void assess(Content& content, const FillingSizes& sizes)
+{
+    content.fineness = assessSpacing(content.spacing, sizes.all);
+    if (!content.fineness.warning.empty())
+        content.warnings.push_back(content.fineness.warning);
+}
+
 /// Fills every part that has an inside; the others become surfaces.
-Content fillContent(std::shared_ptr<const Model> model, const OpenRequest& request, TaskControl& control)
+Content fillContent(std::shared_ptr<const Model> model, const ImportChoices& request, TaskControl& control)
 {
     const std::vector<std::size_t> parts = partsToFill(*model, request);
     Content content = emptyContent(*model, request);
@@ -202,9 +209,7 @@ Content fillContent(std::shared_ptr<const Model> model, const OpenRequest& reque
         TaskPortion measuring(control, 0, measuredShare);
         const FillingSizes sizes = measure(*model, parts, measuring);
         content.spacing = spacingOf(request, sizes);
-        content.fineness = assessSpacing(content.spacing, sizes.all);
-        if (!content.fineness.warning.empty())
-            content.warnings.push_back(content.fineness.warning);
+        assess(content, sizes);
     }
     TaskPortion filling(control, measuredShare, 1);
     std::set<std::string> names;
@@ -257,7 +262,7 @@ std::set<std::size_t> Content::hiddenAtFirst() const
     return hidden;
 }
 
-PreparedContent prepareFiles(const Services& services, const OpenRequest& request, const Material& material,
+PreparedContent prepareFiles(const Services& services, const ImportChoices& request, const Material& material,
                              TaskControl& control)
 {
     TaskPortion importing(control, 0, importShare);
@@ -266,7 +271,7 @@ PreparedContent prepareFiles(const Services& services, const OpenRequest& reques
     return prepareModel(std::move(model), request, material, filling);
 }
 
-PreparedContent prepareModel(std::shared_ptr<const Model> model, const OpenRequest& request, const Material& material,
+PreparedContent prepareModel(std::shared_ptr<const Model> model, const ImportChoices& request, const Material& material,
                              TaskControl& control)
 {
     TaskPortion filling(control, 0, preparedShare);
@@ -282,7 +287,7 @@ PreparedContent prepareRefill(const Content& before, double spacing, const Snaps
                               const std::vector<FaceFixture>& fixtures, TaskControl& control)
 {
     TaskPortion filling(control, 0, preparedShare);
-    OpenRequest request = before.request;
+    ImportChoices request = before.request;
     request.spacing = SpacingChoice{SpacingChoice::Kind::Length, spacing};
     Content content = fillContent(before.model, request, filling);
     control.report(preparedShare, "preparing the simulation");
@@ -315,11 +320,14 @@ Content contentOf(std::shared_ptr<const Model> model, const ImportChoices& choic
 {
     Content content = emptyContent(*model, choices);
     const std::vector<Body>& bodies = start.scene.bodies;
+    if (!bodies.empty()) {
+        content.spacing = bodies.front().aggregate->lattice.spacing;
+        assess(content, measure(*model, start.partOfBody, TaskControl::none()));
+    }
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const auto count = static_cast<double>(bodies.size());
         TaskPortion portion(control, static_cast<double>(b) / count, static_cast<double>(b + 1) / count);
         content.bodies.push_back(makeBody(*model, start.partOfBody[b], bodies[b].name, bodies[b].aggregate, portion));
-        content.spacing = bodies[b].aggregate->lattice.spacing;
     }
     for (std::size_t p = 0; p < model->parts.size(); ++p)
         if (!model->parts[p].mesh.empty() &&

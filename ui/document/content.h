@@ -17,9 +17,6 @@
 
 namespace knead {
 
-/// What a person asked to be opened, and how. Without a spacing: for real time, somewhat finer for thin walls.
-using OpenRequest = ImportChoices;
-
 /// A body as the window shows it: the fine surface of its part and the map that carries it along. Immutable, shared
 /// between threads.
 struct ContentBody {
@@ -49,7 +46,7 @@ struct ContentSurface {
 /// Everything made from files, ready to be shown and simulated.
 struct Content {
     std::shared_ptr<const Model> model;
-    OpenRequest request; ///< that it was made for
+    ImportChoices request; ///< that it was made for
     std::vector<std::shared_ptr<const ContentBody>>
         bodies; ///< in the order of Scene::bodies; none when no part is closed
     std::vector<std::shared_ptr<const ContentSurface>> surfaces;
@@ -80,11 +77,11 @@ struct PreparedContent {
 
 /// Reads files, fills their closed parts with a material and lets them rest on a floor. Runs on a task thread.
 /// @throws std::runtime_error with a sentence, also when no part has a surface; Cancelled
-PreparedContent prepareFiles(const Services& services, const OpenRequest& request, const Material& material,
+PreparedContent prepareFiles(const Services& services, const ImportChoices& request, const Material& material,
                              TaskControl& control);
 
 /// As prepareFiles() with a model that was read already: after another choice of unit.
-PreparedContent prepareModel(std::shared_ptr<const Model> model, const OpenRequest& request, const Material& material,
+PreparedContent prepareModel(std::shared_ptr<const Model> model, const ImportChoices& request, const Material& material,
                              TaskControl& control);
 
 struct FaceFixture; // ui/document/face_fixtures.h

@@ -108,6 +108,8 @@ public:
     /// Ends whatever is under way, be it playing (and goes on playing) or not: nothing is lost by what comes next.
     void finishGesture();
     bool isInGesture() const { return m_gesture.isHeld; }
+    /// Something was done that is not in the history yet.
+    bool isAnythingUnderWay() const { return m_gesture.isAny; }
 
     void undo();
     void redo();

@@ -9,6 +9,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace knead {
 
 namespace {
@@ -31,6 +33,20 @@ QLabel* centered(const QString& text, const char* role, QWidget* parent)
     return label;
 }
 
+/// Everything in a layout.
+void takeAway(QLayout* layout)
+{
+    while (QLayoutItem* item = layout->takeAt(0)) {
+        if (QWidget* widget = item->widget()) {
+            widget->hide();
+            widget->deleteLater(); // it may be what was clicked
+        }
+        if (item->layout() != nullptr)
+            takeAway(item->layout());
+        delete item;
+    }
+}
+
 } // namespace
 
 HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
@@ -39,7 +55,7 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
     setObjectName("homePage");
     auto* zone = new QFrame(this);
     zone->setObjectName("dropZone");
-    zone->setFixedWidth(560);
+    zone->setFixedWidth(700);
     auto* column = new QVBoxLayout(zone);
     column->setContentsMargins(36, 32, 36, 32);
     column->setSpacing(14);
@@ -47,7 +63,7 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
     sign->setPixmap(icon("knead").pixmap(72, 72));
     sign->setAlignment(Qt::AlignCenter);
     column->addWidget(sign);
-    column->addWidget(centered(tr("Drop STEP, IGES or mesh files here"), "big", zone));
+    column->addWidget(centered(tr("Drop STEP, IGES, mesh or project files here"), "big", zone));
     column->addWidget(centered(tr("It becomes a lump of real material to push, bend and squeeze."), "dimmed", zone));
     auto* open = new QPushButton(tr("Open a file..."), zone);
     open->setObjectName("homeOpen");
@@ -77,10 +93,37 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
         column->addLayout(row);
     }
 
+    m_recent = new QVBoxLayout;
+    m_recent->setSpacing(14);
+    column->addLayout(m_recent);
+
     auto* page = new QVBoxLayout(this);
     page->addStretch();
     page->addWidget(zone, 0, Qt::AlignHCenter);
     page->addStretch();
+}
+
+void HomePage::showRecent(const QStringList& paths)
+{
+    constexpr qsizetype most = 4;
+    constexpr int longestName = 110; // [pixels]
+    takeAway(m_recent);
+    if (paths.isEmpty())
+        return;
+    m_recent->addSpacing(10);
+    m_recent->addWidget(centered(tr("or go on with"), "dimmed", this));
+    auto* row = new QHBoxLayout;
+    row->addStretch();
+    for (const QString& path : paths.first(std::min(most, paths.size()))) {
+        const QString name = fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, longestName);
+        auto* button = new QPushButton(icon("part"), name, this);
+        button->setObjectName("recent_" + QFileInfo(path).fileName());
+        button->setToolTip(path);
+        connect(button, &QPushButton::clicked, this, [this, path] { emit fileChosen(path); });
+        row->addWidget(button);
+    }
+    row->addStretch();
+    m_recent->addLayout(row);
 }
 
 } // namespace knead

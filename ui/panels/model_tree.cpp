@@ -224,6 +224,17 @@ void ModelTree::itemChecked(QTreeWidgetItem* /*item*/)
     emit hiddenChanged(hiddenParts);
 }
 
+void ModelTree::hideParts(const std::set<std::size_t>& parts)
+{
+    {
+        const QScopedValueRollback updating(m_isUpdating, true);
+        for (QTreeWidgetItemIterator it(this); *it != nullptr; ++it)
+            if (const QVariant part = (*it)->data(0, partRole); part.isValid())
+                (*it)->setCheckState(0, parts.contains(part.toULongLong()) ? Qt::Unchecked : Qt::Checked);
+    }
+    emit hiddenChanged(parts);
+}
+
 void ModelTree::toggleSelectedBody()
 {
     QTreeWidgetItem* item = find(m_document.selection());

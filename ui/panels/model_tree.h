@@ -16,6 +16,8 @@ class ModelTree final : public QTreeWidget {
 public:
     explicit ModelTree(Document& document, QWidget* parent = nullptr);
 
+    /// Hides these parts and shows all others.
+    void hideParts(const std::set<std::size_t>& parts);
     /// Hides or shows the selected body.
     void toggleSelectedBody();
 

@@ -145,6 +145,13 @@ void ViewportWidget::turnTo(const Camera& camera)
     m_turning->start();
 }
 
+void ViewportWidget::jumpTo(const Camera& camera)
+{
+    m_turning->stop();
+    m_turnEnd = camera;
+    setCamera(camera);
+}
+
 void ViewportWidget::fit()
 {
     Camera camera = m_turning->state() == QAbstractAnimation::Running ? m_turnEnd : m_camera;

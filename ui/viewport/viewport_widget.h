@@ -29,6 +29,8 @@ public:
     /// Turns the view, smoothly, to look from a direction.
     void lookFrom(const Vec3& direction);
     void setPerspective(bool on);
+    /// Looks from elsewhere, at once.
+    void jumpTo(const Camera& camera);
 
     /// Where a place is seen, in this widget's coordinates; for tests and labels.
     std::optional<QPointF> widgetPosition(const Vec3& place) const;

@@ -1,0 +1,357 @@
+#include "ui/project/project_keeper.h"
+
+#include "ui/panels/model_tree.h"
+#include "ui/project/project_view.h"
+#include "ui/project/recent_files.h"
+#include "ui/tasks/task_runner.h"
+#include "ui/theme.h"
+#include "ui/viewport/viewport_widget.h"
+
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QScopedValueRollback>
+#include <QSettings>
+#include <QTimer>
+
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+constexpr auto watchInterval = std::chrono::milliseconds(500);
+constexpr auto viewInterval = std::chrono::seconds(30);
+constexpr auto retryInterval = std::chrono::seconds(15);
+
+std::string encoded(const QString& path)
+{
+    return QFile::encodeName(path).toStdString();
+}
+
+/// One after the other.
+std::function<void()> both(std::function<void()> first, std::function<void()> second)
+{
+    return [first = std::move(first), second = std::move(second)] {
+        if (first)
+            first();
+        if (second)
+            second();
+    };
+}
+
+} // namespace
+
+/// What writing a file comes to.
+struct ProjectKeeper::SavedFile {
+    QString path;
+    std::uint64_t revision = 0; ///< of the history in it
+    std::shared_ptr<void> lock;
+    std::string problem; ///< a sentence; empty: it was written
+};
+
+ProjectKeeper::ProjectKeeper(ProjectServices services, Packing packing, const Window& window)
+    : m_services(std::move(services))
+    , m_packing(std::move(packing))
+    , m_window(window)
+    , m_autosave(m_services)
+    , m_watch(new QTimer(this))
+{
+    connect(&m_window.document, &Document::changed, this, &ProjectKeeper::documentChanged);
+    connect(&m_window.document.history(), &DocumentHistory::changed, this, &ProjectKeeper::historyChanged);
+    connect(&m_window.document.history(), &DocumentHistory::settled, this, &ProjectKeeper::historyChanged);
+    connect(&m_window.tasks, &TaskRunner::finished, this, [this] {
+        if (m_saving && m_saving->isRunning) // it was cancelled
+            m_saving.reset();
+    });
+    connect(&m_autosave, &Autosave::failed, this, &ProjectKeeper::keepingFailed);
+    connect(&m_autosave, &Autosave::begun, this, [this] {
+        if (std::exchange(m_isRefused, false))
+            emit told(tr("The work is kept for recovery again."));
+    });
+    connect(m_watch, &QTimer::timeout, this, &ProjectKeeper::watch);
+    m_watch->start(watchInterval);
+}
+
+ProjectKeeper::~ProjectKeeper() = default;
+
+QString ProjectKeeper::name() const
+{
+    if (!m_path.isEmpty())
+        return QFileInfo(m_path).fileName();
+    if (m_window.document.isEmpty())
+        return {};
+    return QFileInfo(QFile::decodeName(m_window.document.content().model->file.c_str())).fileName();
+}
+
+bool ProjectKeeper::isModified() const
+{
+    const Document& document = m_window.document;
+    if (document.isEmpty() || document.history().isEmpty())
+        return false;
+    if (m_isNew)
+        return document.isAnythingUnderWay();
+    return document.isAnythingUnderWay() || !document.history().isSettled() ||
+           m_savedRevision != document.history().revision();
+}
+
+bool ProjectKeeper::isProject(const QString& file) const
+{
+    return !m_services.ending.empty() &&
+           QFileInfo(file).suffix().compare(QString::fromStdString(m_services.ending), Qt::CaseInsensitive) == 0;
+}
+
+QString ProjectKeeper::filter() const
+{
+    return tr("Knead projects (*.%1)").arg(QString::fromStdString(m_services.ending));
+}
+
+void ProjectKeeper::open(PreparedContent parts)
+{
+    const QScopedValueRollback changing(m_isChanging, true);
+    m_window.document.open(std::move(parts));
+    m_path.clear();
+    m_lock.reset();
+    m_saving.reset();
+    m_marks.clear();
+    m_panels.clear();
+    m_savedRevision.reset();
+    m_isNew = true;
+    emit changed();
+}
+
+// --- saving ---------------------------------------------------------------------------------------------------------------
+
+void ProjectKeeper::save(std::function<void()> then)
+{
+    if (m_path.isEmpty())
+        saveAs(std::move(then));
+    else
+        saveTo(m_path, std::move(then));
+}
+
+void ProjectKeeper::saveAs(std::function<void()> then)
+{
+    if (m_window.document.isEmpty())
+        return;
+    auto* dialog = new QFileDialog(m_window.widget, tr("Save the project"));
+    dialog->setObjectName("saveDialog");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setFileMode(QFileDialog::AnyFile);
+    dialog->setNameFilter(filter());
+    dialog->setDefaultSuffix(QString::fromStdString(m_services.ending));
+    QSettings settings;
+    dialog->setDirectory(m_path.isEmpty() ? settings.value("projectFolder", settings.value("folder")).toString()
+                                          : QFileInfo(m_path).absolutePath());
+    dialog->selectFile(QFileInfo(name()).completeBaseName() + '.' + QString::fromStdString(m_services.ending));
+    connect(dialog, &QFileDialog::fileSelected, this, [this, then = std::move(then)](const QString& path) {
+        QSettings().setValue("projectFolder", QFileInfo(path).absolutePath());
+        saveTo(path, then);
+    });
+    dialog->open();
+}
+
+void ProjectKeeper::saveTo(const QString& path, std::function<void()> then)
+{
+    if (m_window.document.isEmpty())
+        return;
+    if (m_saving) { // what asks to be called after it need not save twice
+        m_saving->then = both(std::move(m_saving->then), std::move(then));
+        return;
+    }
+    if (m_window.tasks.isRunning()) {
+        emit problem(
+            tr("%1 is still going on: wait for it, or cancel it with Esc, and save again.").arg(m_window.tasks.title()),
+            {}, {});
+        return;
+    }
+    m_saving = Saving{QFileInfo(path).absoluteFilePath(), std::move(then)};
+    m_window.document.whenSettled([this] { startSaving(); });
+}
+
+/// All that was done has become part of the history.
+void ProjectKeeper::startSaving()
+{
+    historyChanged(); // in case it is told of it later
+    m_saving->isRunning = true;
+    m_autosave.savingBegins();
+    SavedFile file{.path = m_saving->path, .revision = m_window.document.history().revision()};
+    if (file.path == m_path)
+        file.lock = m_lock;
+    const auto work = [services = m_services, file, project = collect(true)](TaskControl& control) {
+        SavedFile done = file;
+        try {
+            if (!done.lock)
+                done.lock = services.lock(encoded(done.path));
+            services.write(encoded(done.path), project, control);
+        } catch (const Cancelled&) {
+            throw;
+        } catch (const std::runtime_error& error) {
+            done.problem = error.what();
+        }
+        return done;
+    };
+    const QString title = tr("Saving %1").arg(QFileInfo(file.path).fileName());
+    if (!m_window.tasks.run<SavedFile>(title, work, [this](SavedFile done) { finishSaving(std::move(done)); }))
+        m_saving.reset(); // something else began in the meantime
+}
+
+void ProjectKeeper::finishSaving(SavedFile file)
+{
+    const std::function<void()> then = std::exchange(m_saving, std::nullopt)->then;
+    if (!file.problem.empty()) {
+        emit problem(QString::fromStdString(file.problem), tr("Save as..."), [this, then] { saveAs(then); });
+        return;
+    }
+    m_path = file.path;
+    m_lock = std::move(file.lock);
+    m_savedRevision = file.revision;
+    m_autosave.saved(encoded(m_path));
+    recent_files::add(m_path);
+    emit recentChanged();
+    emit told(tr("Saved %1.").arg(m_path));
+    noteModified();
+    emit changed();
+    if (then)
+        then();
+}
+
+Project ProjectKeeper::collect(bool withPicture) const
+{
+    Project project = m_window.document.project();
+    project.marks = m_marks;
+    project.panels = m_panels;
+    project.view = view(withPicture);
+    return project;
+}
+
+ProjectView ProjectKeeper::view(bool withPicture) const
+{
+    ProjectView result;
+    result.camera = kept(m_window.viewport.camera());
+    const auto& hidden = m_window.viewport.options().hiddenParts;
+    result.hiddenParts.assign(hidden.begin(), hidden.end());
+    if (withPicture)
+        result.thumbnail = thumbnailOf(m_window.viewport.grabFramebuffer());
+    return result;
+}
+
+WorkState ProjectKeeper::state() const
+{
+    return {.projectFile = encoded(m_path), .isSaved = !isModified(), .gesture = {}, .step = 0};
+}
+
+void ProjectKeeper::letGo(std::function<void()> then)
+{
+    if (!isModified()) {
+        then();
+        return;
+    }
+    if (m_question) {
+        m_question->raise();
+        return;
+    }
+    m_question = new QMessageBox(QMessageBox::NoIcon, tr("Unsaved changes"),
+                                 m_path.isEmpty() ? tr("Save the work on \"%1\" as a project?").arg(name())
+                                                  : tr("Save the changes to \"%1\"?").arg(name()),
+                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window.widget);
+    m_question->setObjectName("saveQuestion");
+    m_question->setAttribute(Qt::WA_DeleteOnClose);
+    m_question->setIconPixmap(icon("save").pixmap(32, 32));
+    m_question->setInformativeText(m_path.isEmpty() ? tr("It has never been saved.")
+                                                    : tr("What was done since it was saved is lost otherwise."));
+    m_question->setDefaultButton(QMessageBox::Save);
+    connect(m_question, &QMessageBox::finished, this, [this, then = std::move(then)](int button) {
+        if (button == QMessageBox::Save)
+            save(then);
+        else if (button == QMessageBox::Discard)
+            then();
+    });
+    m_question->open();
+}
+
+void ProjectKeeper::close()
+{
+    m_watch->stop();
+    m_autosave.discard();
+    m_lock.reset();
+}
+
+// --- what changes ---------------------------------------------------------------------------------------------------------
+
+void ProjectKeeper::documentChanged(Document::Change what)
+{
+    if (what != Document::Change::Selection)
+        noteModified();
+}
+
+void ProjectKeeper::historyChanged()
+{
+    const DocumentHistory& history = m_window.document.history();
+    if (m_isChanging)
+        return;
+    if (!history.isEmpty() && m_isNew && history.isSettled()) {
+        m_isNew = false;
+        m_savedRevision = history.revision();
+        m_autosave.begin(collect(false), state());
+        m_gestureKept = m_viewKept = Clock::now();
+    } else if (!history.isEmpty() && !m_isNew && m_autosave.isBegun()) {
+        for (std::size_t start = m_autosave.knownStarts(); start < history.starts().size(); ++start)
+            m_autosave.addStart(history.starts()[start].start);
+        m_autosave.follow(history.tree().records(), history.tree().current());
+    }
+    noteModified();
+}
+
+void ProjectKeeper::noteModified()
+{
+    if (std::exchange(m_wasModified, isModified()) != m_wasModified)
+        emit changed();
+}
+
+void ProjectKeeper::watch()
+{
+    if (!m_autosave.isBegun() || m_isNew)
+        return;
+    const Clock::time_point now = Clock::now();
+    if (m_isRefused && now - m_lastTry >= retryInterval) {
+        m_lastTry = now;
+        m_autosave.beginAgain(collect(false), state());
+    }
+    if (now - m_gestureKept >= Autosave::gestureInterval)
+        lookAfterGesture();
+    if (now - m_viewKept >= viewInterval) {
+        m_viewKept = now;
+        m_autosave.keepView(view(false));
+    }
+}
+
+/// A gesture belongs to the entry that is current now; it is not kept when another one is by the time the simulation tells.
+void ProjectKeeper::lookAfterGesture()
+{
+    Document& document = m_window.document;
+    if (!document.isAnythingUnderWay() || !document.history().isSettled() || document.isGoing())
+        return;
+    m_gestureKept = Clock::now();
+    const std::uint64_t revision = document.history().revision();
+    document.lookAtGesture([this, revision](std::vector<RecordedCommand> commands, std::uint64_t step) {
+        const auto keep = [this, revision, commands = std::move(commands), step] {
+            const DocumentHistory& history = m_window.document.history();
+            if (history.isSettled() && history.revision() == revision)
+                m_autosave.keepGesture(commands, step);
+        };
+        QMetaObject::invokeMethod(this, keep, Qt::QueuedConnection);
+    });
+}
+
+/// It is said once, and tried again and again.
+void ProjectKeeper::keepingFailed(const QString& sentence)
+{
+    m_lastTry = Clock::now();
+    if (!std::exchange(m_isRefused, true))
+        emit problem(sentence, tr("Save"), [this] { save(); });
+}
+
+} // namespace knead

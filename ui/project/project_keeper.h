@@ -1,0 +1,136 @@
+#pragma once
+
+#include "ui/project/autosave.h"
+#include "ui/project/read_project.h"
+
+#include <QObject>
+#include <QPointer>
+#include <QString>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+class QMessageBox;
+class QTimer;
+
+namespace knead {
+
+class ModelTree;
+class TaskRunner;
+class ViewportWidget;
+
+/// The project that the window works on: its file and its lock, what of it is not saved, and the recovery of that. Files are
+/// read and written by the task runner, the recovery has a thread of its own. Window thread.
+class ProjectKeeper final : public QObject {
+    Q_OBJECT
+public:
+    /// What it works with. The simulation of the document may tell it something until that is gone, so it outlives the document,
+    /// and touches none of them when it goes.
+    struct Window {
+        QWidget* widget; ///< parent of its dialogs
+        Document& document;
+        TaskRunner& tasks;
+        ViewportWidget& viewport;
+        ModelTree& tree;
+    };
+
+    ProjectKeeper(ProjectServices services, Packing packing, const Window& window);
+    ~ProjectKeeper() override;
+
+    QString path() const { return m_path; } ///< of the file; empty: none yet
+    QString name() const;                   ///< "bracket.knead", or the name of the part while there is no file
+    bool isModified() const;
+    bool isProject(const QString& file) const; ///< by its ending
+    QString filter() const;                    ///< "Knead projects (*.knead)"
+
+    /// Shows parts that were opened: a new project without a file begins.
+    void open(PreparedContent parts);
+
+    /// Reads a project in the background. A failure leaves everything as it was; remedies are offered with the sentence.
+    void open(const ProjectWish& wish);
+
+    /// Writes the project in the background, where it was or where the person says.
+    /// @param then called after it was saved
+    void save(std::function<void()> then = {});
+    void saveAs(std::function<void()> then = {});
+    void saveTo(const QString& path, std::function<void()> then = {});
+
+    /// Asks whether to save what would be lost, if anything would.
+    /// @param then called unless the person cancels
+    void letGo(std::function<void()> then);
+
+    /// The window closes, and nothing is to be recovered.
+    void close();
+
+    /// Looks for work that windows which are gone did not save, and offers it.
+    /// @param saysNone when there is none
+    void offerRecoveries(bool saysNone);
+
+signals:
+    void changed();                               ///< name(), or isModified()
+    void perspectiveRestored(bool isPerspective); ///< with the camera of a project
+    /// @param remedy what a click on the button with its text does
+    void problem(const QString& sentence, const QString& remedyText, const std::function<void()>& remedy);
+    void opening(); ///< what was said of an earlier attempt is of no interest any more
+    void told(const QString& sentence);
+    void recentChanged();
+
+private:
+    void offerRemedy(const ProjectWish& wish, const ReadProject& read);
+    void show(ReadProject read);
+    bool showContent(ReadProject& read);
+    void showView(const ProjectView& view);
+    void listMissing(const std::vector<std::string>& missing);
+
+    /// A saving from when it is asked for until it ends.
+    struct Saving {
+        QString path;
+        std::function<void()> then;
+        bool isRunning = false; ///< else it waits for the end of what is under way
+    };
+    struct SavedFile;
+    void startSaving();
+    void finishSaving(SavedFile file);
+    Project collect(bool withPicture) const;
+    ProjectView view(bool withPicture) const;
+    WorkState state() const;
+
+    void showRecoveries(std::vector<Recovery> found, bool saysNone);
+    void recover(const Recovery& recovery);
+
+    void documentChanged(Document::Change what);
+    void historyChanged();
+    void noteModified();
+    void watch();
+    void lookAfterGesture();
+    void keepingFailed(const QString& sentence);
+
+    using Clock = std::chrono::steady_clock;
+
+    ProjectServices m_services;
+    Packing m_packing;
+    Window m_window;
+    Autosave m_autosave;
+    QTimer* m_watch;
+
+    QString m_path;
+    std::shared_ptr<void> m_lock; ///< of the file
+    std::vector<ProjectMark> m_marks;
+    std::map<std::string, std::string> m_panels;
+    bool m_isChanging = false;                    ///< the document is about to be another one
+    bool m_isNew = false;                         ///< opened, but its first entry is not there yet
+    std::optional<std::uint64_t> m_savedRevision; ///< of the history that is in the file; none: recovered work is not
+    bool m_wasModified = false;
+    std::optional<Saving> m_saving;
+    QPointer<QMessageBox> m_question;
+
+    Clock::time_point m_gestureKept;
+    Clock::time_point m_viewKept;
+    bool m_isRefused = false; ///< the disk does not take the recovery
+    Clock::time_point m_lastTry;
+};
+
+} // namespace knead

@@ -1,0 +1,170 @@
+// How a project comes into the window: from its file, as a copy, rescued, or recovered.
+#include "ui/project/project_keeper.h"
+
+#include "ui/dialogs/recovery_dialog.h"
+#include "ui/panels/model_tree.h"
+#include "ui/project/project_view.h"
+#include "ui/project/recent_files.h"
+#include "ui/tasks/task_runner.h"
+#include "ui/theme.h"
+#include "ui/viewport/viewport_widget.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QScopedValueRollback>
+
+#include <stdexcept>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+QString titleOf(const ProjectWish& wish)
+{
+    if (wish.recovery)
+        return ProjectKeeper::tr("Recovering %1").arg(RecoveryDialog::nameOf(*wish.recovery));
+    const QString name = QFileInfo(QFile::decodeName(wish.path.c_str())).fileName();
+    return wish.rescues ? ProjectKeeper::tr("Rescuing %1").arg(name) : ProjectKeeper::tr("Opening %1").arg(name);
+}
+
+} // namespace
+
+void ProjectKeeper::open(const ProjectWish& wish)
+{
+    ProjectWish own = wish;
+    if (!m_path.isEmpty() && wish.path == QFile::encodeName(m_path).toStdString())
+        own.lock = m_lock;
+    const auto work = [services = m_services, packing = m_packing, wish = own](TaskControl& control) {
+        return readProjectFor(wish, services, packing, control);
+    };
+    const auto finish = [this, wish](ReadProject read) {
+        if (read.obstacle == ReadProject::Obstacle::none)
+            show(std::move(read));
+        else
+            offerRemedy(wish, read);
+    };
+    if (m_window.tasks.run<ReadProject>(titleOf(wish), work, finish))
+        emit opening();
+    else
+        emit problem(tr("%1 is still going on: wait for it, or cancel it with Esc.").arg(m_window.tasks.title()), {},
+                     {});
+}
+
+void ProjectKeeper::offerRemedy(const ProjectWish& wish, const ReadProject& read)
+{
+    const bool isLocked = read.obstacle == ReadProject::Obstacle::lock;
+    ProjectWish other = wish;
+    other.isCopy = true;
+    other.rescues = !isLocked;
+    emit problem(QString::fromStdString(read.sentence), isLocked ? tr("Open a copy") : tr("Rescue what is whole"),
+                 [this, other] { letGo([this, other] { open(other); }); });
+}
+
+void ProjectKeeper::show(ReadProject read)
+{
+    const QString path = QFile::decodeName(read.path.c_str());
+    if (!showContent(read))
+        return;
+    m_saving.reset();
+    m_path = path;
+    m_lock = std::move(read.lock);
+    m_marks = std::move(read.marks);
+    m_panels = std::move(read.panels);
+    showView(read.view);
+    if (!m_isNew) {
+        m_savedRevision.reset();
+        if (read.isSaved)
+            m_savedRevision = m_window.document.history().revision();
+        if (read.kept)
+            m_autosave.takeOver(std::move(read.kept), collect(false), state());
+        else
+            m_autosave.begin(collect(false), state());
+        m_gestureKept = m_viewKept = Clock::now();
+    }
+    if (!m_path.isEmpty()) {
+        recent_files::add(m_path);
+        emit recentChanged();
+    }
+    m_wasModified = isModified();
+    emit changed();
+    if (!read.sentence.empty())
+        emit problem(QString::fromStdString(read.sentence), tr("Save as..."), [this] { saveAs(); });
+    if (!read.missing.empty())
+        listMissing(read.missing);
+}
+
+/// @return whether it could be; else nothing has changed
+bool ProjectKeeper::showContent(ReadProject& read)
+{
+    if (read.parts) {
+        open(std::move(*read.parts));
+        return true;
+    }
+    try {
+        const QScopedValueRollback changing(m_isChanging, true);
+        m_window.document.open(std::move(*read.project));
+        m_isNew = false;
+        return true;
+    } catch (const std::runtime_error& error) {
+        emit problem(QString::fromStdString(error.what()), {}, {});
+        return false;
+    }
+}
+
+void ProjectKeeper::showView(const ProjectView& view)
+{
+    const Camera camera = restored(view.camera);
+    emit perspectiveRestored(camera.perspective);
+    m_window.viewport.jumpTo(camera);
+    m_window.tree.hideParts({view.hiddenParts.begin(), view.hiddenParts.end()});
+}
+
+void ProjectKeeper::listMissing(const std::vector<std::string>& missing)
+{
+    constexpr std::size_t most = 12;
+    QStringList lines;
+    for (std::size_t i = 0; i < std::min(missing.size(), most); ++i)
+        lines << QStringLiteral("\u2022 ") + QString::fromStdString(missing[i]);
+    if (missing.size() > most)
+        lines << tr("and %1 more").arg(missing.size() - most);
+    for (const std::string& phrase : missing)
+        emit told(tr("Not whole: %1").arg(QString::fromStdString(phrase)));
+    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Not everything is whole"),
+                                tr("This could not be brought back:"), QMessageBox::Ok, m_window.widget);
+    box->setObjectName("missingBox");
+    box->setIconPixmap(icon("warning").pixmap(32, 32));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setInformativeText(lines.join('\n'));
+    box->open();
+}
+
+// --- recovery -------------------------------------------------------------------------------------------------------------
+
+void ProjectKeeper::offerRecoveries(bool saysNone)
+{
+    m_autosave.find([this, saysNone](std::vector<Recovery> found) { showRecoveries(std::move(found), saysNone); });
+}
+
+void ProjectKeeper::showRecoveries(std::vector<Recovery> found, bool saysNone)
+{
+    if (found.empty()) {
+        if (saysNone)
+            emit problem(tr("There is no unsaved work to recover."), {}, {});
+        return;
+    }
+    auto* dialog = new RecoveryDialog(std::move(found), m_window.widget);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &RecoveryDialog::recoverClicked, this, &ProjectKeeper::recover);
+    connect(dialog, &RecoveryDialog::discardClicked, this,
+            [this](const Recovery& recovery) { m_autosave.drop(recovery); });
+    dialog->open();
+}
+
+void ProjectKeeper::recover(const Recovery& recovery)
+{
+    letGo([this, recovery] { open({.path = {}, .recovery = recovery}); });
+}
+
+} // namespace knead

@@ -1,0 +1,119 @@
+#include "ui/project/read_project.h"
+
+#include "core/document/mended_project.h"
+
+#include <stdexcept>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+constexpr double readingShare = 0.4; // of the progress bar
+constexpr double mendingShare = 0.6;
+
+/// What was read, before anything of it is shown.
+struct Raw {
+    Project project;
+    WorkState state; ///< of a recovery
+};
+
+void append(std::vector<std::string>& list, std::vector<std::string> more)
+{
+    list.insert(list.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+Raw readFile(const ProjectWish& wish, const ProjectServices& services, ReadProject& result, TaskControl& control)
+{
+    if (wish.rescues) {
+        RescuedProject rescued = services.rescue(wish.path, control);
+        append(result.missing, std::move(rescued.missing));
+        return {std::move(rescued.project), {}};
+    }
+    if (!wish.isCopy) {
+        try {
+            result.lock = wish.lock ? wish.lock : services.lock(wish.path);
+        } catch (const std::runtime_error& error) {
+            result.obstacle = ReadProject::Obstacle::lock;
+            result.sentence = error.what();
+            return {};
+        }
+        result.path = wish.path;
+    }
+    try {
+        result.isSaved = true;
+        return {services.read(wish.path, control), {}};
+    } catch (const DamagedProject& error) {
+        result.obstacle = ReadProject::Obstacle::damage;
+        result.sentence = error.what();
+        return {};
+    }
+}
+
+/// The file of recovered work may be another window's by now: then the work has none.
+Raw readRecovery(const Recovery& recovery, const ProjectServices& services, ReadProject& result, TaskControl& control)
+{
+    result.kept = services.takeOver(recovery);
+    RecoveredWork work = result.kept->read(control);
+    append(result.missing, std::move(work.missing));
+    if (!work.state.projectFile.empty())
+        try {
+            result.lock = services.lock(work.state.projectFile);
+            result.path = work.state.projectFile;
+        } catch (const std::runtime_error& error) {
+            result.sentence = error.what();
+        }
+    return {std::move(work.project), std::move(work.state)};
+}
+
+/// Moments that are not whole, and what was under way.
+Project mended(Raw raw, const Packing& packing, ReadProject& result, TaskControl& control)
+{
+    MendedProject reachable = withReachableEntry(std::move(raw.project), packing, control);
+    const bool isCut = !reachable.missing.empty(); // the gesture went on from what is missing
+    append(result.missing, std::move(reachable.missing));
+    MendedProject done = withGesture(std::move(reachable.project), isCut ? WorkState{} : raw.state, packing, control);
+    append(result.missing, std::move(done.missing));
+    return std::move(done.project);
+}
+
+void prepare(Project project, const Packing& packing, ReadProject& result, TaskControl& control)
+{
+    if (project.model == nullptr)
+        throw std::runtime_error(
+            "The parts of this project are lost, so that nothing of it can be shown. Open the part "
+            "that it was made from.");
+    result.view = project.view;
+    result.marks = project.marks;
+    result.panels = project.panels;
+    if (!project.entries.empty()) {
+        result.project = prepareProject(std::move(project), packing, control);
+        return;
+    }
+    result.parts = prepareModel(project.model, project.import, {}, control);
+    result.missing.emplace_back("what was done to the parts");
+}
+
+} // namespace
+
+ReadProject readProjectFor(const ProjectWish& wish, const ProjectServices& services, const Packing& packing,
+                           TaskControl& control)
+{
+    ReadProject result;
+    TaskPortion reading(control, 0, readingShare);
+    Raw raw = wish.recovery ? readRecovery(*wish.recovery, services, result, reading)
+                            : readFile(wish, services, result, reading);
+    if (result.obstacle != ReadProject::Obstacle::none)
+        return result;
+    Project project;
+    if (wish.recovery || wish.rescues) {
+        TaskPortion mending(control, readingShare, mendingShare);
+        project = mended(std::move(raw), packing, result, mending);
+    } else
+        project = std::move(raw.project);
+    TaskPortion preparing(control, mendingShare, 1);
+    prepare(std::move(project), packing, result, preparing);
+    return result;
+}
+
+} // namespace knead
