@@ -1,5 +1,7 @@
 #include "app/recipe_events.h"
 
+#include "core/simulation/moment.h"
+
 #include <filesystem>
 
 namespace knead {
@@ -43,8 +45,8 @@ struct CommandMaker {
     void operator()(const ChangeMaterial& change)
     {
         for (BodyObjects& at : objectsWithin(ready, change.body, change.box, change.objects, place()))
-            made.push_back(SetMaterial{at.body, change.material.on(ready.scene.bodies[at.body].material),
-                                       std::move(at.objects)});
+            made.push_back(
+                SetMaterial{at.body, change.material.on(ready.scene.bodies[at.body].material), std::move(at.objects)});
     }
     void operator()(const RenormalizeBodies& wanted)
     {
@@ -133,6 +135,26 @@ void EventCommands::carriedOut(const Command& command)
         m_tools[tool->manipulator.name] = m_nextTool++;
     if (const auto* fixture = std::get_if<AddFixture>(&command))
         m_fixtures[fixture->fixture.name].push_back(m_nextFixture++);
+}
+
+void EventCommands::carriedOutByOthers(const Command& command)
+{
+    m_nextTool += std::holds_alternative<AddManipulator>(command) ? 1 : 0;
+    m_nextFixture += std::holds_alternative<AddFixture>(command) ? 1 : 0;
+}
+
+void EventCommands::goTo(const Moment& moment)
+{
+    m_tools.clear();
+    m_fixtures.clear();
+    m_nextTool = static_cast<ToolId>(moment.tools.size());
+    m_nextFixture = static_cast<FixtureId>(moment.fixtures.size());
+    for (ToolId id = 0; id < m_nextTool; ++id)
+        if (moment.tools[id])
+            m_tools[moment.tools[id]->manipulator.name] = id;
+    for (FixtureId id = 0; id < m_nextFixture; ++id)
+        if (moment.fixtures[id])
+            m_fixtures[moment.fixtures[id]->name].push_back(id);
 }
 
 } // namespace knead

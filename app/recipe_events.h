@@ -11,6 +11,8 @@
 
 namespace knead {
 
+struct Moment;
+
 /// Makes commands of the events of a recipe, and knows the numbers that its names have in the simulation.
 class EventCommands {
 public:
@@ -24,6 +26,11 @@ public:
 
     /// To be told of each command that was carried out: what it added has the next number.
     void carriedOut(const Command& command);
+    /// The same for commands that are none of the recipe.
+    void carriedOutByOthers(const Command& command);
+
+    /// The simulation is at another moment: what has a name has the numbers it has there.
+    void goTo(const Moment& moment);
 
 private:
     const Recipe& m_recipe;

@@ -14,6 +14,7 @@ namespace {
 struct Opened {
     std::vector<Part> parts; ///< closed ones, at least one
     std::vector<std::string> warnings;
+    Model source = {}; ///< without its parts
 };
 
 /// What is wrong with a file is wrong with what the person asked for.
@@ -36,7 +37,7 @@ std::string fileName(const std::string& path)
 
 Opened opened(Model model, const std::string& file, bool fillsOpenParts)
 {
-    Opened opened{{}, std::move(model.warnings)};
+    Opened opened{{}, model.warnings};
     opened.warnings.insert(opened.warnings.end(), model.missing.begin(), model.missing.end());
     for (Part& part : model.parts) {
         opened.warnings.insert(opened.warnings.end(), part.warnings.begin(), part.warnings.end());
@@ -45,6 +46,9 @@ Opened opened(Model model, const std::string& file, bool fillsOpenParts)
         else
             opened.warnings.push_back("\"" + part.name + "\" is not closed and is left out.");
     }
+    model.parts.clear();
+    model.tree = {};
+    opened.source = std::move(model);
     if (opened.parts.empty())
         throw UnusableInput(fileName(file) +
                             ": no closed body found. Close the surfaces in the CAD program and export again.");
@@ -158,7 +162,7 @@ RecipeParts importParts(const Recipe& recipe, TaskControl& control)
 {
     Files files(control);
     Opened part = files.part(recipe);
-    RecipeParts result{std::move(part.parts), {}, {}, std::move(part.warnings)};
+    RecipeParts result{std::move(part.source), std::move(part.parts), {}, {}, std::move(part.warnings)};
     for (const RecipeExtraPart& extra : recipe.extraParts) {
         const Opened& opened = files[extra.file];
         for (Part& body : placed(opened.parts, extra))

@@ -1,7 +1,7 @@
 #include "app/recipe_runner.h"
 
-#include "app/recipe_events.h"
 #include "app/recipe_exports.h"
+#include "app/recipe_progress.h"
 #include "app/recipe_scene.h"
 #include "core/simulation/simulation.h"
 
@@ -53,13 +53,10 @@ class Runner {
 public:
     Runner(const Recipe& recipe, const RecipeScene& ready)
         : m_recipe(recipe)
-        , m_events(recipe, ready)
+        , m_progress(recipe, ready)
         , m_ready(ready)
         , m_simulation(ready.scene)
     {
-        for (std::size_t i = 0; i < recipe.events.size(); ++i)
-            if (std::holds_alternative<StartAgain>(recipe.events[i].action))
-                m_eventsToDo = i + 1;
     }
 
     void run(TaskControl& control)
@@ -67,11 +64,11 @@ public:
         const Clock::time_point start = Clock::now();
         Clock::time_point nextReport = start;
         m_latest = m_simulation.snapshot();
-        for (carryOutDueEvents(); !isDone(); carryOutDueEvents()) {
+        for (carryOutDueEvents(); !m_progress.isDone(m_simulation); carryOutDueEvents()) {
             control.throwIfCancelled();
             m_simulation.step();
             checkHealth();
-            if (isAt(m_latest->time + frame))
+            if (m_simulation.time() + 0.5 * m_simulation.timeStep() >= m_latest->time + frame)
                 takeSnapshot();
             if (Clock::now() >= nextReport) {
                 report(control, secondsSince(start));
@@ -80,9 +77,8 @@ public:
         }
         m_wall = secondsSince(start);
         takeSnapshot();
-        if (m_nextEvent < m_recipe.events.size())
-            m_warnings.push_back("The run ended before " + std::to_string(m_recipe.events.size() - m_nextEvent) +
-                                 " of the events were due.");
+        if (const std::size_t left = m_recipe.events.size() - m_progress.nextEvent(); left > 0)
+            m_warnings.push_back("The run ended before " + std::to_string(left) + " of the events were due.");
     }
 
     const Snapshot& latest() const { return *m_latest; }
@@ -114,40 +110,13 @@ public:
     }
 
 private:
-    /// Whether the step nearest to a time has been reached.
-    bool isAt(double time) const { return m_simulation.time() + 0.5 * m_simulation.timeStep() >= time; }
-
-    bool isDue(const RecipeEvent& event) const
-    {
-        return event.step ? m_simulation.stepCount() >= *event.step : isAt(event.time);
-    }
-
-    /// The end counts from the last time that the run begins again.
-    bool isDone() const
-    {
-        return m_nextEvent >= m_eventsToDo && (m_recipe.durationSteps
-                                                   ? m_simulation.stepCount() >= *m_recipe.durationSteps
-                                                   : isAt(m_recipe.duration));
-    }
-
+    /// A command that makes no sense changes nothing; the person gets to know why.
     void carryOutDueEvents()
     {
-        for (; m_nextEvent < m_recipe.events.size() && isDue(m_recipe.events[m_nextEvent]); ++m_nextEvent)
-            for (Command& command : m_events.commandsOf(m_nextEvent, m_simulation.bodies()))
-                carryOut(std::move(command));
-    }
-
-    /// A command that makes no sense changes nothing; the person gets to know why.
-    void carryOut(Command command)
-    {
-        const std::size_t before = m_simulation.recording().size();
-        m_simulation.post(std::move(command));
-        m_simulation.applyCommands();
-        const std::vector<RecordedCommand>& recording = m_simulation.recording();
-        if (recording.size() > before)
-            return m_events.carriedOut(recording.back().command);
-        takeSnapshot();
-        m_warnings.push_back("at " + fixed(m_latest->time, 3) + " s: " + m_latest->notice);
+        m_progress.carryOutDue(m_simulation, [this] {
+            takeSnapshot();
+            m_warnings.push_back("at " + fixed(m_latest->time, 3) + " s: " + m_latest->notice);
+        });
     }
 
     void checkHealth() const
@@ -184,24 +153,14 @@ private:
     }
 
     const Recipe& m_recipe;
-    EventCommands m_events;
+    RecipeProgress m_progress;
     const RecipeScene& m_ready;
     Simulation m_simulation;
     SnapshotPointer m_latest;
     std::vector<ToolState> m_tools;
     std::vector<std::string> m_warnings;
-    std::size_t m_nextEvent = 0;
-    std::size_t m_eventsToDo = 0; ///< before the end counts
     double m_wall = 0;
 };
-
-/// Names and boxes are checked before the first step, not when the event is due.
-void checkEvents(const Recipe& recipe, const RecipeScene& ready)
-{
-    const EventCommands events(recipe, ready);
-    for (std::size_t i = 0; i < recipe.events.size(); ++i)
-        events.commandsOf(i, ready.scene.bodies);
-}
 
 } // namespace
 
@@ -219,8 +178,8 @@ RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskC
     RunReport report = runner.takeReport();
     if (recipe.exports.empty())
         return report;
-    WrittenExports written = writeExports(recipe.exports, outputFolder, exportJobOf(ready, runner.latest()),
-                                          runner.latest(), writing);
+    WrittenExports written =
+        writeExports(recipe.exports, outputFolder, exportJobOf(ready, runner.latest()), runner.latest(), writing);
     report.files = std::move(written.files);
     report.exports = std::move(written.reports);
     return report;

@@ -233,6 +233,7 @@ RecipeScene buildScene(const Recipe& recipe, TaskControl& control)
     TaskPortion importing(control, 0, importShare);
     RecipeParts parts = importParts(recipe, importing);
     RecipeScene result;
+    result.source = std::move(parts.source);
     result.parts = std::move(parts.bodies);
     result.warnings = std::move(parts.warnings);
     TaskPortion filling(control, importShare, 1);

@@ -12,10 +12,11 @@ namespace knead {
 /// A recipe made ready to run.
 struct RecipeScene {
     Scene scene;
-    std::vector<Part> parts;                        ///< one per body of the scene, same order
-    std::vector<std::vector<FixtureId>> fixtureIds; ///< per fixture of the recipe; one for each body it holds
+    Model source;                                            ///< of the part, without its parts and what they form
+    std::vector<Part> parts;                                 ///< one per body of the scene, same order
+    std::vector<std::vector<FixtureId>> fixtureIds;          ///< per fixture of the recipe; one for each body it holds
     std::vector<std::shared_ptr<const ToolPart>> eventParts; ///< as in RecipeParts
-    std::vector<std::string> warnings;              ///< sentences: of the import, and parts left out
+    std::vector<std::string> warnings;                       ///< sentences: of the import, and parts left out
 };
 
 /// Imports the parts and fills every closed body of it.

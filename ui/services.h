@@ -9,6 +9,7 @@
 #include "core/model/part.h"
 #include "core/task/task_control.h"
 #include "ui/project/project_services.h"
+#include "ui/project/recipe_services.h"
 
 #include <functional>
 #include <string>
@@ -37,6 +38,7 @@ struct Services {
     std::vector<MaterialPreset> materials;
     std::string examplesFolder;
     ProjectServices projects;
+    RecipeServices recipes;
 };
 
 } // namespace knead

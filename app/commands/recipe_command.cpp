@@ -5,6 +5,7 @@
 #include "app/first_recipe.h"
 #include "app/resources.h"
 #include "app/terminal_control.h"
+#include "app/whole_file.h"
 #include "io/material_library.h"
 #include "io/project/project_file.h"
 #include "io/project/recipe_of_project.h"
@@ -12,7 +13,6 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -36,21 +36,6 @@ std::string partSeenFrom(const std::string& recipe, const std::string& part)
 {
     const fs::path folder = fs::absolute(recipe).parent_path();
     return fs::absolute(part).lexically_normal().lexically_proximate(folder.lexically_normal()).string();
-}
-
-void writeText(const std::string& path, const std::string& text)
-{
-    const std::string unfinished = path + ".part";
-    std::ofstream file(unfinished);
-    file << text;
-    file.close();
-    std::error_code error;
-    if (file)
-        fs::rename(unfinished, path, error);
-    if (!file || error) {
-        fs::remove(unfinished, error);
-        throw std::runtime_error(path + ": the file cannot be written; choose another place with --output.");
-    }
 }
 
 std::string recipeOfPart(const RecipeOptions& options, TerminalControl& control)
@@ -90,7 +75,7 @@ int recipe(const RecipeOptions& options)
         return exit_status::wrongUse;
     }
     try {
-        options.output.empty() ? void(std::cout << text) : writeText(options.output, text);
+        options.output.empty() ? void(std::cout << text) : writeWhole(options.output, text, "choose another place with --output.");
     } catch (const std::exception& error) {
         std::cerr << "knead: " << error.what() << '\n';
         return exit_status::failed;

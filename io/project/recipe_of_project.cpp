@@ -34,6 +34,12 @@ std::string seenFrom(const std::string& recipePath, const std::string& file)
     return whole.lexically_proximate(fs::absolute(recipePath).parent_path().lexically_normal()).string();
 }
 
+/// Only the published arrangement has connections along the diagonals of cells.
+bool isAsPublished(const Aggregate& aggregate)
+{
+    return !aggregate.weight.back().empty();
+}
+
 /// The top of a recipe: a key on each line, and an item on each line of a list.
 class Document {
 public:
@@ -133,6 +139,8 @@ private:
             part.put("fills_open_parts", "true");
         m_document.put("part", part.take());
         m_document.put("spacing_mm", exactThousandfold(m_scene.bodies.front().aggregate->lattice.spacing));
+        if (isAsPublished(*m_scene.bodies.front().aggregate))
+            m_document.put("arrangement", quoted("published"));
     }
 
     void putFiles(ObjectText& part) const

@@ -222,7 +222,7 @@ Project ProjectKeeper::collect(bool withPicture) const
 {
     Project project = m_window.document.project();
     project.marks = m_marks;
-    project.panels = m_panels;
+    project.panels.insert(m_panels.begin(), m_panels.end()); // those of the document as they are now
     project.view = view(withPicture);
     return project;
 }
