@@ -43,7 +43,7 @@ int runProgram(int argc, char** argv)
     program.set_version_flag("--version", std::string("knead ") + KNEAD_VERSION, "Print the version and exit");
     program.require_subcommand(0, 1);
     std::vector<std::string> files;
-    program.add_option("FILE", files, "CAD or mesh files, or a project, to open in the window")->type_name("");
+    program.add_option("FILE", files, "CAD or mesh files, a project, or a recipe, to open in the window")->type_name("");
 
     int status = exit_status::done;
     addInfoCommand(program, status);

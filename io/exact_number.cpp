@@ -55,7 +55,8 @@ std::string exactThousandfold(double value)
     if (value == 0)
         return exactText(value);
     char text[32];
-    const auto end = std::to_chars(std::begin(text), std::end(text), std::abs(value), std::chars_format::scientific).ptr;
+    const auto end =
+        std::to_chars(std::begin(text), std::end(text), std::abs(value), std::chars_format::scientific).ptr;
     const std::string_view whole(text, static_cast<std::size_t>(end - text));
     const std::size_t exponentAt = whole.find('e');
     const int exponent = std::atoi(std::string(whole.substr(exponentAt + 1)).c_str());

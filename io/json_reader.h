@@ -47,7 +47,7 @@ public:
     bool boolean() const;
     double number() const; ///< finite
     double number(double minimum, double maximum) const;
-    double positive() const; ///< > 0
+    double positive() const;           ///< > 0
     double thousandth() const;         ///< of a number: of millimeters in m, to the last bit
     double positiveThousandth() const; ///< the same of a number > 0
     int integer(int minimum, int maximum) const;

@@ -105,8 +105,14 @@ public:
 
     bool null() override { return add(JsonValue{}, m_place.line); }
     bool boolean(bool value) override { return add(JsonValue{value}, m_place.line); }
-    bool number_integer(number_integer_t value) override { return addNumber(static_cast<double>(value), std::to_string(value)); }
-    bool number_unsigned(number_unsigned_t value) override { return addNumber(static_cast<double>(value), std::to_string(value)); }
+    bool number_integer(number_integer_t value) override
+    {
+        return addNumber(static_cast<double>(value), std::to_string(value));
+    }
+    bool number_unsigned(number_unsigned_t value) override
+    {
+        return addNumber(static_cast<double>(value), std::to_string(value));
+    }
     bool number_float(number_float_t value, const string_t& digits) override { return addNumber(value, digits); }
     bool string(string_t& value) override { return add(JsonValue{value}, m_place.line); }
     bool binary(binary_t&) override { return false; }

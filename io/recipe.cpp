@@ -1,11 +1,9 @@
 #include "io/recipe.h"
-#include "io/cad_format.h"
 
 #include "io/json_reader.h"
 #include "io/json_value.h"
 #include "io/recipe_sections.h"
 #include "io/recipe_values.h"
-#include "core/model/length_units.h"
 #include "io/scene_words.h"
 
 #include <algorithm>
@@ -19,7 +17,7 @@ namespace {
 constexpr double longestDuration = 3600;  // [s]; a longer run is a mistyped number
 constexpr double shortestTimeStep = 1e-9; // [s]
 constexpr std::uint64_t mostSteps = 1ULL << 40U;
-constexpr double longestTimeStep = 1;     // [s]
+constexpr double longestTimeStep = 1; // [s]
 
 SpacingChoice readSpacing(const JsonNode& root)
 {
@@ -109,65 +107,10 @@ void readMethod(const JsonNode& root, Recipe& recipe)
     recipe.massScalingTimeStep = readTimeStep(root, "mass_scaling_time_step_s");
 }
 
-std::vector<std::string> readTexts(const JsonNode& node)
-{
-    std::vector<std::string> texts;
-    for (const JsonNode& item : node.items())
-        texts.push_back(item.text());
-    return texts;
-}
-
-/// Choices of the import are those that its result depends on.
-ImportOptions readImport(const JsonNode& part)
-{
-    ImportOptions options;
-    if (const auto node = part.find("parts"))
-        options.parts = readTexts(*node);
-    if (const auto node = part.find("unit"))
-        options.unit = node->text();
-    if (!options.unit.empty() && findLengthUnit(options.unit) == nullptr)
-        part.at("unit").failExpecting("must be one of " + lengthUnitNames());
-    if (const auto node = part.find("heal"))
-        options.heal = node->boolean();
-    if (const auto node = part.find("cap_flat_openings"))
-        options.capsFlatOpenings = node->boolean();
-    if (const auto node = part.find("deflection_mm"))
-        options.linearDeflection = node->positiveThousandth();
-    if (const auto node = part.find("relative_deflection"))
-        options.relativeDeflection = node->number(1e-9, 1);
-    if (const auto node = part.find("angular_deflection_rad"))
-        options.angularDeflection = node->number(1e-3, 10);
-    return options;
-}
-
-void readPart(const JsonNode& part, Recipe& recipe)
-{
-    part.allowOnly({"file", "files", "parts", "unit", "heal", "cap_flat_openings", "deflection_mm",
-                    "relative_deflection", "angular_deflection_rad", "fills_open_parts"});
-    const auto file = part.find("file");
-    const auto files = part.find("files");
-    if (file.has_value() == files.has_value())
-        part.fail("must have either file or files.");
-    if (file)
-        recipe.part = readFilePath(*file, recipe.file);
-    else
-        for (const JsonNode& item : files->items())
-            recipe.partsBeside.push_back(readFilePath(item, recipe.file));
-    if (files && recipe.partsBeside.empty())
-        files->fail("must hold at least one file.");
-    if (files) {
-        recipe.part = recipe.partsBeside.front();
-        recipe.partsBeside.erase(recipe.partsBeside.begin());
-    }
-    recipe.import = readImport(part);
-    if (const auto node = part.find("fills_open_parts"))
-        recipe.fillsOpenParts = node->boolean();
-}
-
 /// Where the objects are: parts and how they are filled.
 void readParts(const JsonNode& root, Recipe& recipe)
 {
-    readPart(root.at("part"), recipe);
+    readRecipePart(root.at("part"), recipe);
     if (const auto node = root.find("extra_parts"))
         for (const JsonNode& item : node->items())
             recipe.extraParts.push_back(readRecipeExtraPart(item, recipe.file));
@@ -316,39 +259,6 @@ JsonNode rootOf(JsonValue recipe, const std::string& path, const std::vector<Rec
     return JsonNode::ofValue(std::move(recipe), changes.empty() ? file : file + " with --set");
 }
 
-Recipe readRoot(const JsonNode& root, const std::string& path, const std::vector<MaterialPreset>& presets);
-
-} // namespace
-
-Material RecipeMaterial::on(const Material& base) const
-{
-    Material material = preset.value_or(base);
-    for (const auto& [member, number] : overrides)
-        material.*member = number;
-    return material;
-}
-
-bool RecipeExport::isPicture() const
-{
-    return lowerCaseEnding(file) == "png";
-}
-
-Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets,
-                  const std::vector<RecipeOverride>& changes)
-{
-    return readRoot(rootOf(readJsonFile(path), path, changes), path, presets);
-}
-
-Recipe readRecipeText(const std::string& text, const std::string& path, const std::vector<MaterialPreset>& presets,
-                      const std::vector<RecipeOverride>& changes)
-{
-    JsonValue recipe = parseJson(text, std::filesystem::path(path).filename().string());
-    forgetLines(recipe);
-    return readRoot(rootOf(std::move(recipe), path, changes), path, presets);
-}
-
-namespace {
-
 Recipe readRoot(const JsonNode& root, const std::string& path, const std::vector<MaterialPreset>& presets)
 {
     root.allowOnly({"version",
@@ -399,5 +309,32 @@ Recipe readRoot(const JsonNode& root, const std::string& path, const std::vector
 }
 
 } // namespace
+
+Material RecipeMaterial::on(const Material& base) const
+{
+    Material material = preset.value_or(base);
+    for (const auto& [member, number] : overrides)
+        material.*member = number;
+    return material;
+}
+
+bool RecipeExport::isPicture() const
+{
+    return lowerCaseEnding(file) == "png";
+}
+
+Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets,
+                  const std::vector<RecipeOverride>& changes)
+{
+    return readRoot(rootOf(readJsonFile(path), path, changes), path, presets);
+}
+
+Recipe readRecipeText(const std::string& text, const std::string& path, const std::vector<MaterialPreset>& presets,
+                      const std::vector<RecipeOverride>& changes)
+{
+    JsonValue recipe = parseJson(text, std::filesystem::path(path).filename().string());
+    forgetLines(recipe);
+    return readRoot(rootOf(std::move(recipe), path, changes), path, presets);
+}
 
 } // namespace knead

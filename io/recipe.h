@@ -185,14 +185,14 @@ struct Recipe {
     double structuralFriction = 0;  ///< within every body
     std::vector<RecipeFixture> fixtures;
     std::vector<RecipeManipulator> manipulators;
-    Vec3 gravity = Vec3::Zero();                 ///< [m/s^2]
+    Vec3 gravity = Vec3::Zero(); ///< [m/s^2]
     std::optional<RecipeFloor> floor;
     Touching touching = Touching::separate;
     Integrator integrator = Integrator::semiImplicitEuler;
     VicinityMethod vicinity = VicinityMethod::uniformGrid;
-    std::optional<double> timeStep;            ///< [s]
-    std::optional<double> massScalingTimeStep; ///< [s]
-    double duration = 0;                       ///< simulated [s]; since the last StartAgain
+    std::optional<double> timeStep;             ///< [s]
+    std::optional<double> massScalingTimeStep;  ///< [s]
+    double duration = 0;                        ///< simulated [s]; since the last StartAgain
     std::optional<std::uint64_t> durationSteps; ///< so many steps, whatever the time
     std::vector<RecipeEvent> events;
     std::vector<RecipeExport> exports;

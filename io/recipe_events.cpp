@@ -11,8 +11,8 @@ namespace knead {
 
 namespace {
 
-constexpr double longestAnnealing = 3600;        // [s]
-constexpr double fastestGrip = 1e5;              // [mm/s]
+constexpr double longestAnnealing = 3600; // [s]
+constexpr double fastestGrip = 1e5;       // [mm/s]
 constexpr std::uint64_t mostSteps = 1ULL << 40U;
 
 std::string readOptionalText(const JsonNode& node, const std::string& key)

@@ -88,7 +88,7 @@ void readLimits(const JsonNode& node, RecipeManipulator& manipulator)
 
 const std::vector<std::string>& formKeys()
 {
-    static const std::vector<std::string> keys{"name",     "kind",     "size_mm",          "part_file",
+    static const std::vector<std::string> keys{"name",        "kind",     "size_mm",          "part_file",
                                                "part_number", "friction", "speed_limit_mm_s", "force_limit_n"};
     return keys;
 }

@@ -8,8 +8,8 @@ namespace knead {
 
 namespace {
 
-constexpr double fastest = 1e7;              // [mm/s]; the simulation says what is too fast for a tool
-constexpr double fastestTurn = 1e5;          // [rad/s]
+constexpr double fastest = 1e7;     // [mm/s]; the simulation says what is too fast for a tool
+constexpr double fastestTurn = 1e5; // [rad/s]
 constexpr std::uint64_t mostSteps = 1ULL << 40U;
 
 DriveAt readDrive(const JsonNode& node)

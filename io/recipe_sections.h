@@ -12,6 +12,8 @@ namespace knead {
 
 constexpr double strongestGravity = 1e4; ///< [m/s^2], a thousand times that of the earth
 
+/// The part of the recipe with the choices of its import.
+void readRecipePart(const JsonNode& node, Recipe& recipe);
 RecipeMaterial readRecipeMaterial(const JsonNode& node, const std::vector<MaterialPreset>& presets);
 RecipeExtraPart readRecipeExtraPart(const JsonNode& node, const std::string& recipePath);
 RecipeBody readRecipeBody(const JsonNode& node, const std::string& name);

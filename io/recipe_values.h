@@ -11,7 +11,7 @@ namespace knead {
 
 // What the sections of a recipe have in common. All readers throw as readRecipe() does.
 
-constexpr double farAway = 1e6;     ///< [mm]; a kilometer is no workbench
+constexpr double farAway = 1e6; ///< [mm]; a kilometer is no workbench
 
 /// Words of a recipe with what they mean, in the order of messages.
 template <class Choice>

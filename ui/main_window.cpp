@@ -9,6 +9,7 @@
 #include "ui/panels/model_tree.h"
 #include "ui/panels/performance_panel.h"
 #include "ui/panels/status_readings.h"
+#include "ui/panels/timeline_panel.h"
 #include "ui/project/project_keeper.h"
 #include "ui/units.h"
 #include "ui/viewport/viewport_widget.h"
@@ -27,6 +28,7 @@ namespace knead {
 namespace {
 
 constexpr double standardGravity = 9.81; // [m/s^2]
+
 } // namespace
 
 MainWindow::MainWindow(Services services, QWidget* parent)
@@ -103,6 +105,7 @@ void MainWindow::connectSimulationActions()
     connect(m_actions->fixFaces, &QAction::toggled, this, &MainWindow::showHint);
     connect(m_actions->remove, &QAction::triggered, &m_document, &Document::removeSelected);
     connect(m_material, &MaterialPanel::refillRequested, this, &MainWindow::refill);
+    connect(m_timeline, &TimelinePanel::looked, m_viewport, &ViewportWidget::lookBack);
     connect(m_banner, &Banner::remedyClicked, this, [this] {
         if (m_remedy)
             m_remedy();
@@ -150,7 +153,7 @@ void MainWindow::restoreSettings()
     const QSettings settings;
     setTheme(settings.value("theme").toString() == "dark" ? Theme::Dark : Theme::Light);
     restoreGeometry(settings.value("geometry").toByteArray());
-    restoreState(settings.value("docks").toByteArray());
+    restoreState(settings.value("docks").toByteArray(), layoutVersion);
 }
 
 void MainWindow::setTheme(Theme theme)
@@ -316,11 +319,13 @@ void MainWindow::setFloor(bool on)
     m_document.post(command);
 }
 
-/// Esc: stops the task, else leaves the mode, else selects nothing.
+/// Esc: stops the task, else comes back from the past, else leaves the mode, else selects nothing.
 void MainWindow::cancel()
 {
     if (m_tasks.isRunning())
         m_tasks.cancel();
+    else if (m_timeline->isLookingBack())
+        m_timeline->stopLooking();
     else if (m_actions->fixFaces->isChecked())
         m_actions->fixFaces->setChecked(false);
     else

@@ -30,6 +30,7 @@ class MaterialPanel;
 class ModelTree;
 class StatusReadings;
 class TaskReading;
+class TimelinePanel;
 class ViewportWidget;
 
 /// The program's window: tree, properties, view, log and status bar around one document.
@@ -126,6 +127,8 @@ private:
     void showAbout();
     bool isBusy();
 
+    static constexpr int layoutVersion = 1; ///< of the docks; layouts of another version are not restored
+
     Services m_services;
     std::unique_ptr<ProjectKeeper> m_projects; // goes after the document
     bool m_mayClose = false;                   ///< what is not saved is not wanted
@@ -143,6 +146,7 @@ private:
     ImportPanel* m_import = nullptr;
     ExportPanel* m_export = nullptr;
     PerformancePanel* m_performance = nullptr;
+    TimelinePanel* m_timeline = nullptr;
     QMenu* m_addTool = nullptr;
     QMenu* m_recent = nullptr;
     QLabel* m_hint = nullptr;

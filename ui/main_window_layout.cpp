@@ -13,6 +13,7 @@
 #include "ui/panels/model_tree.h"
 #include "ui/panels/performance_panel.h"
 #include "ui/panels/status_readings.h"
+#include "ui/panels/timeline_panel.h"
 #include "ui/panels/tool_panel.h"
 #include "ui/viewport/viewport_widget.h"
 
@@ -99,6 +100,10 @@ void MainWindow::makeDocks()
         makeDock(this, tr("History"), "historyDock", new HistoryPanel(m_document), Qt::LeftDockWidgetArea);
     QDockWidget* properties = makeDock(this, tr("Properties"), "propertiesDock", m_properties, Qt::LeftDockWidgetArea);
     QDockWidget* log = makeDock(this, tr("Log"), "logDock", m_log, Qt::BottomDockWidgetArea);
+    m_timeline = new TimelinePanel(m_document);
+    QDockWidget* timeline = makeDock(this, tr("Timeline"), "timelineDock", m_timeline, Qt::BottomDockWidgetArea);
+    timeline->setTitleBarWidget(new QWidget(timeline)); // it needs no title
+    splitDockWidget(timeline, log, Qt::Vertical);
     QDockWidget* performance =
         makeDock(this, tr("Performance"), "performanceDock", m_performance, Qt::BottomDockWidgetArea);
     QDockWidget* report = makeDock(this, tr("Import report"), "importDock", m_import, Qt::BottomDockWidgetArea);

@@ -123,7 +123,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     m_projects->close();
     QSettings settings;
     settings.setValue("geometry", saveGeometry());
-    settings.setValue("docks", saveState());
+    settings.setValue("docks", saveState(layoutVersion));
     QMainWindow::closeEvent(event);
 }
 

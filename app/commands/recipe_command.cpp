@@ -49,8 +49,8 @@ std::string recipeOfPart(const RecipeOptions& options, TerminalControl& control)
 std::string recipeOfSession(const RecipeOptions& options, TerminalControl& control, std::vector<std::string>& remarks)
 {
     RecipeOfProject recipe =
-        recipeOfProject(readProject(options.file, control),
-                        {.recipePath = options.output, .projectPath = options.file}, readMaterials(materialsFile()));
+        recipeOfProject(readProject(options.file, control), {.recipePath = options.output, .projectPath = options.file},
+                        readMaterials(materialsFile()));
     remarks = std::move(recipe.remarks);
     return recipe.text;
 }
@@ -61,7 +61,8 @@ int recipe(const RecipeOptions& options)
     TerminalControl control;
     try {
         std::vector<std::string> remarks;
-        text = isProjectFile(options.file) ? recipeOfSession(options, control, remarks) : recipeOfPart(options, control);
+        text =
+            isProjectFile(options.file) ? recipeOfSession(options, control, remarks) : recipeOfPart(options, control);
         control.clear();
         for (const std::string& remark : remarks)
             std::cerr << "knead: warning: " << remark << '\n';
@@ -75,7 +76,8 @@ int recipe(const RecipeOptions& options)
         return exit_status::wrongUse;
     }
     try {
-        options.output.empty() ? void(std::cout << text) : writeWhole(options.output, text, "choose another place with --output.");
+        options.output.empty() ? void(std::cout << text)
+                               : writeWhole(options.output, text, "choose another place with --output.");
     } catch (const std::exception& error) {
         std::cerr << "knead: " << error.what() << '\n';
         return exit_status::failed;

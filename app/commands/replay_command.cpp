@@ -78,8 +78,8 @@ std::string verdict(const RepeatedEntry& repeated)
 /// As many columns as a terminal shows, but for wide letters.
 std::size_t widthOf(const std::string& text)
 {
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 void printTable(const Project& project, const ReplayReport& report)
@@ -196,7 +196,8 @@ void addReplayCommand(CLI::App& program, int& exitStatus)
     CLI::App* command = program.add_subcommand(
         "replay", "Repeat what was done in a project and compare the state, bit for bit, with the one that is kept");
     command->add_option("PROJECT", options->project, "Project file, saved by the window")->required();
-    auto* entry = command->add_option("--entry", options->entry, "Entry of the history to come to; without it the present one");
+    auto* entry =
+        command->add_option("--entry", options->entry, "Entry of the history to come to; without it the present one");
     entry->type_name("N");
     command->add_flag("--all", options->all, "Every entry of the history, each branch")->excludes(entry);
     command->add_flag("--from-moments", options->fromMoments,

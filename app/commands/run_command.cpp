@@ -195,7 +195,8 @@ int run(const RunOptions& options)
 void addRunCommand(CLI::App& program, int& exitStatus)
 {
     auto options = std::make_shared<RunOptions>();
-    CLI::App* command = program.add_subcommand("run", "Carry out a recipe, or what was done in a project, without a window");
+    CLI::App* command =
+        program.add_subcommand("run", "Carry out a recipe, or what was done in a project, without a window");
     command->add_option("RECIPE", options->recipe, "Recipe to carry out, a JSON file, or a project saved by the window")
         ->required();
     command->add_option("--out", options->outputFolder, "Folder for the exports, made when missing")

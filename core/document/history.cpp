@@ -143,6 +143,14 @@ std::vector<History::Entry> History::pathTo(Entry entry) const
     return path;
 }
 
+std::vector<History::Entry> History::wayOn() const
+{
+    std::vector<Entry> way;
+    for (Entry entry = m_current; m_visited[entry] != entry; way.push_back(entry))
+        entry = m_visited[entry];
+    return way;
+}
+
 bool History::beginsStart(Entry entry) const
 {
     return entry == 0 || m_records[entry].start != m_records[m_records[entry].parent].start;

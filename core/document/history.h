@@ -69,6 +69,7 @@ public:
     const HistoryRecord& record(Entry entry) const { return m_records[entry]; }
     std::vector<Entry> childrenOf(Entry entry) const; ///< in the order in which they were made
     std::vector<Entry> pathTo(Entry entry) const;     ///< from the first entry on, both included
+    std::vector<Entry> wayOn() const;                 ///< where redo would go, one after the other
     Way wayTo(Entry entry) const;
 
     void rename(Entry entry, std::string name);

@@ -69,8 +69,7 @@ std::vector<RecordedCommand> HistoryReplay::goToWay(const Way& way)
     if (way.from) {
         ToolParts parts = toolPartsOf(scene, way.commands);
         parts.insert(parts.end(), way.parts.begin(), way.parts.end());
-        m_simulation->goTo(
-            std::make_shared<const Moment>(momentFromBytes(*way.from, scene.bodies, parts, m_packing)));
+        m_simulation->goTo(std::make_shared<const Moment>(momentFromBytes(*way.from, scene.bodies, parts, m_packing)));
     }
     return way.commands;
 }

@@ -160,8 +160,12 @@ struct SimulationThread::Worker {
         shot->snapshotSeconds = snapshotSeconds;
         shot->arrivals = arrivals;
         shot->requests = carriedOut;
-        const std::lock_guard lock(mutex);
-        latest = shot;
+        {
+            const std::lock_guard lock(mutex);
+            latest = shot;
+        }
+        if (watcher)
+            watcher(shot);
     }
 
     struct Frame {
@@ -182,6 +186,7 @@ struct SimulationThread::Worker {
     std::uint64_t arrivals = 0;
     std::uint64_t carriedOut = 0;
     std::deque<Frame> frames;
+    std::function<void(const SnapshotPointer&)> watcher;
 
     // Shared.
     std::mutex mutex;
@@ -249,6 +254,11 @@ void SimulationThread::setSpeed(double ratio)
 void SimulationThread::post(Command command)
 {
     m_worker->ask([command = std::move(command)](Worker& worker) { worker.simulation.post(command); });
+}
+
+void SimulationThread::watch(std::function<void(const SnapshotPointer&)> watcher)
+{
+    m_worker->ask([watcher = std::move(watcher)](Worker& worker) { worker.watcher = watcher; });
 }
 
 std::uint64_t SimulationThread::requests() const

@@ -42,6 +42,10 @@ public:
     /// Snapshots from there on count one arrival more.
     void goTo(MomentPointer moment);
 
+    /// Hands over every snapshot from now on.
+    /// @param watcher called on the simulation's thread, which waits for it
+    void watch(std::function<void(const SnapshotPointer&)> watcher);
+
     /// How many requests there were so far: a snapshot that counts as many has seen what all calls before asked for.
     std::uint64_t requests() const;
 

@@ -16,7 +16,8 @@ constexpr std::size_t lineLength = 110;
 template <class Choice>
 std::string wordFor(Choice wanted, const Choices<Choice>& words)
 {
-    const auto found = std::find_if(words.begin(), words.end(), [&](const auto& word) { return word.second == wanted; });
+    const auto found =
+        std::find_if(words.begin(), words.end(), [&](const auto& word) { return word.second == wanted; });
     return quoted(found->first);
 }
 
@@ -147,8 +148,7 @@ public:
                                .forceLimit = command.forceLimit,
                                .kind = command.kind,
                                .part = command.part};
-        finish(event().put("reshape_manipulator",
-                           m_words.reshaping(form, m_words.names.tool(command.tool)).take()));
+        finish(event().put("reshape_manipulator", m_words.reshaping(form, m_words.names.tool(command.tool)).take()));
     }
     void operator()(const PlaceManipulator& command)
     {
@@ -157,10 +157,7 @@ public:
         putPose(place, command.pose);
         finish(event().put("place_manipulator", place.take()));
     }
-    void operator()(const AddFixture& command)
-    {
-        finish(event().put("add_fixture", m_words.fixture(command.fixture)));
-    }
+    void operator()(const AddFixture& command) { finish(event().put("add_fixture", m_words.fixture(command.fixture))); }
     void operator()(const RemoveFixture& command)
     {
         finish(event().text("remove_fixture", m_words.names.fixture(command.fixture)));

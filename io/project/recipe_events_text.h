@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/project/recipe_names.h"
 #include "io/json_text.h"
+#include "io/project/recipe_names.h"
 
 #include <span>
 #include <string>

@@ -9,7 +9,9 @@ namespace {
 std::string nameOfBody(const Model& model, const std::vector<std::size_t>& parts, std::size_t body)
 {
     const auto isAlone = [&](const std::string& name) {
-        const auto means = [&](std::size_t part) { return model.parts[part].name == name || model.parts[part].path == name; };
+        const auto means = [&](std::size_t part) {
+            return model.parts[part].name == name || model.parts[part].path == name;
+        };
         return !name.empty() && std::count_if(parts.begin(), parts.end(), means) == 1;
     };
     const Part& part = model.parts[parts[body]];

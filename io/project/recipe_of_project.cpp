@@ -21,7 +21,8 @@ namespace {
 template <class Choice>
 std::string wordFor(Choice wanted, const Choices<Choice>& words)
 {
-    const auto found = std::find_if(words.begin(), words.end(), [&](const auto& word) { return word.second == wanted; });
+    const auto found =
+        std::find_if(words.begin(), words.end(), [&](const auto& word) { return word.second == wanted; });
     return quoted(found->first);
 }
 
@@ -103,7 +104,8 @@ private:
                 part.canBeFilled() || (m_project.import.fillsOpenParts && !part.mesh.empty()))
                 filled.push_back(p);
         if (filled != m_start.partOfBody)
-            throw std::runtime_error("some of its parts could not be filled with objects, which a recipe takes for an error.");
+            throw std::runtime_error(
+                "some of its parts could not be filled with objects, which a recipe takes for an error.");
         const Body& first = m_scene.bodies.front();
         for (const Body& body : m_scene.bodies)
             if (body.aggregate->lattice.spacing != first.aggregate->lattice.spacing ||
@@ -242,8 +244,9 @@ private:
         if (m_scene.touching != Touching::separate)
             m_document.put("touching", wordFor(m_scene.touching, touchingWords()));
         if (m_scene.gravity != Vec3::Zero())
-            m_document.put("gravity_m_s2", '[' + exactText(m_scene.gravity.x()) + ", " + exactText(m_scene.gravity.y()) +
-                                               ", " + exactText(m_scene.gravity.z()) + ']');
+            m_document.put("gravity_m_s2", '[' + exactText(m_scene.gravity.x()) + ", " +
+                                               exactText(m_scene.gravity.y()) + ", " + exactText(m_scene.gravity.z()) +
+                                               ']');
         if (m_scene.floorHeight)
             m_document.put("floor", ObjectText()
                                         .millimeters("height_mm", *m_scene.floorHeight)

@@ -10,9 +10,11 @@ namespace knead {
 
 /// How a project is to be told.
 struct RecipeOfProjectChoices {
-    std::string recipePath;  ///< where the recipe will lie: files are named as seen from there; empty: by their whole paths
+    std::string
+        recipePath; ///< where the recipe will lie: files are named as seen from there; empty: by their whole paths
     std::string projectPath; ///< empty: the project was not saved
-    bool namesProject = false; ///< takes the parts from the project even where the files that it was made from are still there
+    bool namesProject =
+        false; ///< takes the parts from the project even where the files that it was made from are still there
 };
 
 /// The same project with what was set before its first step (materials, kinds of bodies, gravity, floor, integrator) as its

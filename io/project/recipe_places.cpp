@@ -69,7 +69,8 @@ std::string listOf(const std::vector<std::uint32_t>& numbers)
 
 } // namespace
 
-void putObjects(ObjectText& text, const Aggregate& aggregate, const TriangleMesh& mesh, std::vector<ObjectIndex> objects)
+void putObjects(ObjectText& text, const Aggregate& aggregate, const TriangleMesh& mesh,
+                std::vector<ObjectIndex> objects)
 {
     objects = inOrder(std::move(objects), aggregate);
     const std::vector<std::uint32_t> faces = facesOf(aggregate, mesh, objects);

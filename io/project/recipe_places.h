@@ -11,7 +11,8 @@ namespace knead {
 /// exactly these objects; else `objects` one by one.
 /// @param objects of the body
 /// @throws std::runtime_error when there are none
-void putObjects(ObjectText& text, const Aggregate& aggregate, const TriangleMesh& mesh, std::vector<ObjectIndex> objects);
+void putObjects(ObjectText& text, const Aggregate& aggregate, const TriangleMesh& mesh,
+                std::vector<ObjectIndex> objects);
 
 /// The same where faces are not among the choices.
 void putObjects(ObjectText& text, const Aggregate& aggregate, std::vector<ObjectIndex> objects);

@@ -95,7 +95,8 @@ ObjectText RecipeWords::reshaping(const Manipulator& form, const std::string& na
     } else {
         const auto part = std::find(toolParts.begin(), toolParts.end(), form.part);
         if (toolPartFile.empty() || part == toolParts.end())
-            throw std::runtime_error("the tool \"" + name + "\" is an imported part, which only a saved project keeps.");
+            throw std::runtime_error("the tool \"" + name +
+                                     "\" is an imported part, which only a saved project keeps.");
         text.text("part_file", toolPartFile).put("part_number", std::to_string(part - toolParts.begin()));
     }
     text.number("friction", form.friction).millimeters("speed_limit_mm_s", form.speedLimit);

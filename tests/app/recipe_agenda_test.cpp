@@ -2,6 +2,7 @@
 #include "app/cad_process.h"
 #include "app/gui.h"
 #include "app/recipe_runner.h"
+#include "core/document/history.h"
 #include "core/simulation/moment.h"
 #include "core/simulation/replay.h"
 #include "support/busy_recipe.h"
@@ -121,6 +122,23 @@ private slots:
         QCOMPARE(start.model->parts.size(), std::size_t{1});
         QCOMPARE(start.model->unit, std::string("mm"));
         QVERIFY(start.model->parts[0].exact.has_value());
+    }
+
+    void aPublishedArrangementIsSaidAgain()
+    {
+        const std::string paper = std::string(KNEAD_RESOURCES) + "/examples/paper-bar.recipe.json";
+        const RecipeStart start = m_services.recipes.open(paper, TaskControl::none());
+        Simulation simulation(start.start.scene);
+        const HistoryRecord first = recordOf(endGesture(simulation), "Open");
+        for (int i = 0; i < 40; ++i)
+            simulation.step();
+        const HistoryRecord second = recordOf(endGesture(simulation), "Simulate");
+        Project project{.model = start.model, .import = start.choices, .starts = {start.start}};
+        project.entries = {first, second};
+        project.current = 1;
+        const std::string path = m_shop.path("paper-again.recipe.json");
+        QVERIFY(m_services.recipes.write(path, project, {}).empty());
+        QCOMPARE(runRecipe(readRecipe(path, m_services.materials), m_shop.path("out")).stateHash, second.hash);
     }
 
     void whatDoesNotFitIsASentence_data()

@@ -222,8 +222,9 @@ private slots:
             buildScene(finer, TaskControl::none());
             QFAIL("numbers of objects belong to one filling");
         } catch (const UnusableInput& error) {
-            QVERIFY2(std::string(error.what()).starts_with(
-                         "held.recipe.json: the fixture \"others\" names objects of a body that is filled with "),
+            QVERIFY2(std::string(error.what())
+                         .starts_with(
+                             "held.recipe.json: the fixture \"others\" names objects of a body that is filled with "),
                      error.what());
         }
         finer.fixtures.pop_back();
@@ -313,13 +314,15 @@ private slots:
             }
             return std::string();
         };
-        QCOMPARE(complaint(), std::string("A recipe cannot say what was done here: the files of its parts are not there "
-                                          "any more; save the project first."));
+        QCOMPARE(complaint(),
+                 std::string("A recipe cannot say what was done here: the files of its parts are not there "
+                             "any more; save the project first."));
         project.import.paths = {m_shop.path("lumps.3mf")};
         QCOMPARE(complaint(), std::string());
         project.starts[0].scene.bodies.pop_back();
         project.starts[0].partOfBody = {0};
-        QVERIFY(complaint().starts_with("A recipe cannot say what was done here: some of its parts could not be filled"));
+        QVERIFY(
+            complaint().starts_with("A recipe cannot say what was done here: some of its parts could not be filled"));
         QVERIFY(!QFileInfo::exists(m_shop.qPath("never.knead")));
         project = Project{};
         QCOMPARE(complaint(), std::string("The project has nothing in it yet that a recipe could say."));

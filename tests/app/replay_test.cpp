@@ -50,7 +50,8 @@ private slots:
     void theSameForAnyNumberOfThreads()
     {
         for (const char* threads : {"1", "2"}) {
-            const Outcome outcome = workshop::knead({"replay", m_shop.qPath("bracket.knead"), "--json", "--threads", threads});
+            const Outcome outcome =
+                workshop::knead({"replay", m_shop.qPath("bracket.knead"), "--json", "--threads", threads});
             QVERIFY2(outcome.status == 0, outcome.errors.c_str());
             const json report = json::parse(outcome.out);
             QVERIFY(report.at("same").get<bool>());
@@ -66,7 +67,8 @@ private slots:
     void allBranchesInATable()
     {
         for (const QStringList& more : {QStringList{}, QStringList{"--from-moments"}}) {
-            const Outcome outcome = workshop::knead(QStringList{"replay", m_shop.qPath("bracket.knead"), "--all"} + more);
+            const Outcome outcome =
+                workshop::knead(QStringList{"replay", m_shop.qPath("bracket.knead"), "--all"} + more);
             QVERIFY2(outcome.status == 0, outcome.errors.c_str());
             QCOMPARE(lineCount(outcome.out), std::size_t{6});
             QVERIFY2(outcome.out.starts_with("entry  name               "), outcome.out.c_str());
@@ -101,8 +103,8 @@ private slots:
         std::vector<std::string> bytes;
         for (const char* threads : {"1", "2"}) {
             const QString name = "part." + ending;
-            const Outcome outcome = workshop::knead({"replay", m_shop.qPath("bracket.knead"), "--threads", threads, "--export",
-                                           m_shop.qPath("new/folder/") + name});
+            const Outcome outcome = workshop::knead({"replay", m_shop.qPath("bracket.knead"), "--threads", threads,
+                                                     "--export", m_shop.qPath("new/folder/") + name});
             QVERIFY2(outcome.status == 0, outcome.errors.c_str());
             QVERIFY2(outcome.out.find("wrote ") != std::string::npos, outcome.out.c_str());
             bytes.push_back(contentOf(m_shop.path("new/folder/") + name.toStdString()));
@@ -113,8 +115,9 @@ private slots:
 
     void severalFilesOfAnEarlierEntry()
     {
-        const Outcome outcome = workshop::knead({"replay", m_shop.qPath("bracket.knead"), "--entry", "0", "--export",
-                                       m_shop.qPath("rest.stl"), "--export", m_shop.qPath("rest.igs"), "--json"});
+        const Outcome outcome =
+            workshop::knead({"replay", m_shop.qPath("bracket.knead"), "--entry", "0", "--export",
+                             m_shop.qPath("rest.stl"), "--export", m_shop.qPath("rest.igs"), "--json"});
         QVERIFY2(outcome.status == 0, outcome.errors.c_str());
         const json report = json::parse(outcome.out);
         QCOMPARE(report.at("files"), (json{m_shop.path("rest.stl"), m_shop.path("rest.igs")}));
@@ -129,7 +132,8 @@ private slots:
         const auto row = [](const char* name, const QStringList& arguments, const char* words) {
             QTest::newRow(name) << arguments << words;
         };
-        row("unknown entry", {m_shop.qPath("bracket.knead"), "--entry", "5"}, "bracket.knead has no entry 5; it has 0 to 4.");
+        row("unknown entry", {m_shop.qPath("bracket.knead"), "--entry", "5"},
+            "bracket.knead has no entry 5; it has 0 to 4.");
         row("no project", {bracket}, "this is not a Knead project.");
         row("damaged", {m_shop.qPath("damaged.knead")}, "the project is damaged: ");
         row("newer", {m_shop.qPath("newer.knead")}, "a newer Knead saved this project");
@@ -157,8 +161,8 @@ private slots:
     void aProjectRunsAsARecipe()
     {
         for (const char* threads : {"1", "2"}) {
-            const Outcome outcome = workshop::knead({"run", m_shop.qPath("bracket.knead"), "--json", "--threads", threads,
-                                                     "--out", m_shop.qPath("run")});
+            const Outcome outcome = workshop::knead(
+                {"run", m_shop.qPath("bracket.knead"), "--json", "--threads", threads, "--out", m_shop.qPath("run")});
             QVERIFY2(outcome.status == 0, outcome.errors.c_str());
             const json report = json::parse(outcome.out);
             QCOMPARE(report.at("state_hash").get<std::string>(), hexadecimal(m_project.entries[4].hash));

@@ -1,6 +1,9 @@
 #include "core/document/byte_stream.h"
 #include "support/fuzz_random.h"
 #include "support/window_on_test.h"
+#include "ui/document/entry_names.h"
+#include "ui/panels/timeline_axis.h"
+#include "ui/panels/timeline_panel.h"
 #include "ui/run_window.h"
 
 #include <QComboBox>
@@ -8,6 +11,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QtTest>
 
@@ -65,7 +69,7 @@ class WindowHistoryTest : public QObject, WindowOnTest {
     /// Waits until everything that was done is in the history and shown.
     void settle()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(document().isSettled(), 5'000);
+        QTRY_VERIFY_WITH_TIMEOUT(document().isSettled(), patience);
         QVERIFY(snapshot().step == present().step && snapshot().time == present().time);
     }
 
@@ -86,6 +90,19 @@ class WindowHistoryTest : public QObject, WindowOnTest {
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().time >= end, patience);
         key(Qt::Key_Space);
         QTRY_VERIFY(!snapshot().playing);
+    }
+
+    /// In both themes and two sizes.
+    void pictures(const QString& name)
+    {
+        for (const Theme theme : {Theme::Dark, Theme::Light})
+            for (const QSize size : {QSize(1920, 1080), QSize(1280, 800)}) {
+                m_window->setTheme(theme);
+                m_window->resize(size);
+                QTest::qWait(200);
+                const char* word = theme == Theme::Dark ? "dark" : "light";
+                picture(qPrintable(QString("%1-%2-%3").arg(name, word).arg(size.width())));
+            }
     }
 
     double spacingOfObjects(double count)
@@ -591,6 +608,89 @@ private slots:
         document().history().setMemory(History::defaultMemory);
         qInfo("%zu entries, %zu bytes, the window answered within %lld ms", tree().records().size(), tree().memory(),
               longest);
+    }
+
+    void theTimelineLooksBackAndBranches()
+    {
+        addBlock();
+        key(Qt::Key_G);
+        simulate(0.4);
+        document().history().setKey(tree().current(), true);
+        key(Qt::Key_G);
+        simulate(0.4);
+        const std::uint64_t end = digest();
+        const Entry last = tree().current();
+        auto* panel = find<TimelinePanel>("timelinePanel");
+        auto* axis = find<TimelineAxis>("timelineAxis");
+        auto* caption = find<QLabel>("pastCaption");
+        QTRY_COMPARE(axis->timeline().ticks.back().entry, last);
+        const Timeline line = axis->timeline();
+        QVERIFY(line.pictures.size() > 10);
+        QCOMPARE(line.end, present().time);
+        QCOMPARE(line.present, line.end);
+
+        // A drag looks back; nothing changes but the view.
+        const Timeline::Picture& middle = line.pictures[line.pictures.size() / 3];
+        const auto dragTo = [&](double at) {
+            QTest::mousePress(axis, Qt::LeftButton, {}, axis->placeOf(line.present));
+            QTest::mouseMove(axis, axis->placeOf(0.6 * line.end));
+            QTest::mouseMove(axis, axis->placeOf(at));
+        };
+        dragTo(middle.at + 0.4 * Film::interval);
+        QVERIFY(panel->isLookingBack() && caption->isVisible());
+        QVERIFY(caption->text().startsWith("Looking back at "));
+        QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(middle.at + 0.4 * Film::interval));
+        QVERIFY(panel->isLookingBack());
+        QCOMPARE(digest(), end);
+        QCOMPARE(tree().current(), last);
+        pictures("timeline");
+
+        // The film plays to its end, at any rate.
+        find<QComboBox>("filmRate")->setCurrentText("8x");
+        QTest::mouseClick(find<QToolButton>("filmPlay"), Qt::LeftButton);
+        QTRY_COMPARE(find<QLabel>("filmState")->text(), timeText(line.end) + " / " + timeText(line.end));
+        QTest::mouseClick(find<QToolButton>("filmBack"), Qt::LeftButton);
+        QVERIFY(panel->isLookingBack());
+        QTest::mouseClick(find<QToolButton>("filmReturn"), Qt::LeftButton);
+        QVERIFY(!panel->isLookingBack() && !caption->isVisible());
+
+        // What one sees is where a branch begins.
+        dragTo(middle.at + 0.4 * Film::interval);
+        QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(middle.at + 0.4 * Film::interval));
+        QTest::mouseClick(find<QToolButton>("filmBranch"), Qt::LeftButton);
+        settle();
+        QVERIFY(presentName().startsWith("Branch at "));
+        QVERIFY(tree().current() != last && !panel->isLookingBack());
+        QCOMPARE(present().step, middle.frame->step);
+        QCOMPARE(present().time, middle.frame->time);
+        for (std::size_t i = 0; i < snapshot().bodies[0].positions.size(); ++i)
+            for (Eigen::Index axisIndex = 0; axisIndex < 3; ++axisIndex)
+                QCOMPARE(static_cast<float>(snapshot().bodies[0].positions[i][axisIndex]),
+                         middle.frame->objects[0][3 * i + static_cast<std::size_t>(axisIndex)]);
+        QTRY_COMPARE(axis->timeline().end, middle.at);
+        QCOMPARE(axis->timeline().pictures.back().frame, middle.frame);
+        const std::uint64_t branch = digest();
+        simulate(0.1);
+        settle();
+        undo();
+        QCOMPARE(digest(), branch);
+
+        // A tick of an entry goes there.
+        document().goToEntry(last);
+        QCOMPARE(digest(), end);
+        QTRY_COMPARE(axis->timeline().end, line.end);
+        const Timeline::Tick key =
+            *std::find_if(line.ticks.begin(), line.ticks.end(), [](const Timeline::Tick& tick) { return tick.isKey; });
+        dragTo(key.at);
+        QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(key.at));
+        settle();
+        QVERIFY(tree().current() != last && present().time == tree().record(key.entry).time);
+        QVERIFY(!panel->isLookingBack());
+        dragTo(middle.at + 0.4 * Film::interval);
+        QTest::keyClick(m_window.get(), Qt::Key_Space); // time goes on from the present
+        QTRY_VERIFY(snapshot().playing);
+        QVERIFY(!panel->isLookingBack());
+        QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(middle.at));
     }
 
     void whatIsDoneOnTheWayHappensThere()

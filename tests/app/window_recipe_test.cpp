@@ -131,6 +131,23 @@ private slots:
         QCOMPARE(presentHash(), hashOf({"run", m_recipe}));
     }
 
+    void fromAMomentInBetweenItGoesOn()
+    {
+        open(m_recipe);
+        key(Qt::Key_Space);
+        waitForEnd();
+        const std::uint64_t end = snapshot().step;
+        document().branchAt(1, end / 2); // the second tool is there, and the other end is held
+        QTRY_VERIFY_WITH_TIMEOUT(!document().isGoing() && document().isSettled() && snapshot().step == end / 2,
+                                 patience);
+        QCOMPARE(snapshot().tools.size(), std::size_t{2});
+        QCOMPARE(document().fixtures().list().size(), std::size_t{2});
+        key(Qt::Key_Space);
+        waitForEnd();
+        QCOMPARE(snapshot().tools.size(), std::size_t{1});
+        QCOMPARE(document().fixtures().list().size(), std::size_t{1});
+    }
+
     void gesturesComeOnTopOfIt()
     {
         open(m_recipe);

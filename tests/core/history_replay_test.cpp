@@ -81,8 +81,7 @@ private slots:
         QVERIFY(repeated[1].isSame && repeated[3].isSame);
 
         project.entries[2].hash = hash;
-        project.entries[1].commands.insert(project.entries[1].commands.begin(),
-                                           {0, SetGravity{Vec3(0, 0, -3)}});
+        project.entries[1].commands.insert(project.entries[1].commands.begin(), {0, SetGravity{Vec3(0, 0, -3)}});
         repeated = repeatAll(project);
         QVERIFY(project.entries[1].step > 0 && repeated[0].isSame && !repeated[1].isSame);
     }

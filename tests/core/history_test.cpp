@@ -138,8 +138,10 @@ private slots:
         QCOMPARE(history.pathTo(b), (std::vector<Entry>{0, a, b}));
         history.goTo(a);
         QCOMPARE(*history.redoTarget(), c);
+        QCOMPARE(history.wayOn(), std::vector<Entry>{c});
         history.goTo(b);
         history.goTo(0);
+        QCOMPARE(history.wayOn(), (std::vector<Entry>{a, b}));
         QCOMPARE(*history.redoTarget(), a);
         history.goTo(a);
         QCOMPARE(*history.redoTarget(), b);

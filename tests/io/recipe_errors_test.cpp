@@ -174,7 +174,8 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
         "events[0].move_manipulator.path[1][0] must not be less than in the row before it, got 2.");
     row("no rotation", withEvent(R"({"step": 1, "place_manipulator": {"name": "a", "position_mm": [0, 0, 0],
         "rotation_wxyz": [1, 1, 0, 0]}})"),
-        "events[0].place_manipulator.rotation_wxyz must hold w, x, y, z of a quaternion of length 1, got [1, 1, 0, 0].");
+        "events[0].place_manipulator.rotation_wxyz must hold w, x, y, z of a quaternion of length 1, got [1, 1, 0, "
+        "0].");
     row("two rotations", withEvent(R"({"step": 1, "place_manipulator": {"name": "a", "position_mm": [0, 0, 0],
         "rotation_wxyz": [1, 0, 0, 0], "rotation_deg": [0, 0, 0]}})"),
         "events[0].place_manipulator must have only one of the keys rotation_deg and rotation_wxyz.");
@@ -213,8 +214,9 @@ void RecipeErrorsTest::syntaxErrorsNameLineAndColumn()
 
 void RecipeErrorsTest::mistakesNameTheirLine()
 {
-    const std::string text = "{\n\"version\": 1,\n\n\"part\": {\n  \"file\": \"bar.stl\"},\n\"objects\": 500,\n\"duration_s\": 2,\n"
-                             "\"gravity_m_s2\": [0, 0\n], \"events\": [\n{\"time_s\": 3\n, \"renormalize\":\n{}}]}";
+    const std::string text =
+        "{\n\"version\": 1,\n\n\"part\": {\n  \"file\": \"bar.stl\"},\n\"objects\": 500,\n\"duration_s\": 2,\n"
+        "\"gravity_m_s2\": [0, 0\n], \"events\": [\n{\"time_s\": 3\n, \"renormalize\":\n{}}]}";
     const auto replaced = [&](const std::string& what, const std::string& by) {
         return messageForText(std::string(text).replace(text.find(what), what.size(), by));
     };
@@ -244,7 +246,8 @@ void RecipeErrorsTest::missingFilesAreNamed()
 {
     QVERIFY_EXCEPTION_THROWN(readRecipe("/nowhere/bend.recipe.json", presets), std::runtime_error);
     const std::string message = messageFor(with("part", R"({"file": "missing.step"})"));
-    QVERIFY2(message.starts_with("bend.recipe.json, line 1: part.file names a file that does not exist: "), message.c_str());
+    QVERIFY2(message.starts_with("bend.recipe.json, line 1: part.file names a file that does not exist: "),
+             message.c_str());
     QVERIFY2(message.find("/missing.step") != std::string::npos, message.c_str());
     const std::string extra = messageFor(with("extra_parts", R"([{"file": "no.step"}])"));
     QVERIFY2(extra.starts_with("bend.recipe.json, line 1: extra_parts[0].file names a file that does not exist: "),

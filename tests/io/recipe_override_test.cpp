@@ -172,7 +172,8 @@ void RecipeOverrideTest::wrongChangesAreRefusedWithTheirPath_data()
     row("part.=a", "bend.recipe.json: part. cannot be set: the path ends with a dot; name what is to be set after it.");
     row("part={\"file\"", "the value of part: line 1, column 7: unexpected end of input; expected ':'.");
     row("part={\"file\": 1, \"file\": 2}", "the value of part: the key \"file\" is given twice in the same object.");
-    row("part.fil=a", "bend.recipe.json with --set: part.fil is not a known key; allowed here: file, files, parts, unit, heal, "
+    row("part.fil=a",
+        "bend.recipe.json with --set: part.fil is not a known key; allowed here: file, files, parts, unit, heal, "
         "cap_flat_openings, deflection_mm, relative_deflection, angular_deflection_rad, fills_open_parts.");
     row("floor.height=1",
         "bend.recipe.json with --set: floor.height is not a known key; allowed here: height_mm, friction.");

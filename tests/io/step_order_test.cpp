@@ -14,8 +14,8 @@ std::string style(int number, int context, const std::string& color)
 {
     const auto at = [&](int offset) { return '#' + std::to_string(number + offset); };
     return at(0) + " = MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',(\n    " + at(1) + "),#" +
-           std::to_string(context) + ");\n" + at(1) + " = STYLED_ITEM('a;''#" + std::to_string(context) + "',(" + at(2) +
-           "),#1);\n" + at(2) + " = COLOUR_RGB('" + color + "',1.);\n";
+           std::to_string(context) + ");\n" + at(1) + " = STYLED_ITEM('a;''#" + std::to_string(context) + "',(" +
+           at(2) + "),#1);\n" + at(2) + " = COLOUR_RGB('" + color + "',1.);\n";
 }
 
 const std::string layer = " = PRESENTATION_LAYER_ASSIGNMENT('top','visible',(#1,#2));\n";
@@ -49,7 +49,8 @@ private slots:
         const std::string second = "#7 = MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',(#8),#2);\n"
                                    "#8 = STYLED_ITEM('',(#6),#1);\n";
         const std::string text = withStylesInOrder(head + style(4, 3, "blue") + second + tail);
-        QVERIFY2(text.find("#5 = STYLED_ITEM('',(#6),#1);\n#6 = COLOUR_RGB('blue',1.);\n#7 = MECH") != std::string::npos,
+        QVERIFY2(text.find("#5 = STYLED_ITEM('',(#6),#1);\n#6 = COLOUR_RGB('blue',1.);\n#7 = MECH") !=
+                     std::string::npos,
                  text.c_str());
         QVERIFY2(text.find("#8 = STYLED_ITEM('a;''#3',(#6),#1);\n") != std::string::npos, text.c_str());
     }

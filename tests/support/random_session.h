@@ -72,7 +72,8 @@ inline Command anyCommand(fuzz::Random& random)
 inline Scene twoLumps()
 {
     Scene scene = scenes::smallPress(scenes::soft(), 4);
-    scene.bodies.push_back(scenes::boxAt({2, 2, 2}, lumpSpacing, Vec3(0, 0, 6 * lumpSpacing), scenes::soft(), "second"));
+    scene.bodies.push_back(
+        scenes::boxAt({2, 2, 2}, lumpSpacing, Vec3(0, 0, 6 * lumpSpacing), scenes::soft(), "second"));
     scene.bodies[1].velocity = Vec3(0, 0, -0.3);
     return scene;
 }

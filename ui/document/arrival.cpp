@@ -1,7 +1,9 @@
 #include "ui/document/arrival.h"
 
 #include "core/simulation/moment.h"
+#include "core/simulation/replay.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace knead {
@@ -24,6 +26,23 @@ Arrival Journey::go(TaskControl& control) const
         arrival.frame = prepareFrame(arrival.content->bodies, arrival.simulation->snapshot(), nullptr);
     }
     return arrival;
+}
+
+Branch Journey::branch(const std::vector<RecordedCommand>& commands, std::uint64_t upToStep, TaskControl& control) const
+{
+    const Scene& scene = start.start.scene;
+    TaskPortion going(control, 0, way.commands.empty() ? 0.05 : 0.5);
+    Simulation simulation(scene);
+    simulation.goTo(follow(way, scene, packing, going));
+    std::vector<RecordedCommand> before;
+    for (const RecordedCommand& recorded : commands)
+        if (recorded.step < upToStep)
+            before.push_back(recorded);
+    TaskPortion repeating(control, way.commands.empty() ? 0.05 : 0.5, 1);
+    const std::uint64_t begin = simulation.stepCount();
+    const std::vector<RecordedCommand> none;
+    simulation = replay(std::move(simulation), begin <= upToStep ? before : none, std::max(begin, upToStep), repeating);
+    return {endGesture(simulation)};
 }
 
 } // namespace knead

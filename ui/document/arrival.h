@@ -17,6 +17,11 @@ struct Arrival {
     std::shared_ptr<const Bytes> found; ///< the moment packed anew, where it was not kept
 };
 
+/// A new way on from an entry, ended like a gesture.
+struct Branch {
+    Gesture gesture;
+};
+
 /// A journey to an entry of the history: plain values for another thread.
 struct Journey {
     Way way;
@@ -31,6 +36,9 @@ struct Journey {
 
     /// @throws std::runtime_error with a sentence; Cancelled
     Arrival go(TaskControl& control) const;
+    /// Goes there, and on as it went on then, up to a step.
+    /// @throws as go()
+    Branch branch(const std::vector<RecordedCommand>& commands, std::uint64_t upToStep, TaskControl& control) const;
 };
 
 } // namespace knead

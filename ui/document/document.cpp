@@ -40,7 +40,10 @@ Document::Document(QObject* parent)
     m_ending->setSingleShot(true);
     connect(m_timer, &QTimer::timeout, this, &Document::poll);
     connect(m_ending, &QTimer::timeout, this, &Document::finishGesture);
-    connect(&m_history, &DocumentHistory::appended, this, [this](Entry entry) { m_shown = entry; });
+    connect(&m_history, &DocumentHistory::appended, this, [this](Entry entry) {
+        m_shown = entry;
+        m_film.append(entry, m_history.tree().record(entry).time);
+    });
     connect(&m_history, &DocumentHistory::settled, this, &Document::tellSettled);
     connect(&m_history, &DocumentHistory::changed, this, [this] { emit changed(Change::History); });
 }
@@ -66,6 +69,7 @@ void Document::open(PreparedContent prepared)
           prepared.agenda ? prepared.agenda() : nullptr);
     forgetGoing();
     m_whenSettled.clear();
+    m_film.forget();
     m_fixtures.clear();
     for (const FaceFixture& fixture : prepared.fixtures)
         m_fixtures.keepInMind(fixture);
@@ -108,6 +112,7 @@ void Document::open(PreparedProject prepared)
     start(std::move(*arrival.simulation), arrival.content, std::move(arrival.frame));
     forgetGoing();
     m_whenSettled.clear();
+    m_film.forget();
     m_shown = project.current;
     m_fixtures.clear();
     m_fixtures.remember(project.panels[fixturesPanel]);
@@ -161,6 +166,7 @@ void Document::start(Simulation simulation, std::shared_ptr<const Content> conte
     });
     m_preparer->prepare(m_seen);
     m_timer->start();
+    keepFilm();
 }
 
 /// Lets go of the simulation without waiting for the step it is in. The gesture that was ended last is still told.

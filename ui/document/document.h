@@ -4,6 +4,7 @@
 #include "ui/document/arrival.h"
 #include "ui/document/document_history.h"
 #include "ui/document/face_fixtures.h"
+#include "ui/document/film.h"
 #include "ui/document/frame.h"
 
 #include <QObject>
@@ -89,6 +90,7 @@ public:
     void play();
     void pause();
     void togglePlay();
+    bool isPlaying() const { return m_isPlaying; } ///< as asked for; a frame that shows it may be on its way
     void stepOnce();
     void reset();
     /// @param name for the history; empty: what the command says itself
@@ -116,6 +118,15 @@ public:
     void goToEntry(Entry entry);
     std::optional<QString> undoName() const; ///< of what would be undone; nothing to undo: none
     std::optional<QString> redoName() const;
+    /// Something is done that is no entry of the history yet.
+    bool isUnderWay() const { return m_gesture.isAny; }
+
+    /// What was seen while time ran.
+    const Film& film() const { return m_film; }
+    /// Repeats what leads to a step within an entry, with progress, and goes on from there: another branch.
+    /// @param entry that the step leads to, not one that begins a start
+    void branchAt(Entry entry, std::uint64_t step);
+
     /// Between asking for another entry and seeing it. What is posted in the meantime happens there.
     bool isGoing() const { return m_journey != JourneyState::none || !m_wishes.empty(); }
 
@@ -167,6 +178,7 @@ private:
 
     void start(Simulation simulation, std::shared_ptr<const Content> content, FramePointer frame,
                std::unique_ptr<Agenda> agenda = nullptr);
+    void keepFilm();
     void showStart();
     void retire();
     void poll();
@@ -193,6 +205,8 @@ private:
     void goShort(const Journey& journey);
     void arrive(Arrival arrival);
     std::unique_ptr<Agenda> agendaAt(std::uint32_t start, const Moment& moment, std::uint64_t hash) const;
+    void arriveAtBranch(Entry from, Branch branch);
+    void goInSimulation(MomentPointer moment);
     void follow(const Moment& moment);
     void giveUp(const QString& sentence);
     void forgetGoing();
@@ -202,6 +216,7 @@ private:
     std::shared_ptr<const Content> m_content;
     FaceFixtures m_fixtures;
     DocumentHistory m_history;
+    Film m_film;
     Gesture m_gesture;
     QTimer* m_ending; ///< until a gesture that may be gone on with ends
     bool m_isPlaying = false;

@@ -143,6 +143,24 @@ void Document::finishGesture()
     m_gesture = {.isAny = m_isPlaying, .begin = m_frame ? m_frame->snapshot->time : 0};
 }
 
+/// Keeps what was seen while time runs, however often it is drawn.
+void Document::keepFilm()
+{
+    const auto keep = [this, generation = m_generation](const SnapshotPointer& snapshot) {
+        if (generation == m_generation && snapshot->arrivals >= m_arrivals)
+            m_film.add(*snapshot);
+    };
+    m_simulation->watch([this, keep, last = std::make_shared<double>(-1)](const SnapshotPointer& snapshot) {
+        const double time = snapshot->time;
+        constexpr double nearly = 0.99; // steps do not fit exactly
+        if (!snapshot->playing || (time >= *last && time < *last + nearly * Film::interval))
+            return;
+        *last = time;
+        QMetaObject::invokeMethod(
+            this, [keep, snapshot] { keep(snapshot); }, Qt::QueuedConnection);
+    });
+}
+
 /// The simulation stops by itself when it is in trouble, or does not begin.
 void Document::noticeStop()
 {

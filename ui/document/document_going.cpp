@@ -3,6 +3,7 @@
 #include "ui/document/document.h"
 
 #include "core/simulation/moment.h"
+#include "ui/document/entry_names.h"
 #include "ui/tasks/task_runner.h"
 
 #include <QTimer>
@@ -180,17 +181,62 @@ void Document::arrive(Arrival arrival)
         endJourney();
         return;
     }
+    goInSimulation(moment);
+}
+
+/// Of the start that is shown.
+void Document::goInSimulation(MomentPointer moment)
+{
     m_journey = JourneyState::arriving; // until a frame shows it
     ++m_arrivals;
-    m_simulation->goTo(moment);
     follow(*moment);
+    m_simulation->goTo(std::move(moment));
     emit changed(Change::Selection);
     emit changed(Change::Fixtures);
+}
+
+void Document::branchAt(Entry entry, std::uint64_t step)
+{
+    if (later([this, entry, step] { branchAt(entry, step); }) || m_tasks == nullptr || !m_history.isSettled())
+        return;
+    const History& tree = m_history.tree();
+    const HistoryRecord& record = tree.record(entry);
+    if (entry == 0 || record.start != tree.record(m_shown).start || record.start != tree.record(record.parent).start)
+        return;
+    m_target = record.parent;
+    m_history.goTo(m_target);
+    m_journey = JourneyState::looking;
+    ++m_travels;
+    m_longTitle = tr("Branching from %1").arg(QString::fromStdString(record.name));
+    const auto work = [journey = journeyTo(record.parent), commands = record.commands, step](TaskControl& control) {
+        return journey.branch(commands, step, control);
+    };
+    const auto finish = [this, entry, travel = m_travels](Branch branch) {
+        if (travel == m_travels)
+            arriveAtBranch(entry, std::move(branch));
+    };
+    if (!m_tasks->run<Branch>(m_longTitle, work, finish))
+        giveUp(
+            tr("%1 is still going on: wait for it, or cancel it with Esc, then branch again.").arg(m_tasks->title()));
+}
+
+void Document::arriveAtBranch(Entry from, Branch branch)
+{
+    if (m_history.tree().current() != m_target) {
+        endJourney();
+        return;
+    }
+    m_shown = m_target;
+    const MomentPointer moment = branch.gesture.moment;
+    m_history.expect(tr("Branch at %1").arg(timeText(moment->time)))(std::move(branch.gesture));
+    goInSimulation(moment);
+    m_film.repeat(from, moment->step);
 }
 
 /// What the window keeps besides the simulation becomes what it is at a moment.
 void Document::follow(const Moment& moment)
 {
+    m_film.dropUnderWay();
     m_fixtures.follow(*m_content, moment.fixtures);
     m_toolCount.clear();
     m_toolToSelect.clear();
@@ -228,6 +274,7 @@ void Document::endJourney()
 /// Another document, or another start: nobody waits for the journey any more.
 void Document::forgetGoing()
 {
+    m_film.dropUnderWay();
     ++m_travels;
     m_journey = JourneyState::none;
     m_wishes.clear();

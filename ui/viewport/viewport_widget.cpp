@@ -34,7 +34,13 @@ ViewportWidget::ViewportWidget(Document& document, QWidget* parent)
     , m_manipulation(new Manipulation(document, this))
     , m_scene(std::make_unique<SceneView>(renderWindow()))
     , m_turning(new QVariantAnimation(this))
+    , m_caption(new QLabel(this))
 {
+    m_caption->setObjectName("pastCaption");
+    m_caption->setProperty("role", "force");
+    m_caption->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_caption->move(12, 12);
+    m_caption->hide();
     setObjectName("viewport");
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -74,12 +80,16 @@ void ViewportWidget::documentChanged(Document::Change what)
 {
     switch (what) {
     case Document::Change::Content:
+        m_past = nullptr;
+        m_caption->hide();
         m_options.hiddenParts = m_document.content().hiddenAtFirst();
         m_scene->setContent(m_document.content());
         m_scene->setOptions(m_options);
         m_scene->showFrame(m_document.frame());
         break;
     case Document::Change::Frame:
+        if (m_past)
+            return;
         m_scene->showFrame(m_document.frame());
         break;
     case Document::Change::Selection:
@@ -91,6 +101,17 @@ void ViewportWidget::documentChanged(Document::Change what)
     }
     if (what != Document::Change::Frame)
         updateMarks();
+    requestRender();
+}
+
+void ViewportWidget::lookBack(const FramePointer& frame, const QString& caption)
+{
+    m_past = frame;
+    m_caption->setText(caption);
+    m_caption->adjustSize();
+    m_caption->setVisible(m_past != nullptr);
+    if (const FramePointer& shown = m_past ? m_past : m_document.frame())
+        m_scene->showFrame(shown);
     requestRender();
 }
 
@@ -234,6 +255,8 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event)
         lookFrom(*direction);
         return;
     }
+    if (m_past)
+        return;
     m_manipulation->press(rayAt(event->position()));
     setCursor(m_manipulation->cursor());
 }
@@ -251,7 +274,7 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
         setCamera(camera);
     } else if (event->buttons() & Qt::LeftButton) {
         m_manipulation->drag(rayAt(event->position()), m_camera);
-    } else {
+    } else if (!m_past) {
         m_manipulation->hover(rayAt(event->position()));
     }
 }
@@ -285,7 +308,9 @@ void ViewportWidget::keyPressEvent(QKeyEvent* event)
 {
     const bool isSlow = event->modifiers() & Qt::ShiftModifier;
     const bool isRepeated = event->isAutoRepeat() && m_document.frame() && m_document.frame()->snapshot->playing;
-    if (!isRepeated && !m_manipulation->keyPressed(event->key(), isSlow, m_camera))
+    if (m_past)
+        ViewportBridge::keyPressEvent(event);
+    else if (!isRepeated && !m_manipulation->keyPressed(event->key(), isSlow, m_camera))
         ViewportBridge::keyPressEvent(event);
 }
 

@@ -25,6 +25,9 @@ public:
     void setStyle(const SceneStyle& style);
     void setFixing(bool on);
 
+    /// Shows a frame of the past with a caption, until null brings the present back. Tools cannot be moved meanwhile.
+    void lookBack(const FramePointer& frame, const QString& caption);
+
     void fit();
     /// Turns the view, smoothly, to look from a direction.
     void lookFrom(const Vec3& direction);
@@ -64,6 +67,8 @@ private:
     QVariantAnimation* m_turning;
     Camera m_turnStart;
     Camera m_turnEnd;
+    FramePointer m_past; ///< that is looked at; null: the present
+    QLabel* m_caption;
     QPointF m_lastMouse;
     bool m_isNavigating = false;
     std::map<ToolId, QLabel*> m_labels;

@@ -1,0 +1,188 @@
+#include "ui/document/history_outline.h"
+#include "ui/document/timeline.h"
+
+#include <QtTest>
+
+using namespace knead;
+
+namespace {
+
+using Entry = History::Entry;
+
+HistoryRecord at(double time, bool isReset = false)
+{
+    HistoryRecord record{.name = "entry", .time = time};
+    if (isReset)
+        record.commands = {{0, Reset{}}};
+    return record;
+}
+
+/// Objects at a time.
+Snapshot frameAt(double time, std::size_t objects = 100)
+{
+    Snapshot snapshot;
+    snapshot.time = time;
+    snapshot.step = static_cast<std::uint64_t>(1000 * time);
+    snapshot.bodies.push_back({.positions = std::vector<Vec3>(objects, Vec3::Zero())});
+    return snapshot;
+}
+
+std::vector<double> placesOf(const Timeline& line)
+{
+    std::vector<double> places;
+    for (const Timeline::Tick& tick : line.ticks)
+        places.push_back(tick.at);
+    return places;
+}
+
+std::vector<Entry> entriesOf(const std::vector<OutlineRow>& rows)
+{
+    std::vector<Entry> entries;
+    for (const OutlineRow& row : rows)
+        entries.push_back(row.entry);
+    return entries;
+}
+
+} // namespace
+
+class TimelineTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void framesBelongToTheEntryTheyLeadTo()
+    {
+        Film film;
+        for (int i = 0; i <= 30; ++i)
+            film.add(frameAt(i / 30.0));
+        QCOMPARE(film.underWay().size(), std::size_t{31});
+        film.append(1, 0.5);
+        QVERIFY(film.framesOf(1).back()->time <= 0.5);
+        QVERIFY(film.underWay().front()->time > 0.5);
+        film.append(2, 1);
+        QVERIFY(film.underWay().empty());
+        QVERIFY(film.framesOf(7).empty());
+    }
+
+    void aBranchBeginsWithTheFramesOfTheOther()
+    {
+        Film film;
+        for (int i = 0; i <= 30; ++i)
+            film.add(frameAt(i / 30.0));
+        film.append(1, 1);
+        const std::size_t before = film.memory();
+        film.repeat(1, 500);
+        film.append(2, 0.5);
+        QCOMPARE(film.framesOf(1).size(), std::size_t{31});
+        QCOMPARE(film.framesOf(2).back(), film.framesOf(1)[15]);
+        QVERIFY(film.underWay().empty() && film.memory() > before);
+    }
+
+    void aFilmThatIsTooLongLosesItsOldFramesByAndBy()
+    {
+        Film film;
+        constexpr std::size_t memory = 100'000;
+        film.setMemory(memory);
+        for (int i = 0; i < 3000; ++i) {
+            film.add(frameAt(i / 20.0));
+            QVERIFY(film.memory() <= memory);
+            if (i % 200 == 199)
+                film.append(static_cast<Entry>(i / 200), i / 20.0);
+        }
+        QVERIFY(!film.framesOf(14).empty());
+        QVERIFY(film.framesOf(14).size() > film.framesOf(1).size());
+        QVERIFY(film.memory() > memory / 3);
+        film.forget();
+        QCOMPARE(film.memory(), std::size_t{0});
+    }
+
+    void oneFrameThatIsTooLargeIsNotKept()
+    {
+        Film film;
+        film.setMemory(1000);
+        film.add(frameAt(0, 10'000));
+        QCOMPARE(film.memory(), std::size_t{0});
+    }
+
+    void theWayShownLeadsThroughThePresent()
+    {
+        History history(at(0));
+        const Entry a = history.append(at(1));
+        const Entry b = history.append(at(3));
+        history.goTo(a);
+        history.append(at(1.5));
+        history.goTo(b);
+        history.goTo(a);
+        Timeline line = timelineOf(history, {}, false);
+        QCOMPARE(placesOf(line), (std::vector<double>{0, 1, 3}));
+        QCOMPARE(line.present, 1.0);
+        QCOMPARE(line.end, 3.0);
+        QCOMPARE(line.tickNear(2.9, 0.2)->entry, b);
+        QVERIFY(line.tickNear(2, 0.2) == nullptr);
+        line = timelineOf(history, {}, true); // what was ahead is no longer
+        QCOMPARE(line.end, 1.0);
+    }
+
+    void timeGoesOnAfterAReset()
+    {
+        History history(at(0));
+        history.append(at(2));
+        history.append(at(0, true));
+        history.append(at(0.5));
+        const Timeline line = timelineOf(history, {}, false);
+        QCOMPARE(placesOf(line), (std::vector<double>{0, 2, 2, 2.5}));
+    }
+
+    void anotherStartBeginsAnotherLine()
+    {
+        History history(at(0));
+        history.append(at(2));
+        const Entry refilled = history.appendStart(at(0), 1);
+        history.append(at(1));
+        QCOMPARE(placesOf(timelineOf(history, {}, false)), (std::vector<double>{0, 1}));
+        history.goTo(0);
+        QCOMPARE(placesOf(timelineOf(history, {}, false)), (std::vector<double>{0, 2}));
+        history.goTo(refilled);
+        QCOMPARE(timelineOf(history, {}, false).present, 0.0);
+    }
+
+    void picturesLieWhereTheyWereTaken()
+    {
+        History history(at(0));
+        Film film;
+        film.add(frameAt(0.5));
+        film.add(frameAt(1));
+        film.append(history.append(at(1)), 1);
+        film.add(frameAt(1.25));
+        const Timeline line = timelineOf(history, film, true);
+        QCOMPARE(line.pictures.size(), std::size_t{3});
+        QCOMPARE(line.pictures[0].entry, Entry{1});
+        QVERIFY(!line.pictures[1].isUnderWay && line.pictures[2].isUnderWay);
+        QCOMPARE(line.present, 1.25);
+        QCOMPARE(line.end, 1.25);
+        QCOMPARE(line.pictureAt(0.1)->at, 0.5);
+        QCOMPARE(line.pictureAt(1.1)->at, 1.0);
+        QCOMPARE(line.pictureAt(9)->at, 1.25);
+        QVERIFY(timelineOf(history, {}, false).pictureAt(0) == nullptr);
+    }
+
+    void whatWasUndoneMovesAside()
+    {
+        History history(at(0));
+        const Entry a = history.append(at(1));
+        const Entry b = history.append(at(2));
+        history.goTo(a);
+        const Entry c = history.append(at(3));
+        const Entry d = history.append(at(4));
+        history.goTo(0);
+        const Entry e = history.append(at(5));
+        const std::vector<OutlineRow> rows = outlineOf(history);
+        QCOMPARE(entriesOf(rows), (std::vector<Entry>{0, e}));
+        QCOMPARE(rows[0].branches.size(), std::size_t{1});
+        const std::vector<OutlineRow>& older = rows[0].branches[0];
+        QCOMPARE(entriesOf(older), (std::vector<Entry>{a, c, d}));
+        QCOMPARE(entriesOf(older[0].branches.at(0)), std::vector<Entry>{b});
+    }
+};
+
+QTEST_GUILESS_MAIN(TimelineTest)
+#include "timeline_test.moc"

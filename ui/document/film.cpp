@@ -1,0 +1,149 @@
+#include "ui/document/film.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+std::vector<float> floatsOf(const std::vector<Vec3>& places)
+{
+    std::vector<float> floats;
+    floats.reserve(3 * places.size());
+    for (const Vec3& place : places)
+        for (const double coordinate : place)
+            floats.push_back(static_cast<float>(coordinate));
+    return floats;
+}
+
+std::vector<Vec3> placesOf(const std::vector<float>& floats)
+{
+    std::vector<Vec3> places(floats.size() / 3);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        places[i] = Vec3(floats[3 * i], floats[3 * i + 1], floats[3 * i + 2]);
+    return places;
+}
+
+FilmFramePointer filmFrameOf(const Snapshot& snapshot)
+{
+    auto frame = std::make_shared<FilmFrame>();
+    frame->step = snapshot.step;
+    frame->time = snapshot.time;
+    frame->tools = snapshot.tools;
+    frame->floorHeight = snapshot.floorHeight;
+    for (const Snapshot::BodyState& body : snapshot.bodies)
+        frame->objects.push_back(floatsOf(body.positions));
+    return frame;
+}
+
+} // namespace
+
+std::size_t FilmFrame::memory() const
+{
+    std::size_t floats = 0;
+    for (const std::vector<float>& list : objects)
+        floats += list.size();
+    return sizeof(FilmFrame) + floats * sizeof(float) + tools.size() * sizeof(ToolState);
+}
+
+void Film::forget()
+{
+    m_entries.clear();
+    m_underWay.clear();
+    m_used = 0;
+}
+
+void Film::add(const Snapshot& snapshot)
+{
+    m_underWay.push_back(filmFrameOf(snapshot));
+    m_used += m_underWay.back()->memory();
+    thin();
+}
+
+void Film::repeat(Entry entry, std::uint64_t step)
+{
+    for (const FilmFramePointer& frame : framesOf(entry))
+        if (frame->step <= step) {
+            m_underWay.push_back(frame);
+            m_used += frame->memory();
+        }
+    thin();
+}
+
+void Film::append(Entry entry, double endTime)
+{
+    auto end = m_underWay.begin();
+    for (double last = 0; end != m_underWay.end() && (*end)->time <= endTime && (*end)->time >= last; ++end)
+        last = (*end)->time;
+    if (end == m_underWay.begin())
+        return;
+    m_entries[entry].assign(m_underWay.begin(), end);
+    m_underWay.erase(m_underWay.begin(), end);
+}
+
+void Film::dropUnderWay()
+{
+    for (const FilmFramePointer& frame : m_underWay)
+        m_used -= frame->memory();
+    m_underWay.clear();
+}
+
+const std::vector<FilmFramePointer>& Film::framesOf(Entry entry) const
+{
+    static const std::vector<FilmFramePointer> none;
+    const auto found = m_entries.find(entry);
+    return found == m_entries.end() ? none : found->second;
+}
+
+/// @return the memory that was set free [bytes]
+std::size_t Film::halve(std::vector<FilmFramePointer>& frames)
+{
+    std::size_t freed = 0;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        if (i % 2 == 1)
+            freed += frames[i]->memory();
+        else
+            frames[kept++] = frames[i];
+    if (frames.size() == 1) // nothing to halve
+        freed = frames[kept = 0]->memory();
+    frames.resize(kept);
+    return freed;
+}
+
+void Film::thin()
+{
+    while (m_used > m_most) {
+        std::size_t all = m_underWay.size();
+        for (const auto& [entry, frames] : m_entries)
+            all += frames.size();
+        std::size_t seen = 0;
+        for (auto& [entry, frames] : m_entries) {
+            if (seen >= (all + 1) / 2)
+                break;
+            seen += frames.size();
+            m_used -= halve(frames);
+        }
+        if (seen < (all + 1) / 2)
+            m_used -= halve(m_underWay);
+        std::erase_if(m_entries, [](const auto& each) { return each.second.empty(); });
+        if (m_entries.empty() && m_underWay.empty())
+            return;
+    }
+}
+
+FramePointer drawable(const FilmFrame& frame, const Content& content)
+{
+    auto snapshot = std::make_shared<Snapshot>();
+    snapshot->step = frame.step;
+    snapshot->time = frame.time;
+    snapshot->tools = frame.tools;
+    snapshot->floorHeight = frame.floorHeight;
+    for (std::size_t b = 0; b < content.bodies.size(); ++b)
+        snapshot->bodies.push_back(
+            {.positions = placesOf(frame.objects[b]), .aggregate = content.bodies[b]->aggregate});
+    return prepareFrame(content.bodies, std::move(snapshot), nullptr);
+}
+
+} // namespace knead

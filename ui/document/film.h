@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/document/history.h"
+#include "ui/document/frame.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace knead {
+
+/// Where things were at a moment: enough to be drawn, not to go on from. Immutable.
+struct FilmFrame {
+    std::uint64_t step = 0;
+    double time = 0;                         ///< simulated [s]
+    std::vector<std::vector<float>> objects; ///< per body: x y z per object [m]
+    std::vector<ToolState> tools;
+    std::optional<double> floorHeight; ///< [m]
+
+    std::size_t memory() const; ///< [bytes]
+};
+using FilmFramePointer = std::shared_ptr<const FilmFrame>;
+
+/// What was seen while time ran, entry by entry of the history, for looking back. When it takes more memory than is allowed,
+/// every second frame of the older half goes. Window thread only.
+class Film {
+public:
+    using Entry = History::Entry;
+    static constexpr std::size_t defaultMemory = std::size_t{256} << 20U; // [bytes]
+    static constexpr double interval = 1.0 / 30;                          // between frames, simulated [s]
+
+    void forget();
+    void setMemory(std::size_t most) { m_most = most; }
+    std::size_t memory() const { return m_used; }
+
+    /// Time has gone on in the gesture under way.
+    void add(const Snapshot& snapshot);
+    /// What is under way went as an entry did, up to a step.
+    void repeat(Entry entry, std::uint64_t step);
+    /// The gesture has become an entry: what was kept up to its end belongs to it.
+    void append(Entry entry, double endTime);
+    /// What is under way was given up.
+    void dropUnderWay();
+
+    /// In order of time; empty for entries without any.
+    const std::vector<FilmFramePointer>& framesOf(Entry entry) const;
+    const std::vector<FilmFramePointer>& underWay() const { return m_underWay; }
+
+private:
+    void thin();
+    static std::size_t halve(std::vector<FilmFramePointer>& frames);
+
+    std::map<Entry, std::vector<FilmFramePointer>> m_entries;
+    std::vector<FilmFramePointer> m_underWay;
+    std::size_t m_most = defaultMemory;
+    std::size_t m_used = 0;
+};
+
+/// A frame of the film as the view draws it. Its snapshot has places, tools and floor, and nothing else. Any thread.
+FramePointer drawable(const FilmFrame& frame, const Content& content);
+
+} // namespace knead

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/document/history.h"
+#include "ui/document/film.h"
+
+#include <vector>
+
+namespace knead {
+
+/// The way through the history that is shown: from where its steps begin to be counted to where redo ends, along simulated time.
+/// After a reset time goes on, so that nothing overlaps.
+struct Timeline {
+    struct Tick {
+        History::Entry entry = 0;
+        double at = 0; ///< [s]
+        bool isKey = false;
+    };
+    /// A frame of the film in its place.
+    struct Picture {
+        double at = 0;            ///< [s]
+        History::Entry entry = 0; ///< to which it leads
+        bool isUnderWay = false;  ///< there is no entry yet
+        FilmFramePointer frame;
+    };
+    std::vector<Tick> ticks;       ///< the first one at 0
+    std::vector<Picture> pictures; ///< in order
+    double present = 0;            ///< of the simulation [s]
+    double end = 0;                ///< [s]
+
+    /// The last picture at or before a place, or the first one; null without any.
+    const Picture* pictureAt(double at) const;
+    const Tick* tickNear(double at, double reach) const; ///< the nearest within reach; null: none
+};
+
+/// @param isUnderWay something is being done: what was done from here before is no longer ahead
+Timeline timelineOf(const History& history, const Film& film, bool isUnderWay);
+
+} // namespace knead

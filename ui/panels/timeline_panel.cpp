@@ -1,0 +1,231 @@
+#include "ui/panels/timeline_panel.h"
+
+#include "ui/document/entry_names.h"
+#include "ui/panels/form.h"
+#include "ui/panels/timeline_axis.h"
+#include "ui/theme.h"
+
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QTimer>
+#include <QToolButton>
+
+#include <algorithm>
+#include <array>
+
+namespace knead {
+
+namespace {
+
+constexpr int updateTime = 40;  // [ms]
+constexpr int pictureTime = 33; // between pictures while the film is played [ms]
+constexpr std::array<double, 7> rates{0.1, 0.25, 0.5, 1, 2, 4, 8};
+constexpr int usualRate = 3; // index
+
+} // namespace
+
+TimelinePanel::TimelinePanel(Document& document, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_axis(new TimelineAxis(
+          [&document](History::Entry entry) {
+              return QString::fromStdString(document.history().tree().record(entry).name);
+          },
+          this))
+    , m_soon(new QTimer(this))
+    , m_player(new QTimer(this))
+    , m_clock(std::make_unique<QElapsedTimer>())
+{
+    setObjectName("timelinePanel");
+    makeButtons();
+    m_soon->setSingleShot(true);
+    m_soon->setInterval(updateTime);
+    m_player->setInterval(pictureTime);
+    connect(m_soon, &QTimer::timeout, this, &TimelinePanel::bringUpToDate);
+    connect(m_player, &QTimer::timeout, this, &TimelinePanel::playOn);
+    connect(m_axis, &TimelineAxis::grabbed, m_player, &QTimer::stop);
+    connect(m_axis, &TimelineAxis::dragged, this, &TimelinePanel::lookAt);
+    connect(m_axis, &TimelineAxis::released, this, &TimelinePanel::release);
+    connect(&document, &Document::changed, this, &TimelinePanel::documentChanged);
+    showState();
+}
+
+TimelinePanel::~TimelinePanel() = default;
+
+void TimelinePanel::makeButtons()
+{
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 3, 8, 3);
+    row->setSpacing(3);
+    m_toStart = makeButton("filmStart", "to-start", tr("Look at the start"));
+    m_back = makeButton("filmBack", "back-one", tr("One picture back"));
+    m_play = makeButton("filmPlay", "film", tr("Play what was simulated, from where you look"));
+    m_on = makeButton("filmOn", "on-one", tr("One picture on"));
+    m_toEnd = makeButton("filmEnd", "to-end", tr("Look at the end"));
+    m_rate = makeChoice("filmRate", this);
+    for (const double rate : rates)
+        m_rate->addItem(tr("%1x").arg(rate));
+    m_rate->setCurrentIndex(usualRate);
+    m_rate->setToolTip(tr("How fast it is played, in simulated per real time"));
+    m_rate->setFocusPolicy(Qt::ClickFocus);
+    m_state = new QLabel(this);
+    m_state->setObjectName("filmState");
+    m_branch = makeButton("filmBranch", "branch", tr("Go on from what you see: a new branch of the history"));
+    m_branch->setText(tr("Branch here"));
+    m_return = makeButton("filmReturn", "close", tr("Back to the present (Esc)"));
+    m_return->setText(tr("Return"));
+    for (QToolButton* button : {m_branch, m_return})
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_toStart, m_back, m_play, m_on, m_toEnd, m_rate, m_axis,
+                                                           m_state, m_branch, m_return})
+        row->addWidget(widget, widget == m_axis ? 1 : 0);
+    connect(m_toStart, &QToolButton::clicked, this, [this] { lookAt(0); });
+    connect(m_toEnd, &QToolButton::clicked, this, [this] { lookAt(m_axis->timeline().end); });
+    connect(m_back, &QToolButton::clicked, this, [this] { stepBy(-1); });
+    connect(m_on, &QToolButton::clicked, this, [this] { stepBy(1); });
+    connect(m_play, &QToolButton::clicked, this, &TimelinePanel::togglePlay);
+    connect(m_branch, &QToolButton::clicked, this, &TimelinePanel::branchHere);
+    connect(m_return, &QToolButton::clicked, this, &TimelinePanel::stopLooking);
+}
+
+QToolButton* TimelinePanel::makeButton(const char* name, const char* picture, const QString& tip)
+{
+    auto* button = new QToolButton(this);
+    button->setObjectName(name);
+    button->setIcon(icon(picture));
+    button->setToolTip(tip);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::NoFocus); // Space goes on meaning the simulation
+    return button;
+}
+
+void TimelinePanel::documentChanged(Document::Change what)
+{
+    const bool isElsewhere = what == Document::Change::Content || what == Document::Change::Moment;
+    if (isElsewhere || m_document.isPlaying())
+        stopLooking();
+    if (isVisible() && what != Document::Change::Selection && what != Document::Change::Fixtures && !m_soon->isActive())
+        m_soon->start();
+}
+
+void TimelinePanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    m_soon->start();
+}
+
+void TimelinePanel::bringUpToDate()
+{
+    if (!m_document.history().isEmpty())
+        m_axis->show(timelineOf(m_document.history().tree(), m_document.film(), m_document.isUnderWay()));
+    showState();
+}
+
+void TimelinePanel::lookAt(double at)
+{
+    if (m_document.isUnderWay())
+        m_document.pause();
+    const Timeline::Picture* picture = m_axis->timeline().pictureAt(at);
+    m_looking = at;
+    m_axis->lookAt(at);
+    if (picture != nullptr && picture->frame != m_seen) {
+        m_seen = picture->frame;
+        emit looked(drawable(*m_seen, m_document.content()), tr("Looking back at %1   Esc: return").arg(timeText(at)));
+    }
+    showState();
+}
+
+/// On an entry: goes there.
+void TimelinePanel::release(double at)
+{
+    const Timeline& line = m_axis->timeline();
+    const Timeline::Tick* tick = line.tickNear(at, 1e-9);
+    if (tick == nullptr)
+        return;
+    const auto present = m_document.history().tree().current();
+    const bool isPresent = std::any_of(line.ticks.begin(), line.ticks.end(), [&](const Timeline::Tick& other) {
+        return other.entry == present && other.at == tick->at;
+    });
+    if (isPresent)
+        stopLooking();
+    else
+        m_document.goToEntry(tick->entry);
+}
+
+void TimelinePanel::stepBy(int pictures)
+{
+    const auto& all = m_axis->timeline().pictures;
+    if (all.empty())
+        return;
+    m_player->stop();
+    const Timeline::Picture* here = m_axis->timeline().pictureAt(m_looking.value_or(m_axis->timeline().present));
+    const auto index = static_cast<std::ptrdiff_t>(here - all.data()) + pictures;
+    lookAt(all[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(index, 0, std::ssize(all) - 1))].at);
+}
+
+void TimelinePanel::togglePlay()
+{
+    if (m_player->isActive()) {
+        m_player->stop();
+    } else if (const auto& all = m_axis->timeline().pictures; !all.empty()) {
+        const bool isAtEnd = m_looking.value_or(m_axis->timeline().present) >= all.back().at;
+        lookAt(isAtEnd ? 0 : m_looking.value_or(m_axis->timeline().present));
+        m_clock->start();
+        m_player->start();
+    }
+    showState();
+}
+
+void TimelinePanel::playOn()
+{
+    constexpr double milliseconds = 1e-3;
+    const double passed = milliseconds * static_cast<double>(m_clock->restart());
+    const double end = m_axis->timeline().end;
+    const double rate = rates[static_cast<std::size_t>(m_rate->currentIndex())];
+    const double at = std::min(end, m_looking.value_or(0) + rate * passed);
+    if (at >= end)
+        m_player->stop();
+    lookAt(at);
+}
+
+void TimelinePanel::branchHere()
+{
+    const Timeline::Picture* picture = m_looking ? m_axis->timeline().pictureAt(*m_looking) : nullptr;
+    if (picture == nullptr || picture->isUnderWay)
+        return;
+    m_player->stop();
+    m_document.branchAt(picture->entry, picture->frame->step);
+}
+
+void TimelinePanel::stopLooking()
+{
+    m_player->stop();
+    if (!m_looking)
+        return;
+    m_looking.reset();
+    m_seen.reset();
+    m_axis->lookAt({});
+    emit looked(nullptr, {});
+    showState();
+}
+
+void TimelinePanel::showState()
+{
+    const bool hasFilm = !m_axis->timeline().pictures.empty();
+    for (QToolButton* button : {m_toStart, m_back, m_play, m_on, m_toEnd})
+        button->setEnabled(hasFilm);
+    m_rate->setEnabled(hasFilm);
+    const bool isPlaying = m_player->isActive();
+    m_play->setIcon(icon(isPlaying ? "pause" : "film"));
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_branch, m_return})
+        widget->setVisible(m_looking.has_value());
+    m_branch->setEnabled(hasFilm && !m_document.isGoing());
+    const Timeline& line = m_axis->timeline();
+    m_state->setText(timeText(m_looking.value_or(line.present)) + " / " + timeText(line.end));
+    m_state->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("000.0 ms / 000.0 ms")));
+    m_state->setAlignment(Qt::AlignCenter);
+}
+
+} // namespace knead

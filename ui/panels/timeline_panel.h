@@ -1,0 +1,72 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/document/timeline.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QComboBox;
+class QElapsedTimer;
+class QLabel;
+class QTimer;
+class QToolButton;
+
+namespace knead {
+
+class TimelineAxis;
+
+/// What was simulated, to be looked at again: drag along it, play it at any rate, go to an entry, or branch from any moment.
+/// Looking back changes nothing but the view.
+class TimelinePanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit TimelinePanel(Document& document, QWidget* parent = nullptr);
+    ~TimelinePanel() override;
+
+    bool isLookingBack() const { return m_looking.has_value(); }
+    const TimelineAxis& axis() const { return *m_axis; }
+
+    /// Back to the present.
+    void stopLooking();
+
+signals:
+    /// The view shall show a frame of the past; null: the present again.
+    void looked(knead::FramePointer frame, const QString& caption);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void makeButtons();
+    QToolButton* makeButton(const char* name, const char* picture, const QString& tip);
+    void documentChanged(Document::Change what);
+    void bringUpToDate();
+    void lookAt(double at);
+    void release(double at);
+    void stepBy(int pictures);
+    void togglePlay();
+    void playOn();
+    void branchHere();
+    void showState();
+
+    Document& m_document;
+    TimelineAxis* m_axis;
+    QToolButton* m_toStart = nullptr;
+    QToolButton* m_back = nullptr;
+    QToolButton* m_play = nullptr;
+    QToolButton* m_on = nullptr;
+    QToolButton* m_toEnd = nullptr;
+    QComboBox* m_rate = nullptr;
+    QLabel* m_state = nullptr;
+    QToolButton* m_branch = nullptr;
+    QToolButton* m_return = nullptr;
+    QTimer* m_soon;   ///< many changes are shown at once
+    QTimer* m_player; ///< while the film is played
+    std::unique_ptr<QElapsedTimer> m_clock;
+    std::optional<double> m_looking; ///< [s] of the timeline
+    FilmFramePointer m_seen;         ///< what the view shows
+};
+
+} // namespace knead
