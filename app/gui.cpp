@@ -9,6 +9,7 @@
 #include "io/importer.h"
 #include "io/material_library.h"
 #include "io/project/packing.h"
+#include "io/safe_file.h"
 #include "ui/run_window.h"
 
 namespace knead {
@@ -35,6 +36,11 @@ Services fileServices()
         if (keepsReport)
             writeReportBeside(report);
         return report;
+    };
+    services.writeSafely = [](const std::string& path, const std::function<void(const std::string&)>& write) {
+        SafeFile file(path);
+        write(file.pathForNow());
+        file.keep();
     };
     services.packing = zstandardPacking();
     services.importFormats = formats(importFormats());

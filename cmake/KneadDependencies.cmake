@@ -15,7 +15,7 @@ find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets S
 find_package(VTK 9.1 REQUIRED COMPONENTS
     CommonCore CommonDataModel CommonExecutionModel CommonTransforms FiltersCore FiltersGeneral FiltersSources
     InteractionStyle InteractionWidgets RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
-    IOImage)
+    IOImage IOOggTheora)
 if(VTK_VERSION VERSION_GREATER_EQUAL 9.4)
     message(WARNING "Knead is tried with VTK 9.1 to 9.3; this is ${VTK_VERSION}")
 endif()

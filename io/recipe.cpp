@@ -1,5 +1,6 @@
 #include "io/recipe.h"
 
+#include "io/cad_format.h"
 #include "io/json_reader.h"
 #include "io/json_value.h"
 #include "io/recipe_sections.h"

@@ -95,6 +95,14 @@ Actions::Actions(QWidget* window)
     , reset(make(window, {"reset", "Reset", "reset", {Qt::Key_Backspace, QKeySequence("Ctrl+R")}, "Back to the start"}))
     , gravity(make(window, {"gravity", "Gravity", "gravity", {Qt::Key_G}, "Let everything weigh something", true}))
     , floor(make(window, {"floor", "Floor", "floor", {}, "Put a floor under the part", true, true}))
+    , recordVideo(make(window, {"recordVideo",
+                                "Record &video...",
+                                "record",
+                                {},
+                                "Make a video of what was simulated, as the view shows it"}))
+    , recordPictures(make(
+          window,
+          {"recordPictures", "Record p&ictures...", nullptr, {}, "Write what was simulated as a sequence of pictures"}))
     , addTool(makeToolActions(window))
     , renormalize(
           make(window, {"renormalize",
@@ -142,8 +150,8 @@ void Actions::setDocumentOpen(bool isOpen, bool isSimulated)
     for (QAction* action :
          {save, saveAs, fit, front, back, right, left, top, bottom, isometric, perspective, edges, openEdges, grid})
         action->setEnabled(isOpen);
-    for (QAction* action : {exportMeshes, exportRecipe, play, step, reset, gravity, floor, renormalize, fixFaces,
-                            remove, objects, allObjects, hide})
+    for (QAction* action : {exportMeshes, exportRecipe, play, step, reset, gravity, floor, recordVideo, recordPictures,
+                            renormalize, fixFaces, remove, objects, allObjects, hide})
         action->setEnabled(isSimulated);
     for (QAction* action : addTool)
         action->setEnabled(isSimulated);

@@ -31,6 +31,8 @@ struct Actions {
     QAction* reset;
     QAction* gravity;
     QAction* floor;
+    QAction* recordVideo;
+    QAction* recordPictures;
 
     QList<QAction*> addTool; ///< one per form, in the order of toolKindLooks()
     QAction* renormalize;

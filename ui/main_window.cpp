@@ -105,6 +105,9 @@ void MainWindow::connectSimulationActions()
     connect(m_actions->fixFaces, &QAction::toggled, this, &MainWindow::showHint);
     connect(m_actions->remove, &QAction::triggered, &m_document, &Document::removeSelected);
     connect(m_material, &MaterialPanel::refillRequested, this, &MainWindow::refill);
+    connect(m_actions->recordVideo, &QAction::triggered, this, [this] { askForRecording(Recording::Kind::video); });
+    connect(m_actions->recordPictures, &QAction::triggered, this,
+            [this] { askForRecording(Recording::Kind::pictures); });
     connect(m_timeline, &TimelinePanel::looked, m_viewport, &ViewportWidget::lookBack);
     connect(m_banner, &Banner::remedyClicked, this, [this] {
         if (m_remedy)

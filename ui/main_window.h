@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/export_request.h"
+#include "ui/recording/recording.h"
 #include "ui/services.h"
 #include "ui/tasks/task_runner.h"
 #include "ui/theme.h"
@@ -56,6 +57,10 @@ public:
     /// Offers work that windows which are gone did not save.
     void offerRecoveries();
 
+    /// Makes a video or pictures of what was simulated, in the background.
+    /// @param path of the file, or of the folder of the pictures
+    void record(const QString& path, const Recording& recording);
+
     void setTheme(Theme theme);
 
     Document& document() { return m_document; }
@@ -70,6 +75,8 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
+    static constexpr int layoutVersion = 1; ///< of the docks; layouts of another version are not restored
+
     void makeCenter();
     void makeDocks();
     void makeMenus();
@@ -122,12 +129,12 @@ private:
     std::vector<PlannedFile> planFiles(const QString& path, const ExportRequest& request) const;
     std::vector<bool> partsFor(ExportRequest::Which which) const;
     void showExport(const std::vector<ExportReport>& reports);
+    void askForRecording(Recording::Kind kind);
+    void askForPlace(const Recording& recording);
     void cancel();
     void showControls();
     void showAbout();
     bool isBusy();
-
-    static constexpr int layoutVersion = 1; ///< of the docks; layouts of another version are not restored
 
     Services m_services;
     std::unique_ptr<ProjectKeeper> m_projects; // goes after the document

@@ -184,12 +184,14 @@ void MainWindow::showExport(const std::vector<ExportReport>& reports)
     }
 }
 
-/// The report, and what matters most of it in the banner.
+/// The report, and what matters most of it in the banner: once, not with work that was done in spite of it.
 void MainWindow::showImport()
 {
     const Content& content = m_document.content();
     const Model& model = *content.model;
     m_import->show(content);
+    if (m_document.history().tree().records().size() > 1)
+        return;
     auto* dock = qobject_cast<QDockWidget*>(m_import->parentWidget());
     if (m_import->hasRemarks())
         dock->raise();

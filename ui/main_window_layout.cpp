@@ -101,6 +101,7 @@ void MainWindow::makeDocks()
     QDockWidget* properties = makeDock(this, tr("Properties"), "propertiesDock", m_properties, Qt::LeftDockWidgetArea);
     QDockWidget* log = makeDock(this, tr("Log"), "logDock", m_log, Qt::BottomDockWidgetArea);
     m_timeline = new TimelinePanel(m_document);
+    m_timeline->addButton(m_actions->recordVideo);
     QDockWidget* timeline = makeDock(this, tr("Timeline"), "timelineDock", m_timeline, Qt::BottomDockWidgetArea);
     timeline->setTitleBarWidget(new QWidget(timeline)); // it needs no title
     splitDockWidget(timeline, log, Qt::Vertical);
@@ -141,6 +142,8 @@ void MainWindow::makeMenus()
     simulation->addActions({a.play, a.step, a.reset});
     simulation->addSeparator();
     simulation->addActions({a.gravity, a.floor, a.renormalize});
+    simulation->addSeparator();
+    simulation->addActions({a.recordVideo, a.recordPictures});
 
     QMenu* tools = menuBar()->addMenu(tr("&Tools"));
     m_addTool = tools->addMenu(icon("add-block"), tr("Add tool"));

@@ -14,10 +14,17 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QSettings>
+#include <QStatusBar>
 
 #include <algorithm>
 
 namespace knead {
+
+namespace {
+
+constexpr int shownTime = 4000; // of a sentence in the status bar [ms]
+
+} // namespace
 
 void MainWindow::makeProjects()
 {
@@ -28,7 +35,10 @@ void MainWindow::makeProjects()
     connect(keeper, &ProjectKeeper::changed, this, &MainWindow::showTitle);
     connect(keeper, &ProjectKeeper::problem, this, &MainWindow::showProblem);
     connect(keeper, &ProjectKeeper::opening, m_banner, &QWidget::hide);
-    connect(keeper, &ProjectKeeper::told, this, [this](const QString& sentence) { m_log->add(sentence); });
+    connect(keeper, &ProjectKeeper::told, this, [this](const QString& sentence) {
+        m_log->add(sentence);
+        statusBar()->showMessage(sentence, shownTime);
+    });
     connect(keeper, &ProjectKeeper::recentChanged, this, &MainWindow::listRecent);
     connect(keeper, &ProjectKeeper::perspectiveRestored, m_actions->perspective, &QAction::setChecked);
     connect(m_actions->save, &QAction::triggered, this, [this] { m_projects->save(); });
@@ -111,7 +121,7 @@ void MainWindow::openPrepared(PreparedContent prepared)
 /// First what is not saved is asked about, and then the window closes by itself.
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (m_projects->isModified() && !m_mayClose) {
+    if (!m_projects->mayGo() && !m_mayClose) {
         event->ignore();
         m_projects->letGo([this] {
             m_mayClose = true;

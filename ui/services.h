@@ -26,6 +26,11 @@ struct Services {
     /// The ending decides the format. The report can be kept beside the file. @throws as import
     std::function<ExportReport(const std::string& path, const ExportJob&, bool keepsReport, TaskControl&)> exportParts;
 
+    /// Has a file written under another name, given to `write`, and puts it in its place when it is whole. @throws as import, and
+    /// what `write` throws: then nothing has changed
+    std::function<void(const std::string& path, const std::function<void(const std::string& pathForNow)>& write)>
+        writeSafely;
+
     Packing packing; ///< of the moments in the history
 
     struct Format {

@@ -228,7 +228,7 @@ void ProjectReader::readEntries()
         m_entries.push_back(isWhole ? std::optional(number) : std::nullopt);
     }
     const std::uint32_t current = m_project.current;
-    m_project.current = 0;
+    m_project.current = wholeEntryBefore(current);
     if (current == 0 && m_project.entries.empty())
         return;
     attempt("which entry was shown", [&] {
@@ -236,6 +236,15 @@ void ProjectReader::readEntries()
             throw DamagedData("that entry is missing");
         m_project.current = *m_entries[current];
     });
+}
+
+/// What is shown when the entry is missing that was: the last one that was made before it. Parents come first.
+std::uint32_t ProjectReader::wholeEntryBefore(std::uint32_t entry) const
+{
+    for (std::size_t i = std::min<std::size_t>(entry, m_entries.size()); i-- > 0;)
+        if (m_entries[i])
+            return *m_entries[i];
+    return 0;
 }
 
 HistoryRecord ProjectReader::entryAt(const Row& row, std::uint32_t number)

@@ -51,6 +51,7 @@ private:
     std::size_t readBody(const Row& row, Body& body);
     std::shared_ptr<const Aggregate> aggregateAt(std::int64_t id);
     void readEntries();
+    std::uint32_t wholeEntryBefore(std::uint32_t entry) const;
     HistoryRecord entryAt(const Row& row, std::uint32_t number);
     void checkFixtures(const HistoryRecord& record);
     void readMoments();

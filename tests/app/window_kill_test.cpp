@@ -12,10 +12,12 @@
 #include <QTimer>
 #include <QtTest>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <deque>
 #include <filesystem>
+#include <iterator>
 #include <thread>
 
 #include <fcntl.h>
@@ -43,7 +45,11 @@ struct Word {
 
 // --- what the window does until it is killed ------------------------------------------------------------------------------
 
-/// A window that pushes a block, saves and exports without end, driven by timers; or lets time run and does nothing else.
+/// What the window does: a bit of everything; nothing but letting time run; or saving and exporting without a pause.
+enum class Work { all, play, save };
+constexpr const char* workNames[] = {"--work", "--play", "--save"};
+
+/// A window that works without end, driven by timers.
 class Worker : public QObject, WindowOnTest {
 public:
     explicit Worker(const QString& folder)
@@ -51,7 +57,7 @@ public:
     {
     }
 
-    void begin(bool onlyPlays)
+    void begin(Work work)
     {
         prepare();
         qputenv("XDG_STATE_HOME", m_folder.toUtf8());
@@ -65,8 +71,10 @@ public:
         m_window->open(QStringList(m_folder + "/work.knead"));
         QTRY_VERIFY_WITH_TIMEOUT(!document().isEmpty() && !m_window->tasks().isRunning(), patience);
         every(20, [this] { say(); });
-        if (!onlyPlays)
+        if (work == Work::all)
             workOnAll();
+        else if (work == Work::save)
+            saveAndExport();
         document().play();
         say();
     }
@@ -78,6 +86,19 @@ private:
         every(2300, [this] { document().togglePlay(); });
         every(1900, [this] { m_window->projects().save(); });
         every(3100, [this] { m_window->exportTo(m_folder + "/out.stl"); });
+    }
+
+    void saveAndExport()
+    {
+        every(700, [this] { push(); });
+        every(30, [this] {
+            if (m_window->tasks().isRunning())
+                return;
+            if ((m_isExportNext = !m_isExportNext))
+                m_window->projects().save();
+            else
+                m_window->exportTo(m_folder + "/out.stl");
+        });
     }
 
     void every(int milliseconds, const std::function<void()>& action)
@@ -124,6 +145,7 @@ private:
 
     QString m_folder;
     bool m_isDown = false;
+    bool m_isExportNext = false;
 };
 
 int workForever(int argc, char** argv)
@@ -131,7 +153,8 @@ int workForever(int argc, char** argv)
     prepareGraphics();
     QApplication application(argc, argv);
     Worker worker(argv[2]);
-    worker.begin(argv[1] == std::string("--play"));
+    const auto* name = std::find(std::begin(workNames), std::end(workNames), std::string(argv[1]));
+    worker.begin(static_cast<Work>(name - std::begin(workNames)));
     return QApplication::exec();
 }
 
@@ -140,8 +163,7 @@ int workForever(int argc, char** argv)
 /// The process of a window, and what it said until it was killed.
 class Child {
 public:
-    /// @param work --work or --play
-    Child(const char* work, const QString& folder)
+    Child(Work work, const QString& folder)
     {
         int ends[2];
         if (pipe2(ends, O_CLOEXEC) != 0)
@@ -149,7 +171,8 @@ public:
         m_process = fork();
         if (m_process == 0) {
             dup2(ends[1], STDOUT_FILENO);
-            execl("/proc/self/exe", "window_kill_test", work, folder.toUtf8().constData(), nullptr);
+            execl("/proc/self/exe", "window_kill_test", workNames[static_cast<int>(work)], folder.toUtf8().constData(),
+                  nullptr);
             _exit(127);
         }
         close(ends[1]);
@@ -195,6 +218,8 @@ class WindowKillTest : public QObject, WindowOnTest {
     QTemporaryDir m_temporary;
     QString m_folder;
     std::uint64_t m_inFile = 0; ///< hash of what was saved last for sure
+    int m_recoveries = 0;
+    int m_cutSavings = 0;
 
     std::string file() const { return (m_folder + "/work.knead").toStdString(); }
 
@@ -264,6 +289,13 @@ class WindowKillTest : public QObject, WindowOnTest {
                  std::size_t{0});
     }
 
+    static bool isCutSaving(const std::deque<Word>& words)
+    {
+        const auto last = std::find_if(words.rbegin(), words.rend(),
+                                       [](const Word& word) { return word.kind != Word::Kind::working; });
+        return last != words.rend() && last->kind == Word::Kind::saving;
+    }
+
     /// It is whole, or not there.
     void checkExport()
     {
@@ -283,32 +315,42 @@ private slots:
         makeProject();
     }
 
-    void aKillLosesFiveSecondsAtMost()
+    void aKillLosesFiveSecondsAtMost_data()
     {
         constexpr int kills = 20;
+        QTest::addColumn<int>("work");
+        QTest::addColumn<int>("time"); // [ms]
         fuzz::Random random(17);
-        int recoveries = 0;
+        const Work works[] = {Work::all, Work::save, Work::all, Work::save, Work::play};
         for (int i = 0; i < kills; ++i) {
-            const bool onlyPlays = i % 5 == 4; // one gesture, which is longer than what may be lost
-            Child child(onlyPlays ? "--play" : "--work", m_folder);
-            QVERIFY(child.isAtWork());
-            const int longest = i % 5 == 0 ? 9000 : 3000; // [ms]
-            std::this_thread::sleep_for(
-                std::chrono::milliseconds((onlyPlays ? 7000 : 500) + static_cast<int>(random.below(longest))));
-            const std::deque<Word> words = child.kill();
-            const std::size_t entries = checkFile(words);
-            checkRecovery(words, child.killed(), entries);
-            checkExport();
-            if (QTest::currentTestFailed())
-                return;
-            for (const Recovery& recovery : findRecoveries()) {
-                ++recoveries;
-                if (i + 1 < kills)
-                    dropRecovery(recovery);
-            }
+            const Work work = works[i % 5];
+            const int least = work == Work::play ? 7000 : 500; // one gesture, which is longer than what may be lost
+            const int time = least + static_cast<int>(random.below(i % 5 == 0 ? 9000 : 3000));
+            QTest::addRow("kill %d", i + 1) << static_cast<int>(work) << time;
         }
-        qInfo("%d of %d kills left something to recover", recoveries, kills);
-        QVERIFY(recoveries > kills / 2);
+    }
+
+    void aKillLosesFiveSecondsAtMost()
+    {
+        QFETCH(int, work);
+        QFETCH(int, time);
+        for (const Recovery& recovery : findRecoveries())
+            dropRecovery(recovery);
+        Child child(static_cast<Work>(work), m_folder);
+        QVERIFY(child.isAtWork());
+        std::this_thread::sleep_for(std::chrono::milliseconds(time));
+        const std::deque<Word> words = child.kill();
+        const std::size_t entries = checkFile(words);
+        checkRecovery(words, child.killed(), entries);
+        checkExport();
+        m_recoveries += static_cast<int>(findRecoveries().size());
+        m_cutSavings += isCutSaving(words) ? 1 : 0;
+    }
+
+    void manyKillsLeaveSomething()
+    {
+        qInfo("%d kills left something to recover, %d came while saving", m_recoveries, m_cutSavings);
+        QVERIFY(m_recoveries >= 5);
     }
 
     /// Of what the last kill left, if it left anything.

@@ -1,125 +1,23 @@
 #include "io/project/project_file.h"
 #include "io/project/project_lock.h"
 #include "io/project/recovery.h"
-#include "support/window_on_test.h"
-#include "ui/project/project_keeper.h"
-#include "ui/project/recent_files.h"
+#include "support/projects_on_test.h"
 #include "ui/run_window.h"
 
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QMenu>
-#include <QMessageBox>
 #include <QPushButton>
-#include <QTemporaryDir>
 #include <QToolButton>
-#include <QtTest>
 
-#include <atomic>
-#include <csignal>
-#include <filesystem>
 #include <stdexcept>
-
-#include <sys/resource.h>
 
 using namespace knead;
 
-/// Projects as a person has them: saved, opened again, left unsaved, locked, damaged, recovered.
-class WindowProjectTest : public QObject, WindowOnTest {
+/// Projects as a person has them: saved, opened again, left unsaved, locked.
+class WindowProjectTest : public QObject, ProjectsOnTest {
     Q_OBJECT
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-
-    QString file(const char* name) const { return m_folder->filePath(name); }
-    static std::string bytesOf(const QString& path) { return QFile::encodeName(path).toStdString(); }
-    ProjectKeeper& projects() { return m_window->projects(); }
-    std::uint64_t hash()
-    {
-        const History& tree = document().history().tree();
-        return tree.record(tree.current()).hash;
-    }
-
-    bool isIdle()
-    {
-        return !m_window->tasks().isRunning() && document().history().isSettled() && !document().isGoing();
-    }
-    void wait() { QTRY_VERIFY_WITH_TIMEOUT(isIdle(), patience); }
-
-    /// A block pushed into the bracket, with keys.
-    void work()
-    {
-        openExample("bracket.step", 12);
-        pushOn();
-    }
-
-    void pushOn()
-    {
-        if (snapshot().tools.empty()) {
-            QTest::keyClick(m_window.get(), Qt::Key_B);
-            QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
-        }
-        document().select({Selection::Kind::Tool, snapshot().tools[0].id});
-        const double time = snapshot().time;
-        QTest::keyClick(m_window.get(), Qt::Key_Space);
-        QTest::keyPress(&m_window->viewport(), Qt::Key_PageDown);
-        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > time + 0.3, patience);
-        QTest::keyRelease(&m_window->viewport(), Qt::Key_PageDown);
-        QTest::keyClick(m_window.get(), Qt::Key_Space);
-        QTRY_VERIFY(!snapshot().playing);
-        QTest::qWait(1200); // a gesture may be gone on with for a second
-        wait();
-    }
-
-    void openProject(const QString& path)
-    {
-        m_window->open(QStringList(path));
-        wait();
-    }
-
-    void saveTo(const QString& path)
-    {
-        projects().saveTo(path);
-        QTRY_VERIFY_WITH_TIMEOUT(isIdle() && projects().path() == path && !projects().isModified(), patience);
-    }
-
-    void newWindow(const Services& services)
-    {
-        m_window.reset(); // as a crash would, but for what is on its way to the disk
-        show(services);
-    }
-
-    template <class Widget>
-    void clickOn(const char* name)
-    {
-        auto* widget = find<Widget>(name);
-        QVERIFY2(widget != nullptr, name);
-        QTRY_VERIFY(widget->isVisible());
-        QTest::mouseClick(widget, Qt::LeftButton);
-    }
-
-    /// Answers the message that is asked.
-    void answer(const char* name, QMessageBox::StandardButton button)
-    {
-        QTRY_VERIFY2(find<QMessageBox>(name) != nullptr && find<QMessageBox>(name)->isVisible(), name);
-        QTest::mouseClick(find<QMessageBox>(name)->button(button), Qt::LeftButton);
-        QTRY_VERIFY(find<QMessageBox>(name) == nullptr);
-        m_window->activateWindow(); // there may be no window manager that does it
-    }
-
-    std::vector<std::vector<Vec3>> statesOfSteps(int steps)
-    {
-        std::vector<std::vector<Vec3>> states;
-        for (int i = 0; i < steps; ++i) {
-            const std::uint64_t step = snapshot().step;
-            document().stepOnce();
-            [&] { QTRY_COMPARE_WITH_TIMEOUT(snapshot().step, step + 1, patience); }();
-            for (const auto& body : snapshot().bodies)
-                states.push_back(body.positions);
-        }
-        return states;
-    }
 
 private slots:
     void initTestCase()
@@ -129,13 +27,7 @@ private slots:
         prepare();
     }
 
-    void init()
-    {
-        m_folder = std::make_unique<QTemporaryDir>();
-        qputenv("XDG_STATE_HOME", m_folder->path().toUtf8());
-        recent_files::clear();
-        show(m_services);
-    }
+    void init() { begin(); }
 
     void cleanup() { m_window.reset(); }
 
@@ -193,6 +85,30 @@ private slots:
         newWindow(m_services);
         openProject(file("a.knead"));
         QCOMPARE(m_window->viewport().options().hiddenParts.size(), std::size_t{1});
+    }
+
+    void fixedFacesComeBack()
+    {
+        openExample("bar.step", 10);
+        QTest::keyClick(m_window.get(), Qt::Key_X);
+        const Box box = document().content().box;
+        click(Vec3(box.center().x(), box.center().y(), box.max().z()));
+        QTRY_COMPARE(document().fixtures().list().size(), std::size_t{1});
+        waitForGesture();
+        const FaceFixture before = document().fixtures().list()[0];
+        QCOMPARE(before.faces.size(), std::size_t{1});
+        for (const bool isCrash : {true, false}) {
+            if (!isCrash)
+                saveTo(file("a.knead"));
+            newWindow(m_services);
+            if (isCrash)
+                recoverByHand();
+            else
+                openProject(file("a.knead"));
+            QCOMPARE(document().fixtures().list().size(), std::size_t{1});
+            QCOMPARE(document().fixtures().list()[0].faces, before.faces);
+            QCOMPARE(document().fixtures().list()[0].name, before.name);
+        }
     }
 
     void whatIsNotSavedIsAskedAbout()
@@ -256,32 +172,11 @@ private slots:
         openExample("bar.step", 10);
         saveTo(file("a.knead"));
         const std::uint64_t saved = hash();
-        QTest::keyClick(m_window.get(), Qt::Key_G);
-        QTest::qWait(1200);
-        wait();
+        switchGravity();
         openProject(file("a.knead")); // as after Discard
         QCOMPARE(hash(), saved);
         QCOMPARE(projects().path(), file("a.knead"));
         QVERIFY(!m_window->isWindowModified());
-    }
-
-    void anotherPartIsAnotherProject()
-    {
-        work();
-        saveTo(file("a.knead"));
-        openExample("bar.step", 10);
-        wait();
-        QVERIFY(projects().path().isEmpty());
-        QVERIFY(m_window->windowTitle().startsWith("bar.step"));
-        QVERIFY(ProjectLock(bytesOf(file("a.knead"))).isHeld()); // nobody works on it any more
-        QTest::keyClick(m_window.get(), Qt::Key_G);
-        QTest::qWait(1200);
-        wait();
-        newWindow(m_services);
-        const std::vector<Recovery> left = findRecoveries();
-        QCOMPARE(left.size(), std::size_t{1});
-        QVERIFY(left[0].projectFile.empty());
-        QCOMPARE(left[0].part, std::string("Bar"));
     }
 
     void savingWhileTimeRunsGoesOn()
@@ -298,21 +193,10 @@ private slots:
         QVERIFY(saved.entries[saved.current].time >= 0.1);
     }
 
-    void aPlaceThatCannotBeWrittenToIsOneSentence()
-    {
-        openExample("bar.step", 10);
-        projects().saveTo("/proc/nowhere/a.knead");
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->banner().sentence().contains("a.knead"), patience);
-        QVERIFY(projects().path().isEmpty());
-        QCOMPARE(find<QToolButton>("bannerRemedy")->text(), QString("Save as..."));
-    }
-
     void undoingMarksTheTitleToo()
     {
         openExample("bar.step", 10);
-        QTest::keyClick(m_window.get(), Qt::Key_G);
-        QTest::qWait(1200);
-        wait();
+        switchGravity();
         saveTo(file("a.knead"));
         QVERIFY(!m_window->isWindowModified());
         document().undo();
@@ -380,223 +264,75 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(ProjectLock(bytesOf(file("a.knead"))), std::runtime_error);
     }
 
-    void aDamagedProjectIsRescued()
+    void cancellingASavingChangesNothing()
     {
-        openExample("bar.step", 10);
-        for (const Qt::Key key : {Qt::Key_G, Qt::Key_B}) {
-            QTest::keyClick(m_window.get(), key);
-            QTest::qWait(1200);
-            wait();
-        }
-        saveTo(file("a.knead"));
-        const std::string last = readProject(bytesOf(file("a.knead"))).entries.back().name;
-        newWindow(m_services);
-        QFile damaged(file("a.knead"));
-        QVERIFY(damaged.open(QFile::ReadWrite));
-        QByteArray bytes = damaged.readAll();
-        const qsizetype place = bytes.lastIndexOf(QByteArray::fromStdString(last));
-        QVERIFY(place > 0);
-        bytes[place] = '#';
-        damaged.seek(0);
-        damaged.write(bytes);
-        damaged.close();
-
-        openProject(file("a.knead"));
-        QVERIFY(document().isEmpty());
-        QVERIFY2(m_window->banner().sentence().contains("damaged"), qPrintable(m_window->banner().sentence()));
-        QCOMPARE(find<QToolButton>("bannerRemedy")->text(), QString("Rescue what is whole"));
-        QTest::qWait(100);
-        picture("damaged");
-        clickOn<QToolButton>("bannerRemedy");
-        QTRY_VERIFY_WITH_TIMEOUT(find<QMessageBox>("missingBox") != nullptr, patience);
-        QTest::qWait(100);
-        picture("missing");
-        answer("missingBox", QMessageBox::Ok);
-        QVERIFY(!document().isEmpty());
-        QVERIFY(document().history().tree().records().size() >= 2);
-        QVERIFY(m_window->banner().sentence().isEmpty());
-        QVERIFY(projects().path().isEmpty()); // the damaged file stays as it is
-        QVERIFY(m_window->isWindowModified());
-        QCOMPARE(find<QWidget>("mainWindow"), nullptr);
-    }
-
-    void aNewerProjectIsOneSentence()
-    {
-        openExample("bar.step", 10);
-        saveTo(file("a.knead"));
-        newWindow(m_services);
-        QFile newer(file("a.knead"));
-        QVERIFY(newer.open(QFile::ReadWrite));
-        newer.seek(60); // the version in the head of the database
-        newer.write(QByteArray::fromHex("00000fff"));
-        newer.close();
-        openProject(file("a.knead"));
-        QVERIFY(document().isEmpty());
-        QVERIFY2(m_window->banner().sentence().contains("newer Knead"), qPrintable(m_window->banner().sentence()));
-        QVERIFY(!find<QToolButton>("bannerRemedy")->isVisible());
-    }
-
-    void aReadOnlyFileIsSavedElsewhere()
-    {
-        openExample("bar.step", 10);
-        saveTo(file("a.knead"));
-        QFile::setPermissions(file("a.knead"), QFile::ReadOwner);
-        QTest::keyClick(m_window.get(), Qt::Key_G);
-        QTRY_VERIFY(m_window->isWindowModified());
-        projects().save();
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->banner().sentence().contains("read-only"), patience);
-        QVERIFY(m_window->isWindowModified());
-        clickOn<QToolButton>("bannerRemedy");
-        QTRY_VERIFY(find<QFileDialog>("saveDialog") != nullptr);
-        find<QFileDialog>("saveDialog")->reject();
-        saveTo(file("b.knead"));
-        QVERIFY(!readProject(bytesOf(file("b.knead"))).entries.empty());
-    }
-
-    /// Nothing fits on the disk: files may be 100 kB long at most.
-    void aFullDiskLeavesTheFileThatWas()
-    {
+        newWindow(servicesWithSlowDisk());
         openExample("bar.step", 10);
         saveTo(file("a.knead"));
         const std::uint64_t before = hash();
         pushOn();
-        rlimit limit{};
-        getrlimit(RLIMIT_FSIZE, &limit);
-        const rlimit small{100'000, limit.rlim_max};
-        signal(SIGXFSZ, SIG_IGN);
-        setrlimit(RLIMIT_FSIZE, &small);
-        projects().save();
-        const auto isTold = [&] { return m_window->banner().sentence().contains("a.knead"); };
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(isTold(), patience); }();
-        setrlimit(RLIMIT_FSIZE, &limit);
-        QVERIFY(isTold());
-        QVERIFY(m_window->isWindowModified());
+        m_isDiskSlow = true;
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ControlModifier);
+        QTRY_VERIFY(find<QLabel>("taskStage")->text().contains("waiting for the disk"));
+        picture("saving");
+        QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        QVERIFY(!m_window->tasks().isRunning());
+        QTest::qWait(200);
         const Project left = readProject(bytesOf(file("a.knead")));
         QCOMPARE(left.entries[left.current].hash, before);
-        saveTo(file("a.knead")); // there is room again
+        QVERIFY(m_window->isWindowModified());
+        m_isDiskSlow = false;
+        saveTo(file("a.knead"));
         const Project saved = readProject(bytesOf(file("a.knead")));
         QCOMPARE(saved.entries[saved.current].hash, hash());
     }
 
-    void cancellingASavingChangesNothing()
+    void savingAgainSavesWhatWasDoneMeanwhile()
     {
+        newWindow(servicesWithSlowDisk());
         openExample("bar.step", 10);
-        saveTo(file("a.knead"));
-        const std::uint64_t before = hash();
-        pushOn();
-        Services slow = m_services;
-        projects().save();
-        QTRY_VERIFY(m_window->tasks().isRunning());
-        m_window->tasks().cancel();
-        QTest::qWait(300);
-        const Project left = readProject(bytesOf(file("a.knead")));
-        QVERIFY(left.entries[left.current].hash == before || left.entries[left.current].hash == hash());
-        QVERIFY(m_window->isWindowModified());
-        saveTo(file("a.knead"));
-    }
-
-    void whatIsDoneWhileSavingIsNotSaved()
-    {
-        std::atomic<bool> goes = false;
-        Services slow = m_services;
-        slow.projects.write = [&goes, write = m_services.projects.write](const std::string& path,
-                                                                         const Project& project, TaskControl& control) {
-            while (!goes)
-                QTest::qSleep(5);
-            write(path, project, control);
-        };
-        newWindow(slow);
-        openExample("bar.step", 10);
+        m_isDiskSlow = true;
         projects().saveTo(file("a.knead"));
         QTRY_VERIFY(m_window->tasks().isRunning());
-        QTest::keyClick(m_window.get(), Qt::Key_G);
-        QTRY_VERIFY(document().history().isSettled());
-        goes = true;
-        QTRY_COMPARE_WITH_TIMEOUT(projects().path(), file("a.knead"), patience);
-        QTRY_VERIFY(m_window->isWindowModified());
-        newWindow(m_services); // and a crash now
-        QCOMPARE(findRecoveries().size(), std::size_t{1});
-        QCOMPARE(findRecoveries()[0].projectFile, bytesOf(file("a.knead")));
-    }
-
-    void unsavedWorkIsOfferedAfterACrash()
-    {
-        work();
-        const std::uint64_t left = hash();
-        for (int crash = 0; crash < 2; ++crash) {
-            newWindow(m_services);
-            m_window->offerRecoveries();
-            QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
-            QCOMPARE(find<QListWidget>("recoveryList")->count(), 1);
-            QTest::qWait(100);
-            picture("recovery");
-            clickOn<QPushButton>("recoveryRecover");
-            QTRY_VERIFY_WITH_TIMEOUT(!document().isEmpty(), patience);
-            wait();
-            QCOMPARE(hash(), left);
-            QVERIFY(m_window->isWindowModified());
+        switchGravity();
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ControlModifier);
+        projects().saveTo(file("b.knead"));
+        m_isDiskSlow = false;
+        QTRY_COMPARE_WITH_TIMEOUT(projects().path(), file("b.knead"), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isWindowModified(), patience);
+        for (const char* name : {"a.knead", "b.knead"}) {
+            const Project saved = readProject(bytesOf(file(name)));
+            QCOMPARE(saved.entries[saved.current].hash, hash());
         }
-        saveTo(file("saved.knead"));
+    }
+
+    void closingWaitsForASaving()
+    {
+        newWindow(servicesWithSlowDisk());
+        openExample("bar.step", 10);
+        saveTo(file("a.knead"));
+        m_isDiskSlow = true;
+        projects().saveTo(file("b.knead"));
+        QTRY_VERIFY(m_window->tasks().isRunning());
         m_window->close();
-        QVERIFY(!m_window->isVisible());
-        m_window.reset();
-        QVERIFY(findRecoveries().empty());
-        const Project saved = readProject(bytesOf(file("saved.knead")));
-        QCOMPARE(saved.entries[saved.current].hash, left);
+        QVERIFY(m_window->isVisible());
+        m_isDiskSlow = false;
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), patience);
+        QVERIFY(!readProject(bytesOf(file("b.knead"))).entries.empty());
     }
 
-    void recoveredWorkGoesBackToItsProject()
+    void aNameOfAnotherKindGetsTheEnding()
     {
         openExample("bar.step", 10);
-        saveTo(file("a.knead"));
-        QTest::keyClick(m_window.get(), Qt::Key_G);
-        QTest::qWait(1200);
-        wait();
-        newWindow(m_services);
-        m_window->offerRecoveries();
-        QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
-        clickOn<QPushButton>("recoveryRecover");
-        QTRY_COMPARE_WITH_TIMEOUT(projects().path(), file("a.knead"), patience);
-        QVERIFY(m_window->windowTitle().startsWith("a.knead[*]"));
-        QVERIFY(m_window->isWindowModified());
-        QVERIFY(!snapshot().gravity.isZero());
-    }
-
-    void workThatIsNotWantedIsDropped()
-    {
-        openExample("bar.step", 10);
-        QTest::keyClick(m_window.get(), Qt::Key_G);
-        QTest::qWait(1200);
-        wait();
-        newWindow(m_services);
-        m_window->offerRecoveries();
-        QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
-        clickOn<QPushButton>("recoveryLater");
-        QTRY_VERIFY(find<QListWidget>("recoveryList") == nullptr);
-        QCOMPARE(findRecoveries().size(), std::size_t{1});
-        action("recover")->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
-        clickOn<QPushButton>("recoveryDiscard");
-        answer("discardBox", QMessageBox::Discard);
-        QTRY_VERIFY(find<QListWidget>("recoveryList") == nullptr);
-        QTRY_VERIFY(findRecoveries().empty());
-    }
-
-    void aDiskThatRefusesTheRecoveryIsSaidOnce()
-    {
-        std::atomic<int> tries = 0;
-        Services refusing = m_services;
-        refusing.projects.keepWork = [&tries]() -> std::unique_ptr<KeptWork> {
-            ++tries;
-            throw std::runtime_error("The work cannot be kept for recovery (No space left on device).");
-        };
-        newWindow(refusing);
-        openExample("bar.step", 10);
-        QTRY_VERIFY(m_window->banner().sentence().contains("cannot be kept"));
-        picture("recovery refused");
-        pushOn(); // work goes on
-        saveTo(file("a.knead"));
-        QVERIFY(tries >= 1);
+        for (const bool isThere : {false, true}) {
+            projects().saveAs();
+            QTRY_VERIFY(find<QFileDialog>("saveDialog") != nullptr);
+            emit find<QFileDialog>("saveDialog")->fileSelected(file("part.step"));
+            find<QFileDialog>("saveDialog")->reject();
+            QTRY_VERIFY(find<QFileDialog>("saveDialog") == nullptr);
+            QTRY_COMPARE_WITH_TIMEOUT(projects().path(), file("part.step.knead"), patience);
+            QCOMPARE(m_window->banner().sentence().contains("is there already"), isThere);
+        }
     }
 };
 

@@ -203,6 +203,14 @@ private slots:
         QVERIFY(QString::fromStdString(rescued.missing[1]).contains("the entry that it follows is missing"));
     }
 
+    void whatWasDoneBeforeALostEntryIsShown()
+    {
+        QCOMPARE(m_project.current, 2U);
+        const RescuedProject rescued = rescueProject(changed("UPDATE entries SET name = 'x' WHERE id = 2"));
+        QCOMPARE(rescued.project.entries.size(), std::size_t{3});
+        QCOMPARE(rescued.project.current, 1U);
+    }
+
     void aLostMomentIsNoLostEntry()
     {
         const int blob =

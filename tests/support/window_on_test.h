@@ -11,6 +11,7 @@
 #include <QDialog>
 #include <QDir>
 #include <QPainter>
+#include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -92,6 +93,7 @@ protected:
         QStandardPaths::setTestModeEnabled(true);
         static const QTemporaryDir state;
         qputenv("XDG_STATE_HOME", state.path().toUtf8());
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, state.path());
         QApplication::setOrganizationName("knead-test");
         QApplication::setApplicationName("window-test");
         setCadProgram(KNEAD_PROGRAM);

@@ -65,7 +65,10 @@ public:
         change([&] { m_disk.project.view = view; });
     }
     void setMarks(const std::vector<ProjectMark>&) override {}
-    void setPanels(const std::map<std::string, std::string>&) override {}
+    void setPanels(const std::map<std::string, std::string>& panels) override
+    {
+        change([&] { m_disk.project.panels = panels; });
+    }
     void keepGesture(std::span<const RecordedCommand> commands, std::uint64_t step) override
     {
         change([&] {
@@ -122,6 +125,7 @@ class AutosaveTest : public QObject {
         for (std::size_t s = m_autosave->knownStarts(); s < m_project.starts.size(); ++s)
             m_autosave->addStart(m_project.starts[s]);
         m_autosave->follow(m_project.entries, m_project.current);
+        m_autosave->followPanels(m_project.panels);
     }
 
     /// The thread has done what it was given.
@@ -131,7 +135,7 @@ class AutosaveTest : public QObject {
     {
         const Project& kept = m_disk.project;
         bool isSame = kept.entries.size() == m_project.entries.size() && kept.current == m_project.current &&
-                      kept.starts.size() == m_project.starts.size();
+                      kept.starts.size() == m_project.starts.size() && kept.panels == m_project.panels;
         for (std::size_t i = 0; isSame && i < kept.entries.size(); ++i)
             isSame = kept.entries[i].name == m_project.entries[i].name &&
                      kept.entries[i].isKey == m_project.entries[i].isKey &&
@@ -173,6 +177,7 @@ private slots:
         m_project.starts.emplace_back();
         m_project.entries.push_back(entry("Refill", 1));
         m_project.current = 4;
+        m_project.panels["fixtures"] = "[1, 2]";
         follow();
         settle();
         QVERIFY(isKeptAsItIs());

@@ -165,6 +165,34 @@ private slots:
         QVERIFY(timelineOf(history, {}, false).pictureAt(0) == nullptr);
     }
 
+    void betweenPicturesThingsMoveStraight()
+    {
+        const auto shot = [](double time, double x) {
+            Snapshot snapshot = frameAt(time, 2);
+            snapshot.bodies[0].positions[1] = Vec3(x, 2, 3);
+            snapshot.tools.push_back({.id = 1});
+            snapshot.tools[0].pose.position = Vec3(0, x, 0);
+            snapshot.tools[0].pose.rotation = Quaternion(Eigen::AngleAxisd(x, Vec3::UnitZ()));
+            return snapshot;
+        };
+        History history(at(0));
+        Film film;
+        film.add(shot(0, 0));
+        film.add(shot(0.1, 1));
+        film.add(shot(0.9, 2));
+        film.append(history.append(at(1)), 1);
+        const Timeline line = timelineOf(history, film, false);
+        const FilmFramePointer frame = line.frameAt(0.025);
+        QCOMPARE(frame->objects[0][3], 0.25F);
+        QCOMPARE(frame->objects[0][4], 2.0F);
+        QCOMPARE(frame->time, 0.025);
+        QCOMPARE(frame->tools[0].pose.position.y(), 0.25);
+        QVERIFY(frame->tools[0].pose.rotation.isApprox(Quaternion(Eigen::AngleAxisd(0.25, Vec3::UnitZ()))));
+        QCOMPARE(line.frameAt(0.5), line.pictures[1].frame); // too far apart
+        QCOMPARE(line.frameAt(2), line.pictures[2].frame);
+        QVERIFY(timelineOf(history, {}, false).frameAt(0) == nullptr);
+    }
+
     void whatWasUndoneMovesAside()
     {
         History history(at(0));

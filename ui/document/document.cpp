@@ -70,11 +70,7 @@ void Document::open(PreparedContent prepared)
     forgetGoing();
     m_whenSettled.clear();
     m_film.forget();
-    m_fixtures.clear();
-    for (const FaceFixture& fixture : prepared.fixtures)
-        m_fixtures.keepInMind(fixture);
-    const std::vector<Fixture>& held = prepared.scene.fixtures;
-    m_fixtures.follow(*content, std::vector<std::optional<Fixture>>(held.begin(), held.end()));
+    beginFixtures(prepared);
     m_history.begin({startOf(*content, std::move(prepared.scene)), content, std::move(prepared.agenda)},
                     std::move(prepared.first),
                     prepared.name.empty() ? tr("Import %1").arg(file) : QString::fromStdString(prepared.name));
@@ -131,8 +127,13 @@ Project Document::project() const
         project.starts.push_back(start.start);
     project.entries = m_history.tree().records();
     project.current = m_history.tree().current();
-    project.panels[fixturesPanel] = m_fixtures.memory();
+    project.panels = panels();
     return project;
+}
+
+std::map<std::string, std::string> Document::panels() const
+{
+    return {{fixturesPanel, m_fixtures.memory()}};
 }
 
 void Document::showStart()

@@ -83,6 +83,7 @@ public:
     /// All that a project file keeps but marks, view and the panels of others. What is under way is not in it: call it from
     /// whenSettled().
     Project project() const;
+    std::map<std::string, std::string> panels() const; ///< what of Project::panels is the document's
     /// Ends what is under way, and does something as soon as it is in the history: at once, or some ms later. Another document
     /// in between does away with it.
     void whenSettled(std::function<void()> action);
@@ -188,6 +189,7 @@ private:
     void selectNewTool();
     void dropLostSelection();
     void followAgenda();
+    void beginFixtures(const PreparedContent& prepared);
     void postAll(std::vector<Command> commands, const QString& name);
     void noticeEmptyFixtures();
 

@@ -3,6 +3,16 @@
 
 namespace knead {
 
+/// Those of the scene, and the faces that they hold.
+void Document::beginFixtures(const PreparedContent& prepared)
+{
+    m_fixtures.clear();
+    for (const FaceFixture& fixture : prepared.fixtures)
+        m_fixtures.keepInMind(fixture);
+    const std::vector<Fixture>& held = prepared.scene.fixtures;
+    m_fixtures.follow(*m_content, std::vector<std::optional<Fixture>>(held.begin(), held.end()));
+}
+
 /// Of a start, as far as it was at a moment; null: it has none.
 std::unique_ptr<Agenda> Document::agendaAt(std::uint32_t start, const Moment& moment, std::uint64_t hash) const
 {

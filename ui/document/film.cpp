@@ -133,6 +133,24 @@ void Film::thin()
     }
 }
 
+FilmFrame between(const FilmFrame& before, const FilmFrame& after, double share)
+{
+    FilmFrame frame = before;
+    frame.time += share * (after.time - before.time);
+    const auto part = static_cast<float>(share);
+    for (std::size_t b = 0; b < frame.objects.size(); ++b)
+        for (std::size_t i = 0; i < frame.objects[b].size(); ++i)
+            frame.objects[b][i] += part * (after.objects[b][i] - before.objects[b][i]);
+    for (std::size_t t = 0; t < std::min(before.tools.size(), after.tools.size()); ++t) {
+        if (before.tools[t].id != after.tools[t].id)
+            break;
+        Pose& pose = frame.tools[t].pose;
+        pose.position += share * (after.tools[t].pose.position - pose.position);
+        pose.rotation = pose.rotation.slerp(share, after.tools[t].pose.rotation);
+    }
+    return frame;
+}
+
 FramePointer drawable(const FilmFrame& frame, const Content& content)
 {
     auto snapshot = std::make_shared<Snapshot>();

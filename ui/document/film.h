@@ -58,6 +58,9 @@ private:
     std::size_t m_used = 0;
 };
 
+/// Between two frames of one run, 0 <= share <= 1, in straight lines.
+FilmFrame between(const FilmFrame& before, const FilmFrame& after, double share);
+
 /// A frame of the film as the view draws it. Its snapshot has places, tools and floor, and nothing else. Any thread.
 FramePointer drawable(const FilmFrame& frame, const Content& content);
 

@@ -42,6 +42,20 @@ const Timeline::Picture* Timeline::pictureAt(double at) const
     return after == pictures.begin() ? &pictures.front() : &*(after - 1);
 }
 
+FilmFramePointer Timeline::frameAt(double at) const
+{
+    const Picture* before = pictureAt(at);
+    if (before == nullptr)
+        return nullptr;
+    const Picture* after = before + 1;
+    constexpr double close = 8 * Film::interval; // thinned pictures are further apart
+    if (after == pictures.data() + pictures.size() || at <= before->at || after->at - before->at > close ||
+        after->frame->time <= before->frame->time)
+        return before->frame;
+    const double share = (at - before->at) / (after->at - before->at);
+    return std::make_shared<FilmFrame>(between(*before->frame, *after->frame, share));
+}
+
 const Timeline::Tick* Timeline::tickNear(double at, double reach) const
 {
     const Tick* nearest = nullptr;

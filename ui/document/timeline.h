@@ -29,6 +29,8 @@ struct Timeline {
 
     /// The last picture at or before a place, or the first one; null without any.
     const Picture* pictureAt(double at) const;
+    /// What is seen at a place: between pictures that lie close together, something between them; null without any.
+    FilmFramePointer frameAt(double at) const;
     const Tick* tickNear(double at, double reach) const; ///< the nearest within reach; null: none
 };
 

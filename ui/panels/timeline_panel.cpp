@@ -101,6 +101,15 @@ QToolButton* TimelinePanel::makeButton(const char* name, const char* picture, co
     return button;
 }
 
+void TimelinePanel::addButton(QAction* action)
+{
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(action);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::NoFocus);
+    layout()->addWidget(button);
+}
+
 void TimelinePanel::documentChanged(Document::Change what)
 {
     const bool isElsewhere = what == Document::Change::Content || what == Document::Change::Moment;
@@ -127,14 +136,21 @@ void TimelinePanel::lookAt(double at)
 {
     if (m_document.isUnderWay())
         m_document.pause();
-    const Timeline::Picture* picture = m_axis->timeline().pictureAt(at);
     m_looking = at;
     m_axis->lookAt(at);
-    if (picture != nullptr && picture->frame != m_seen) {
-        m_seen = picture->frame;
+    if (const FilmFramePointer frame = frameFor(at); frame && frame != m_seen) {
+        m_seen = frame;
         emit looked(drawable(*m_seen, m_document.content()), tr("Looking back at %1   Esc: return").arg(timeText(at)));
     }
     showState();
+}
+
+/// Between pictures while the film is played; what stands still is one at which a branch can begin.
+FilmFramePointer TimelinePanel::frameFor(double at) const
+{
+    const Timeline& line = m_axis->timeline();
+    const Timeline::Picture* picture = line.pictureAt(at);
+    return picture == nullptr || m_player->isActive() ? line.frameAt(at) : picture->frame;
 }
 
 /// On an entry: goes there.
@@ -169,6 +185,7 @@ void TimelinePanel::togglePlay()
 {
     if (m_player->isActive()) {
         m_player->stop();
+        lookAt(m_looking.value_or(m_axis->timeline().present));
     } else if (const auto& all = m_axis->timeline().pictures; !all.empty()) {
         const bool isAtEnd = m_looking.value_or(m_axis->timeline().present) >= all.back().at;
         lookAt(isAtEnd ? 0 : m_looking.value_or(m_axis->timeline().present));

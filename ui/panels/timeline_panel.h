@@ -7,6 +7,7 @@
 
 #include <optional>
 
+class QAction;
 class QComboBox;
 class QElapsedTimer;
 class QLabel;
@@ -28,6 +29,9 @@ public:
     bool isLookingBack() const { return m_looking.has_value(); }
     const TimelineAxis& axis() const { return *m_axis; }
 
+    /// Puts a button for an action at the end: to record.
+    void addButton(QAction* action);
+
     /// Back to the present.
     void stopLooking();
 
@@ -44,6 +48,7 @@ private:
     void documentChanged(Document::Change what);
     void bringUpToDate();
     void lookAt(double at);
+    FilmFramePointer frameFor(double at) const;
     void release(double at);
     void stepBy(int pictures);
     void togglePlay();

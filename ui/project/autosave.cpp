@@ -126,6 +126,7 @@ void Autosave::know(const Project& project)
         m_known->entries.push_back(knownOf(record));
     m_known->starts = project.starts.size();
     m_known->current = project.current;
+    m_known->panels = project.panels;
 }
 
 void Autosave::begin(Project project, WorkState state)
@@ -185,6 +186,14 @@ void Autosave::follow(const std::vector<HistoryRecord>& entries, History::Entry 
     }
     if (std::exchange(known.current, current) != current)
         m_worker->post([current](Worker& worker) { worker.change([&](KeptWork& kept) { kept.setCurrent(current); }); });
+}
+
+void Autosave::followPanels(const std::map<std::string, std::string>& panels)
+{
+    if (!m_known || m_known->panels == panels)
+        return;
+    m_known->panels = panels;
+    m_worker->post([panels](Worker& worker) { worker.change([&](KeptWork& kept) { kept.setPanels(panels); }); });
 }
 
 void Autosave::keepGesture(std::vector<RecordedCommand> commands, std::uint64_t step)

@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,9 +36,10 @@ public:
     void addStart(ProjectStart start); ///< before the entries that begin with it
     /// Keeps what has changed in the history since the last call.
     void follow(const std::vector<HistoryRecord>& entries, History::Entry current);
+    void followPanels(const std::map<std::string, std::string>& panels);
 
     /// How often a gesture is kept. With what it takes to look at it and to write, no more than 5 s of work are lost.
-    static constexpr std::chrono::seconds gestureInterval{4};
+    static constexpr std::chrono::seconds gestureInterval{3};
     /// @param commands all since the current entry @param step that the simulation has reached
     void keepGesture(std::vector<RecordedCommand> commands, std::uint64_t step);
     void keepView(ProjectView view);
@@ -73,6 +75,7 @@ private:
         std::vector<Known> entries;
         std::size_t starts = 0;
         History::Entry current = 0;
+        std::map<std::string, std::string> panels;
     };
 
     static Known knownOf(const HistoryRecord& record);

@@ -7,6 +7,7 @@
 #include "ui/theme.h"
 #include "ui/viewport/viewport_widget.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -61,10 +62,12 @@ ProjectKeeper::ProjectKeeper(ProjectServices services, Packing packing, const Wi
     connect(&m_window.document, &Document::changed, this, &ProjectKeeper::documentChanged);
     connect(&m_window.document.history(), &DocumentHistory::changed, this, &ProjectKeeper::historyChanged);
     connect(&m_window.document.history(), &DocumentHistory::settled, this, &ProjectKeeper::historyChanged);
-    connect(&m_window.tasks, &TaskRunner::finished, this, [this] {
-        if (m_saving && m_saving->isRunning) // it was cancelled
+    const auto savingEnded = [this] { // without finishSaving()
+        if (m_saving && m_saving->isRunning)
             m_saving.reset();
-    });
+    };
+    connect(&m_window.tasks, &TaskRunner::cancelled, this, savingEnded);
+    connect(&m_window.tasks, &TaskRunner::failed, this, savingEnded);
     connect(&m_autosave, &Autosave::failed, this, &ProjectKeeper::keepingFailed);
     connect(&m_autosave, &Autosave::begun, this, [this] {
         if (std::exchange(m_isRefused, false))
@@ -143,22 +146,38 @@ void ProjectKeeper::saveAs(std::function<void()> then)
     dialog->setNameFilter(filter());
     dialog->setDefaultSuffix(QString::fromStdString(m_services.ending));
     QSettings settings;
-    dialog->setDirectory(m_path.isEmpty() ? settings.value("projectFolder", settings.value("folder")).toString()
-                                          : QFileInfo(m_path).absolutePath());
+    const QVariant folder = settings.value("projectFolder", settings.value("folder", QDir::homePath()));
+    dialog->setDirectory(m_path.isEmpty() ? folder.toString() : QFileInfo(m_path).absolutePath());
     dialog->selectFile(QFileInfo(name()).completeBaseName() + '.' + QString::fromStdString(m_services.ending));
     connect(dialog, &QFileDialog::fileSelected, this, [this, then = std::move(then)](const QString& path) {
         QSettings().setValue("projectFolder", QFileInfo(path).absolutePath());
-        saveTo(path, then);
+        saveUnder(path, then);
     });
     dialog->open();
+}
+
+/// The dialog asked before a file is replaced, but not by this name when it has another ending.
+void ProjectKeeper::saveUnder(const QString& path, const std::function<void()>& then)
+{
+    const QString whole = isProject(path) ? path : path + '.' + QString::fromStdString(m_services.ending);
+    if (whole != path && QFileInfo::exists(whole))
+        emit problem(tr("%1 is there already: choose another name, or choose that file.").arg(whole), tr("Save as..."),
+                     [this, then] { saveAs(then); });
+    else
+        saveTo(whole, then);
 }
 
 void ProjectKeeper::saveTo(const QString& path, std::function<void()> then)
 {
     if (m_window.document.isEmpty())
         return;
-    if (m_saving) { // what asks to be called after it need not save twice
-        m_saving->then = both(std::move(m_saving->then), std::move(then));
+    if (m_saving) { // what is done while it goes on is saved after it
+        m_saving->then = both(std::move(m_saving->then), [this, path, then = std::move(then)] {
+            if (isModified() || QFileInfo(path).absoluteFilePath() != m_path)
+                saveTo(path, then);
+            else if (then)
+                then();
+        });
         return;
     }
     if (m_window.tasks.isRunning()) {
@@ -222,9 +241,16 @@ Project ProjectKeeper::collect(bool withPicture) const
 {
     Project project = m_window.document.project();
     project.marks = m_marks;
-    project.panels.insert(m_panels.begin(), m_panels.end()); // those of the document as they are now
+    project.panels = panels();
     project.view = view(withPicture);
     return project;
+}
+
+std::map<std::string, std::string> ProjectKeeper::panels() const
+{
+    std::map<std::string, std::string> result = m_window.document.panels();
+    result.insert(m_panels.begin(), m_panels.end()); // where they are not the document's, which are newer
+    return result;
 }
 
 ProjectView ProjectKeeper::view(bool withPicture) const
@@ -246,7 +272,10 @@ WorkState ProjectKeeper::state() const
 void ProjectKeeper::letGo(std::function<void()> then)
 {
     if (!isModified()) {
-        then();
+        if (m_saving)
+            m_saving->then = both(std::move(m_saving->then), [this, then = std::move(then)] { letGo(then); });
+        else
+            then();
         return;
     }
     if (m_question) {
@@ -301,6 +330,7 @@ void ProjectKeeper::historyChanged()
         for (std::size_t start = m_autosave.knownStarts(); start < history.starts().size(); ++start)
             m_autosave.addStart(history.starts()[start].start);
         m_autosave.follow(history.tree().records(), history.tree().current());
+        m_autosave.followPanels(panels());
     }
     noteModified();
 }

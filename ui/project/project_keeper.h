@@ -43,8 +43,9 @@ public:
     QString path() const { return m_path; } ///< of the file; empty: none yet
     QString name() const;                   ///< "bracket.knead", or the name of the part while there is no file
     bool isModified() const;
-    bool isProject(const QString& file) const; ///< by its ending
-    QString filter() const;                    ///< "Knead projects (*.knead)"
+    bool mayGo() const { return !isModified() && !m_saving; } ///< nothing is lost, now, when the window goes
+    bool isProject(const QString& file) const;                ///< by its ending
+    QString filter() const;                                   ///< "Knead projects (*.knead)"
 
     /// Shows parts that were opened: a new project without a file begins.
     void open(PreparedContent parts);
@@ -58,7 +59,7 @@ public:
     void saveAs(std::function<void()> then = {});
     void saveTo(const QString& path, std::function<void()> then = {});
 
-    /// Asks whether to save what would be lost, if anything would.
+    /// Asks whether to save what would be lost, if anything would; waits for a saving that goes on.
     /// @param then called unless the person cancels
     void letGo(std::function<void()> then);
 
@@ -92,9 +93,11 @@ private:
         bool isRunning = false; ///< else it waits for the end of what is under way
     };
     struct SavedFile;
+    void saveUnder(const QString& path, const std::function<void()>& then);
     void startSaving();
     void finishSaving(SavedFile file);
     Project collect(bool withPicture) const;
+    std::map<std::string, std::string> panels() const;
     ProjectView view(bool withPicture) const;
     WorkState state() const;
 
@@ -119,7 +122,7 @@ private:
     QString m_path;
     std::shared_ptr<void> m_lock; ///< of the file
     std::vector<ProjectMark> m_marks;
-    std::map<std::string, std::string> m_panels;
+    std::map<std::string, std::string> m_panels;  ///< of the file that was opened
     bool m_isChanging = false;                    ///< the document is about to be another one
     bool m_isNew = false;                         ///< opened, but its first entry is not there yet
     std::optional<std::uint64_t> m_savedRevision; ///< of the history that is in the file; none: recovered work is not

@@ -43,6 +43,15 @@ struct SceneMarks {
     std::optional<ToolId> hoveredTool;
 };
 
+/// What a view shows and how.
+struct SceneLook {
+    Content content;
+    SceneOptions options;
+    SceneMarks marks;
+    SceneStyle style;
+    Camera camera;
+};
+
 /// A number that belongs beside a place in the scene.
 struct SceneLabel {
     Vec3 place = Vec3::Zero(); ///< [m]

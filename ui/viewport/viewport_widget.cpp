@@ -66,6 +66,7 @@ void ViewportWidget::setOptions(const SceneOptions& options)
 
 void ViewportWidget::setStyle(const SceneStyle& style)
 {
+    m_style = style;
     m_scene->setStyle(style);
     requestRender();
 }
@@ -128,12 +129,24 @@ void ViewportWidget::updateMarks()
         marks.hoveredTool = hovered.id;
     if (hovered.kind == PickHit::Kind::Body && m_manipulation->isFixing())
         marks.highlighted = SceneMarks::Face{hovered.id, hovered.face};
-    for (const FaceFixture& fixture : m_document.fixtures().list())
-        for (const std::uint32_t face : fixture.faces)
-            marks.fixed.push_back({fixture.body, face});
+    marks.fixed = fixedFaces();
     m_scene->setMarks(marks);
     setCursor(m_manipulation->cursor());
     requestRender();
+}
+
+std::vector<SceneMarks::Face> ViewportWidget::fixedFaces() const
+{
+    std::vector<SceneMarks::Face> faces;
+    for (const FaceFixture& fixture : m_document.fixtures().list())
+        for (const std::uint32_t face : fixture.faces)
+            faces.push_back({fixture.body, face});
+    return faces;
+}
+
+SceneLook ViewportWidget::look() const
+{
+    return {m_document.content(), m_options, {.fixed = fixedFaces()}, m_style, m_camera};
 }
 
 WindowSize ViewportWidget::window() const

@@ -24,6 +24,8 @@ public:
     void setOptions(const SceneOptions& options);
     void setStyle(const SceneStyle& style);
     void setFixing(bool on);
+    /// What is shown and how, without what is selected or under the mouse.
+    SceneLook look() const;
 
     /// Shows a frame of the past with a caption, until null brings the present back. Tools cannot be moved meanwhile.
     void lookBack(const FramePointer& frame, const QString& caption);
@@ -53,6 +55,7 @@ protected:
 private:
     void documentChanged(Document::Change what);
     void updateMarks();
+    std::vector<SceneMarks::Face> fixedFaces() const;
     void setCamera(const Camera& camera);
     void turnTo(const Camera& camera);
     void placeLabels();
@@ -63,6 +66,7 @@ private:
     Manipulation* m_manipulation;
     std::unique_ptr<SceneView> m_scene;
     SceneOptions m_options;
+    SceneStyle m_style;
     Camera m_camera;
     QVariantAnimation* m_turning;
     Camera m_turnStart;

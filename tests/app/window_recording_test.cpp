@@ -1,0 +1,233 @@
+#include "support/window_on_test.h"
+#include "ui/dialogs/record_dialog.h"
+#include "ui/run_window.h"
+
+#include <QComboBox>
+#include <QDialog>
+#include <QFile>
+#include <QLabel>
+#include <QTemporaryDir>
+#include <QtEndian>
+#include <QtTest>
+
+using namespace knead;
+
+namespace {
+
+/// What the headers and pages of an Ogg Theora file say. From the specification, section 6.2.
+struct VideoFacts {
+    int width = 0;
+    int height = 0;
+    double rate = 0;
+    std::int64_t frames = 0;
+    bool isWhole = false; ///< its last page says that it is the last one
+};
+
+VideoFacts factsOf(const QString& path)
+{
+    QFile file(path);
+    VideoFacts facts;
+    if (!file.open(QIODevice::ReadOnly))
+        return facts;
+    const QByteArray bytes = file.readAll();
+    const auto number = [&](qsizetype at, int count) {
+        qint64 value = 0;
+        for (int i = 0; i < count; ++i)
+            value = 256 * value + static_cast<uchar>(bytes[at + i]);
+        return value;
+    };
+    const qsizetype header = bytes.indexOf(QByteArray("\x80theora")) + 7;
+    facts.width = static_cast<int>(number(header + 7, 3));
+    facts.height = static_cast<int>(number(header + 10, 3));
+    facts.rate = static_cast<double>(number(header + 15, 4)) / static_cast<double>(number(header + 19, 4));
+    const qint64 shift = (number(header + 33, 2) >> 5) & 31;
+    const qsizetype page = bytes.lastIndexOf("OggS");
+    const auto granule = qFromLittleEndian<qint64>(bytes.constData() + page + 6);
+    facts.frames = (granule >> shift) + (granule & ((qint64{1} << shift) - 1));
+    facts.isWhole = (bytes[page + 5] & 4) != 0;
+    return facts;
+}
+
+/// Share of pixels that differ visibly.
+double difference(const QImage& a, const QImage& b)
+{
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            count += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > 20 ? 1 : 0;
+    return static_cast<double>(count) / a.width() / a.height();
+}
+
+} // namespace
+
+/// Videos and pictures of what was simulated.
+class WindowRecordingTest : public QObject, WindowOnTest {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+
+    QString path(const char* name) { return m_folder->filePath(name); }
+    QStringList names()
+    {
+        return QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+    }
+
+    Recording shortOne(Recording::Kind kind)
+    {
+        return {.kind = kind, .from = 0, .to = 0.4, .rate = 10, .size = {320, 240}, .hasReadings = false};
+    }
+
+    void wait() { QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience); }
+
+private slots:
+    void initTestCase()
+    {
+        if (!hasDisplay())
+            QSKIP("without a display there is nothing to draw with");
+        prepare();
+        show(m_services);
+        openExample("bar.step", 8);
+        document().post(SetGravity{Vec3(0, 0, -0.2)});
+        document().post(SetFloor{});
+        document().play();
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.45, patience);
+        document().pause();
+        QTRY_VERIFY_WITH_TIMEOUT(document().isSettled(), patience);
+    }
+
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+    void cleanupTestCase() { m_window.reset(); }
+
+    void picturesFillAFolder()
+    {
+        m_window->record(path("fall"), shortOne(Recording::Kind::pictures));
+        wait();
+        QCOMPARE(names(), QStringList("fall"));
+        const QDir folder(path("fall"));
+        QCOMPARE(folder.entryList(QDir::Files),
+                 (QStringList{"fall-0001.png", "fall-0002.png", "fall-0003.png", "fall-0004.png", "fall-0005.png"}));
+        const QImage first(folder.filePath("fall-0001.png"));
+        const QImage second(folder.filePath("fall-0002.png"));
+        const QImage last(folder.filePath("fall-0005.png"));
+        QCOMPARE(first.size(), QSize(320, 240));
+        QVERIFY(difference(first, second) > 0);
+        QVERIFY(difference(first, last) > difference(first, second)); // it falls on and on
+        QVERIFY2(m_window->banner().sentence().isEmpty() || !m_window->banner().isVisible(),
+                 qPrintable(m_window->banner().sentence()));
+    }
+
+    void theyShowWhatTheViewShows()
+    {
+        Recording whole = shortOne(Recording::Kind::pictures);
+        whole.from = whole.to = document().frame()->snapshot->time;
+        whole.size = m_window->viewport().size();
+        m_window->record(path("now"), whole);
+        wait();
+        const QImage drawn(path("now/now-0001.png"));
+        const QImage seen = m_window->viewport().grabFramebuffer();
+        QCOMPARE(drawn.size(), seen.size());
+        if (const QString folder = qEnvironmentVariable("KNEAD_PICTURES"); !folder.isEmpty()) {
+            drawn.save(folder + "/recording-drawn.png");
+            seen.save(folder + "/recording-seen.png");
+        }
+        const QRect withoutCube(0, 0, drawn.width() * 4 / 5, drawn.height());
+        QVERIFY(difference(drawn.copy(withoutCube), seen.copy(withoutCube)) < 0.02); // up to 33 ms apart
+        QVERIFY(difference(drawn.mirrored(), seen) > 0.05);
+    }
+
+    void readingsAreWrittenIntoThem()
+    {
+        Recording plain = shortOne(Recording::Kind::pictures);
+        plain.to = 0;
+        Recording read = plain;
+        read.hasReadings = true;
+        m_window->record(path("plain"), plain);
+        wait();
+        m_window->record(path("read"), read);
+        wait();
+        const QImage without(path("plain/plain-0001.png"));
+        const QImage with(path("read/read-0001.png"));
+        const double share = difference(without, with);
+        QVERIFY(share > 0.0005 && share < 0.05);
+    }
+
+    void aVideoHasAllPictures()
+    {
+        Recording recording = shortOne(Recording::Kind::video);
+        recording.speed = 0.5;
+        m_window->record(path("fall.ogv"), recording);
+        wait();
+        QCOMPARE(names(), QStringList("fall.ogv"));
+        const VideoFacts facts = factsOf(path("fall.ogv"));
+        QCOMPARE(facts.width, 320);
+        QCOMPARE(facts.height, 240);
+        QCOMPARE(facts.rate, 10.0);
+        QCOMPARE(facts.frames, std::int64_t{9});
+        QCOMPARE(recording.pictures(), std::size_t{9});
+        QVERIFY(facts.isWhole);
+    }
+
+    void whatIsCancelledLeavesNothing()
+    {
+        for (const auto kind : {Recording::Kind::pictures, Recording::Kind::video}) {
+            Recording recording = shortOne(kind);
+            recording.speed = 0.001;
+            m_window->record(path("long"), recording);
+            QTRY_VERIFY_WITH_TIMEOUT(!names().isEmpty(), patience);
+            QTest::keyClick(m_window.get(), Qt::Key_Escape);
+            QVERIFY(!m_window->tasks().isRunning());
+            QTRY_VERIFY_WITH_TIMEOUT(names().isEmpty(), patience);
+        }
+    }
+
+    void whatIsThereIsNotWrittenOver()
+    {
+        QVERIFY(QDir(m_folder->path()).mkpath("mine/file"));
+        m_window->record(path("mine"), shortOne(Recording::Kind::pictures));
+        wait();
+        QVERIFY(m_window->banner().sentence().contains("is there already"));
+        QCOMPARE(QDir(path("mine")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList("file"));
+        m_window->record(path("nowhere/fall.ogv"), shortOne(Recording::Kind::video));
+        wait();
+        QVERIFY(m_window->banner().sentence().startsWith("fall.ogv: the file cannot be written"));
+        m_window->record(path("nowhere/fall"), shortOne(Recording::Kind::pictures));
+        wait();
+        QVERIFY(m_window->banner().sentence().startsWith("No folder can be made in "));
+        m_window->banner().hide();
+    }
+
+    void theDialogSaysWhatThereWillBe()
+    {
+        for (const char* name : {"recordVideo", "recordPictures"}) {
+            action(name)->trigger();
+            QTRY_VERIFY(m_window->findChild<RecordDialog*>("recordDialog") != nullptr);
+            auto* dialog = m_window->findChild<RecordDialog*>("recordDialog");
+            find<QComboBox>("recordSpeed")->setCurrentText("0.5 times");
+            find<QComboBox>("recordRate")->setCurrentText("50");
+            const Recording recording = dialog->recording();
+            QCOMPARE(recording.to, document().frame()->snapshot->time);
+            QVERIFY(
+                find<QLabel>("recordExtent")->text().startsWith(QString::number(recording.pictures()) + " picture"));
+            for (const Theme theme : {Theme::Dark, Theme::Light}) {
+                m_window->setTheme(theme);
+                QTest::qWait(100);
+                const QString folder = qEnvironmentVariable("KNEAD_PICTURES");
+                if (!folder.isEmpty())
+                    dialog->grab().save(QStringLiteral("%1/%2-%3.png").arg(folder, name).arg(static_cast<int>(theme)));
+            }
+            QPointer<RecordDialog> gone(dialog);
+            dialog->reject();
+            QTRY_VERIFY(!gone);
+        }
+    }
+};
+
+int main(int argc, char** argv)
+{
+    prepareGraphics();
+    QApplication application(argc, argv);
+    WindowRecordingTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_recording_test.moc"

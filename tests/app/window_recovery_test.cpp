@@ -1,0 +1,262 @@
+#include "io/project/project_file.h"
+#include "io/project/project_lock.h"
+#include "io/project/recovery.h"
+#include "support/projects_on_test.h"
+#include "ui/run_window.h"
+
+#include <QFileDialog>
+#include <QListWidget>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <atomic>
+#include <csignal>
+#include <stdexcept>
+
+#include <sys/resource.h>
+
+using namespace knead;
+
+/// What a person keeps when the disk is full, the file is damaged, or the window is gone.
+class WindowRecoveryTest : public QObject, ProjectsOnTest {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        if (!hasDisplay())
+            QSKIP("The view needs a display: run this test under xvfb-run.");
+        prepare();
+    }
+
+    void init() { begin(); }
+
+    void cleanup() { m_window.reset(); }
+
+    void anotherPartIsAnotherProject()
+    {
+        work();
+        saveTo(file("a.knead"));
+        openExample("bar.step", 10);
+        wait();
+        QVERIFY(projects().path().isEmpty());
+        QVERIFY(m_window->windowTitle().startsWith("bar.step"));
+        QVERIFY(ProjectLock(bytesOf(file("a.knead"))).isHeld()); // nobody works on it any more
+        switchGravity();
+        newWindow(m_services);
+        const std::vector<Recovery> left = findRecoveries();
+        QCOMPARE(left.size(), std::size_t{1});
+        QVERIFY(left[0].projectFile.empty());
+        QCOMPARE(left[0].part, std::string("Bar"));
+    }
+
+    void aPlaceThatCannotBeWrittenToIsOneSentence()
+    {
+        openExample("bar.step", 10);
+        projects().saveTo("/proc/nowhere/a.knead");
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->banner().sentence().contains("a.knead"), patience);
+        QVERIFY(projects().path().isEmpty());
+        QCOMPARE(find<QToolButton>("bannerRemedy")->text(), QString("Save as..."));
+    }
+
+    void aDamagedProjectIsRescued()
+    {
+        openExample("bar.step", 10);
+        for (const Qt::Key key : {Qt::Key_G, Qt::Key_B}) {
+            QTest::keyClick(m_window.get(), key);
+            waitForGesture();
+        }
+        saveTo(file("a.knead"));
+        const std::string last = readProject(bytesOf(file("a.knead"))).entries.back().name;
+        newWindow(m_services);
+        QFile damaged(file("a.knead"));
+        QVERIFY(damaged.open(QFile::ReadWrite));
+        QByteArray bytes = damaged.readAll();
+        const qsizetype place = bytes.lastIndexOf(QByteArray::fromStdString(last));
+        QVERIFY(place > 0);
+        bytes[place] = '#';
+        damaged.seek(0);
+        damaged.write(bytes);
+        damaged.close();
+
+        openProject(file("a.knead"));
+        QVERIFY(document().isEmpty());
+        QVERIFY2(m_window->banner().sentence().contains("damaged"), qPrintable(m_window->banner().sentence()));
+        QCOMPARE(find<QToolButton>("bannerRemedy")->text(), QString("Rescue what is whole"));
+        QTest::qWait(100);
+        picture("damaged");
+        clickOn<QToolButton>("bannerRemedy");
+        QTRY_VERIFY_WITH_TIMEOUT(find<QMessageBox>("missingBox") != nullptr, patience);
+        QTest::qWait(100);
+        picture("missing");
+        answer("missingBox", QMessageBox::Ok);
+        QVERIFY(!document().isEmpty());
+        const History& tree = document().history().tree();
+        QCOMPARE(tree.current(), static_cast<History::Entry>(tree.records().size() - 1));
+        QVERIFY(!snapshot().gravity.isZero()); // what came before the lost entry
+        QVERIFY(m_window->banner().sentence().isEmpty());
+        QVERIFY(projects().path().isEmpty()); // the damaged file stays as it is
+        QVERIFY(m_window->isWindowModified());
+        QCOMPARE(find<QWidget>("mainWindow"), nullptr);
+    }
+
+    void aNewerProjectIsOneSentence()
+    {
+        openExample("bar.step", 10);
+        saveTo(file("a.knead"));
+        newWindow(m_services);
+        QFile newer(file("a.knead"));
+        QVERIFY(newer.open(QFile::ReadWrite));
+        newer.seek(60); // the version in the head of the database
+        newer.write(QByteArray::fromHex("00000fff"));
+        newer.close();
+        openProject(file("a.knead"));
+        QVERIFY(document().isEmpty());
+        QVERIFY2(m_window->banner().sentence().contains("newer Knead"), qPrintable(m_window->banner().sentence()));
+        QVERIFY(!find<QToolButton>("bannerRemedy")->isVisible());
+    }
+
+    void aReadOnlyFileIsSavedElsewhere()
+    {
+        openExample("bar.step", 10);
+        saveTo(file("a.knead"));
+        QFile::setPermissions(file("a.knead"), QFile::ReadOwner);
+        QTest::keyClick(m_window.get(), Qt::Key_G);
+        QTRY_VERIFY(m_window->isWindowModified());
+        projects().save();
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->banner().sentence().contains("read-only"), patience);
+        QVERIFY(m_window->isWindowModified());
+        clickOn<QToolButton>("bannerRemedy");
+        QTRY_VERIFY(find<QFileDialog>("saveDialog") != nullptr);
+        find<QFileDialog>("saveDialog")->reject();
+        saveTo(file("b.knead"));
+        QVERIFY(!readProject(bytesOf(file("b.knead"))).entries.empty());
+    }
+
+    /// Nothing fits on the disk: files may be 100 kB long at most.
+    void aFullDiskLeavesTheFileThatWas()
+    {
+        openExample("bar.step", 10);
+        saveTo(file("a.knead"));
+        const std::uint64_t before = hash();
+        pushOn();
+        rlimit limit{};
+        getrlimit(RLIMIT_FSIZE, &limit);
+        const rlimit small{100'000, limit.rlim_max};
+        signal(SIGXFSZ, SIG_IGN);
+        setrlimit(RLIMIT_FSIZE, &small);
+        projects().save();
+        const auto isTold = [&] { return m_window->banner().sentence().contains("a.knead"); };
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(isTold(), patience); }();
+        setrlimit(RLIMIT_FSIZE, &limit);
+        QVERIFY(isTold());
+        QVERIFY(m_window->isWindowModified());
+        const Project left = readProject(bytesOf(file("a.knead")));
+        QCOMPARE(left.entries[left.current].hash, before);
+        saveTo(file("a.knead")); // there is room again
+        const Project saved = readProject(bytesOf(file("a.knead")));
+        QCOMPARE(saved.entries[saved.current].hash, hash());
+    }
+
+    void whatIsDoneWhileSavingIsNotSaved()
+    {
+        newWindow(servicesWithSlowDisk());
+        openExample("bar.step", 10);
+        m_isDiskSlow = true;
+        projects().saveTo(file("a.knead"));
+        QTRY_VERIFY(m_window->tasks().isRunning());
+        switchGravity();
+        m_isDiskSlow = false;
+        QTRY_COMPARE_WITH_TIMEOUT(projects().path(), file("a.knead"), patience);
+        QTRY_VERIFY(m_window->isWindowModified());
+        newWindow(m_services); // and a crash now
+        QCOMPARE(findRecoveries().size(), std::size_t{1});
+        QCOMPARE(findRecoveries()[0].projectFile, bytesOf(file("a.knead")));
+    }
+
+    void unsavedWorkIsOfferedAfterACrash()
+    {
+        work();
+        const std::uint64_t left = hash();
+        for (int crash = 0; crash < 2; ++crash) {
+            newWindow(m_services);
+            m_window->offerRecoveries();
+            QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
+            QCOMPARE(find<QListWidget>("recoveryList")->count(), 1);
+            QTest::qWait(100);
+            picture("recovery");
+            clickOn<QPushButton>("recoveryRecover");
+            QTRY_VERIFY_WITH_TIMEOUT(!document().isEmpty(), patience);
+            wait();
+            QCOMPARE(hash(), left);
+            QVERIFY(m_window->isWindowModified());
+        }
+        saveTo(file("saved.knead"));
+        m_window->close();
+        QVERIFY(!m_window->isVisible());
+        m_window.reset();
+        QVERIFY(findRecoveries().empty());
+        const Project saved = readProject(bytesOf(file("saved.knead")));
+        QCOMPARE(saved.entries[saved.current].hash, left);
+    }
+
+    void recoveredWorkGoesBackToItsProject()
+    {
+        openExample("bar.step", 10);
+        saveTo(file("a.knead"));
+        switchGravity();
+        newWindow(m_services);
+        m_window->offerRecoveries();
+        QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
+        clickOn<QPushButton>("recoveryRecover");
+        QTRY_COMPARE_WITH_TIMEOUT(projects().path(), file("a.knead"), patience);
+        QVERIFY(m_window->windowTitle().startsWith("a.knead[*]"));
+        QVERIFY(m_window->isWindowModified());
+        QVERIFY(!snapshot().gravity.isZero());
+    }
+
+    void workThatIsNotWantedIsDropped()
+    {
+        openExample("bar.step", 10);
+        switchGravity();
+        newWindow(m_services);
+        m_window->offerRecoveries();
+        QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
+        clickOn<QPushButton>("recoveryLater");
+        QTRY_VERIFY(find<QListWidget>("recoveryList") == nullptr);
+        QCOMPARE(findRecoveries().size(), std::size_t{1});
+        action("recover")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
+        clickOn<QPushButton>("recoveryDiscard");
+        answer("discardBox", QMessageBox::Discard);
+        QTRY_VERIFY(find<QListWidget>("recoveryList") == nullptr);
+        QTRY_VERIFY(findRecoveries().empty());
+    }
+
+    void aDiskThatRefusesTheRecoveryIsSaidOnce()
+    {
+        std::atomic<int> tries = 0;
+        Services refusing = m_services;
+        refusing.projects.keepWork = [&tries]() -> std::unique_ptr<KeptWork> {
+            ++tries;
+            throw std::runtime_error("The work cannot be kept for recovery (No space left on device).");
+        };
+        newWindow(refusing);
+        openExample("bar.step", 10);
+        QTRY_VERIFY(m_window->banner().sentence().contains("cannot be kept"));
+        picture("recovery refused");
+        pushOn(); // work goes on
+        saveTo(file("a.knead"));
+        QVERIFY(tries >= 1);
+    }
+};
+
+int main(int argc, char** argv)
+{
+    prepareGraphics();
+    QApplication application(argc, argv);
+    WindowRecoveryTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_recovery_test.moc"

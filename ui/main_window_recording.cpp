@@ -1,0 +1,84 @@
+// What the main window does to make videos and pictures of what was simulated.
+#include "ui/main_window.h"
+
+#include "ui/dialogs/record_dialog.h"
+#include "ui/panels/log_panel.h"
+#include "ui/recording/studio.h"
+#include "ui/units.h"
+#include "ui/viewport/viewport_widget.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QSettings>
+
+namespace knead {
+
+void MainWindow::askForRecording(Recording::Kind kind)
+{
+    if (m_document.isPlaying())
+        m_document.pause();
+    m_document.whenSettled([this, kind] {
+        const Timeline line = timelineOf(m_document.history().tree(), m_document.film(), false);
+        if (line.pictures.empty()) {
+            showProblem(tr("There is nothing to record yet: press Play and let something happen first."));
+            return;
+        }
+        const QSize view = m_viewport->size() * m_viewport->devicePixelRatioF();
+        auto* dialog = new RecordDialog(kind, line.end, view, this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        connect(dialog, &QDialog::accepted, this, [this, dialog] { askForPlace(dialog->recording()); });
+        dialog->open();
+    });
+}
+
+void MainWindow::askForPlace(const Recording& recording)
+{
+    const bool isVideo = recording.kind == Recording::Kind::video;
+    const QString proposed = QFileInfo(QString::fromStdString(m_document.content().model->file)).completeBaseName();
+    QSettings settings;
+    const QDir folder(settings.value("record/folder", settings.value("folder")).toString());
+    QString path = QFileDialog::getSaveFileName(
+        this, isVideo ? tr("Save the video") : tr("Make a folder for the pictures"),
+        folder.filePath(proposed + (isVideo ? ".ogv" : "-pictures")), isVideo ? tr("Video (*.ogv)") : tr("Folder (*)"));
+    if (path.isEmpty())
+        return;
+    settings.setValue("record/folder", QFileInfo(path).absolutePath());
+    if (isVideo && QFileInfo(path).suffix().isEmpty())
+        path += ".ogv";
+    record(path, recording);
+}
+
+void MainWindow::record(const QString& path, const Recording& recording)
+{
+    const Timeline line = timelineOf(m_document.history().tree(), m_document.film(), m_document.isUnderWay());
+    if (line.pictures.empty() || isBusy())
+        return;
+    std::shared_ptr<Studio> studio;
+    try {
+        studio = Studio::make(m_viewport->look(), recording.size);
+    } catch (const std::exception& error) {
+        showProblem(QString::fromStdString(error.what()));
+        return;
+    }
+    const auto work = [services = m_services, path = QFile::encodeName(path).toStdString(), recording, line, studio,
+                       content = m_document.content()](TaskControl& control) {
+        const auto draw = [&](const FramePointer& frame, double at) {
+            return Studio::drawFor(studio, frame, recording.hasReadings ? std::optional(at) : std::nullopt, control);
+        };
+        if (recording.kind == Recording::Kind::pictures)
+            knead::record(recording, line, content, draw, *makePictureWriter(path), control);
+        else
+            services.writeSafely(path, [&](const std::string& pathForNow) {
+                knead::record(recording, line, content, draw, *makeVideoWriter(pathForNow, recording.rate), control);
+            });
+        return recording.pictures();
+    };
+    const QString name = QFileInfo(path).fileName();
+    m_tasks.run<std::size_t>(tr("Recording %1").arg(name), work, [this, name](std::size_t pictures) {
+        m_log->add(pictures == 1 ? tr("%1: 1 picture recorded.").arg(name)
+                                 : tr("%1: %2 pictures recorded.").arg(name, formatCount(pictures)));
+    });
+}
+
+} // namespace knead
