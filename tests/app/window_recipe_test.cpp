@@ -201,15 +201,19 @@ private slots:
     {
         QMimeData data;
         data.setUrls({QUrl::fromLocalFile(example("bend-bar.recipe.json"))});
-        QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QDragEnterEvent enter(QPoint(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QDropEvent drop(QPointF(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         if (m_window->projects().isModified()) {
             QTRY_VERIFY(document().isSettled());
             m_window->projects().saveTo(m_shop.qPath("before.knead"));
             QTRY_VERIFY_WITH_TIMEOUT(!m_window->projects().isModified(), patience);
         }
+        QApplication::sendEvent(m_window.get(), &enter);
+        QVERIFY(enter.isAccepted());
         QApplication::sendEvent(m_window.get(), &drop);
         const auto isOpen = [this] {
-            return document().history().tree().records()[0].name == "Open bend-bar.recipe.json";
+            return !document().isEmpty() &&
+                   document().history().tree().records()[0].name == "Open bend-bar.recipe.json";
         };
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning() && isOpen(), patience);
         QCOMPARE(snapshot().tools.size(), std::size_t{2});
