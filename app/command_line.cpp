@@ -3,6 +3,7 @@
 #include "app/commands/convert_command.h"
 #include "app/commands/info_command.h"
 #include "app/commands/recipe_command.h"
+#include "app/commands/replay_command.h"
 #include "app/commands/run_command.h"
 #include "app/commands/sweep_command.h"
 #include "app/exit_status.h"
@@ -42,7 +43,7 @@ int runProgram(int argc, char** argv)
     program.set_version_flag("--version", std::string("knead ") + KNEAD_VERSION, "Print the version and exit");
     program.require_subcommand(0, 1);
     std::vector<std::string> files;
-    program.add_option("FILE", files, "CAD or mesh files, or a project, to open in the window")->type_name("");
+    program.add_option("FILE", files, "CAD or mesh files, a project, or a recipe, to open in the window")->type_name("");
 
     int status = exit_status::done;
     addInfoCommand(program, status);
@@ -51,6 +52,7 @@ int runProgram(int argc, char** argv)
     addSweepCommand(program, status);
     addSweepPointCommand(program, status);
     addRecipeCommand(program, status);
+    addReplayCommand(program, status);
 
     try {
         program.parse(argc, argv);

@@ -3,6 +3,7 @@
 #include "app/cad_process.h"
 #include "app/export_file.h"
 #include "app/project_services.h"
+#include "app/recipe_services.h"
 #include "app/resources.h"
 #include "io/export/export_formats.h"
 #include "io/importer.h"
@@ -47,6 +48,7 @@ Services fileServices()
     services.materials = readMaterials(materialsFile());
     services.examplesFolder = resourcesFolder() + "/examples";
     services.projects = projectServices();
+    services.recipes = recipeServices();
     return services;
 }
 

@@ -21,24 +21,6 @@ namespace {
 constexpr std::size_t mostTriangles = 400'000; // of a body in a picture
 constexpr Color toolColor{0.42F, 0.64F, 0.56F};
 
-/// The bodies of a recipe as they are in a snapshot.
-ExportJob jobOf(const RecipeScene& ready, const Snapshot& snapshot)
-{
-    ExportJob job;
-    std::vector<const Part*> parts;
-    for (std::size_t i = 0; i < ready.parts.size(); ++i) {
-        parts.push_back(&ready.parts[i]);
-        job.parts.push_back({.part = ready.parts[i],
-                             .aggregate = ready.scene.bodies[i].aggregate,
-                             .displacements = snapshot.bodies[i].displacements(),
-                             .broken = snapshot.bodies[i].broken,
-                             .relaxed = snapshot.bodies[i].relaxed,
-                             .density = snapshot.materials[i].density});
-    }
-    job.tree = treeOfPaths(parts);
-    return job;
-}
-
 /// Bodies that have come apart as their pieces.
 std::vector<MeshBody> deformedBodies(const ExportJob& job, TaskControl& control)
 {
@@ -80,6 +62,23 @@ void drawTo(const std::string& path, const RecipeExport& wanted, std::vector<Mes
 
 } // namespace
 
+ExportJob exportJobOf(const RecipeScene& ready, const Snapshot& snapshot)
+{
+    ExportJob job;
+    std::vector<const Part*> parts;
+    for (std::size_t i = 0; i < ready.parts.size(); ++i) {
+        parts.push_back(&ready.parts[i]);
+        job.parts.push_back({.part = ready.parts[i],
+                             .aggregate = ready.scene.bodies[i].aggregate,
+                             .displacements = snapshot.bodies[i].displacements(),
+                             .broken = snapshot.bodies[i].broken,
+                             .relaxed = snapshot.bodies[i].relaxed,
+                             .density = snapshot.materials[i].density});
+    }
+    job.tree = treeOfPaths(parts);
+    return job;
+}
+
 void prepareFolders(const std::vector<RecipeExport>& exports, const std::string& outputFolder)
 {
     std::vector<fs::path> folders{outputFolder};
@@ -94,12 +93,9 @@ void prepareFolders(const std::vector<RecipeExport>& exports, const std::string&
     }
 }
 
-WrittenExports writeExports(const std::vector<RecipeExport>& exports, const std::string& outputFolder,
-                            const RecipeScene& ready, const Snapshot& snapshot, TaskControl& control)
+WrittenExports writeExports(const std::vector<RecipeExport>& exports, const std::string& outputFolder, ExportJob job,
+                            const Snapshot& snapshot, TaskControl& control)
 {
-    if (exports.empty())
-        return {};
-    ExportJob job = jobOf(ready, snapshot);
     std::vector<MeshBody> bodies; // for pictures
     WrittenExports written;
     const auto count = static_cast<double>(exports.size());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/recipe_scene.h"
+#include "core/model/export_job.h"
 #include "core/model/export_report.h"
 #include "core/simulation/snapshot.h"
 #include "core/task/task_control.h"
@@ -21,9 +22,12 @@ struct WrittenExports {
     std::vector<ExportReport> reports; ///< of those that are no pictures
 };
 
-/// Writes the bodies as they are in a snapshot; pictures show the tools too.
+/// The bodies of a recipe as they are in a snapshot.
+ExportJob exportJobOf(const RecipeScene& ready, const Snapshot& snapshot);
+
+/// Writes the parts of a job; pictures show the tools of the snapshot too.
 /// @throws std::runtime_error, in a sentence. @throws Cancelled between two files
-WrittenExports writeExports(const std::vector<RecipeExport>& exports, const std::string& outputFolder,
-                            const RecipeScene& ready, const Snapshot& snapshot, TaskControl& control);
+WrittenExports writeExports(const std::vector<RecipeExport>& exports, const std::string& outputFolder, ExportJob job,
+                            const Snapshot& snapshot, TaskControl& control);
 
 } // namespace knead

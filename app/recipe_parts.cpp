@@ -1,6 +1,7 @@
 #include "app/recipe_parts.h"
 
 #include "app/cad_process.h"
+#include "io/project/project_file.h"
 
 #include <filesystem>
 #include <map>
@@ -13,12 +14,15 @@ namespace {
 struct Opened {
     std::vector<Part> parts; ///< closed ones, at least one
     std::vector<std::string> warnings;
+    Model source = {}; ///< without its parts
 };
 
-Model import(const std::string& file, TaskControl& control)
+/// What is wrong with a file is wrong with what the person asked for.
+template <class Read>
+auto asInput(Read read)
 {
     try {
-        return importInChild(file, {}, control);
+        return read();
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
@@ -26,19 +30,27 @@ Model import(const std::string& file, TaskControl& control)
     }
 }
 
-Opened open(const std::string& file, TaskControl& control)
+std::string fileName(const std::string& path)
 {
-    Model model = import(file, control);
-    Opened opened{{}, std::move(model.warnings)};
+    return std::filesystem::path(path).filename().string();
+}
+
+Opened opened(Model model, const std::string& file, bool fillsOpenParts)
+{
+    Opened opened{{}, model.warnings};
+    opened.warnings.insert(opened.warnings.end(), model.missing.begin(), model.missing.end());
     for (Part& part : model.parts) {
         opened.warnings.insert(opened.warnings.end(), part.warnings.begin(), part.warnings.end());
-        if (part.canBeFilled())
+        if (part.canBeFilled() || (fillsOpenParts && !part.mesh.empty()))
             opened.parts.push_back(std::move(part));
         else
             opened.warnings.push_back("\"" + part.name + "\" is not closed and is left out.");
     }
+    model.parts.clear();
+    model.tree = {};
+    opened.source = std::move(model);
     if (opened.parts.empty())
-        throw UnusableInput(std::filesystem::path(file).filename().string() +
+        throw UnusableInput(fileName(file) +
                             ": no closed body found. Close the surfaces in the CAD program and export again.");
     return opened;
 }
@@ -51,15 +63,63 @@ public:
     {
     }
 
+    /// With the choices that the importer makes.
     const Opened& operator[](const std::string& file)
     {
         const auto known = m_files.find(file);
-        return known != m_files.end() ? known->second : m_files.emplace(file, open(file, m_control)).first->second;
+        if (known != m_files.end())
+            return known->second;
+        return m_files.emplace(file, opened(asInput([&] { return importInChild(file, {}, m_control); }), file, false))
+            .first->second;
+    }
+
+    /// The part of a recipe, with the choices of the recipe.
+    Opened part(const Recipe& recipe)
+    {
+        if (isProjectFile(recipe.part))
+            return opened(modelOf(recipe.part), recipe.part, recipe.fillsOpenParts);
+        std::vector<std::string> paths{recipe.part};
+        paths.insert(paths.end(), recipe.partsBeside.begin(), recipe.partsBeside.end());
+        Model model = asInput([&] {
+            return paths.size() == 1 ? importInChild(recipe.part, recipe.import, m_control)
+                                     : importInChildren(paths, recipe.import, m_control);
+        });
+        return opened(std::move(model), recipe.part, recipe.fillsOpenParts);
+    }
+
+    std::shared_ptr<const ToolPart> toolPart(const RecipeManipulator& manipulator)
+    {
+        if (manipulator.kind != ToolKind::part)
+            return nullptr;
+        if (!isProjectFile(manipulator.partFile))
+            return std::make_shared<const ToolPart>(joinedMesh((*this)[manipulator.partFile].parts));
+        const auto parts = toolPartsOf(project(manipulator.partFile));
+        const std::size_t number = manipulator.partNumber.value_or(0);
+        if (number >= parts.size())
+            throw UnusableInput(fileName(manipulator.partFile) + " has no tool part " + std::to_string(number) +
+                                "; it has " + std::to_string(parts.size()) + " of them, counted from 0.");
+        return parts[number];
     }
 
 private:
+    const Project& project(const std::string& file)
+    {
+        const auto known = m_projects.find(file);
+        if (known != m_projects.end())
+            return known->second;
+        return m_projects.emplace(file, asInput([&] { return readProject(file, m_control); })).first->second;
+    }
+
+    Model modelOf(const std::string& file)
+    {
+        if (project(file).model == nullptr)
+            throw UnusableInput(fileName(file) + ": the project has no parts.");
+        return *project(file).model;
+    }
+
     TaskControl& m_control;
     std::map<std::string, Opened> m_files;
+    std::map<std::string, Project> m_projects;
 };
 
 void place(Part& part, const Pose& pose)
@@ -101,17 +161,23 @@ TriangleMesh joinedMesh(const std::vector<Part>& parts)
 RecipeParts importParts(const Recipe& recipe, TaskControl& control)
 {
     Files files(control);
-    RecipeParts result{files[recipe.part].parts, {}, files[recipe.part].warnings};
+    Opened part = files.part(recipe);
+    RecipeParts result{std::move(part.source), std::move(part.parts), {}, {}, std::move(part.warnings)};
     for (const RecipeExtraPart& extra : recipe.extraParts) {
         const Opened& opened = files[extra.file];
-        for (Part& part : placed(opened.parts, extra))
-            result.bodies.push_back(std::move(part));
+        for (Part& body : placed(opened.parts, extra))
+            result.bodies.push_back(std::move(body));
         result.warnings.insert(result.warnings.end(), opened.warnings.begin(), opened.warnings.end());
     }
     for (const RecipeManipulator& manipulator : recipe.manipulators)
-        result.toolParts.push_back(manipulator.kind == ToolKind::part
-                                       ? std::make_shared<const ToolPart>(joinedMesh(files[manipulator.partFile].parts))
-                                       : nullptr);
+        result.toolParts.push_back(files.toolPart(manipulator));
+    for (const RecipeEvent& event : recipe.events) {
+        const auto* add = std::get_if<AddRecipeManipulator>(&event.action);
+        const auto* reshape = std::get_if<ReshapeRecipeManipulator>(&event.action);
+        result.eventParts.push_back(add != nullptr       ? files.toolPart(add->manipulator)
+                                    : reshape != nullptr ? files.toolPart(reshape->manipulator)
+                                                         : nullptr);
+    }
     return result;
 }
 

@@ -19,12 +19,15 @@ struct UnusableInput : std::runtime_error {
 
 /// Everything that a recipe opens.
 struct RecipeParts {
-    std::vector<Part> bodies;                               ///< closed ones, extra parts after those of the part
-    std::vector<std::shared_ptr<const ToolPart>> toolParts; ///< per manipulator; none for other kinds than part
-    std::vector<std::string> warnings;                      ///< sentences: of the import, and parts left out
+    Model source;                                            ///< of the part, without its parts and what they form
+    std::vector<Part> bodies;                                ///< closed ones, extra parts after those of the part
+    std::vector<std::shared_ptr<const ToolPart>> toolParts;  ///< per manipulator; none for other kinds than part
+    std::vector<std::shared_ptr<const ToolPart>> eventParts; ///< per event: of the manipulator that it adds or reshapes
+    std::vector<std::string> warnings;                       ///< sentences: of the import, and parts left out
 };
 
-/// Imports the part, the extra parts at their places, and the parts that manipulators are.
+/// Imports the part, the extra parts at their places, and the parts that manipulators are. Of a project they are those that
+/// it keeps, whatever became of the files that it was made from.
 /// @throws UnusableInput, in a sentence. @throws Cancelled
 RecipeParts importParts(const Recipe& recipe, TaskControl& control);
 

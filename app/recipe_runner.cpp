@@ -1,6 +1,7 @@
 #include "app/recipe_runner.h"
 
 #include "app/recipe_exports.h"
+#include "app/recipe_progress.h"
 #include "app/recipe_scene.h"
 #include "core/simulation/simulation.h"
 
@@ -8,7 +9,6 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <stdexcept>
 
 namespace knead {
@@ -53,6 +53,7 @@ class Runner {
 public:
     Runner(const Recipe& recipe, const RecipeScene& ready)
         : m_recipe(recipe)
+        , m_progress(recipe, ready)
         , m_ready(ready)
         , m_simulation(ready.scene)
     {
@@ -63,12 +64,11 @@ public:
         const Clock::time_point start = Clock::now();
         Clock::time_point nextReport = start;
         m_latest = m_simulation.snapshot();
-        while (!isAt(m_recipe.duration)) {
+        for (carryOutDueEvents(); !m_progress.isDone(m_simulation); carryOutDueEvents()) {
             control.throwIfCancelled();
-            postDueEvents();
             m_simulation.step();
             checkHealth();
-            if (isAt(m_latest->time + frame))
+            if (m_simulation.time() + 0.5 * m_simulation.timeStep() >= m_latest->time + frame)
                 takeSnapshot();
             if (Clock::now() >= nextReport) {
                 report(control, secondsSince(start));
@@ -77,6 +77,8 @@ public:
         }
         m_wall = secondsSince(start);
         takeSnapshot();
+        if (const std::size_t left = m_recipe.events.size() - m_progress.nextEvent(); left > 0)
+            m_warnings.push_back("The run ended before " + std::to_string(left) + " of the events were due.");
     }
 
     const Snapshot& latest() const { return *m_latest; }
@@ -108,60 +110,13 @@ public:
     }
 
 private:
-    /// Whether the step nearest to a time has been reached.
-    bool isAt(double time) const { return m_simulation.time() + 0.5 * m_simulation.timeStep() >= time; }
-
-    void postDueEvents()
-    {
-        for (; m_nextEvent < m_recipe.events.size() && isAt(m_recipe.events[m_nextEvent].time); ++m_nextEvent)
-            std::visit([this](const auto& action) { post(action); }, m_recipe.events[m_nextEvent].action);
-    }
-
-    void post(const ChangeMaterial& change)
-    {
-        for (BodyObjects& at : objectsWithin(m_ready, change.body, change.box, "events"))
-            carryOut(SetMaterial{at.body, change.material.on(m_ready.scene.bodies[at.body].material),
-                                 std::move(at.objects)});
-    }
-
-    void post(const RenormalizeBodies& wanted)
-    {
-        for (BodyObjects& at : objectsWithin(m_ready, wanted.body, wanted.box, "events"))
-            if (!wanted.body.empty() || m_simulation.bodies()[at.body].kind == BodyKind::deformable)
-                carryOut(Renormalize{at.body, std::move(at.objects), wanted.duration});
-    }
-
-    void post(const ChangeBodyKind& change)
-    {
-        for (const BodyId body : bodiesNamed(change.body, m_ready.parts, "events"))
-            carryOut(SetBodyKind{body, change.kind});
-    }
-
-    void post(const ReleaseFixture& release)
-    {
-        for (std::size_t i = 0; i < m_recipe.fixtures.size(); ++i)
-            if (m_recipe.fixtures[i].name == release.fixture)
-                for (const FixtureId id : m_ready.fixtureIds[i])
-                    carryOut(RemoveFixture{id});
-    }
-
-    void post(const TakeManipulatorAway& away)
-    {
-        for (std::size_t i = 0; i < m_recipe.manipulators.size(); ++i)
-            if (m_recipe.manipulators[i].name == away.manipulator)
-                carryOut(RemoveManipulator{static_cast<ToolId>(i)});
-    }
-
-    void post(const ChangeGravity& change) { carryOut(SetGravity{change.gravity}); }
-
     /// A command that makes no sense changes nothing; the person gets to know why.
-    void carryOut(Command command)
+    void carryOutDueEvents()
     {
-        m_simulation.post(std::move(command));
-        m_simulation.applyCommands();
-        takeSnapshot();
-        if (!m_latest->notice.empty())
+        m_progress.carryOutDue(m_simulation, [this] {
+            takeSnapshot();
             m_warnings.push_back("at " + fixed(m_latest->time, 3) + " s: " + m_latest->notice);
+        });
     }
 
     void checkHealth() const
@@ -188,36 +143,24 @@ private:
     void report(TaskControl& control, double wall) const
     {
         const double time = m_simulation.time();
-        control.report(sceneEnd + (stepsEnd - sceneEnd) * std::min(1.0, time / m_recipe.duration),
-                       "simulating " + fixed(time, 2) + " of " + fixed(m_recipe.duration, 2) + " s, " +
-                           fixed(wall > 0 ? time / wall : 0, 2) + "x");
+        const auto steps = static_cast<double>(m_recipe.durationSteps.value_or(0));
+        const double done = m_recipe.durationSteps
+                                ? static_cast<double>(m_simulation.stepCount()) / std::max(1.0, steps)
+                                : time / m_recipe.duration;
+        const std::string end = m_recipe.durationSteps ? " s, " : " of " + fixed(m_recipe.duration, 2) + " s, ";
+        control.report(sceneEnd + (stepsEnd - sceneEnd) * std::min(1.0, done),
+                       "simulating " + fixed(time, 2) + end + fixed(wall > 0 ? time / wall : 0, 2) + "x");
     }
 
     const Recipe& m_recipe;
+    RecipeProgress m_progress;
     const RecipeScene& m_ready;
     Simulation m_simulation;
     SnapshotPointer m_latest;
     std::vector<ToolState> m_tools;
     std::vector<std::string> m_warnings;
-    std::size_t m_nextEvent = 0;
     double m_wall = 0;
 };
-
-/// Names and boxes are checked before the first step, not when the event is due.
-void checkEvents(const Recipe& recipe, const RecipeScene& ready)
-{
-    for (std::size_t i = 0; i < recipe.events.size(); ++i) {
-        const std::string place =
-            std::filesystem::path(recipe.file).filename().string() + ": events[" + std::to_string(i) + "]";
-        const RecipeAction& action = recipe.events[i].action;
-        if (const auto* change = std::get_if<ChangeMaterial>(&action))
-            objectsWithin(ready, change->body, change->box, place);
-        if (const auto* wanted = std::get_if<RenormalizeBodies>(&action))
-            objectsWithin(ready, wanted->body, wanted->box, place);
-        if (const auto* change = std::get_if<ChangeBodyKind>(&action))
-            bodiesNamed(change->body, ready.parts, place);
-    }
-}
 
 } // namespace
 
@@ -233,7 +176,10 @@ RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskC
 
     TaskPortion writing(control, stepsEnd, 1);
     RunReport report = runner.takeReport();
-    WrittenExports written = writeExports(recipe.exports, outputFolder, ready, runner.latest(), writing);
+    if (recipe.exports.empty())
+        return report;
+    WrittenExports written =
+        writeExports(recipe.exports, outputFolder, exportJobOf(ready, runner.latest()), runner.latest(), writing);
     report.files = std::move(written.files);
     report.exports = std::move(written.reports);
     return report;

@@ -40,7 +40,8 @@ Aggregate fillPart(const Part& part, Arrangement arrangement, double spacing, Ta
     try {
         if (arrangement == Arrangement::published)
             return fillAsPublished(part.mesh, spacing);
-        return fill(part.mesh, {.spacing = spacing}, control);
+        const DirtySurface dirty = part.canBeFilled() ? DirtySurface::refuse : DirtySurface::windingNumber;
+        return fill(part.mesh, {.spacing = spacing, .dirty = dirty}, control);
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
@@ -109,8 +110,8 @@ std::vector<BodyObjects> objectsOf(const Recipe& recipe, const NamedRegion& name
 {
     const RecipeRegion& region = named.region;
     const std::string place = fileName(recipe.file) + ": " + named.saying();
-    if (region.box)
-        return objectsWithin(ready, region.body, region.box, place);
+    if (region.box || region.objects)
+        return objectsWithin(ready, region.body, region.box, region.objects, place);
     const std::vector<BodyId> bodies = bodiesNamed(region.body, ready.parts, place);
     if (bodies.size() > 1)
         refuse(recipe, named.saying() + " names faces of one body among several; add the key body.");
@@ -134,22 +135,11 @@ void addRegion(const Recipe& recipe, const RecipeMaterialRegion& region, RecipeS
 std::vector<FixtureId> addFixture(const Recipe& recipe, const RecipeFixture& fixture, RecipeScene& result)
 {
     std::vector<FixtureId> ids;
-    for (BodyObjects& at : objectsOf(recipe, {"fixture", fixture}, result)) {
+    for (Fixture& one : fixturesOf(recipe, fixture, result)) {
         ids.push_back(static_cast<FixtureId>(result.scene.fixtures.size()));
-        result.scene.fixtures.push_back({fixture.name, at.body, std::move(at.objects)});
+        result.scene.fixtures.push_back(std::move(one));
     }
     return ids;
-}
-
-void addManipulators(const Recipe& recipe, const std::vector<std::shared_ptr<const ToolPart>>& parts,
-                     RecipeScene& result)
-{
-    for (std::size_t i = 0; i < recipe.manipulators.size(); ++i) {
-        Manipulator manipulator = recipe.manipulators[i];
-        manipulator.part = parts[i];
-        manipulator.size = fittingSize(manipulator.kind, manipulator.size, parts[i].get());
-        result.scene.manipulators.push_back(std::move(manipulator));
-    }
 }
 
 void setWorld(const Recipe& recipe, Scene& scene)
@@ -177,25 +167,65 @@ std::vector<BodyId> bodiesNamed(const std::string& name, const std::vector<Part>
             bodies.push_back(body);
         known += (known.empty() ? "\"" : ", \"") + parts[body].name + "\"";
     }
+    for (BodyId body = 0; body < parts.size() && bodies.empty(); ++body)
+        if (name == '#' + std::to_string(body))
+            return {body};
     if (bodies.empty())
         throw UnusableInput(place + " names the body \"" + name + "\"; the part has: " + known + ".");
     return bodies;
 }
 
-std::vector<BodyObjects> objectsWithin(const RecipeScene& ready, const std::string& body, const std::optional<Box>& box,
-                                       const std::string& place)
+namespace {
+
+/// Numbers of objects belong to one filling; in another they would be elsewhere.
+void requireFilling(const RecipeObjects& objects, std::size_t bodies, std::size_t count, const std::string& place)
 {
+    if (bodies != 1)
+        throw UnusableInput(place + " names objects of one body among several; add the key body.");
+    if (objects.of != count)
+        throw UnusableInput(place + " names objects of a body that is filled with " + std::to_string(objects.of) +
+                            ", and here it is filled with " + std::to_string(count) +
+                            ". Name a box instead, or keep the spacing.");
+}
+
+} // namespace
+
+std::vector<BodyObjects> objectsWithin(const RecipeScene& ready, const std::string& body, const std::optional<Box>& box,
+                                       const std::optional<RecipeObjects>& objects, const std::string& place)
+{
+    const std::vector<BodyId> bodies = bodiesNamed(body, ready.parts, place);
+    const auto aggregateOf = [&](BodyId id) -> const Aggregate& { return *ready.scene.bodies[id].aggregate; };
+    if (objects) {
+        requireFilling(*objects, bodies.size(), aggregateOf(bodies.front()).size(), place);
+        return {{bodies.front(), objects->numbers}};
+    }
     std::vector<BodyObjects> found;
-    for (const BodyId id : bodiesNamed(body, ready.parts, place)) {
-        std::vector<ObjectIndex> objects;
+    for (const BodyId id : bodies) {
+        std::vector<ObjectIndex> inside;
         if (box)
-            objects = objectsInBox(*ready.scene.bodies[id].aggregate, *box);
-        if (!box || !objects.empty())
-            found.push_back({id, std::move(objects)});
+            inside = objectsInBox(aggregateOf(id), *box);
+        if (!box || !inside.empty())
+            found.push_back({id, std::move(inside)});
     }
     if (found.empty())
         throw UnusableInput(place + " holds nothing: no object lies there.");
     return found;
+}
+
+std::vector<Fixture> fixturesOf(const Recipe& recipe, const RecipeFixture& fixture, const RecipeScene& ready)
+{
+    std::vector<Fixture> fixtures;
+    for (BodyObjects& at : objectsOf(recipe, {"fixture", fixture}, ready))
+        fixtures.push_back({fixture.name, at.body, std::move(at.objects), fixture.velocity});
+    return fixtures;
+}
+
+Manipulator manipulatorOf(const RecipeManipulator& manipulator, const std::shared_ptr<const ToolPart>& part)
+{
+    Manipulator result = manipulator;
+    result.part = part;
+    result.size = fittingSize(result.kind, result.size, part.get());
+    return result;
 }
 
 RecipeScene buildScene(const Recipe& recipe, TaskControl& control)
@@ -203,6 +233,7 @@ RecipeScene buildScene(const Recipe& recipe, TaskControl& control)
     TaskPortion importing(control, 0, importShare);
     RecipeParts parts = importParts(recipe, importing);
     RecipeScene result;
+    result.source = std::move(parts.source);
     result.parts = std::move(parts.bodies);
     result.warnings = std::move(parts.warnings);
     TaskPortion filling(control, importShare, 1);
@@ -214,7 +245,9 @@ RecipeScene buildScene(const Recipe& recipe, TaskControl& control)
         addRegion(recipe, region, result);
     for (const RecipeFixture& fixture : recipe.fixtures)
         result.fixtureIds.push_back(addFixture(recipe, fixture, result));
-    addManipulators(recipe, parts.toolParts, result);
+    for (std::size_t i = 0; i < recipe.manipulators.size(); ++i)
+        result.scene.manipulators.push_back(manipulatorOf(recipe.manipulators[i], parts.toolParts[i]));
+    result.eventParts = std::move(parts.eventParts);
     setWorld(recipe, result.scene);
     return result;
 }

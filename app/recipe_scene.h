@@ -12,16 +12,19 @@ namespace knead {
 /// A recipe made ready to run.
 struct RecipeScene {
     Scene scene;
-    std::vector<Part> parts;                        ///< one per body of the scene, same order
-    std::vector<std::vector<FixtureId>> fixtureIds; ///< per fixture of the recipe; one for each body it holds
-    std::vector<std::string> warnings;              ///< sentences: of the import, and parts left out
+    Model source;                                            ///< of the part, without its parts and what they form
+    std::vector<Part> parts;                                 ///< one per body of the scene, same order
+    std::vector<std::vector<FixtureId>> fixtureIds;          ///< per fixture of the recipe; one for each body it holds
+    std::vector<std::shared_ptr<const ToolPart>> eventParts; ///< as in RecipeParts
+    std::vector<std::string> warnings;                       ///< sentences: of the import, and parts left out
 };
 
 /// Imports the parts and fills every closed body of it.
 /// @throws UnusableInput, and std::runtime_error when the filling fails, each in a sentence. @throws Cancelled
 RecipeScene buildScene(const Recipe& recipe, TaskControl& control);
 
-/// Bodies that a name in a recipe means: those whose name or path in the assembly it is; all for an empty name.
+/// Bodies that a name in a recipe means: those whose name or path in the assembly it is; else the one that is counted so from
+/// 0, "#2"; all for an empty name.
 /// @throws UnusableInput when there is none
 std::vector<BodyId> bodiesNamed(const std::string& name, const std::vector<Part>& parts, const std::string& place);
 
@@ -31,10 +34,17 @@ struct BodyObjects {
     std::vector<ObjectIndex> objects;
 };
 
-/// What a box takes of the bodies that a name means, leaving out bodies with nothing in it; whole bodies, without
-/// objects, when there is no box.
-/// @throws UnusableInput when there is no such body, or nothing in the box
+/// What a box takes of the bodies that a name means, leaving out bodies with nothing in it; the objects that are named one by
+/// one; whole bodies, without objects, when there is neither.
+/// @throws UnusableInput when there is no such body, nothing in the box, or another number of objects than those named belong to
 std::vector<BodyObjects> objectsWithin(const RecipeScene& ready, const std::string& body, const std::optional<Box>& box,
-                                       const std::string& place);
+                                       const std::optional<RecipeObjects>& objects, const std::string& place);
+
+/// The fixtures of the scene that a fixture of the recipe means: one for every body it holds.
+/// @throws UnusableInput
+std::vector<Fixture> fixturesOf(const Recipe& recipe, const RecipeFixture& fixture, const RecipeScene& ready);
+
+/// A manipulator of a recipe with its part.
+Manipulator manipulatorOf(const RecipeManipulator& manipulator, const std::shared_ptr<const ToolPart>& part);
 
 } // namespace knead

@@ -2,6 +2,7 @@
 
 #include "core/model/length_units.h"
 #include "io/occt_progress.h"
+#include "io/step_order.h"
 #include "io/worker/child_process.h"
 #include "io/xcaf_document.h"
 
@@ -174,6 +175,9 @@ std::string nameOf(const NamelessFile& file)
     return "/proc/self/fd/" + std::to_string(file.descriptor());
 }
 
+// Same parts, same bytes: when a file was written is what the file system is for.
+constexpr const char* noDate = "1970-01-01T00:00:00";
+
 std::string writeStep(const Handle(TDocStd_Document) & document, bool hasCurvedFaces, const ExportOptions& options,
                       TaskControl& control)
 {
@@ -200,10 +204,11 @@ std::string writeStep(const Handle(TDocStd_Document) & document, bool hasCurvedF
     header.SetAuthorValue(1, new TCollection_HAsciiString(""));
     header.SetOrganizationValue(1, new TCollection_HAsciiString(""));
     header.SetName(new TCollection_HAsciiString(""));
+    header.SetTimeStamp(new TCollection_HAsciiString(noDate));
     const NamelessFile file;
     if (writer.Write(nameOf(file).c_str()) != IFSelect_RetDone)
         throw std::runtime_error("The STEP text could not be written.");
-    return file.content();
+    return withStylesInOrder(file.content());
 }
 
 std::string writeIges(const Handle(TDocStd_Document) & document, const ExportOptions& options, TaskControl& control)

@@ -41,6 +41,7 @@ std::string plain(double number)
 struct JsonDocument {
     std::string file; ///< name without folders
     JsonValue root;
+    bool hasLines = true; ///< that a person can look up
 };
 
 JsonValue readJsonFile(const std::string& path)
@@ -62,7 +63,9 @@ JsonNode JsonNode::readFile(const std::string& path)
 
 JsonNode JsonNode::readText(const std::string& text, const std::string& source)
 {
-    return ofValue(parseJson(text, source), source);
+    auto document = std::make_shared<JsonDocument>(JsonDocument{source, parseJson(text, source), false});
+    const JsonValue* value = &document->root;
+    return {std::move(document), value, ""};
 }
 
 JsonNode JsonNode::ofValue(JsonValue root, const std::string& file)
@@ -79,7 +82,9 @@ JsonNode JsonNode::child(const JsonValue& value, const std::string& place) const
 
 void JsonNode::fail(const std::string& saying) const
 {
-    throw std::runtime_error(m_document->file + ": " + (m_place.empty() ? "the file" : m_place) + " " + saying);
+    const bool hasLine = m_document->hasLines && m_value->line > 0 && !m_place.empty();
+    throw std::runtime_error(m_document->file + (hasLine ? ", line " + std::to_string(m_value->line) : "") + ": " +
+                             (m_place.empty() ? "the file" : m_place) + " " + saying);
 }
 
 void JsonNode::failExpecting(const std::string& verbAndExpectation) const
@@ -184,46 +189,64 @@ double JsonNode::number() const
     return number(-std::numeric_limits<double>::max(), std::numeric_limits<double>::max());
 }
 
+const JsonNumber& JsonNode::finite(const char* expectation) const
+{
+    const auto* number = std::get_if<JsonNumber>(&m_value->content);
+    if (!number || !std::isfinite(number->value))
+        failExpecting(expectation);
+    return *number;
+}
+
 double JsonNode::number(double minimum, double maximum) const
 {
-    const auto* number = std::get_if<double>(&m_value->content);
-    if (!number || !std::isfinite(*number))
-        failExpecting("must be a number");
-    if (*number < minimum || *number > maximum)
+    const double number = finite("must be a number").value;
+    if (number < minimum || number > maximum)
         failExpecting("must be a number between " + plain(minimum) + " and " + plain(maximum));
-    return *number;
+    return number;
 }
 
 double JsonNode::positive() const
 {
-    const auto* number = std::get_if<double>(&m_value->content);
-    if (!number || !std::isfinite(*number) || *number <= 0)
+    const double number = finite("must be a positive number").value;
+    if (number <= 0)
         failExpecting("must be a positive number");
-    return *number;
+    return number;
+}
+
+double JsonNode::thousandth() const
+{
+    return finite("must be a number").thousandth;
+}
+
+double JsonNode::positiveThousandth() const
+{
+    positive();
+    return thousandth();
 }
 
 int JsonNode::integer(int minimum, int maximum) const
 {
-    const auto* number = std::get_if<double>(&m_value->content);
-    if (!number || *number != std::floor(*number) || *number < minimum || *number > maximum)
+    const auto* number = std::get_if<JsonNumber>(&m_value->content);
+    if (!number || number->value != std::floor(number->value) || number->value < minimum || number->value > maximum)
         failExpecting("must be a whole number between " + std::to_string(minimum) + " and " + std::to_string(maximum));
-    return static_cast<int>(*number);
+    return static_cast<int>(number->value);
 }
 
 std::uint64_t JsonNode::count(std::uint64_t maximum) const
 {
-    const auto* number = std::get_if<double>(&m_value->content);
-    if (!number || *number != std::floor(*number) || *number < 0 || *number > static_cast<double>(maximum))
+    const auto* number = std::get_if<JsonNumber>(&m_value->content);
+    if (!number || number->value != std::floor(number->value) || number->value < 0 ||
+        number->value > static_cast<double>(maximum))
         failExpecting("must be a whole number between 0 and " + std::to_string(maximum));
-    return static_cast<std::uint64_t>(*number);
+    return static_cast<std::uint64_t>(number->value);
 }
 
-std::vector<double> JsonNode::numbers(std::size_t count) const
+std::vector<JsonNumber> JsonNode::finiteNumbers(std::size_t count) const
 {
-    std::vector<double> numbers;
+    std::vector<JsonNumber> numbers;
     if (const auto* list = std::get_if<JsonValue::List>(&m_value->content))
         for (const JsonValue& value : *list)
-            if (const auto* number = std::get_if<double>(&value.content); number && std::isfinite(*number))
+            if (const auto* number = std::get_if<JsonNumber>(&value.content); number && std::isfinite(number->value))
                 numbers.push_back(*number);
     // Anything that is no number was left out, so a wrong element shows as a wrong count.
     const bool complete =
@@ -231,6 +254,22 @@ std::vector<double> JsonNode::numbers(std::size_t count) const
     if (!complete)
         failExpecting("must hold " + std::to_string(count) + " numbers");
     return numbers;
+}
+
+std::vector<double> JsonNode::numbers(std::size_t count) const
+{
+    std::vector<double> values;
+    for (const JsonNumber& number : finiteNumbers(count))
+        values.push_back(number.value);
+    return values;
+}
+
+std::vector<double> JsonNode::thousandths(std::size_t count) const
+{
+    std::vector<double> values;
+    for (const JsonNumber& number : finiteNumbers(count))
+        values.push_back(number.thousandth);
+    return values;
 }
 
 } // namespace knead

@@ -10,6 +10,7 @@
 namespace knead {
 
 struct JsonDocument;
+struct JsonNumber;
 struct JsonValue;
 
 /// Reads and parses a whole file. @throws std::runtime_error, in a sentence
@@ -19,12 +20,12 @@ JsonValue readJsonFile(const std::string& path);
 /// file, the place ("manipulators[0].size_mm") and what is allowed there. All failures are std::runtime_error.
 class JsonNode {
 public:
-    /// Reads a whole file. Syntax errors and keys given twice are named with line and column.
+    /// Reads a whole file. Syntax errors and keys given twice are named with line and column, all others with their line.
     static JsonNode readFile(const std::string& path);
-    /// The root of a value. @param file name for messages
+    /// The root of a value. @param file name for messages, which name the lines that values have
     static JsonNode ofValue(JsonValue root, const std::string& file);
 
-    /// Reads a text from elsewhere. @param source what messages call it
+    /// Reads a text from elsewhere, whose lines nobody sees. @param source what messages call it
     static JsonNode readText(const std::string& text, const std::string& source);
 
     /// The value of a key that must be there.
@@ -46,12 +47,15 @@ public:
     bool boolean() const;
     double number() const; ///< finite
     double number(double minimum, double maximum) const;
-    double positive() const; ///< > 0
+    double positive() const;           ///< > 0
+    double thousandth() const;         ///< of a number: of millimeters in m, to the last bit
+    double positiveThousandth() const; ///< the same of a number > 0
     int integer(int minimum, int maximum) const;
     std::uint64_t count(std::uint64_t maximum) const; ///< a whole number 0 .. maximum, which is below 2^53
     std::vector<double> numbers(std::size_t count) const;
+    std::vector<double> thousandths(std::size_t count) const;
 
-    /// @throws std::runtime_error "FILE: PLACE SAYING"; the saying continues the place: "must hold 3 numbers, got 2."
+    /// @throws std::runtime_error "FILE, line 7: PLACE SAYING"; the saying continues the place: "must hold 3 numbers, got 2."
     [[noreturn]] void fail(const std::string& saying) const;
     /// The same with what is there added: "PLACE must be EXPECTED, got VALUE."
     [[noreturn]] void failExpecting(const std::string& verbAndExpectation) const;
@@ -60,6 +64,8 @@ private:
     JsonNode(std::shared_ptr<const JsonDocument> document, const JsonValue* value, std::string place);
     JsonNode child(const JsonValue& value, const std::string& place) const;
     void mustBeObject() const;
+    const JsonNumber& finite(const char* expectation) const;
+    std::vector<JsonNumber> finiteNumbers(std::size_t count) const;
 
     std::shared_ptr<const JsonDocument> m_document;
     const JsonValue* m_value;

@@ -3,7 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -33,23 +36,85 @@ std::string complaint(const std::string& message)
     return message.substr(dash == std::string::npos ? at + mark.size() : dash + 3);
 }
 
+/// The number that digits say, with its point three places further left. JSON has no others than from_chars reads.
+double thousandthOf(const std::string& digits, double value)
+{
+    const std::size_t exponentAt = std::min(digits.find_first_of("eE"), digits.size());
+    long exponent = 0;
+    if (exponentAt < digits.size())
+        exponent = std::strtol(digits.c_str() + exponentAt + 1, nullptr, 10);
+    const std::string shifted = digits.substr(0, exponentAt) + "e" + std::to_string(exponent - 3);
+    double result = 0;
+    const auto [end, error] = std::from_chars(shifted.data(), shifted.data() + shifted.size(), result);
+    return error == std::errc{} ? result : value / 1000;
+}
+
+/// Where the parser is in the text.
+struct Place {
+    std::uint32_t line = 1;
+    bool isAfterBreak = false; ///< the last character was a line break
+};
+
+/// Goes through a text and counts its lines.
+class CountedCharacter {
+public:
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    CountedCharacter(const char* at, Place* place)
+        : m_at(at)
+        , m_place(place)
+    {
+    }
+
+    reference operator*() const { return *m_at; }
+    CountedCharacter& operator++()
+    {
+        m_place->isAfterBreak = *m_at++ == '\n';
+        m_place->line += m_place->isAfterBreak ? 1 : 0;
+        return *this;
+    }
+    CountedCharacter operator++(int)
+    {
+        const CountedCharacter before = *this;
+        ++*this;
+        return before;
+    }
+    friend bool operator==(const CountedCharacter& a, const CountedCharacter& b) { return a.m_at == b.m_at; }
+    friend bool operator!=(const CountedCharacter& a, const CountedCharacter& b) { return a.m_at != b.m_at; }
+
+private:
+    const char* m_at;
+    Place* m_place;
+};
+
 /// Builds the tree from the parser's events. A value is complete when its last event has come.
 class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
 public:
-    TreeBuilder(const std::string& text, std::string file)
+    TreeBuilder(const std::string& text, std::string file, const Place& place)
         : m_text(text)
         , m_file(std::move(file))
+        , m_place(place)
     {
     }
 
     JsonValue take() { return std::move(m_root); }
 
-    bool null() override { return add(JsonValue{}); }
-    bool boolean(bool value) override { return add(JsonValue{value}); }
-    bool number_integer(number_integer_t value) override { return add(JsonValue{static_cast<double>(value)}); }
-    bool number_unsigned(number_unsigned_t value) override { return add(JsonValue{static_cast<double>(value)}); }
-    bool number_float(number_float_t value, const string_t&) override { return add(JsonValue{value}); }
-    bool string(string_t& value) override { return add(JsonValue{value}); }
+    bool null() override { return add(JsonValue{}, m_place.line); }
+    bool boolean(bool value) override { return add(JsonValue{value}, m_place.line); }
+    bool number_integer(number_integer_t value) override
+    {
+        return addNumber(static_cast<double>(value), std::to_string(value));
+    }
+    bool number_unsigned(number_unsigned_t value) override
+    {
+        return addNumber(static_cast<double>(value), std::to_string(value));
+    }
+    bool number_float(number_float_t value, const string_t& digits) override { return addNumber(value, digits); }
+    bool string(string_t& value) override { return add(JsonValue{value}, m_place.line); }
     bool binary(binary_t&) override { return false; }
     bool start_object(std::size_t) override { return open(JsonValue{JsonValue::Object{}}); }
     bool start_array(std::size_t) override { return open(JsonValue{JsonValue::List{}}); }
@@ -78,6 +143,7 @@ private:
         if (m_open.size() == maximumDepth)
             throw std::runtime_error(m_file + ": lists and objects are nested more than " +
                                      std::to_string(maximumDepth) + " deep.");
+        value.line = m_place.line;
         m_open.push_back(std::move(value));
         m_keys.emplace_back();
         return true;
@@ -88,11 +154,20 @@ private:
         JsonValue value = std::move(m_open.back());
         m_open.pop_back();
         m_keys.pop_back();
-        return add(std::move(value));
+        const std::uint32_t line = value.line;
+        return add(std::move(value), line);
     }
 
-    bool add(JsonValue value)
+    /// The parser has read the character after a number too.
+    bool addNumber(double value, const std::string& digits)
     {
+        return add(JsonValue{JsonNumber{value, thousandthOf(digits, value)}},
+                   m_place.line - (m_place.isAfterBreak ? 1U : 0U));
+    }
+
+    bool add(JsonValue value, std::uint32_t line)
+    {
+        value.line = line;
         if (m_open.empty())
             m_root = std::move(value);
         else if (auto* list = std::get_if<JsonValue::List>(&m_open.back().content))
@@ -104,6 +179,7 @@ private:
 
     const std::string& m_text;
     std::string m_file;
+    const Place& m_place;
     JsonValue m_root;
     std::vector<JsonValue> m_open;   ///< objects and lists whose end has not come yet
     std::vector<std::string> m_keys; ///< for each of them, the key its next value belongs to
@@ -129,7 +205,7 @@ struct Printer {
 
     void operator()(std::monostate) const { out << "null"; }
     void operator()(bool value) const { out << (value ? "true" : "false"); }
-    void operator()(double value) const { out << value; }
+    void operator()(const JsonNumber& number) const { out << number.value; }
     void operator()(const std::string& value) const { out << '"' << value << '"'; }
     void operator()(const JsonValue::List& list) const
     {
@@ -153,8 +229,10 @@ void print(const JsonValue& value, std::ostream& out)
 
 JsonValue parseJson(const std::string& text, const std::string& file)
 {
-    TreeBuilder builder(text, file);
-    nlohmann::json::sax_parse(text, &builder);
+    Place place;
+    TreeBuilder builder(text, file, place);
+    const char* const begin = text.data();
+    nlohmann::json::sax_parse(CountedCharacter(begin, &place), CountedCharacter(begin + text.size(), &place), &builder);
     return builder.take();
 }
 

@@ -1,6 +1,6 @@
 #include "io/recipe.h"
-#include "io/cad_format.h"
 
+#include "io/cad_format.h"
 #include "io/json_reader.h"
 #include "io/json_value.h"
 #include "io/recipe_sections.h"
@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 namespace knead {
 
@@ -16,7 +17,8 @@ namespace {
 
 constexpr double longestDuration = 3600;  // [s]; a longer run is a mistyped number
 constexpr double shortestTimeStep = 1e-9; // [s]
-constexpr double longestTimeStep = 1;     // [s]
+constexpr std::uint64_t mostSteps = 1ULL << 40U;
+constexpr double longestTimeStep = 1; // [s]
 
 SpacingChoice readSpacing(const JsonNode& root)
 {
@@ -28,7 +30,7 @@ SpacingChoice readSpacing(const JsonNode& root)
         root.fail("must have exactly one of the keys spacing_mm, cells_across, cells_across_wall and objects.");
     using Kind = SpacingChoice::Kind;
     if (spacing)
-        return {Kind::Length, spacing->positive() * millimeter};
+        return {Kind::Length, spacing->positiveThousandth()};
     if (cells)
         return {Kind::CellsAlong, cells->number(2, 1000)};
     if (wallCells)
@@ -49,7 +51,7 @@ RecipeFloor readFloor(const JsonNode& node)
 {
     node.allowOnly({"height_mm", "friction"});
     RecipeFloor floor;
-    floor.height = node.at("height_mm").number() * millimeter;
+    floor.height = node.at("height_mm").thousandth();
     if (const auto friction = node.find("friction"))
         floor.friction = friction->number(0, 2);
     return floor;
@@ -109,9 +111,7 @@ void readMethod(const JsonNode& root, Recipe& recipe)
 /// Where the objects are: parts and how they are filled.
 void readParts(const JsonNode& root, Recipe& recipe)
 {
-    const JsonNode part = root.at("part");
-    part.allowOnly({"file"});
-    recipe.part = readFilePath(part.at("file"), recipe.file);
+    readRecipePart(root.at("part"), recipe);
     if (const auto node = root.find("extra_parts"))
         for (const JsonNode& item : node->items())
             recipe.extraParts.push_back(readRecipeExtraPart(item, recipe.file));
@@ -144,64 +144,124 @@ void readBodies(const JsonNode& root, const std::vector<MaterialPreset>& presets
         recipe.fixtures = readNamed(*node, readRecipeFixture);
 }
 
-/// Finds the names an event refers to in the sections they come from.
-void checkEventNames(const JsonNode& node, const RecipeAction& action, const Recipe& recipe)
+/// Names of fixtures and manipulators as they come up, each used once.
+class EventNames {
+public:
+    explicit EventNames(const Recipe& recipe)
+    {
+        for (const RecipeFixture& fixture : recipe.fixtures)
+            m_fixtures.insert(fixture.name);
+        for (const RecipeManipulator& manipulator : recipe.manipulators)
+            m_manipulators.insert(manipulator.name);
+    }
+
+    void check(const JsonNode& node, const RecipeAction& action)
+    {
+        if (const auto* release = std::get_if<ReleaseFixture>(&action))
+            require(node.at("remove_fixture"), m_fixtures, release->fixture);
+        if (const auto* move = std::get_if<MoveRecipeFixture>(&action))
+            require(node.at("move_fixture").at("name"), m_fixtures, move->fixture);
+        if (const auto* add = std::get_if<AddRecipeFixture>(&action))
+            take(node.at("add_fixture").at("name"), m_fixtures, add->fixture.name);
+        if (const auto* away = std::get_if<TakeManipulatorAway>(&action))
+            require(node.at("remove_manipulator"), m_manipulators, away->manipulator);
+        if (const auto* move = std::get_if<MoveRecipeManipulator>(&action))
+            require(node.at("move_manipulator").at("name"), m_manipulators, move->manipulator);
+        if (const auto* place = std::get_if<PlaceRecipeManipulator>(&action))
+            require(node.at("place_manipulator").at("name"), m_manipulators, place->manipulator);
+        if (const auto* reshape = std::get_if<ReshapeRecipeManipulator>(&action))
+            require(node.at("reshape_manipulator").at("name"), m_manipulators, reshape->manipulator.name);
+        if (const auto* add = std::get_if<AddRecipeManipulator>(&action))
+            take(node.at("add_manipulator").at("name"), m_manipulators, add->manipulator.name);
+    }
+
+private:
+    static void require(const JsonNode& node, const std::set<std::string>& known, const std::string& name)
+    {
+        if (!known.contains(name))
+            node.fail("names \"" + name + "\", which is not in the recipe.");
+    }
+    static void take(const JsonNode& node, std::set<std::string>& known, const std::string& name)
+    {
+        if (!known.insert(name).second)
+            node.fail("is used twice: \"" + name + "\".");
+    }
+
+    std::set<std::string> m_fixtures;
+    std::set<std::string> m_manipulators;
+};
+
+/// Times and steps go on upwards, from 0 again after a reset.
+class EventOrder {
+public:
+    void check(const JsonNode& node, const RecipeEvent& event)
+    {
+        if (!event.step && event.time < m_time)
+            node.at("time_s").failExpecting("must not be earlier than that of the event before it");
+        if (event.step && *event.step < m_step)
+            node.at("step").failExpecting("must not be less than that of the event before it");
+        m_time = event.step ? m_time : event.time;
+        m_step = event.step.value_or(m_step);
+        if (std::holds_alternative<StartAgain>(event.action))
+            *this = {};
+    }
+
+private:
+    double m_time = 0;
+    std::uint64_t m_step = 0;
+};
+
+/// The longest time that an event may have: that of the run, where no reset begins it anew.
+double latestTime(const JsonNode& node, const Recipe& recipe)
 {
-    const auto check = [&](const std::string& key, const auto& named, const std::string& name) {
-        const auto same = [&](const auto& one) { return one.name == name; };
-        if (std::none_of(named.begin(), named.end(), same))
-            node.at(key).fail("names \"" + name + "\", which is not in the recipe.");
-    };
-    if (const auto* release = std::get_if<ReleaseFixture>(&action))
-        check("remove_fixture", recipe.fixtures, release->fixture);
-    if (const auto* away = std::get_if<TakeManipulatorAway>(&action))
-        check("remove_manipulator", recipe.manipulators, away->manipulator);
+    const std::vector<JsonNode> items = node.items();
+    const bool resets = std::any_of(items.begin(), items.end(),
+                                    [](const JsonNode& item) { return item.isObject() && item.find("reset"); });
+    return resets || recipe.durationSteps ? longestDuration : recipe.duration;
 }
 
 std::vector<RecipeEvent> readEvents(const JsonNode& node, const Recipe& recipe,
                                     const std::vector<MaterialPreset>& presets)
 {
+    const EventContext context{presets, recipe.file, latestTime(node, recipe)};
+    EventNames names(recipe);
+    EventOrder order;
     std::vector<RecipeEvent> events;
-    for (const JsonNode& item : node.items()) {
-        RecipeEvent event = readRecipeEvent(item, presets, recipe.duration);
-        checkEventNames(item, event.action, recipe);
-        if (!events.empty() && event.time < events.back().time)
-            item.at("time_s").failExpecting("must not be earlier than that of the event before it");
-        events.push_back(std::move(event));
-    }
+    const std::vector<JsonNode> items = node.items();
+    for (std::size_t i = 0; i < items.size(); ++i)
+        for (RecipeEvent& event : readRecipeEvent(items[i], context)) {
+            names.check(items[i], event.action);
+            order.check(items[i], event);
+            event.item = i;
+            events.push_back(std::move(event));
+        }
     return events;
 }
 
+void readDuration(const JsonNode& root, Recipe& recipe)
+{
+    const auto steps = root.find("duration_steps");
+    if (steps && root.find("duration_s"))
+        root.fail("must have only one of the keys duration_s and duration_steps.");
+    if (steps) {
+        recipe.durationSteps = steps->count(mostSteps);
+        return;
+    }
+    recipe.duration = root.at("duration_s").positive();
+    if (recipe.duration > longestDuration)
+        root.at("duration_s").failExpecting("must be at most 3600 s");
+}
+
 /// Messages about a changed recipe say that it is one: what they name need not be in the file.
-JsonNode readChanged(const std::string& path, const std::vector<RecipeOverride>& changes)
+JsonNode rootOf(JsonValue recipe, const std::string& path, const std::vector<RecipeOverride>& changes)
 {
-    if (changes.empty())
-        return JsonNode::readFile(path);
     const std::string file = std::filesystem::path(path).filename().string();
-    JsonValue recipe = readJsonFile(path);
     applyOverrides(recipe, changes, file);
-    return JsonNode::ofValue(std::move(recipe), file + " with --set");
+    return JsonNode::ofValue(std::move(recipe), changes.empty() ? file : file + " with --set");
 }
 
-} // namespace
-
-Material RecipeMaterial::on(const Material& base) const
+Recipe readRoot(const JsonNode& root, const std::string& path, const std::vector<MaterialPreset>& presets)
 {
-    Material material = preset.value_or(base);
-    for (const auto& [member, number] : overrides)
-        material.*member = number;
-    return material;
-}
-
-bool RecipeExport::isPicture() const
-{
-    return lowerCaseEnding(file) == "png";
-}
-
-Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets,
-                  const std::vector<RecipeOverride>& changes)
-{
-    const JsonNode root = readChanged(path, changes);
     root.allowOnly({"version",
                     "part",
                     "extra_parts",
@@ -225,6 +285,7 @@ Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& pr
                     "time_step_s",
                     "mass_scaling_time_step_s",
                     "duration_s",
+                    "duration_steps",
                     "events",
                     "exports"});
     root.at("version").integer(1, 1);
@@ -233,9 +294,7 @@ Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& pr
     recipe.file = path;
     readParts(root, recipe);
     readMethod(root, recipe);
-    recipe.duration = root.at("duration_s").positive();
-    if (recipe.duration > longestDuration)
-        root.at("duration_s").failExpecting("must be at most 3600 s");
+    readDuration(root, recipe);
     readBodies(root, presets, recipe);
     if (const auto node = root.find("manipulators"))
         recipe.manipulators = readNamed(*node, [&](const JsonNode& item) { return readRecipeManipulator(item, path); });
@@ -248,6 +307,35 @@ Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& pr
     if (const auto node = root.find("exports"))
         recipe.exports = readExports(*node);
     return recipe;
+}
+
+} // namespace
+
+Material RecipeMaterial::on(const Material& base) const
+{
+    Material material = preset.value_or(base);
+    for (const auto& [member, number] : overrides)
+        material.*member = number;
+    return material;
+}
+
+bool RecipeExport::isPicture() const
+{
+    return lowerCaseEnding(file) == "png";
+}
+
+Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets,
+                  const std::vector<RecipeOverride>& changes)
+{
+    return readRoot(rootOf(readJsonFile(path), path, changes), path, presets);
+}
+
+Recipe readRecipeText(const std::string& text, const std::string& path, const std::vector<MaterialPreset>& presets,
+                      const std::vector<RecipeOverride>& changes)
+{
+    JsonValue recipe = parseJson(text, std::filesystem::path(path).filename().string());
+    forgetLines(recipe);
+    return readRoot(rootOf(std::move(recipe), path, changes), path, presets);
 }
 
 } // namespace knead

@@ -5,6 +5,7 @@
 #include "core/geometry/vec3.h"
 #include "core/mechanics/manipulator.h"
 #include "core/model/export_options.h"
+#include "core/model/import_options.h"
 #include "core/simulation/scene.h"
 #include "io/recipe_override.h"
 
@@ -41,15 +42,25 @@ struct RecipeBody {
     Vec3 angularVelocity = Vec3::Zero(); ///< about the center of mass [rad/s]
 };
 
-/// A region of bodies: at CAD faces or everything in a box.
-struct RecipeRegion {
-    std::string name;
-    std::string body;                 ///< empty: the only one for faces, every one for a box
-    std::vector<std::uint32_t> faces; ///< indices into Part::faces
-    std::optional<Box> box;           ///< [m]
+/// Objects of a body by their numbers, which mean something in one filling of it only.
+struct RecipeObjects {
+    std::vector<ObjectIndex> numbers; ///< ascending
+    std::size_t of = 0;               ///< how many objects the body has in that filling
 };
 
-using RecipeFixture = RecipeRegion; ///< held in place
+/// A region of bodies: at CAD faces, everything in a box, or objects one by one.
+struct RecipeRegion {
+    std::string name;
+    std::string body;                 ///< empty: the only one for faces and objects, every one for a box
+    std::vector<std::uint32_t> faces; ///< indices into Part::faces
+    std::optional<Box> box;           ///< [m]
+    std::optional<RecipeObjects> objects;
+};
+
+/// Held in place, or by a grip that moves.
+struct RecipeFixture : RecipeRegion {
+    Vec3 velocity = Vec3::Zero(); ///< [m/s]
+};
 
 /// A region made of something else than its body.
 struct RecipeMaterialRegion : RecipeRegion {
@@ -57,7 +68,8 @@ struct RecipeMaterialRegion : RecipeRegion {
 };
 
 struct RecipeManipulator : Manipulator {
-    std::string partFile; ///< for ToolKind::part; its part and size are known when it is opened
+    std::string partFile;                  ///< for ToolKind::part; its part and size are known when it is opened
+    std::optional<std::size_t> partNumber; ///< which tool of a project, when that is the file
 };
 
 struct RecipeFloor {
@@ -67,14 +79,16 @@ struct RecipeFloor {
 
 /// Things that can happen at a time of the run.
 struct ChangeMaterial {
-    std::string body;        ///< empty: every one
-    std::optional<Box> box;  ///< only the objects that began in here [m]
+    std::string body;       ///< empty: every one
+    std::optional<Box> box; ///< only the objects that began in here [m]
+    std::optional<RecipeObjects> objects;
     RecipeMaterial material; ///< on top of what the body started with
 };
 struct RenormalizeBodies {
     std::string body;       ///< empty: every one
     std::optional<Box> box; ///< only the objects that began in here [m]
-    double duration = 0;    ///< [s]; 0: at once
+    std::optional<RecipeObjects> objects;
+    double duration = 0; ///< [s]; 0: at once
 };
 struct ChangeBodyKind {
     std::string body;
@@ -89,12 +103,49 @@ struct TakeManipulatorAway {
 struct ChangeGravity {
     Vec3 gravity = Vec3::Zero(); ///< [m/s^2]
 };
+struct ChangeFloor {
+    std::optional<double> height; ///< z [m]; none: there is no floor
+    double friction = 0.4;
+};
+struct ChangeIntegrator {
+    Integrator integrator = Integrator::semiImplicitEuler;
+};
+struct AddRecipeFixture {
+    RecipeFixture fixture;
+};
+struct MoveRecipeFixture {
+    std::string fixture;
+    Vec3 velocity = Vec3::Zero(); ///< [m/s]
+};
+struct AddRecipeManipulator {
+    RecipeManipulator manipulator;
+};
+struct MoveRecipeManipulator {
+    std::string manipulator;
+    Motion motion;
+};
+struct PlaceRecipeManipulator {
+    std::string manipulator;
+    Pose pose;
+};
+struct ReshapeRecipeManipulator {
+    RecipeManipulator manipulator; ///< its name, form and limits
+};
+struct StartAgain {}; ///< Reset: steps and times count anew
+struct MarkMoment {   ///< KeepMoment, at the end of what a person did at one go
+    std::string name;
+};
 using RecipeAction =
-    std::variant<ChangeMaterial, RenormalizeBodies, ChangeBodyKind, ReleaseFixture, TakeManipulatorAway, ChangeGravity>;
+    std::variant<ChangeMaterial, RenormalizeBodies, ChangeBodyKind, ReleaseFixture, TakeManipulatorAway, ChangeGravity,
+                 ChangeFloor, ChangeIntegrator, AddRecipeFixture, MoveRecipeFixture, AddRecipeManipulator,
+                 MoveRecipeManipulator, PlaceRecipeManipulator, ReshapeRecipeManipulator, StartAgain, MarkMoment>;
 
+/// Events take place in the order of the recipe. Steps and times count from the last StartAgain.
 struct RecipeEvent {
-    double time = 0; ///< [s]
+    double time = 0;                   ///< [s]
+    std::optional<std::uint64_t> step; ///< before this one, whatever the time
     RecipeAction action;
+    std::size_t item = 0; ///< which of the events of the file it is; a path in the file is several events
 };
 
 /// A file to write at the end. All but the name is for pictures.
@@ -119,8 +170,11 @@ enum class Arrangement {
 
 /// A session that runs without a window: a part, its material, tools with their motions, events and exports. SI units.
 struct Recipe {
-    std::string file; ///< where it was read from
-    std::string part; ///< path of the CAD or mesh file, ready to open
+    std::string file;                     ///< where it was read from
+    std::string part;                     ///< path of the CAD or mesh file, or of a project, ready to open
+    std::vector<std::string> partsBeside; ///< opened together with it, as one assembly
+    ImportOptions import;                 ///< of all of these
+    bool fillsOpenParts = false;          ///< tries winding numbers on surfaces that are not closed
     std::vector<RecipeExtraPart> extraParts;
     SpacingChoice spacing; ///< of all parts of the file together
     Arrangement arrangement = Arrangement::cutCells;
@@ -130,16 +184,17 @@ struct Recipe {
     std::vector<RecipeBody> bodies; ///< those that differ from a deformable body at rest
     double structuralFriction = 0;  ///< within every body
     std::vector<RecipeFixture> fixtures;
-    std::vector<RecipeManipulator> manipulators; ///< motions are HoldStill or FollowKeyFrames
-    Vec3 gravity = Vec3::Zero();                 ///< [m/s^2]
+    std::vector<RecipeManipulator> manipulators;
+    Vec3 gravity = Vec3::Zero(); ///< [m/s^2]
     std::optional<RecipeFloor> floor;
     Touching touching = Touching::separate;
     Integrator integrator = Integrator::semiImplicitEuler;
     VicinityMethod vicinity = VicinityMethod::uniformGrid;
-    std::optional<double> timeStep;            ///< [s]
-    std::optional<double> massScalingTimeStep; ///< [s]
-    double duration = 0;                       ///< simulated [s]
-    std::vector<RecipeEvent> events;           ///< ascending times
+    std::optional<double> timeStep;             ///< [s]
+    std::optional<double> massScalingTimeStep;  ///< [s]
+    double duration = 0;                        ///< simulated [s]; since the last StartAgain
+    std::optional<std::uint64_t> durationSteps; ///< so many steps, whatever the time
+    std::vector<RecipeEvent> events;
     std::vector<RecipeExport> exports;
 };
 
@@ -150,5 +205,9 @@ struct Recipe {
 /// @throws std::runtime_error, in a sentence: the file, the place in it, and what is allowed there.
 Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets,
                   const std::vector<RecipeOverride>& changes = {});
+
+/// The same of a text that nobody sees, as if it lay at the path.
+Recipe readRecipeText(const std::string& text, const std::string& path, const std::vector<MaterialPreset>& presets,
+                      const std::vector<RecipeOverride>& changes = {});
 
 } // namespace knead

@@ -1,36 +1,19 @@
 // Events of a recipe: what changes on the way.
 #include "io/recipe_sections.h"
 #include "io/recipe_values.h"
+#include "io/scene_words.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace knead {
 
 namespace {
 
 constexpr double longestAnnealing = 3600; // [s]
-
-const std::vector<std::string>& actionKeys()
-{
-    static const std::vector<std::string> keys{"material",     "remove_fixture", "remove_manipulator",
-                                               "gravity_m_s2", "renormalize",    "body_kind"};
-    return keys;
-}
-
-/// The one key that says what happens.
-std::string actionOf(const JsonNode& node)
-{
-    std::vector<std::string> found;
-    for (const std::string& key : actionKeys())
-        if (node.find(key))
-            found.push_back(key);
-    if (found.size() > 1)
-        node.fail("must have only one of the keys " + found[0] + " and " + found[1] + ".");
-    if (found.empty())
-        node.fail("must have exactly one of the keys " + listed(actionKeys(), [](const auto& key) { return key; }) +
-                  ".");
-    return found.front();
-}
+constexpr double fastestGrip = 1e5;       // [mm/s]
+constexpr std::uint64_t mostSteps = 1ULL << 40U;
 
 std::string readOptionalText(const JsonNode& node, const std::string& key)
 {
@@ -38,57 +21,197 @@ std::string readOptionalText(const JsonNode& node, const std::string& key)
     return text ? text->text() : "";
 }
 
-std::optional<Box> readOptionalBox(const JsonNode& node)
+/// Objects are those of one body.
+template <class Action>
+void readWhere(const JsonNode& node, Action& action)
 {
-    const auto box = node.find("box_mm");
-    return box ? std::optional(readBox(*box)) : std::nullopt;
+    action.body = readOptionalText(node, "body");
+    if (const auto box = node.find("box_mm"))
+        action.box = readBox(*box);
+    action.objects = readRecipeObjects(node);
+    if (action.objects && action.box)
+        node.fail("must have only one of the keys box_mm and objects.");
 }
 
-RenormalizeBodies readRenormalize(const JsonNode& node)
+RecipeAction readRenormalize(const JsonNode& node)
 {
-    node.allowOnly({"body", "box_mm", "duration_s"});
-    RenormalizeBodies action{readOptionalText(node, "body"), readOptionalBox(node), 0};
+    node.allowOnly({"body", "box_mm", "objects", "objects_in_body", "duration_s"});
+    RenormalizeBodies action;
+    readWhere(node, action);
     if (const auto duration = node.find("duration_s"))
         action.duration = duration->number(0, longestAnnealing);
     return action;
 }
 
-ChangeBodyKind readChangeOfKind(const JsonNode& node)
+RecipeAction readChangeOfKind(const JsonNode& node)
 {
     node.allowOnly({"body", "kind"});
-    return {node.at("body").text(), readBodyKind(node.at("kind"))};
+    return ChangeBodyKind{node.at("body").text(), readBodyKind(node.at("kind"))};
 }
 
-RecipeAction readAction(const JsonNode& node, const std::vector<MaterialPreset>& presets)
+RecipeAction readChangeOfFloor(const JsonNode& node)
 {
-    const std::string key = actionOf(node);
-    const JsonNode action = node.at(key);
-    if (key != "material")
-        for (const char* detail : {"body", "box_mm"})
-            if (const auto found = node.find(detail))
-                found->fail("belongs to a change of material only.");
-    if (key == "material")
-        return ChangeMaterial{readOptionalText(node, "body"), readOptionalBox(node),
-                              readRecipeMaterial(action, presets)};
-    if (key == "remove_fixture")
-        return ReleaseFixture{action.text()};
-    if (key == "remove_manipulator")
-        return TakeManipulatorAway{action.text()};
-    if (key == "gravity_m_s2")
-        return ChangeGravity{readVector(action, strongestGravity)};
-    if (key == "renormalize")
-        return readRenormalize(action);
-    return readChangeOfKind(action);
+    node.allowOnly({"height_mm", "friction"});
+    ChangeFloor action;
+    if (const auto height = node.find("height_mm"))
+        action.height = height->thousandth();
+    if (const auto friction = node.find("friction"))
+        action.friction = friction->number(0, 2);
+    return action;
+}
+
+RecipeAction readMoveOfFixture(const JsonNode& node)
+{
+    node.allowOnly({"name", "velocity_mm_s"});
+    return MoveRecipeFixture{node.at("name").text(), readMillimeters(node.at("velocity_mm_s"), fastestGrip)};
+}
+
+RecipeAction readPlacing(const JsonNode& node)
+{
+    node.allowOnly(withPoseKeys({"name"}));
+    node.at("position_mm");
+    return PlaceRecipeManipulator{node.at("name").text(), readPose(node, {})};
+}
+
+/// Path apart, which is several events.
+RecipeAction readMove(const JsonNode& node)
+{
+    return MoveRecipeManipulator{node.at("name").text(), readMotion(node)};
+}
+
+RecipeAction readReset(const JsonNode& node)
+{
+    if (!node.boolean())
+        node.fail("must be true.");
+    return StartAgain{};
+}
+
+/// What can happen, by its key. A change of material has other keys beside its own.
+struct ActionReader {
+    std::string key;
+    std::function<RecipeAction(const JsonNode& event, const JsonNode& action, const EventContext&)> read;
+};
+
+template <class Read>
+ActionReader plain(const char* key, Read read)
+{
+    return {key, [read](const JsonNode&, const JsonNode& action, const EventContext&) { return read(action); }};
+}
+
+RecipeAction readMaterialChange(const JsonNode& event, const JsonNode& action, const EventContext& context)
+{
+    ChangeMaterial change;
+    readWhere(event, change);
+    change.material = readRecipeMaterial(action, context.presets);
+    return change;
+}
+
+const std::vector<ActionReader>& actionReaders()
+{
+    using Node = const JsonNode&;
+    static const std::vector<ActionReader> readers{
+        {"material", readMaterialChange},
+        plain("remove_fixture", [](Node node) { return ReleaseFixture{node.text()}; }),
+        plain("remove_manipulator", [](Node node) { return TakeManipulatorAway{node.text()}; }),
+        plain("gravity_m_s2", [](Node node) { return ChangeGravity{readVector(node, strongestGravity)}; }),
+        plain("renormalize", readRenormalize),
+        plain("body_kind", readChangeOfKind),
+        plain("floor", readChangeOfFloor),
+        plain("integrator", [](Node node) { return ChangeIntegrator{readChoice(node, integratorWords())}; }),
+        plain("add_fixture", [](Node node) { return AddRecipeFixture{readRecipeFixture(node)}; }),
+        plain("move_fixture", readMoveOfFixture),
+        {"add_manipulator",
+         [](Node, Node node, const EventContext& context) {
+             return AddRecipeManipulator{readRecipeManipulator(node, context.recipePath)};
+         }},
+        plain("move_manipulator", readMove),
+        plain("place_manipulator", readPlacing),
+        {"reshape_manipulator",
+         [](Node, Node node, const EventContext& context) {
+             return ReshapeRecipeManipulator{readReshaping(node, context.recipePath)};
+         }},
+        plain("reset", readReset),
+        plain("keep_moment", [](Node node) { return MarkMoment{node.anyText()}; }),
+    };
+    return readers;
+}
+
+std::string allKeys()
+{
+    return listed(actionReaders(), [](const ActionReader& reader) { return reader.key; });
+}
+
+/// The one key that says what happens.
+const ActionReader& readerFor(const JsonNode& node)
+{
+    std::vector<const ActionReader*> found;
+    for (const ActionReader& reader : actionReaders())
+        if (node.find(reader.key))
+            found.push_back(&reader);
+    if (found.size() > 1)
+        node.fail("must have only one of the keys " + found[0]->key + " and " + found[1]->key + ".");
+    if (found.empty())
+        node.fail("must have exactly one of the keys " + allKeys() + ".");
+    return *found.front();
+}
+
+RecipeEvent readWhen(const JsonNode& node, const EventContext& context)
+{
+    const auto time = node.find("time_s");
+    const auto step = node.find("step");
+    if (time.has_value() == step.has_value())
+        node.fail("must have either time_s or step.");
+    RecipeEvent event;
+    if (time)
+        event.time = time->number(0, context.duration);
+    else
+        event.step = step->count(mostSteps);
+    return event;
+}
+
+std::vector<RecipeEvent> readPathEvents(const JsonNode& path, const std::string& name, const RecipeEvent& when)
+{
+    if (!when.step)
+        path.fail("needs an event with a step; say keyframes for times.");
+    std::vector<RecipeEvent> events;
+    for (const PathRow& row : readPath(path))
+        events.push_back({0, *when.step + row.step, MoveRecipeManipulator{name, GoTo{row.target}}});
+    return events;
+}
+
+/// The keys of a move, which may be a path.
+std::optional<JsonNode> pathIn(const JsonNode& move)
+{
+    std::vector<std::string> allowed{"name", "path"};
+    allowed.insert(allowed.end(), motionKeys().begin(), motionKeys().end());
+    move.allowOnly(allowed);
+    const auto path = move.find("path");
+    for (const std::string& key : motionKeys())
+        if (path && move.find(key))
+            move.fail("must have only one of the keys path and " + key + ".");
+    return path;
 }
 
 } // namespace
 
-RecipeEvent readRecipeEvent(const JsonNode& node, const std::vector<MaterialPreset>& presets, double duration)
+std::vector<RecipeEvent> readRecipeEvent(const JsonNode& node, const EventContext& context)
 {
-    std::vector<std::string> allowed{"time_s", "body", "box_mm"};
-    allowed.insert(allowed.end(), actionKeys().begin(), actionKeys().end());
+    std::vector<std::string> allowed{"time_s", "step", "body", "box_mm", "objects", "objects_in_body"};
+    for (const ActionReader& reader : actionReaders())
+        allowed.push_back(reader.key);
     node.allowOnly(allowed);
-    return {node.at("time_s").number(0, duration), readAction(node, presets)};
+    RecipeEvent event = readWhen(node, context);
+    const ActionReader& reader = readerFor(node);
+    const JsonNode action = node.at(reader.key);
+    if (reader.key != "material")
+        for (const char* detail : {"body", "box_mm", "objects", "objects_in_body"})
+            if (const auto found = node.find(detail))
+                found->fail("belongs to a change of material only.");
+    if (reader.key == "move_manipulator")
+        if (const auto path = pathIn(action))
+            return readPathEvents(*path, action.at("name").text(), event);
+    event.action = reader.read(node, action, context);
+    return {event};
 }
 
 } // namespace knead

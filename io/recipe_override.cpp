@@ -197,10 +197,24 @@ RecipeOverride parseOverride(const std::string& text)
     return {text.substr(0, sign), text.substr(sign + 1)};
 }
 
+void forgetLines(JsonValue& value)
+{
+    value.line = 0;
+    if (auto* list = std::get_if<JsonValue::List>(&value.content))
+        for (JsonValue& item : *list)
+            forgetLines(item);
+    if (auto* object = std::get_if<JsonValue::Object>(&value.content))
+        for (auto& member : *object)
+            forgetLines(member.second);
+}
+
+/// What is set stands in no line of the file.
 JsonValue overrideValue(const RecipeOverride& change)
 {
     try {
-        return parseJson(change.value, "the value of " + change.path);
+        JsonValue value = parseJson(change.value, "the value of " + change.path);
+        forgetLines(value);
+        return value;
     } catch (const std::runtime_error&) {
         if (startsAsJson(change.value))
             throw;

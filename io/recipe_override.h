@@ -22,6 +22,9 @@ RecipeOverride parseOverride(const std::string& text);
 /// @throws std::runtime_error, in a sentence, when it begins as an object, a list or a quoted text and is none
 JsonValue overrideValue(const RecipeOverride& change);
 
+/// Takes the lines away, of a text that nobody sees.
+void forgetLines(JsonValue& value);
+
 /// Carries out the changes in their order. Objects that are missing on the way are made, and a material that is given by its
 /// name becomes one with that preset; whether the result is a recipe is checked afterwards.
 /// @param file name for messages

@@ -13,7 +13,8 @@ namespace knead {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double fastest = 1e5; // [mm/s] and [degrees/s]
+constexpr double fastest = 1e5;                // [mm/s] and [degrees/s]
+constexpr std::uint64_t mostObjects = 1 << 28; // of a body
 
 Material readPreset(const JsonNode& node, const std::vector<MaterialPreset>& presets)
 {
@@ -35,20 +36,21 @@ std::vector<std::uint32_t> readFaces(const JsonNode& node)
     return faces;
 }
 
+/// A number, or the first and the last of a stretch.
+std::pair<std::uint64_t, std::uint64_t> readStretch(const JsonNode& node)
+{
+    if (!node.isList())
+        return {node.count(mostObjects), node.count(mostObjects)};
+    const std::vector<JsonNode> ends = node.items();
+    if (ends.size() != 2)
+        node.failExpecting("must hold the first and the last number of a stretch");
+    return {ends[0].count(mostObjects), ends[1].count(mostObjects)};
+}
+
 RecipeRegion readRegion(const JsonNode& node)
 {
-    RecipeRegion region;
+    RecipeRegion region = readRecipePlace(node);
     region.name = node.at("name").text();
-    if (const auto body = node.find("body"))
-        region.body = body->text();
-    const auto faces = node.find("faces");
-    const auto box = node.find("box_mm");
-    if (faces.has_value() == box.has_value())
-        node.fail("must have either faces or box_mm.");
-    if (faces)
-        region.faces = readFaces(*faces);
-    else
-        region.box = readBox(*box);
     return region;
 }
 
@@ -74,6 +76,44 @@ RecipeMaterial readRecipeMaterial(const JsonNode& node, const std::vector<Materi
     return material;
 }
 
+std::optional<RecipeObjects> readRecipeObjects(const JsonNode& node)
+{
+    const auto list = node.find("objects");
+    const auto count = node.find("objects_in_body");
+    if (list.has_value() != count.has_value())
+        node.fail("must have both of the keys objects and objects_in_body, or none.");
+    if (!list)
+        return std::nullopt;
+    RecipeObjects objects{{}, count->count(mostObjects)};
+    for (const JsonNode& item : list->items()) {
+        const auto [first, last] = readStretch(item);
+        if (last < first || last >= objects.of || (!objects.numbers.empty() && first <= objects.numbers.back()))
+            item.failExpecting("must go on upwards, below objects_in_body");
+        for (std::uint64_t number = first; number <= last; ++number)
+            objects.numbers.push_back(static_cast<ObjectIndex>(number));
+    }
+    if (objects.numbers.empty())
+        list->fail("must hold at least one object.");
+    return objects;
+}
+
+RecipeRegion readRecipePlace(const JsonNode& node)
+{
+    RecipeRegion region;
+    if (const auto body = node.find("body"))
+        region.body = body->text();
+    const auto faces = node.find("faces");
+    const auto box = node.find("box_mm");
+    region.objects = readRecipeObjects(node);
+    if (faces.has_value() + box.has_value() + region.objects.has_value() != 1)
+        node.fail("must have exactly one of the keys faces, box_mm and objects.");
+    if (faces)
+        region.faces = readFaces(*faces);
+    if (box)
+        region.box = readBox(*box);
+    return region;
+}
+
 RecipeExtraPart readRecipeExtraPart(const JsonNode& node, const std::string& recipePath)
 {
     node.allowOnly({"file", "name", "position_mm", "rotation_deg"});
@@ -95,27 +135,36 @@ BodyKind readBodyKind(const JsonNode& node)
 
 RecipeBody readRecipeBody(const JsonNode& node, const std::string& name)
 {
-    node.allowOnly({"kind", "velocity_mm_s", "angular_velocity_deg_s"});
+    node.allowOnly({"kind", "velocity_mm_s", "angular_velocity_deg_s", "angular_velocity_rad_s"});
     RecipeBody body;
     body.name = name;
     if (const auto kind = node.find("kind"))
         body.kind = readBodyKind(*kind);
     if (const auto velocity = node.find("velocity_mm_s"))
-        body.velocity = millimeter * readVector(*velocity, fastest);
-    if (const auto velocity = node.find("angular_velocity_deg_s"))
-        body.angularVelocity = degree * readVector(*velocity, fastest);
+        body.velocity = readMillimeters(*velocity, fastest);
+    const auto turns = node.find("angular_velocity_deg_s");
+    const auto radians = node.find("angular_velocity_rad_s");
+    if (turns && radians)
+        node.fail("must have only one of the keys angular_velocity_deg_s and angular_velocity_rad_s.");
+    if (turns)
+        body.angularVelocity = degree * readVector(*turns, fastest);
+    if (radians)
+        body.angularVelocity = readVector(*radians, fastest);
     return body;
 }
 
 RecipeFixture readRecipeFixture(const JsonNode& node)
 {
-    node.allowOnly({"name", "body", "faces", "box_mm"});
-    return readRegion(node);
+    node.allowOnly({"name", "body", "faces", "box_mm", "objects", "objects_in_body", "velocity_mm_s"});
+    RecipeFixture fixture{readRegion(node)};
+    if (const auto velocity = node.find("velocity_mm_s"))
+        fixture.velocity = readMillimeters(*velocity, fastest);
+    return fixture;
 }
 
 RecipeMaterialRegion readRecipeMaterialRegion(const JsonNode& node, const std::vector<MaterialPreset>& presets)
 {
-    node.allowOnly({"name", "body", "faces", "box_mm", "material"});
+    node.allowOnly({"name", "body", "faces", "box_mm", "objects", "objects_in_body", "material"});
     return {readRegion(node), readRecipeMaterial(node.at("material"), presets)};
 }
 

@@ -11,8 +11,7 @@ namespace knead {
 
 // What the sections of a recipe have in common. All readers throw as readRecipe() does.
 
-constexpr double millimeter = 1e-3; ///< [m]
-constexpr double farAway = 1e6;     ///< [mm]; a kilometer is no workbench
+constexpr double farAway = 1e6; ///< [mm]; a kilometer is no workbench
 
 /// Words of a recipe with what they mean, in the order of messages.
 template <class Choice>
@@ -39,6 +38,9 @@ Choice readChoice(const JsonNode& node, const Choices<Choice>& choices)
 /// Three numbers, none larger than `limit` in size.
 Vec3 readVector(const JsonNode& node, double limit);
 
+/// The same, of millimeters [m], or of millimeters per second [m/s].
+Vec3 readMillimeters(const JsonNode& node, double limit);
+
 /// Three coordinates in millimeters [m].
 Vec3 readPlace(const JsonNode& node);
 
@@ -47,6 +49,15 @@ Box readBox(const JsonNode& node);
 
 /// Three angles in degrees: turns about the fixed axes x, y and z, in this order.
 Quaternion readRotation(const JsonNode& node);
+
+/// Four numbers w, x, y, z of a quaternion of length 1, which keeps its bits.
+Quaternion readQuaternion(const JsonNode& node);
+
+/// Place and rotation: `position_mm`, and `rotation_deg` or, to the last bit, `rotation_wxyz`. What is not said is as in `pose`.
+Pose readPose(const JsonNode& node, Pose pose);
+
+/// The keys of readPose(), added to those of an object.
+std::vector<std::string> withPoseKeys(std::vector<std::string> keys);
 
 /// Numbers greater than 0 in millimeters [m].
 std::vector<double> readLengths(const JsonNode& node, std::size_t count);

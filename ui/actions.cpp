@@ -64,7 +64,7 @@ QList<QAction*> makeToolActions(QWidget* window)
 } // namespace
 
 Actions::Actions(QWidget* window)
-    : open(make(window, {"open", "&Open...", "open", {QKeySequence("Ctrl+O")}, "Open a part"}))
+    : open(make(window, {"open", "&Open...", "open", {QKeySequence("Ctrl+O")}, "Open a part, a project or a recipe"}))
     , openWithChoices(make(window, {"openWithChoices",
                                     "Open with &choices...",
                                     nullptr,
@@ -82,6 +82,11 @@ Actions::Actions(QWidget* window)
           {"recover", "Recover &unsaved work...", nullptr, {}, "Look for work that was not saved when Knead ended"}))
     , exportMeshes(make(
           window, {"export", "&Export...", "export", {QKeySequence("Ctrl+E")}, "Write the deformed part to a file"}))
+    , exportRecipe(make(window, {"exportRecipe",
+                                 "Export as &recipe...",
+                                 nullptr,
+                                 {},
+                                 "Write what was done as a recipe, to be read, changed and carried out again"}))
     , quit(make(window, {"quit", "&Quit", nullptr, {QKeySequence("Ctrl+Q")}}))
     , undo(make(window, {"undo", "Undo", "undo", {QKeySequence("Ctrl+Z")}}))
     , redo(make(window, {"redo", "Redo", "redo", {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")}}))
@@ -145,10 +150,8 @@ void Actions::setDocumentOpen(bool isOpen, bool isSimulated)
     for (QAction* action :
          {save, saveAs, fit, front, back, right, left, top, bottom, isometric, perspective, edges, openEdges, grid})
         action->setEnabled(isOpen);
-    for (QAction* action :
-         {exportMeshes, play, step, reset, gravity, floor, renormalize, fixFaces, remove, objects, allObjects, hide})
-        action->setEnabled(isSimulated);
-    for (QAction* action : {recordVideo, recordPictures})
+    for (QAction* action : {exportMeshes, exportRecipe, play, step, reset, gravity, floor, recordVideo, recordPictures,
+                            renormalize, fixFaces, remove, objects, allObjects, hide})
         action->setEnabled(isSimulated);
     for (QAction* action : addTool)
         action->setEnabled(isSimulated);

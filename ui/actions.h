@@ -20,6 +20,7 @@ struct Actions {
     QAction* saveAs;
     QAction* recover;
     QAction* exportMeshes;
+    QAction* exportRecipe;
     QAction* quit;
 
     QAction* undo;

@@ -28,6 +28,7 @@ namespace knead {
 namespace {
 
 constexpr double standardGravity = 9.81; // [m/s^2]
+
 } // namespace
 
 MainWindow::MainWindow(Services services, QWidget* parent)
@@ -55,6 +56,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     connectTasks();
     connectRecording();
     connect(&m_document, &Document::changed, this, &MainWindow::documentChanged);
+    connect(&m_document, &Document::recipeEnded, this, [this](const QString& sentence) { m_log->add(sentence); });
     connect(&m_document, &Document::notice, this, [this](const QString& sentence) { showProblem(sentence); });
     selectionChanged();
     restoreSettings();
@@ -76,6 +78,7 @@ void MainWindow::connectFileActions()
     connect(m_import, &ImportPanel::healingChosen, this, &MainWindow::takeHealed);
     connect(m_import, &ImportPanel::fillingChosen, this, &MainWindow::fillOpenParts);
     connect(m_actions->exportMeshes, &QAction::triggered, this, &MainWindow::askForExport);
+    connect(m_actions->exportRecipe, &QAction::triggered, this, &MainWindow::askForRecipe);
     connect(m_actions->quit, &QAction::triggered, this, &QWidget::close);
     connect(m_actions->cancel, &QAction::triggered, this, &MainWindow::cancel);
     connect(m_actions->controls, &QAction::triggered, this, &MainWindow::showControls);
@@ -246,6 +249,9 @@ void MainWindow::showSurroundings()
 void MainWindow::frameChanged()
 {
     const Snapshot& snapshot = *m_document.frame()->snapshot;
+    const std::pair surroundings(!snapshot.gravity.isZero(), snapshot.floorHeight.has_value());
+    if (std::exchange(m_surroundings, surroundings) != surroundings) // by a recipe, for one
+        showSurroundings();
     m_readings->show(snapshot);
     m_performance->show(snapshot);
     m_actions->setPlaying(snapshot.playing);

@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 
 class QLabel;
 class QMenu;
@@ -40,14 +41,16 @@ public:
     explicit MainWindow(Services services, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// Opens files in the background, several as one assembly, or a project. A failure is shown in a sentence and leaves
-    /// everything as it was; what is not saved is not asked about.
+    /// Opens files in the background, several as one assembly, or a project, or a recipe. A failure is shown in a
+    /// sentence and leaves everything as it was; what is not saved is not asked about.
     void open(const QStringList& paths);
     void open(const ImportChoices& request);
     /// Looks into the files first and asks what is wanted of them.
     void openWithChoices(const QStringList& paths);
     /// Writes the deformed parts in the background; the ending decides the format.
     void exportTo(const QString& path, const ExportRequest& request = {});
+    /// Writes the session as a recipe in the background.
+    void exportRecipe(const QString& path);
     /// Fills the bodies anew in the background. @param spacing [m]
     void refill(double spacing);
 
@@ -90,6 +93,10 @@ private:
     void openRecent(const QString& path);
     void openInstead(const QStringList& paths);
     bool openedAsProject(const QStringList& paths);
+    bool openedAsRecipe(const QStringList& paths);
+    void openRecipe(const QString& path);
+    void askForRecipe();
+    void writeRecipe(const QString& path);
     void openPrepared(PreparedContent prepared);
 
     void documentChanged(Document::Change what);
@@ -152,7 +159,8 @@ private:
     QLabel* m_hint = nullptr;
     StatusReadings* m_readings = nullptr;
     TaskReading* m_taskReading = nullptr;
-    std::string m_shownHealth; ///< message last put into the banner
+    std::pair<bool, bool> m_surroundings; ///< gravity and floor, as last seen
+    std::string m_shownHealth;            ///< message last put into the banner
     std::function<void()> m_remedy;
 };
 

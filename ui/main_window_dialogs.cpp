@@ -45,12 +45,14 @@ void MainWindow::askForFile(bool withChoices)
     QStringList filters = QStringList(tr("Parts (%1)").arg(all.join(' '))) + filtersOf(m_services.importFormats);
     if (!withChoices) {
         const QString ending = "*." + QString::fromStdString(m_services.projects.ending);
-        filters[0] = tr("Projects and parts (%1)").arg(ending + ' ' + all.join(' '));
+        const QString recipes = "*." + QString::fromStdString(m_services.recipes.ending);
+        filters[0] = tr("Projects, recipes and parts (%1)").arg(ending + ' ' + recipes + ' ' + all.join(' '));
         filters.insert(1, m_projects->filter());
+        filters.insert(2, tr("Recipes (%1)").arg(recipes));
     }
     QSettings settings;
     const QStringList paths =
-        QFileDialog::getOpenFileNames(this, withChoices ? tr("Open parts") : tr("Open a project or parts"),
+        QFileDialog::getOpenFileNames(this, withChoices ? tr("Open parts") : tr("Open a project, a recipe or parts"),
                                       settings.value("folder").toString(), filters.join(";;"));
     if (paths.isEmpty())
         return;

@@ -39,7 +39,7 @@ Material startMaterial(const std::vector<MaterialPreset>& presets)
 
 void MainWindow::open(const QStringList& paths)
 {
-    if (openedAsProject(paths))
+    if (openedAsProject(paths) || openedAsRecipe(paths))
         return;
     ImportChoices request;
     request.options.timeLimit = 60 * QSettings().value("import/minutes", 0).toDouble();

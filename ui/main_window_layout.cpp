@@ -124,12 +124,13 @@ void MainWindow::makeMenus()
 {
     const Actions& a = *m_actions;
     QMenu* file = menuBar()->addMenu(tr("&File"));
+    file->setObjectName("fileMenu");
     file->addActions({a.open, a.openWithChoices});
     m_recent = file->addMenu(tr("Open &recent"));
     m_recent->setObjectName("recentMenu");
     m_recent->setToolTipsVisible(true);
     file->addSeparator();
-    file->addActions({a.save, a.saveAs, a.exportMeshes});
+    file->addActions({a.save, a.saveAs, a.exportMeshes, a.exportRecipe});
     file->addSeparator();
     file->addAction(a.recover);
     file->addSeparator();

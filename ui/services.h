@@ -9,6 +9,7 @@
 #include "core/model/part.h"
 #include "core/task/task_control.h"
 #include "ui/project/project_services.h"
+#include "ui/project/recipe_services.h"
 
 #include <functional>
 #include <string>
@@ -42,6 +43,7 @@ struct Services {
     std::vector<MaterialPreset> materials;
     std::string examplesFolder;
     ProjectServices projects;
+    RecipeServices recipes;
 };
 
 } // namespace knead

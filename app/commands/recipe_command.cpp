@@ -3,16 +3,22 @@
 #include "app/cad_process.h"
 #include "app/exit_status.h"
 #include "app/first_recipe.h"
+#include "app/resources.h"
 #include "app/terminal_control.h"
+#include "app/whole_file.h"
+#include "io/material_library.h"
+#include "io/project/project_file.h"
+#include "io/project/recipe_of_project.h"
 
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace knead {
 
@@ -32,19 +38,21 @@ std::string partSeenFrom(const std::string& recipe, const std::string& part)
     return fs::absolute(part).lexically_normal().lexically_proximate(folder.lexically_normal()).string();
 }
 
-void writeText(const std::string& path, const std::string& text)
+std::string recipeOfPart(const RecipeOptions& options, TerminalControl& control)
 {
-    const std::string unfinished = path + ".part";
-    std::ofstream file(unfinished);
-    file << text;
-    file.close();
-    std::error_code error;
-    if (file)
-        fs::rename(unfinished, path, error);
-    if (!file || error) {
-        fs::remove(unfinished, error);
-        throw std::runtime_error(path + ": the file cannot be written; choose another place with --output.");
-    }
+    const Model model = importInChild(options.file, {}, control);
+    return firstRecipe(model, options.output.empty() ? fs::absolute(options.file).lexically_normal().string()
+                                                     : partSeenFrom(options.output, options.file));
+}
+
+/// @param remarks get what the recipe leaves out
+std::string recipeOfSession(const RecipeOptions& options, TerminalControl& control, std::vector<std::string>& remarks)
+{
+    RecipeOfProject recipe =
+        recipeOfProject(readProject(options.file, control), {.recipePath = options.output, .projectPath = options.file},
+                        readMaterials(materialsFile()));
+    remarks = std::move(recipe.remarks);
+    return recipe.text;
 }
 
 int recipe(const RecipeOptions& options)
@@ -52,10 +60,12 @@ int recipe(const RecipeOptions& options)
     std::string text;
     TerminalControl control;
     try {
-        const Model model = importInChild(options.file, {}, control);
+        std::vector<std::string> remarks;
+        text =
+            isProjectFile(options.file) ? recipeOfSession(options, control, remarks) : recipeOfPart(options, control);
         control.clear();
-        text = firstRecipe(model, options.output.empty() ? fs::absolute(options.file).lexically_normal().string()
-                                                         : partSeenFrom(options.output, options.file));
+        for (const std::string& remark : remarks)
+            std::cerr << "knead: warning: " << remark << '\n';
     } catch (const Cancelled&) {
         control.clear();
         std::cerr << "knead: interrupted.\n";
@@ -66,7 +76,8 @@ int recipe(const RecipeOptions& options)
         return exit_status::wrongUse;
     }
     try {
-        options.output.empty() ? void(std::cout << text) : writeText(options.output, text);
+        options.output.empty() ? void(std::cout << text)
+                               : writeWhole(options.output, text, "choose another place with --output.");
     } catch (const std::exception& error) {
         std::cerr << "knead: " << error.what() << '\n';
         return exit_status::failed;
@@ -79,9 +90,10 @@ int recipe(const RecipeOptions& options)
 void addRecipeCommand(CLI::App& program, int& exitStatus)
 {
     auto options = std::make_shared<RecipeOptions>();
-    CLI::App* command = program.add_subcommand("recipe", "Write a recipe to start from: a block pressed into a part");
-    command->add_option("FILE", options->file, "CAD or mesh file")->required();
-    command->add_option("--output", options->output, "Recipe to write; without it the recipe goes to the terminal")
+    CLI::App* command = program.add_subcommand(
+        "recipe", "Write a recipe: to start from, a block pressed into a part; or what was done in a project");
+    command->add_option("FILE", options->file, "CAD or mesh file, or a project saved by the window")->required();
+    command->add_option("-o,--output", options->output, "Recipe to write; without it the recipe goes to the terminal")
         ->type_name("RECIPE");
     command->callback([options, &exitStatus] { exitStatus = recipe(*options); });
 }

@@ -1,6 +1,7 @@
 #include "app/commands/run_command.h"
 
 #include "app/exit_status.h"
+#include "app/hexadecimal.h"
 #include "app/recipe_runner.h"
 #include "app/recipe_scene.h"
 #include "app/resources.h"
@@ -9,6 +10,8 @@
 #include "app/thread_limit.h"
 #include "io/export/job_file.h"
 #include "io/material_library.h"
+#include "io/project/project_file.h"
+#include "io/project/recipe_of_project.h"
 #include "io/recipe.h"
 #include "io/worker/child_process.h"
 
@@ -16,13 +19,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <cstdio>
 #include <iostream>
 #include <iterator>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace knead {
@@ -42,14 +44,6 @@ int complain(const std::string& sentence, int status)
 {
     std::cerr << "knead: " << sentence << '\n';
     return status;
-}
-
-/// 64 bits do not fit into a JSON number, hence hexadecimal digits.
-std::string hexadecimal(std::uint64_t number)
-{
-    std::array<char, 17> text{};
-    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(number));
-    return text.data();
 }
 
 nlohmann::ordered_json list(const Vec3& vector)
@@ -158,15 +152,38 @@ int carryOut(const Recipe& recipe, const RunOptions& options)
     }
 }
 
+/// What was done in a project, with the parts that it keeps. Where something is changed, what was set before the first step
+/// is the start, so that the change counts.
+Recipe recipeOfSession(const RunOptions& options, const std::vector<MaterialPreset>& presets,
+                       const std::vector<RecipeOverride>& changes)
+{
+    Project project = readProject(options.recipe);
+    if (!changes.empty())
+        project = withSettingsFirst(std::move(project));
+    const RecipeOfProjectChoices choices{
+        .recipePath = options.recipe, .projectPath = options.recipe, .namesProject = true};
+    const RecipeOfProject recipe = recipeOfProject(project, choices, presets);
+    for (const std::string& remark : recipe.remarks)
+        std::cerr << "knead: warning: " << remark << '\n';
+    return readRecipeText(recipe.text, options.recipe, presets, changes);
+}
+
+Recipe recipeOf(const RunOptions& options)
+{
+    std::vector<RecipeOverride> changes;
+    std::transform(options.settings.begin(), options.settings.end(), std::back_inserter(changes), parseOverride);
+    const std::vector<MaterialPreset> presets = readMaterials(materialsFile());
+    return isProjectFile(options.recipe) ? recipeOfSession(options, presets, changes)
+                                         : readRecipe(options.recipe, presets, changes);
+}
+
 int run(const RunOptions& options)
 {
     if (options.endsWithParent)
         endWithParent();
     Recipe recipe;
     try {
-        std::vector<RecipeOverride> changes;
-        std::transform(options.settings.begin(), options.settings.end(), std::back_inserter(changes), parseOverride);
-        recipe = readRecipe(options.recipe, readMaterials(materialsFile()), changes);
+        recipe = recipeOf(options);
     } catch (const std::exception& error) {
         return complain(error.what(), exit_status::wrongUse);
     }
@@ -178,8 +195,10 @@ int run(const RunOptions& options)
 void addRunCommand(CLI::App& program, int& exitStatus)
 {
     auto options = std::make_shared<RunOptions>();
-    CLI::App* command = program.add_subcommand("run", "Carry out a recipe without a window");
-    command->add_option("RECIPE", options->recipe, "Recipe to carry out, a JSON file")->required();
+    CLI::App* command =
+        program.add_subcommand("run", "Carry out a recipe, or what was done in a project, without a window");
+    command->add_option("RECIPE", options->recipe, "Recipe to carry out, a JSON file, or a project saved by the window")
+        ->required();
     command->add_option("--out", options->outputFolder, "Folder for the exports, made when missing")
         ->type_name("FOLDER")
         ->capture_default_str();

@@ -40,11 +40,18 @@ std::string nameOf(const SweepInput& input)
 std::vector<std::string> filesOf(const Recipe& recipe)
 {
     std::vector<std::string> files{recipe.part};
+    files.insert(files.end(), recipe.partsBeside.begin(), recipe.partsBeside.end());
     for (const RecipeExtraPart& part : recipe.extraParts)
         files.push_back(part.file);
     for (const RecipeManipulator& manipulator : recipe.manipulators)
         if (!manipulator.partFile.empty())
             files.push_back(manipulator.partFile);
+    for (const RecipeEvent& event : recipe.events)
+        if (const auto* add = std::get_if<AddRecipeManipulator>(&event.action))
+            files.push_back(add->manipulator.partFile);
+        else if (const auto* reshape = std::get_if<ReshapeRecipeManipulator>(&event.action))
+            files.push_back(reshape->manipulator.partFile);
+    std::erase(files, std::string());
     return files;
 }
 

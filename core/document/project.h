@@ -64,4 +64,7 @@ struct Project {
     std::map<std::string, std::string> panels; ///< what panels keep for themselves: JSON texts by name
 };
 
+/// Imported parts that its tools are made of, in the order in which they were first used.
+std::vector<std::shared_ptr<const ToolPart>> toolPartsOf(const Project& project);
+
 } // namespace knead

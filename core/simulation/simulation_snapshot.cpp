@@ -186,6 +186,7 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
     for (ToolId id = 0; id < state.tools.size(); ++id)
         if (state.tools[id])
             shot->tools.push_back(stateOf(id, *state.tools[id]));
+    shot->nextFixture = static_cast<FixtureId>(state.fixtures.size());
     for (FixtureId id = 0; id < state.fixtures.size(); ++id)
         if (state.fixtures[id]) {
             shot->fixtures.push_back(*state.fixtures[id]);

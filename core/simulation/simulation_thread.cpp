@@ -31,8 +31,9 @@ double secondsSince(Clock::time_point start)
 } // namespace
 
 struct SimulationThread::Worker {
-    explicit Worker(Simulation sim)
+    Worker(Simulation sim, std::unique_ptr<Agenda> plan)
         : simulation(std::move(sim))
+        , agenda(std::move(plan))
         , latest(simulation.snapshot())
     {
         thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
@@ -86,6 +87,10 @@ struct SimulationThread::Worker {
         const double before = simulation.time();
         steps = 0;
         while (!stop.stop_requested() && simulation.time() < target && simulation.health().ok) {
+            if (agenda && agenda->carryOutDue(simulation)) {
+                playing = false;
+                break;
+            }
             simulation.step();
             ++steps;
             if (secondsSince(start) > steppingShare * frameSeconds)
@@ -99,6 +104,33 @@ struct SimulationThread::Worker {
         std::unique_lock lock(mutex);
         const auto end = start + std::chrono::duration_cast<Clock::duration>(Seconds(frameSeconds));
         wake.wait_until(lock, stop, end, [] { return false; });
+    }
+
+    void stepOnce()
+    {
+        if (playing)
+            return;
+        if (agenda)
+            agenda->carryOutDue(simulation);
+        simulation.step();
+    }
+
+    Gesture endGesture()
+    {
+        Gesture gesture = knead::endGesture(simulation);
+        if (agenda)
+            agenda->ended(gesture);
+        return gesture;
+    }
+
+    void goTo(const MomentPointer& moment)
+    {
+        playing = false;
+        carry = 0;
+        ++arrivals;
+        simulation.goTo(moment);
+        if (agenda)
+            agenda->wentTo(*moment, simulation.stateHash());
     }
 
     void meter(double simulated, Clock::time_point start)
@@ -143,6 +175,7 @@ struct SimulationThread::Worker {
 
     // Owned by the thread.
     Simulation simulation;
+    std::unique_ptr<Agenda> agenda;
     bool playing = false;
     double speed = 1;
     double carry = 0;
@@ -165,8 +198,8 @@ struct SimulationThread::Worker {
     std::jthread thread; // last: stops before the rest goes
 };
 
-SimulationThread::SimulationThread(Simulation simulation)
-    : m_worker(std::make_unique<Worker>(std::move(simulation)))
+SimulationThread::SimulationThread(Simulation simulation, std::unique_ptr<Agenda> agenda)
+    : m_worker(std::make_unique<Worker>(std::move(simulation), std::move(agenda)))
 {
 }
 SimulationThread::~SimulationThread() = default;
@@ -183,10 +216,7 @@ void SimulationThread::pause()
 
 void SimulationThread::stepOnce()
 {
-    m_worker->ask([](Worker& worker) {
-        if (!worker.playing)
-            worker.simulation.step();
-    });
+    m_worker->ask([](Worker& worker) { worker.stepOnce(); });
 }
 
 void SimulationThread::reset()
@@ -200,7 +230,7 @@ void SimulationThread::reset()
 
 void SimulationThread::endGesture(std::function<void(Gesture)> kept)
 {
-    m_worker->ask([kept = std::move(kept)](Worker& worker) { kept(knead::endGesture(worker.simulation)); });
+    m_worker->ask([kept = std::move(kept)](Worker& worker) { kept(worker.endGesture()); });
 }
 
 void SimulationThread::lookAtGesture(std::function<void(std::vector<RecordedCommand>, std::uint64_t)> told)
@@ -213,12 +243,7 @@ void SimulationThread::lookAtGesture(std::function<void(std::vector<RecordedComm
 
 void SimulationThread::goTo(MomentPointer moment)
 {
-    m_worker->ask([moment = std::move(moment)](Worker& worker) {
-        worker.playing = false;
-        worker.carry = 0;
-        ++worker.arrivals;
-        worker.simulation.goTo(moment);
-    });
+    m_worker->ask([moment = std::move(moment)](Worker& worker) { worker.goTo(moment); });
 }
 
 void SimulationThread::setSpeed(double ratio)

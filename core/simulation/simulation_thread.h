@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/simulation/gesture.h"
+#include "core/simulation/agenda.h"
 
 #include <cstdint>
 #include <functional>
@@ -14,7 +14,8 @@ namespace knead {
 class SimulationThread {
 public:
     /// Starts paused.
-    explicit SimulationThread(Simulation simulation);
+    /// @param agenda carried out beside what is posted; null: none
+    explicit SimulationThread(Simulation simulation, std::unique_ptr<Agenda> agenda = nullptr);
     /// Stops at the end of the present step and joins.
     ~SimulationThread();
     SimulationThread(const SimulationThread&) = delete;

@@ -105,6 +105,7 @@ struct Snapshot {
     std::vector<ToolState> tools;
     std::vector<Fixture> fixtures;
     std::vector<FixtureId> fixtureIds; ///< of fixtures, same order
+    FixtureId nextFixture = 0;         ///< that the next one gets
     std::vector<Vec3> fixtureForces;   ///< of the material on them, same order, in the last step [N]
     Vec3 gravity = Vec3::Zero();
     std::optional<double> floorHeight;

@@ -1,9 +1,9 @@
 #include "io/project/json_fields.h"
 
-#include <nlohmann/json.hpp>
+#include "io/exact_number.h"
+#include "io/json_text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -12,25 +12,6 @@ namespace knead {
 namespace {
 
 constexpr std::uint64_t largestWhole = (1ULL << 53U) - 1; // beyond it doubles leave numbers out
-
-std::string inQuotes(const std::string& text)
-{
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-/// The shortest text that is read as the same bits.
-std::string exactText(double value)
-{
-    if (std::isnan(value))
-        return "\"nan\"";
-    if (std::isinf(value))
-        return value > 0 ? "\"infinity\"" : "\"-infinity\"";
-    if (value == 0)
-        return std::signbit(value) ? "-0.0" : "0"; // "-0" would be a whole number, which has no sign
-    char text[32];
-    const auto end = std::to_chars(std::begin(text), std::end(text), value).ptr;
-    return {std::begin(text), end};
-}
 
 double numberIn(const JsonNode& node)
 {
@@ -98,14 +79,14 @@ void FieldWriter::operator()(const char* key, double value)
 
 void FieldWriter::operator()(const char* key, const std::string& value)
 {
-    put(key, inQuotes(value));
+    put(key, quoted(value));
 }
 
 void FieldWriter::operator()(const char* key, const std::vector<std::string>& value)
 {
     std::string text;
     for (const std::string& item : value)
-        text += (text.empty() ? "" : ", ") + inQuotes(item);
+        text += (text.empty() ? "" : ", ") + quoted(item);
     put(key, "[" + text + "]");
 }
 
@@ -127,18 +108,7 @@ void FieldWriter::operator()(const char* key, const Quaternion& value)
 
 void FieldWriter::operator()(const char* key, const std::vector<std::uint32_t>& value)
 {
-    std::string text;
-    for (std::size_t begin = 0; begin < value.size();) {
-        std::size_t end = begin + 1;
-        while (end < value.size() && value[end - 1] != std::numeric_limits<std::uint32_t>::max() &&
-               value[end] == value[end - 1] + 1)
-            ++end;
-        const std::string first = std::to_string(value[begin]);
-        text += text.empty() ? "" : ", ";
-        text += end - begin > 1 ? "[" + first + ", " + std::to_string(value[end - 1]) + "]" : first;
-        begin = end;
-    }
-    put(key, "[" + text + "]");
+    put(key, stretchesText(value));
 }
 
 void FieldWriter::operator()(const char* key, const std::shared_ptr<const ToolPart>& value)

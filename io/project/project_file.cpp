@@ -9,8 +9,11 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <array>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
+#include <string_view>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -118,6 +121,17 @@ void writeProject(const std::string& path, const Project& project, TaskControl& 
     TaskPortion checking(control, writingShare, 1);
     readBack(file, checking);
     file.keep();
+}
+
+bool isProjectFile(const std::string& path)
+{
+    constexpr std::string_view mark("SQLite format 3\0", 16);
+    std::error_code error;
+    std::array<char, mark.size()> start{};
+    std::ifstream file;
+    if (fs::is_regular_file(path, error))
+        file.open(path, std::ios::binary);
+    return file.read(start.data(), start.size()) && std::string_view(start.data(), start.size()) == mark;
 }
 
 Project readProject(const std::string& path, TaskControl& control)

@@ -21,6 +21,9 @@ void writeProject(const std::string& path, const Project& project, TaskControl& 
 /// @throws DamagedProject, in a sentence; Cancelled
 Project readProject(const std::string& path, TaskControl& control = TaskControl::none());
 
+/// Whether a file begins as projects do, whatever its name; no promise that it can be read.
+bool isProjectFile(const std::string& path);
+
 /// Takes from a file what is whole. @throws std::runtime_error when no table of a project is left; Cancelled
 RescuedProject rescueProject(const std::string& path, TaskControl& control = TaskControl::none());
 

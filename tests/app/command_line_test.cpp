@@ -28,7 +28,7 @@ private slots:
 
 void CommandLineTest::helpExistsEverywhere()
 {
-    for (const char* command : {"", "info", "convert", "run", "sweep", "recipe"}) {
+    for (const char* command : {"", "info", "convert", "run", "sweep", "recipe", "replay"}) {
         QStringList arguments{"--help"};
         if (*command != '\0')
             arguments.prepend(command);
@@ -59,6 +59,10 @@ void CommandLineTest::wrongUseEndsWithTwoAndOneSentence_data()
     QTest::newRow("too much") << QStringList{"run", "a.recipe.json", "b.recipe.json"};
     QTest::newRow("two commands") << QStringList{"run", "a.recipe.json", "info", "b.step"};
     QTest::newRow("recipe for nothing") << QStringList{"recipe", "/nowhere/a.step"};
+    QTest::newRow("replay of nothing") << QStringList{"replay", "/nowhere/a.knead"};
+    QTest::newRow("replay of a folder") << QStringList{"replay", "/"};
+    QTest::newRow("replay of all to one file") << QStringList{"replay", "a.knead", "--all", "--export", "a.step"};
+    QTest::newRow("replay to no format") << QStringList{"replay", "a.knead", "--export", "a.xyz"};
 }
 
 void CommandLineTest::wrongUseEndsWithTwoAndOneSentence()

@@ -10,6 +10,7 @@
 #include <functional>
 #include <future>
 #include <mutex>
+#include <utility>
 
 using namespace knead;
 
@@ -22,6 +23,26 @@ Scene falling()
     scene.gravity = Vec3(0, 0, -1);
     return scene;
 }
+
+/// Gravity turns at a step, and a later step is the end.
+class TwoThings final : public Agenda {
+public:
+    static constexpr std::uint64_t turn = 20;
+    static constexpr std::uint64_t end = 50;
+
+    bool carryOutDue(Simulation& simulation) override
+    {
+        if (simulation.stepCount() == turn)
+            simulation.post(SetGravity{Vec3(0, 2, 0)});
+        return simulation.stepCount() == end && !std::exchange(m_hasEnded, true);
+    }
+    void ended(const Gesture& gesture) override { m_last = gesture.moment->step; }
+    void wentTo(const Moment& moment, std::uint64_t) override { m_hasEnded = moment.step > m_last; }
+
+private:
+    bool m_hasEnded = false;
+    std::uint64_t m_last = 0;
+};
 
 /// Waits for a snapshot that fulfils a condition; null when none comes.
 SnapshotPointer waitFor(const SimulationThread& thread, const std::function<bool(const Snapshot&)>& condition)
@@ -104,6 +125,27 @@ private slots:
         QVERIFY(shot);
         QCOMPARE(shot->tools[0].name, std::string("block"));
         QCOMPARE(shot->step, std::uint64_t{0});
+    }
+
+    void anAgendaIsCarriedOutAndEnds()
+    {
+        Gestures gestures;
+        SimulationThread thread{Simulation(falling()), std::make_unique<TwoThings>()};
+        thread.endGesture(gestures.taker());
+        const MomentPointer start = gestures.next().moment;
+        std::vector<std::uint64_t> hashes;
+        for (int time = 0; time < 2; ++time) {
+            thread.play();
+            QVERIFY(waitFor(thread, [](const Snapshot& shot) { return !shot.playing && shot.step == TwoThings::end; }));
+            thread.endGesture(gestures.taker());
+            const Gesture gesture = gestures.next();
+            QCOMPARE(gesture.commands.front().step, TwoThings::turn);
+            hashes.push_back(gesture.hash);
+            thread.play(); // once it is over, time goes on
+            QVERIFY(waitFor(thread, [](const Snapshot& shot) { return shot.step > TwoThings::end + 5; }));
+            thread.goTo(start);
+        }
+        QCOMPARE(hashes[0], hashes[1]);
     }
 
     void stepsOnceWhilePaused()

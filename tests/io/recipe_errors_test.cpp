@@ -1,3 +1,4 @@
+#include "core/model/length_units.h"
 #include "support/recipe_texts.h"
 
 #include <QtTest>
@@ -12,6 +13,7 @@ private slots:
     void wrongRecipesAreRefusedWithTheirPlace_data();
     void wrongRecipesAreRefusedWithTheirPlace();
     void syntaxErrorsNameLineAndColumn();
+    void mistakesNameTheirLine();
     void keyGivenTwiceIsRefused();
     void hostileNestingIsRefused();
     void missingFilesAreNamed();
@@ -23,7 +25,8 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
     QTest::addColumn<QString>("recipe");
     QTest::addColumn<QString>("message");
     const auto row = [](const char* name, const json& recipe, const char* message) {
-        QTest::newRow(name) << QString::fromStdString(recipe.dump()) << QString("bend.recipe.json: ") + message;
+        const QString line = QString(message).startsWith("the file ") ? "" : ", line 1";
+        QTest::newRow(name) << QString::fromStdString(recipe.dump()) << "bend.recipe.json" + line + ": " + message;
     };
 
     row("negative size", withManipulator(R"({"name": "a", "size_mm": [10, -2, 10], "position_mm": [0, 0, 0]})"),
@@ -35,8 +38,8 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
     row("no position", withManipulator(R"({"name": "a", "size_mm": [1, 2, 3]})"),
         "manipulators[0] must have the key \"position_mm\".");
     row("unknown key", withManipulator(R"({"name": "a", "size": [1, 2, 3]})"),
-        "manipulators[0].size is not a known key; allowed here: name, kind, size_mm, part_file, position_mm, "
-        "rotation_deg, friction, speed_limit_mm_s, force_limit_n, keyframes.");
+        "manipulators[0].size is not a known key; allowed here: name, kind, size_mm, part_file, part_number, "
+        "friction, speed_limit_mm_s, force_limit_n, position_mm, rotation_deg, rotation_wxyz, keyframes, motion.");
     row("unknown kind", withManipulator(R"({"name": "a", "kind": "cone"})"),
         "manipulators[0].kind must be one of box, ball, cylinder, wedge, plate, part, got \"cone\".");
     row("ball with edges", withManipulator(R"({"name": "a", "kind": "ball", "size_mm": [1, 2, 3]})"),
@@ -81,7 +84,7 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
     row("floor", with("floor", "{}"), "floor must have the key \"height_mm\".");
 
     row("faces and box", with("fixtures", R"([{"name": "a", "faces": [1], "box_mm": [0, 0, 0, 1, 1, 1]}])"),
-        "fixtures[0] must have either faces or box_mm.");
+        "fixtures[0] must have exactly one of the keys faces, box_mm and objects.");
     row("no faces", with("fixtures", R"([{"name": "a", "faces": []}])"),
         "fixtures[0].faces must hold at least one face.");
     row("half a face", with("fixtures", R"([{"name": "a", "faces": [1.5]}])"),
@@ -95,7 +98,8 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
         "events[0].time_s must be a number between 0 and 2, got 3.");
     row("event of nothing", with("events", R"([{"time_s": 1}])"),
         "events[0] must have exactly one of the keys material, remove_fixture, remove_manipulator, gravity_m_s2, "
-        "renormalize, body_kind.");
+        "renormalize, body_kind, floor, integrator, add_fixture, move_fixture, add_manipulator, move_manipulator, "
+        "place_manipulator, reshape_manipulator, reset, keep_moment.");
     row("two events in one", with("events", R"([{"time_s": 1, "renormalize": {}, "gravity_m_s2": [0, 0, 0]}])"),
         "events[0] must have only one of the keys gravity_m_s2 and renormalize.");
     row("box of gravity", with("events", R"([{"time_s": 1, "gravity_m_s2": [0, 0, 0], "box_mm": [0, 0, 0, 1, 1, 1]}])"),
@@ -144,6 +148,53 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
         "got \"inside\".");
     row("null view", with("exports", R"([{"file": "a.png", "view": [0, 0, 0]}])"),
         "exports[0].view must be a direction of 3 numbers that are not all 0, got [0, 0, 0].");
+    const auto withEvent = [](const char* event) {
+        json recipe = smallest();
+        recipe["events"] = json::array({json::parse(event)});
+        return recipe;
+    };
+    row("when", withEvent(R"({"reset": true})"), "events[0] must have either time_s or step.");
+    row("both", withEvent(R"({"step": 1, "time_s": 1, "reset": true})"), "events[0] must have either time_s or step.");
+    row("half a step", withEvent(R"({"step": 1.5, "reset": true})"),
+        "events[0].step must be a whole number between 0 and 1099511627776, got 1.5.");
+    row("no reset", withEvent(R"({"step": 1, "reset": false})"), "events[0].reset must be true.");
+    row("moved nothing", withEvent(R"({"step": 1, "move_manipulator": {"name": "a", "hold": true}})"),
+        "events[0].move_manipulator.name names \"a\", which is not in the recipe.");
+    row("not moved", withEvent(R"({"step": 1, "move_manipulator": {"name": "a"}})"),
+        "events[0].move_manipulator must have exactly one of the keys hold, velocity_mm_s, go_to, keyframes.");
+    row("moved twice", withEvent(R"({"step": 1, "move_manipulator": {"name": "a", "hold": true, "path": []}})"),
+        "events[0].move_manipulator must have only one of the keys path and hold.");
+    row("path in time", withEvent(R"({"time_s": 1, "move_manipulator": {"name": "a", "path": [[0, 1, 2, 3]]}})"),
+        "events[0].move_manipulator.path needs an event with a step; say keyframes for times.");
+    row("short row", withEvent(R"({"step": 1, "move_manipulator": {"name": "a", "path": [[0, 1, 2]]}})"),
+        "events[0].move_manipulator.path[0] must hold a step and x, y, z, perhaps with w, x, y, z of a rotation, "
+        "got [0, 1, 2].");
+    row("path backwards", withEvent(R"({"step": 1, "move_manipulator": {"name": "a",
+        "path": [[3, 1, 2, 3], [2, 1, 2, 3]]}})"),
+        "events[0].move_manipulator.path[1][0] must not be less than in the row before it, got 2.");
+    row("no rotation", withEvent(R"({"step": 1, "place_manipulator": {"name": "a", "position_mm": [0, 0, 0],
+        "rotation_wxyz": [1, 1, 0, 0]}})"),
+        "events[0].place_manipulator.rotation_wxyz must hold w, x, y, z of a quaternion of length 1, got [1, 1, 0, "
+        "0].");
+    row("two rotations", withEvent(R"({"step": 1, "place_manipulator": {"name": "a", "position_mm": [0, 0, 0],
+        "rotation_wxyz": [1, 0, 0, 0], "rotation_deg": [0, 0, 0]}})"),
+        "events[0].place_manipulator must have only one of the keys rotation_deg and rotation_wxyz.");
+    row("steps backwards", with("events", R"([{"step": 5, "keep_moment": ""}, {"step": 4, "keep_moment": ""}])"),
+        "events[1].step must not be less than that of the event before it, got 4.");
+    row("objects without their number", with("fixtures", R"([{"name": "a", "objects": [1]}])"),
+        "fixtures[0] must have both of the keys objects and objects_in_body, or none.");
+    row("objects backwards", with("fixtures", R"([{"name": "a", "objects": [[7, 9], 8], "objects_in_body": 20}])"),
+        "fixtures[0].objects[1] must go on upwards, below objects_in_body, got 8.");
+    row("added twice", with("events", R"([{"step": 1, "add_fixture": {"name": "a", "faces": [1]}},
+        {"step": 1, "add_fixture": {"name": "a", "faces": [1]}}])"),
+        "events[1].add_fixture.name is used twice: \"a\".");
+    row("two durations", with("duration_steps", "9"),
+        "the file must have only one of the keys duration_s and duration_steps.");
+    row("file and files", with("part", R"({"file": "bar.stl", "files": ["bar.stl"]})"),
+        "part must have either file or files.");
+    row("unknown unit", with("part", R"({"file": "bar.stl", "unit": "parsec"})"),
+        QString::fromStdString("part.unit must be one of " + lengthUnitNames() + ", got \"parsec\".").toUtf8());
+
     row("a list", json::array(), "the file must be an object in { }, got [].");
 }
 
@@ -159,6 +210,24 @@ void RecipeErrorsTest::syntaxErrorsNameLineAndColumn()
     const std::string message = messageForText("{\n  \"version\": 1,\n  \"objects\" 5\n}");
     QVERIFY2(message.starts_with("bend.recipe.json: line 3, column 13: unexpected number literal; expected ':'"),
              message.c_str());
+}
+
+void RecipeErrorsTest::mistakesNameTheirLine()
+{
+    const std::string text =
+        "{\n\"version\": 1,\n\n\"part\": {\n  \"file\": \"bar.stl\"},\n\"objects\": 500,\n\"duration_s\": 2,\n"
+        "\"gravity_m_s2\": [0, 0\n], \"events\": [\n{\"time_s\": 3\n, \"renormalize\":\n{}}]}";
+    const auto replaced = [&](const std::string& what, const std::string& by) {
+        return messageForText(std::string(text).replace(text.find(what), what.size(), by));
+    };
+    const std::string gravity = messageForText(text);
+    QVERIFY2(gravity.starts_with("bend.recipe.json, line 8: gravity_m_s2 must hold 3 numbers"), gravity.c_str());
+    const std::string time = replaced("[0, 0\n]", "[0, 0, 0\n]");
+    QVERIFY2(time.starts_with("bend.recipe.json, line 10: events[0].time_s must be"), time.c_str());
+    const std::string file = replaced("bar.stl", "no.stl");
+    QVERIFY2(file.starts_with("bend.recipe.json, line 5: part.file names"), file.c_str());
+    const std::string objects = replaced("500,", "5\n,");
+    QVERIFY2(objects.starts_with("bend.recipe.json, line 6: objects must be"), objects.c_str());
 }
 
 void RecipeErrorsTest::keyGivenTwiceIsRefused()
@@ -177,13 +246,14 @@ void RecipeErrorsTest::missingFilesAreNamed()
 {
     QVERIFY_EXCEPTION_THROWN(readRecipe("/nowhere/bend.recipe.json", presets), std::runtime_error);
     const std::string message = messageFor(with("part", R"({"file": "missing.step"})"));
-    QVERIFY2(message.starts_with("bend.recipe.json: part.file names a file that does not exist: "), message.c_str());
+    QVERIFY2(message.starts_with("bend.recipe.json, line 1: part.file names a file that does not exist: "),
+             message.c_str());
     QVERIFY2(message.find("/missing.step") != std::string::npos, message.c_str());
     const std::string extra = messageFor(with("extra_parts", R"([{"file": "no.step"}])"));
-    QVERIFY2(extra.starts_with("bend.recipe.json: extra_parts[0].file names a file that does not exist: "),
+    QVERIFY2(extra.starts_with("bend.recipe.json, line 1: extra_parts[0].file names a file that does not exist: "),
              extra.c_str());
     const std::string tool = messageFor(withManipulator(R"({"name": "a", "kind": "part", "part_file": "no.step"})"));
-    QVERIFY2(tool.starts_with("bend.recipe.json: manipulators[0].part_file names a file that does not exist: "),
+    QVERIFY2(tool.starts_with("bend.recipe.json, line 1: manipulators[0].part_file names a file that does not exist: "),
              tool.c_str());
 }
 

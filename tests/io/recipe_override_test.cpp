@@ -27,7 +27,7 @@ namespace {
 struct ToJson {
     json operator()(std::monostate) const { return nullptr; }
     json operator()(bool value) const { return value; }
-    json operator()(double value) const { return value; }
+    json operator()(const JsonNumber& number) const { return number.value; }
     json operator()(const std::string& value) const { return value; }
     json operator()(const JsonValue::List& list) const
     {
@@ -172,7 +172,9 @@ void RecipeOverrideTest::wrongChangesAreRefusedWithTheirPath_data()
     row("part.=a", "bend.recipe.json: part. cannot be set: the path ends with a dot; name what is to be set after it.");
     row("part={\"file\"", "the value of part: line 1, column 7: unexpected end of input; expected ':'.");
     row("part={\"file\": 1, \"file\": 2}", "the value of part: the key \"file\" is given twice in the same object.");
-    row("part.fil=a", "bend.recipe.json with --set: part.fil is not a known key; allowed here: file.");
+    row("part.fil=a",
+        "bend.recipe.json with --set: part.fil is not a known key; allowed here: file, files, parts, unit, heal, "
+        "cap_flat_openings, deflection_mm, relative_deflection, angular_deflection_rad, fills_open_parts.");
     row("floor.height=1",
         "bend.recipe.json with --set: floor.height is not a known key; allowed here: height_mm, friction.");
     row("duration_s=long", "bend.recipe.json with --set: duration_s must be a positive number, got \"long\".");

@@ -242,7 +242,11 @@ PreparedContent withFrame(Content content, Scene scene)
     Simulation simulation(scene);
     Gesture first = endGesture(simulation);
     FramePointer frame = prepareFrame(content.bodies, simulation.snapshot(), nullptr);
-    return {std::move(content), std::move(scene), std::move(simulation), std::move(frame), std::move(first)};
+    return {.content = std::move(content),
+            .scene = std::move(scene),
+            .simulation = std::move(simulation),
+            .frame = std::move(frame),
+            .first = std::move(first)};
 }
 
 } // namespace
@@ -281,6 +285,18 @@ PreparedContent prepareModel(std::shared_ptr<const Model> model, const ImportCho
     for (Body& body : scene.bodies)
         body.material = material;
     return withFrame(std::move(content), std::move(scene));
+}
+
+PreparedContent prepareRecipe(RecipeStart recipe, TaskControl& control)
+{
+    TaskPortion preparing(control, 0, preparedShare);
+    Content content = contentOf(recipe.model, recipe.choices, recipe.start, preparing);
+    content.warnings = std::move(recipe.warnings);
+    control.report(preparedShare, "preparing the simulation");
+    PreparedContent prepared = withFrame(std::move(content), std::move(recipe.start.scene));
+    prepared.agenda = std::move(recipe.agenda);
+    prepared.fixtures = std::move(recipe.fixtures);
+    return prepared;
 }
 
 PreparedContent prepareRefill(const Content& before, double spacing, const Snapshot& now,

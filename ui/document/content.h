@@ -3,6 +3,7 @@
 #include "core/aggregate/fill.h"
 #include "core/aggregate/spacing_choice.h"
 #include "core/document/project.h"
+#include "core/simulation/agenda.h"
 #include "core/simulation/gesture.h"
 #include "core/skin/skin.h"
 #include "ui/services.h"
@@ -72,7 +73,10 @@ struct PreparedContent {
     Scene scene; ///< that the simulation begins with
     Simulation simulation;
     std::shared_ptr<const Frame> frame;
-    Gesture first; ///< nothing was done yet: where a history begins
+    Gesture first;                          ///< nothing was done yet: where a history begins
+    std::string name = {};                  ///< of the first entry of the history; empty: after the file
+    AgendaMaker agenda = {};                ///< of a recipe: what happens while time runs
+    std::vector<FaceFixture> fixtures = {}; ///< of a recipe: faces that its fixtures hold
 };
 
 /// Reads files, fills their closed parts with a material and lets them rest on a floor. Runs on a task thread.
@@ -84,7 +88,8 @@ PreparedContent prepareFiles(const Services& services, const ImportChoices& requ
 PreparedContent prepareModel(std::shared_ptr<const Model> model, const ImportChoices& request, const Material& material,
                              TaskControl& control);
 
-struct FaceFixture; // ui/document/face_fixtures.h
+/// As a recipe has it. Runs on a task thread. @throws as prepareFiles()
+PreparedContent prepareRecipe(RecipeStart recipe, TaskControl& control);
 
 /// Fills the parts of a content again with another spacing [m]; materials, kinds of bodies, tools, gravity and floor stay as in
 /// `now`, and fixtures on their faces. Runs on a task thread.

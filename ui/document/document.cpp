@@ -65,13 +65,15 @@ void Document::open(PreparedContent prepared)
 {
     const auto content = std::make_shared<const Content>(std::move(prepared.content));
     const QString file = QString::fromStdString(std::filesystem::path(content->model->file).filename().string());
-    start(std::move(prepared.simulation), content, std::move(prepared.frame));
+    start(std::move(prepared.simulation), content, std::move(prepared.frame),
+          prepared.agenda ? prepared.agenda() : nullptr);
     forgetGoing();
     m_whenSettled.clear();
     m_film.forget();
-    m_fixtures.clear();
-    m_history.begin({startOf(*content, std::move(prepared.scene)), content}, std::move(prepared.first),
-                    tr("Import %1").arg(file));
+    beginFixtures(prepared);
+    m_history.begin({startOf(*content, std::move(prepared.scene)), content, std::move(prepared.agenda)},
+                    std::move(prepared.first),
+                    prepared.name.empty() ? tr("Import %1").arg(file) : QString::fromStdString(prepared.name));
     showStart();
 }
 
@@ -80,6 +82,9 @@ void Document::refill(PreparedContent prepared, const QString& name)
     const auto content = std::make_shared<const Content>(std::move(prepared.content));
     if (!isGoing())
         finishGesture();
+    if (m_hasAgenda)
+        emit recipeEnded(
+            tr("The recipe belongs to the filling before and does not go on in this one. Undo goes back to it."));
     const std::vector<Fixture>& fixtures = prepared.scene.fixtures;
     const std::vector<std::optional<Fixture>> held(fixtures.begin(), fixtures.end());
     start(std::move(prepared.simulation), content, std::move(prepared.frame));
@@ -142,12 +147,14 @@ void Document::showStart()
     emit changed(Change::Selection);
 }
 
-void Document::start(Simulation simulation, std::shared_ptr<const Content> content, FramePointer frame)
+void Document::start(Simulation simulation, std::shared_ptr<const Content> content, FramePointer frame,
+                     std::unique_ptr<Agenda> agenda)
 {
     retire();
     m_content = std::move(content);
     m_frame = std::move(frame);
-    m_simulation = std::make_unique<SimulationThread>(std::move(simulation));
+    m_hasAgenda = agenda != nullptr;
+    m_simulation = std::make_unique<SimulationThread>(std::move(simulation), std::move(agenda));
     m_seen = m_simulation->latest();
     m_arrivals = 0;
     m_isPlaying = false;
@@ -198,6 +205,7 @@ void Document::accept(const FramePointer& frame, std::uint64_t generation)
     noticeStop();
     selectNewTool();
     dropLostSelection();
+    followAgenda();
     emit changed(Change::Frame);
     if (m_journey == JourneyState::arriving)
         endJourney();

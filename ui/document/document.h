@@ -161,8 +161,9 @@ public:
 
 signals:
     void changed(knead::Document::Change what);
-    void notice(const QString& sentence); ///< something the person should know, for the log
-    void stopping();                      ///< time is about to stand still: who drives a tool lets go of it
+    void notice(const QString& sentence);      ///< something the person should know, for the log
+    void stopping();                           ///< time is about to stand still: who drives a tool lets go of it
+    void recipeEnded(const QString& sentence); ///< at its end, or where it cannot go on
 
 private:
     struct Gesture {
@@ -176,7 +177,8 @@ private:
     enum class JourneyState { none, looking, arriving };
     using Wish = std::function<std::optional<Entry>(const History&)>;
 
-    void start(Simulation simulation, std::shared_ptr<const Content> content, FramePointer frame);
+    void start(Simulation simulation, std::shared_ptr<const Content> content, FramePointer frame,
+               std::unique_ptr<Agenda> agenda = nullptr);
     void keepFilm();
     void showStart();
     void retire();
@@ -186,6 +188,8 @@ private:
     int numberOfNewTool(const ToolKindLook& look);
     void selectNewTool();
     void dropLostSelection();
+    void followAgenda();
+    void beginFixtures(const PreparedContent& prepared);
     void postAll(std::vector<Command> commands, const QString& name);
     void noticeEmptyFixtures();
 
@@ -202,6 +206,7 @@ private:
     void goLong(const Journey& journey);
     void goShort(const Journey& journey);
     void arrive(Arrival arrival);
+    std::unique_ptr<Agenda> agendaAt(std::uint32_t start, const Moment& moment, std::uint64_t hash) const;
     void arriveAtBranch(Entry from, Branch branch);
     void goInSimulation(MomentPointer moment);
     void follow(const Moment& moment);
@@ -232,6 +237,7 @@ private:
     std::map<ToolKind, int> m_toolCount; ///< added so far, for their names
     std::string m_toolToSelect;          ///< posted, not yet in a snapshot
     Selection m_selection;
+    bool m_hasAgenda = false;       ///< the simulation does more than what is posted
     std::uint64_t m_generation = 0; ///< of the content; frames of an earlier one are dropped
     SnapshotPointer m_seen;
     FramePointer m_frame;

@@ -172,7 +172,9 @@ void Document::arrive(Arrival arrival)
     m_shown = m_target;
     const MomentPointer moment = arrival.moment;
     if (arrival.simulation) {
-        start(std::move(*arrival.simulation), arrival.content, std::move(arrival.frame));
+        const std::uint64_t hash = arrival.simulation->stateHash();
+        start(std::move(*arrival.simulation), arrival.content, std::move(arrival.frame),
+              agendaAt(startIndex, *moment, hash));
         follow(*moment);
         emit changed(Change::Content);
         emit changed(Change::Selection);

@@ -32,6 +32,7 @@ public:
     struct Start {
         ProjectStart start;
         std::shared_ptr<const Content> content; ///< null until it is shown, in a project that was opened
+        AgendaMaker agenda = {};                ///< of a recipe that the document was opened from
     };
 
     explicit DocumentHistory(QObject* parent = nullptr);

@@ -136,6 +136,16 @@ void FaceFixtures::follow(const Content& content, std::span<const std::optional<
     m_nextId = static_cast<FixtureId>(held.size());
 }
 
+bool FaceFixtures::agree(std::span<const FixtureId> ids, FixtureId count) const
+{
+    std::vector<FixtureId> own;
+    for (const FaceFixture& fixture : m_list)
+        if (fixture.id)
+            own.push_back(*fixture.id);
+    std::sort(own.begin(), own.end());
+    return count == m_nextId && std::equal(own.begin(), own.end(), ids.begin(), ids.end());
+}
+
 std::string FaceFixtures::memory() const
 {
     QJsonArray all;

@@ -2,6 +2,7 @@
 
 #include "core/simulation/command.h"
 #include "ui/document/content.h"
+#include "ui/document/face_fixture.h"
 
 #include <cstdint>
 #include <optional>
@@ -10,15 +11,6 @@
 #include <vector>
 
 namespace knead {
-
-/// CAD faces of a body that are held in place.
-struct FaceFixture {
-    std::uint32_t key = 0; ///< names the fixture as long as the document lives
-    std::string name;      ///< unique; the name of the Fixture in the scene
-    BodyId body = 0;
-    std::vector<std::uint32_t> faces; ///< none: objects are held that no faces are known of
-    std::optional<FixtureId> id;      ///< in the simulation; none where the faces hold no object
-};
 
 /// The fixtures that a person made by picking faces. The simulation knows of objects only, so faces are remembered here, also
 /// of fixtures that are gone: going back to a moment shows them again.
@@ -46,14 +38,17 @@ public:
     /// The simulation is at another moment, or begins: these are the fixtures there.
     /// @param held by their ids; none where one was removed
     void follow(const Content& content, std::span<const std::optional<Fixture>> held);
+    /// Whether these are the fixtures, by their ids, and so many there were.
+    bool agree(std::span<const FixtureId> ids, FixtureId count) const;
 
     /// What faces are remembered, for a project file; and back. A text that is none changes nothing.
     std::string memory() const;
     void remember(const std::string& memory);
+    /// Faces that a fixture holds, or will hold. Its id does not matter.
+    void keepInMind(const FaceFixture& fixture);
 
 private:
     std::vector<Command> hold(const Content& content, FaceFixture& fixture);
-    void keepInMind(const FaceFixture& fixture);
     FaceFixture faceFixtureOf(const Content& content, const Fixture& held) const;
 
     std::vector<FaceFixture> m_list;

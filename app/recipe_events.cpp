@@ -1,0 +1,160 @@
+#include "app/recipe_events.h"
+
+#include "core/simulation/moment.h"
+
+#include <filesystem>
+
+namespace knead {
+
+namespace {
+
+using Tools = std::map<std::string, ToolId>;
+using Fixtures = std::map<std::string, std::vector<FixtureId>>;
+
+/// One event, by what it says.
+struct CommandMaker {
+    const Recipe& recipe;
+    const RecipeScene& ready;
+    const Tools& tools;
+    const Fixtures& fixtures;
+    const std::vector<Body>& bodies;
+    std::size_t event;
+    std::vector<Command> made = {};
+
+    std::string place() const
+    {
+        return std::filesystem::path(recipe.file).filename().string() + ": events[" +
+               std::to_string(recipe.events[event].item) + "]";
+    }
+
+    /// What could not be added has no number, and nothing happens to it.
+    template <class Make>
+    void withTool(const std::string& name, Make make)
+    {
+        if (const auto found = tools.find(name); found != tools.end())
+            made.push_back(make(found->second));
+    }
+    template <class Make>
+    void withFixtures(const std::string& name, Make make)
+    {
+        if (const auto found = fixtures.find(name); found != fixtures.end())
+            for (const FixtureId id : found->second)
+                made.push_back(make(id));
+    }
+
+    void operator()(const ChangeMaterial& change)
+    {
+        for (BodyObjects& at : objectsWithin(ready, change.body, change.box, change.objects, place()))
+            made.push_back(
+                SetMaterial{at.body, change.material.on(ready.scene.bodies[at.body].material), std::move(at.objects)});
+    }
+    void operator()(const RenormalizeBodies& wanted)
+    {
+        for (BodyObjects& at : objectsWithin(ready, wanted.body, wanted.box, wanted.objects, place()))
+            if (!wanted.body.empty() || bodies[at.body].kind == BodyKind::deformable)
+                made.push_back(Renormalize{at.body, std::move(at.objects), wanted.duration});
+    }
+    void operator()(const ChangeBodyKind& change)
+    {
+        for (const BodyId body : bodiesNamed(change.body, ready.parts, place()))
+            made.push_back(SetBodyKind{body, change.kind});
+    }
+    void operator()(const ChangeGravity& change) { made.push_back(SetGravity{change.gravity}); }
+    void operator()(const ChangeFloor& change) { made.push_back(SetFloor{change.height, change.friction}); }
+    void operator()(const ChangeIntegrator& change) { made.push_back(SetIntegrator{change.integrator}); }
+    void operator()(const AddRecipeFixture& add)
+    {
+        for (Fixture& fixture : fixturesOf(recipe, add.fixture, ready))
+            made.push_back(AddFixture{std::move(fixture)});
+    }
+    void operator()(const MoveRecipeFixture& move)
+    {
+        withFixtures(move.fixture, [&](FixtureId id) { return MoveFixture{id, move.velocity}; });
+    }
+    void operator()(const ReleaseFixture& release)
+    {
+        withFixtures(release.fixture, [](FixtureId id) { return RemoveFixture{id}; });
+    }
+    void operator()(const AddRecipeManipulator& add)
+    {
+        made.push_back(AddManipulator{manipulatorOf(add.manipulator, ready.eventParts[event])});
+    }
+    void operator()(const MoveRecipeManipulator& move)
+    {
+        withTool(move.manipulator, [&](ToolId id) { return SetManipulatorMotion{id, move.motion}; });
+    }
+    void operator()(const PlaceRecipeManipulator& place)
+    {
+        withTool(place.manipulator, [&](ToolId id) { return PlaceManipulator{id, place.pose}; });
+    }
+    void operator()(const ReshapeRecipeManipulator& reshape)
+    {
+        const Manipulator form = manipulatorOf(reshape.manipulator, ready.eventParts[event]);
+        withTool(form.name, [&](ToolId id) {
+            return ReshapeManipulator{.tool = id,
+                                      .size = form.size,
+                                      .friction = form.friction,
+                                      .speedLimit = form.speedLimit,
+                                      .forceLimit = form.forceLimit,
+                                      .kind = form.kind,
+                                      .part = form.part};
+        });
+    }
+    void operator()(const TakeManipulatorAway& away)
+    {
+        withTool(away.manipulator, [](ToolId id) { return RemoveManipulator{id}; });
+    }
+    void operator()(const StartAgain&) { made.push_back(Reset{}); }
+    void operator()(const MarkMoment&) { made.push_back(KeepMoment{}); }
+};
+
+} // namespace
+
+EventCommands::EventCommands(const Recipe& recipe, const RecipeScene& ready)
+    : m_recipe(recipe)
+    , m_ready(ready)
+    , m_nextTool(static_cast<ToolId>(ready.scene.manipulators.size()))
+    , m_nextFixture(static_cast<FixtureId>(ready.scene.fixtures.size()))
+{
+    for (std::size_t i = 0; i < recipe.manipulators.size(); ++i)
+        m_tools[recipe.manipulators[i].name] = static_cast<ToolId>(i);
+    for (std::size_t i = 0; i < recipe.fixtures.size(); ++i)
+        m_fixtures[recipe.fixtures[i].name] = ready.fixtureIds[i];
+}
+
+std::vector<Command> EventCommands::commandsOf(std::size_t event, const std::vector<Body>& bodies) const
+{
+    CommandMaker maker{m_recipe, m_ready, m_tools, m_fixtures, bodies, event};
+    std::visit([&](const auto& action) { maker(action); }, m_recipe.events[event].action);
+    return std::move(maker.made);
+}
+
+void EventCommands::carriedOut(const Command& command)
+{
+    if (const auto* tool = std::get_if<AddManipulator>(&command))
+        m_tools[tool->manipulator.name] = m_nextTool++;
+    if (const auto* fixture = std::get_if<AddFixture>(&command))
+        m_fixtures[fixture->fixture.name].push_back(m_nextFixture++);
+}
+
+void EventCommands::carriedOutByOthers(const Command& command)
+{
+    m_nextTool += std::holds_alternative<AddManipulator>(command) ? 1 : 0;
+    m_nextFixture += std::holds_alternative<AddFixture>(command) ? 1 : 0;
+}
+
+void EventCommands::goTo(const Moment& moment)
+{
+    m_tools.clear();
+    m_fixtures.clear();
+    m_nextTool = static_cast<ToolId>(moment.tools.size());
+    m_nextFixture = static_cast<FixtureId>(moment.fixtures.size());
+    for (ToolId id = 0; id < m_nextTool; ++id)
+        if (moment.tools[id])
+            m_tools[moment.tools[id]->manipulator.name] = id;
+    for (FixtureId id = 0; id < m_nextFixture; ++id)
+        if (moment.fixtures[id])
+            m_fixtures[moment.fixtures[id]->name].push_back(id);
+}
+
+} // namespace knead

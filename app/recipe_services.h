@@ -1,0 +1,10 @@
+#pragma once
+
+#include "ui/project/recipe_services.h"
+
+namespace knead {
+
+/// For the window.
+RecipeServices recipeServices();
+
+} // namespace knead

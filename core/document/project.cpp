@@ -1,0 +1,24 @@
+#include "core/document/project.h"
+
+#include "core/document/moment_bytes.h"
+
+#include <algorithm>
+
+namespace knead {
+
+std::vector<std::shared_ptr<const ToolPart>> toolPartsOf(const Project& project)
+{
+    ToolParts all;
+    const auto add = [&all](const ToolParts& parts) {
+        for (const auto& part : parts)
+            if (std::find(all.begin(), all.end(), part) == all.end())
+                all.push_back(part);
+    };
+    for (const ProjectStart& start : project.starts)
+        add(toolPartsOf(start.scene, {}));
+    for (const HistoryRecord& entry : project.entries)
+        add(toolPartsOf({}, entry.commands));
+    return all;
+}
+
+} // namespace knead

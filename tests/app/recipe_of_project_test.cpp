@@ -1,0 +1,367 @@
+// Sessions as recipes: carried out, they come to the same bits.
+#include "app/cad_process.h"
+#include "app/recipe_runner.h"
+#include "app/recipe_scene.h"
+#include "app/thread_limit.h"
+#include "io/mesh_writer.h"
+#include "io/project/project_file.h"
+#include "io/project/recipe_of_project.h"
+#include "support/pressed_part.h"
+#include "support/same_values.h"
+#include "support/sample_project.h"
+#include "support/workshop.h"
+
+#include <QtTest>
+
+using namespace knead;
+using namespace knead::sessions;
+using workshop::json;
+
+namespace {
+
+const std::vector<MaterialPreset> presets{{"clay", "Clay", "a pit", scenes::clay()}};
+
+/// The scene of two lumps as files have it.
+std::string writeLumps(const std::string& path)
+{
+    const auto lump = [](const std::string& name, double size, double height) {
+        return MeshBody{name, Color{},
+                        shapes::moved(shapes::box(Vec3::Constant(size)), scenes::placedAt(Vec3(0, 0, height)))};
+    };
+    writeMeshes(path, {lump("Lump", 4 * lumpSpacing, 0), lump("Lump", 2 * lumpSpacing, 6 * lumpSpacing)});
+    return path;
+}
+
+/// Everything that scenes and commands can say, at random.
+Command anyMove(fuzz::Random& random)
+{
+    const auto number = [&] { return 1e-6 * static_cast<double>(random.below(20'001)) / 3 - 0.003; };
+    const Pose place = shapes::tilt(100 * number(), Vec3(number(), number(), 0.01 + number()));
+    const auto tool = static_cast<ToolId>(random.below(3));
+    Manipulator cylinder{.name = random.chance(50) ? "roller \"1\"" : "", .size = Vec3(0.003, 0.003, 0.01 / 3)};
+    cylinder.kind = ToolKind::cylinder;
+    cylinder.pose = place;
+    cylinder.friction = 1.0 / 3;
+    cylinder.speedLimit = 0.7 / 3;
+    cylinder.forceLimit = random.chance(50) ? 1.0 / 3 : std::numeric_limits<double>::infinity();
+    cylinder.motion = DriveAt{Vec3(number(), number(), -0.1), Vec3(number(), 1.0 / 3, 0)};
+    switch (random.below(9)) {
+    case 0:
+        return SetManipulatorMotion{tool, DriveAt{100 * place.position, Vec3(number(), 1, number())}};
+    case 1:
+        return SetManipulatorMotion{tool, HoldStill{}};
+    case 2:
+        return SetManipulatorMotion{tool, FollowKeyFrames{{{1e-3 / 3, place}, {0.01 / 3, Pose{}}, {0.2, place}}}};
+    case 3:
+        return AddManipulator{cylinder};
+    case 4:
+        return ReshapeManipulator{.tool = tool,
+                                  .size = Vec3::Constant(0.01 / 3),
+                                  .friction = 0.1,
+                                  .speedLimit = 0.3,
+                                  .kind = random.chance(50) ? ToolKind::ball : ToolKind::wedge};
+    case 5:
+        return Renormalize{0, {3, 4, 5, 90}, random.chance(50) ? 0 : 1e-3 / 3};
+    case 6:
+        return SetMaterial{1, scenes::clay(), {2, 5, 6}};
+    case 7:
+        return KeepMoment{};
+    default:
+        return SetManipulatorMotion{tool, GoTo{place}};
+    }
+}
+
+Document randomDocument(const Scene& scene, std::uint64_t seed)
+{
+    fuzz::Random random(seed);
+    Document document(scene);
+    for (int i = 0; i < 12; ++i) {
+        if (random.chance(25))
+            document.visit(static_cast<Entry>(random.below(document.history.records().size())));
+        for (std::size_t n = random.below(12); n > 0; --n) {
+            document.simulation.post(random.chance(60) ? anyMove(random) : anyCommand(random));
+            for (std::size_t steps = random.below(5); steps > 0; --steps)
+                document.simulation.step();
+        }
+        endGesture(document, "gesture " + std::to_string(i));
+    }
+    return document;
+}
+
+/// A scene in which every key of a recipe has something to say.
+Scene richScene(const Model& model)
+{
+    Scene scene = restingScene(model, lumpSpacing);
+    scene.bodies[0].velocity = Vec3(0, 0, 0.1 / 3);
+    scene.bodies[1].velocity = Vec3(0, 0.01 / 7, -0.3);
+    scene.bodies[1].angularVelocity = Vec3(1.0 / 3, 0, 20);
+    scene.bodies[1].material = scenes::clay();
+    scene.bodies[0].regions = {{"", {1, 2, 3}, scenes::clay()}, {"soft", {7, 9, 40}, scenes::soft(0.1)}};
+    scene.floorHeight = -2.5 * lumpSpacing;
+    scene.floorFriction = 1.0 / 3;
+    scene.gravity = Vec3(0, 0, -9.81);
+    scene.touching = Touching::glued;
+    scene.vicinity = VicinityMethod::halfPartition;
+    scene.integrator = Integrator::automatic;
+    scene.fixtures = {{"hold", 0, {0, 1, 2, 3, 4}, {}}, {"hold", 1, {0, 5, 11}, Vec3(0, 0, 0.01 / 3)}};
+    scene.manipulators = scenes::smallPress(scenes::soft(), 4).manipulators;
+    scene.manipulators.push_back(scene.manipulators[0]);
+    scene.manipulators[1].motion = GoTo{shapes::tilt(0.3, Vec3(0.02, 0, 0.01))};
+    return scene;
+}
+
+} // namespace
+
+class RecipeOfProjectTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        setCadProgram(KNEAD_PROGRAM);
+        m_model = std::make_shared<const Model>(importFile(writeLumps(m_shop.path("lumps.3mf"))));
+        QCOMPARE(m_model->parts.size(), std::size_t{2});
+    }
+
+    void theRecipeComesToTheSameBits_data()
+    {
+        QTest::addColumn<int>("seed");
+        QTest::addColumn<bool>("isRich");
+        for (int seed = 1; seed <= 6; ++seed) {
+            QTest::addRow("plain %d", seed) << seed << false;
+            QTest::addRow("rich %d", seed) << seed << true;
+        }
+    }
+    void theRecipeComesToTheSameBits()
+    {
+        QFETCH(int, seed);
+        QFETCH(bool, isRich);
+        const Scene scene = isRich ? richScene(*m_model) : restingScene(*m_model, lumpSpacing);
+        const Document document = randomDocument(scene, static_cast<std::uint64_t>(seed));
+        Project project = projectOf(document, m_model, {0, 1});
+        project.import.paths = {m_shop.path("lumps.3mf")};
+        const std::string text = write(project, "session.recipe.json").text;
+        for (const unsigned threads : {1U, 2U}) {
+            const ThreadLimit limit(threads);
+            const RunReport report = runRecipe(read("session.recipe.json"), m_shop.path("out"));
+            QVERIFY2(report.warnings.empty(), report.warnings.empty() ? "" : report.warnings[0].c_str());
+            if (report.stateHash != document.simulation.stateHash())
+                qInfo("%s", text.c_str());
+            QCOMPARE(report.stateHash, document.simulation.stateHash());
+            QCOMPARE(report.steps, document.simulation.stepCount());
+        }
+    }
+
+    void theSceneIsTheSame()
+    {
+        const Document document = randomDocument(richScene(*m_model), 20);
+        Project project = projectOf(document, m_model, {0, 1});
+        project.import.paths = {m_shop.path("lumps.3mf")};
+        write(project, "scene.recipe.json");
+        const RecipeScene ready = buildScene(read("scene.recipe.json"), TaskControl::none());
+        QVERIFY(same::values(ready.scene.bodies[0].aggregate, document.scene.bodies[0].aggregate));
+        for (std::size_t i = 0; i < 2; ++i) {
+            QCOMPARE(ready.scene.fixtures[i].objects, document.scene.fixtures[i].objects);
+            QVERIFY(same::values(ready.scene.fixtures[i].velocity, document.scene.fixtures[i].velocity));
+            QVERIFY(same::values(ready.scene.manipulators[i].pose, document.scene.manipulators[i].pose));
+            QVERIFY(same::values(ready.scene.manipulators[i].size, document.scene.manipulators[i].size));
+            QVERIFY(same::values(ready.scene.bodies[i].velocity, document.scene.bodies[i].velocity));
+            QVERIFY(same::values(ready.scene.bodies[i].angularVelocity, document.scene.bodies[i].angularVelocity));
+            QCOMPARE(ready.scene.bodies[0].regions[i].objects, document.scene.bodies[0].regions[i].objects);
+        }
+        QVERIFY(same::values(ready.scene.gravity, document.scene.gravity));
+        QVERIFY(same::values(ready.scene.floorHeight, document.scene.floorHeight));
+    }
+
+    /// What a mouse did is one line for each gesture, in millimeters.
+    void aPersonCanReadIt()
+    {
+        const Project project = pressedPart(KNEAD_RESOURCES "/examples/bracket.step", 0.004);
+        const std::string text = write(project, "bracket.recipe.json").text;
+        const json recipe = json::parse(text);
+        QCOMPARE(recipe.at("part").size(), std::size_t{1});
+        QCOMPARE(recipe.at("spacing_mm").get<double>(), 4.0);
+        QVERIFY2(text.find("\"spacing_mm\": 4,\n") != std::string::npos, text.c_str());
+        QVERIFY2(text.find("\"material\": {\"youngs_modulus_pa\": 2e+05") != std::string::npos ||
+                     text.find("\"material\": {\"youngs_modulus_pa\": 200000") != std::string::npos,
+                 text.c_str());
+        std::vector<std::string> said;
+        for (const json& event : recipe.at("events"))
+            said.push_back(std::next(event.begin(), event.begin().key() == "step" ? 1 : 0).key());
+        QCOMPARE(said, (std::vector<std::string>{"keep_moment", "add_manipulator", "keep_moment", "move_manipulator",
+                                                 "keep_moment", "move_manipulator", "keep_moment"}));
+        QCOMPARE(recipe.at("events")[4].at("keep_moment").get<std::string>(), std::string("Push with Block 1"));
+        QCOMPARE(recipe.at("events")[3].at("move_manipulator").at("path").size(), std::size_t{60});
+        QCOMPARE(recipe.at("duration_steps").get<std::uint64_t>(), project.entries[4].step);
+        QVERIFY(workshop::lineCount(text) < 130);
+        QVERIFY(readRecipe(m_shop.path("bracket.recipe.json"), presets).events.size() > 90);
+    }
+
+    void fixturesAreSaidByFacesOrBoxes()
+    {
+        Project project = pressedPart(KNEAD_RESOURCES "/examples/bracket.step", 0.004);
+        const Part& part = project.model->parts[0];
+        const Aggregate& aggregate = *project.starts[0].scene.bodies[0].aggregate;
+        const std::vector<std::uint32_t> faces{0, 3};
+        const Box corner(part.box.min() - Vec3::Constant(1), part.box.center());
+        project.starts[0].scene.fixtures = {{"faces", 0, objectsAtFaces(aggregate, part.mesh, faces)},
+                                            {"box", 0, objectsInBox(aggregate, corner)},
+                                            {"others", 0, {2, 3, 9, 400}}};
+        project.current = 0;
+        const json fixtures = json::parse(write(project, "held.recipe.json").text).at("fixtures");
+        QVERIFY2(fixtures[0].contains("faces"), fixtures.dump().c_str());
+        QVERIFY2(fixtures[1].contains("box_mm"), fixtures.dump().c_str());
+        QCOMPARE(fixtures[2].at("objects"), json::parse("[[2, 3], 9, 400]"));
+        const RecipeScene ready = buildScene(read("held.recipe.json"), TaskControl::none());
+        for (std::size_t i = 0; i < 3; ++i)
+            QCOMPARE(ready.scene.fixtures[i].objects, project.starts[0].scene.fixtures[i].objects);
+
+        Recipe finer = read("held.recipe.json");
+        finer.spacing.value = 0.003;
+        try {
+            buildScene(finer, TaskControl::none());
+            QFAIL("numbers of objects belong to one filling");
+        } catch (const UnusableInput& error) {
+            QVERIFY2(std::string(error.what())
+                         .starts_with(
+                             "held.recipe.json: the fixture \"others\" names objects of a body that is filled with "),
+                     error.what());
+        }
+        finer.fixtures.pop_back();
+        QVERIFY(buildScene(finer, TaskControl::none()).scene.fixtures[0].objects.size() >
+                project.starts[0].scene.fixtures[0].objects.size());
+    }
+
+    void bodiesOfOneNameAreToldApart()
+    {
+        Model model = *m_model;
+        model.parts[0].name = model.parts[1].name = "Lump";
+        model.parts[0].path = model.parts[1].path = "a/Lump";
+        Document document(restingScene(model, lumpSpacing));
+        document.simulation.post(SetMaterial{1, scenes::clay()});
+        endGesture(document, "Material");
+        Project project = projectOf(document, std::make_shared<const Model>(model), {0, 1});
+        project.import.paths = {m_shop.path("lumps.3mf")};
+        const auto bodyOf = [&] {
+            const json event = json::parse(write(project, "names.recipe.json").text).at("events")[1];
+            return event.at("body").get<std::string>();
+        };
+        QCOMPARE(bodyOf(), std::string("#1"));
+        model.parts[1].path = "b/Lump";
+        project.model = std::make_shared<const Model>(model);
+        QCOMPARE(bodyOf(), std::string("b/Lump"));
+    }
+
+    void partsAndToolsComeFromTheProjectWhereFilesAreGone()
+    {
+        const Model& model = *m_model;
+        Document document(restingScene(model, lumpSpacing));
+        Manipulator part = sample::partManipulator(sample::toolPart(0.01 / 3));
+        part.pose = shapes::tilt(0.3, Vec3(0, 0, 0.006));
+        part.motion = DriveAt{Vec3(0, 0, -0.3), Vec3::Zero()};
+        document.simulation.post(AddManipulator{part});
+        document.simulation.post(ReshapeManipulator{.tool = 0,
+                                                    .size = sample::toolPart(0.002)->size(),
+                                                    .friction = 0.1,
+                                                    .speedLimit = 1,
+                                                    .kind = ToolKind::part,
+                                                    .part = sample::toolPart(0.002)});
+        for (int i = 0; i < 200; ++i)
+            document.simulation.step();
+        endGesture(document, "Push");
+        Project project = projectOf(document, m_model, {0, 1});
+        project.import.paths = {"/nowhere/lumps.3mf"};
+        writeProject(m_shop.path("lumps.knead"), project);
+        const RecipeOfProject recipe = write(project, "kept.recipe.json", m_shop.path("lumps.knead"));
+        QCOMPARE(recipe.remarks.size(), std::size_t{1});
+        QCOMPARE(json::parse(recipe.text).at("part").at("file").get<std::string>(), std::string("lumps.knead"));
+        const RunReport report = runRecipe(read("kept.recipe.json"), m_shop.path("out"));
+        QCOMPARE(report.stateHash, document.simulation.stateHash());
+        QVERIFY(report.tools[0].peakForce > 0);
+    }
+
+    void whatWasBeforeARefillIsLeftOut()
+    {
+        Document document(restingScene(*m_model, lumpSpacing));
+        fuzz::Random random(3);
+        document.doSomething(random, 20);
+        Project project = projectOf(document, m_model, {0, 1});
+        project.import.paths = {m_shop.path("lumps.3mf")};
+        Document refilled(restingScene(*m_model, 0.7 * lumpSpacing));
+        refilled.doSomething(random, 50);
+        project.starts.push_back({refilled.scene, {0, 1}});
+        for (HistoryRecord record : refilled.history.records()) {
+            record.parent = static_cast<std::uint32_t>(project.entries.size() - 1);
+            record.start = 1;
+            project.entries.push_back(record);
+        }
+        project.current = static_cast<std::uint32_t>(project.entries.size() - 1);
+        const RecipeOfProject recipe = write(project, "refilled.recipe.json");
+        QVERIFY(recipe.remarks.at(0).starts_with("The recipe begins where the part was filled last"));
+        const RunReport report = runRecipe(read("refilled.recipe.json"), m_shop.path("out"));
+        QCOMPARE(report.stateHash, refilled.simulation.stateHash());
+    }
+
+    void whatCannotBeSaidIsASentence()
+    {
+        const Document document(restingScene(*m_model, lumpSpacing));
+        Project project = projectOf(document, m_model, {0, 1});
+        const auto complaint = [&] {
+            try {
+                write(project, "never.recipe.json");
+            } catch (const std::runtime_error& error) {
+                return std::string(error.what());
+            }
+            return std::string();
+        };
+        QCOMPARE(complaint(),
+                 std::string("A recipe cannot say what was done here: the files of its parts are not there "
+                             "any more; save the project first."));
+        project.import.paths = {m_shop.path("lumps.3mf")};
+        QCOMPARE(complaint(), std::string());
+        project.starts[0].scene.bodies.pop_back();
+        project.starts[0].partOfBody = {0};
+        QVERIFY(
+            complaint().starts_with("A recipe cannot say what was done here: some of its parts could not be filled"));
+        QVERIFY(!QFileInfo::exists(m_shop.qPath("never.knead")));
+        project = Project{};
+        QCOMPARE(complaint(), std::string("The project has nothing in it yet that a recipe could say."));
+    }
+
+    void settingsBeforeTheFirstStepCanBecomeTheStart()
+    {
+        Document document(restingScene(*m_model, lumpSpacing));
+        document.simulation.post(SetMaterial{0, scenes::clay()});
+        document.simulation.post(SetGravity{Vec3(0, 0, -9.81)});
+        document.simulation.applyCommands();
+        endGesture(document, "Settings");
+        document.simulation.post(SetFloor{-0.02, 0.1});
+        document.simulation.step();
+        document.simulation.post(SetGravity{Vec3::Zero()});
+        endGesture(document, "More");
+        const Project settled = withSettingsFirst(projectOf(document, m_model, {0, 1}));
+        const Scene& scene = settled.starts[0].scene;
+        QCOMPARE(scene.bodies[0].material, scenes::clay());
+        QCOMPARE(scene.bodies[1].material, scenes::soft());
+        QCOMPARE(scene.gravity.z(), -9.81);
+        QCOMPARE(*scene.floorHeight, -0.02);
+        QCOMPARE(settled.entries[1].commands.size(), std::size_t{1});
+        QCOMPARE(settled.entries[2].commands.size(), std::size_t{2});
+    }
+
+private:
+    RecipeOfProject write(const Project& project, const std::string& name, const std::string& projectPath = {})
+    {
+        RecipeOfProject recipe =
+            recipeOfProject(project, {.recipePath = m_shop.path(name), .projectPath = projectPath}, presets);
+        std::ofstream(m_shop.path(name)) << recipe.text;
+        return recipe;
+    }
+    Recipe read(const std::string& name) { return readRecipe(m_shop.path(name), presets); }
+
+    workshop::Workshop m_shop;
+    std::shared_ptr<const Model> m_model;
+};
+
+QTEST_GUILESS_MAIN(RecipeOfProjectTest)
+#include "recipe_of_project_test.moc"
