@@ -130,11 +130,11 @@ Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Manners& m
     return attempt;
 }
 
-/// A sound part whose own faces were bent, and are no longer a sound solid for who reads the file.
+/// A sound part whose own faces were bent, and are no longer sound for who reads the file.
 bool isSpoilt(const PartToExport& part, const PartExportReport& report)
 {
     return part.part.valid && part.part.watertight && report.form == PartExportReport::Form::exact &&
-           report.keptFaces < report.facesBefore && !(report.valid && report.closed && report.freeEdges == 0);
+           report.keptFaces < report.facesBefore && !report.isSound();
 }
 
 /// Chooses what is to be tried next. @return false when every part came back as well as it can

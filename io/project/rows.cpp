@@ -49,7 +49,7 @@ private:
     uLong m_check = crc32_z(0, nullptr, 0);
 };
 
-void bind(SQLite::Statement& statement, int column, const RowValue& value)
+void bindValue(SQLite::Statement& statement, int column, const RowValue& value)
 {
     if (const auto* integer = std::get_if<std::int64_t>(&value))
         statement.bind(column, *integer);
@@ -137,7 +137,7 @@ void putRow(SQLite::Database& database, const std::string& table, std::vector<Ro
         marks += ", ?";
     SQLite::Statement statement(database, "INSERT OR REPLACE INTO " + table + " VALUES (" + marks + ")");
     for (std::size_t i = 0; i < values.size(); ++i)
-        bind(statement, static_cast<int>(i) + 1, values[i]);
+        bindValue(statement, static_cast<int>(i) + 1, values[i]);
     statement.exec();
 }
 
