@@ -1,12 +1,15 @@
 #include "app/recipe_agenda.h"
 
 #include "app/recipe_progress.h"
+#include "core/simulation/moment.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace knead {
@@ -15,29 +18,38 @@ namespace {
 
 /// How far a recipe is.
 struct Place {
-    std::size_t nextEvent = 0;
+    RecipeProgress::Mark mark;
     bool hasEnded = false;
 };
 
-/// How far it was where gestures ended, by the hash of the state there. Any thread.
+/// What tells moments apart. A rigid body that nothing touches has the same hash at every step; runs before and after a Reset
+/// differ in how many tools and fixtures there have been.
+using MomentKey = std::tuple<std::uint64_t, std::uint64_t, std::size_t, std::size_t>;
+
+MomentKey keyOf(const Moment& moment, std::uint64_t hash)
+{
+    return {hash, moment.step, moment.tools.size(), moment.fixtures.size()};
+}
+
+/// How far it was where gestures ended. Any thread.
 class Places {
 public:
-    void keep(std::uint64_t hash, const Place& place)
+    void keep(const MomentKey& moment, const Place& place)
     {
         const std::lock_guard lock(m_mutex);
-        m_places[hash] = place;
+        m_places[moment] = place;
     }
 
-    std::optional<Place> at(std::uint64_t hash) const
+    std::optional<Place> at(const MomentKey& moment) const
     {
         const std::lock_guard lock(m_mutex);
-        const auto found = m_places.find(hash);
+        const auto found = m_places.find(moment);
         return found == m_places.end() ? std::nullopt : std::optional(found->second);
     }
 
 private:
     mutable std::mutex m_mutex;
-    std::map<std::uint64_t, Place> m_places;
+    std::map<MomentKey, Place> m_places;
 };
 
 class RecipeAgenda final : public Agenda {
@@ -62,13 +74,13 @@ public:
     {
         noteOthers(gesture.commands);
         m_known = 0;
-        m_places->keep(gesture.hash, {m_progress.nextEvent(), m_hasEnded});
+        m_places->keep(keyOf(*gesture.moment, gesture.hash), {m_progress.mark(), m_hasEnded});
     }
 
     void wentTo(const Moment& moment, std::uint64_t hash) override
     {
-        const std::optional<Place> place = m_places->at(hash);
-        m_progress.goTo(moment, place ? std::optional(place->nextEvent) : std::nullopt);
+        const std::optional<Place> place = m_places->at(keyOf(moment, hash));
+        m_progress.goTo(moment, place ? std::optional(place->mark) : std::nullopt);
         m_hasEnded = place && place->hasEnded;
         m_known = 0;
     }

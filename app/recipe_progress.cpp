@@ -41,16 +41,17 @@ bool RecipeProgress::isDue(const RecipeEvent& event, const Simulation& simulatio
 
 bool RecipeProgress::isDone(const Simulation& simulation) const
 {
-    return m_next >= m_toDo && (m_recipe.durationSteps ? simulation.stepCount() >= *m_recipe.durationSteps
-                                                       : isAt(simulation, m_recipe.duration));
+    return m_mark.nextEvent >= m_toDo && (m_recipe.durationSteps ? simulation.stepCount() >= *m_recipe.durationSteps
+                                                                 : isAt(simulation, m_recipe.duration));
 }
 
 void RecipeProgress::carryOutDue(Simulation& simulation, const std::function<void()>& refused)
 {
-    for (; m_next < m_recipe.events.size() && isDue(m_recipe.events[m_next], simulation); ++m_next) {
-        if (m_isRepeated && isThere(m_recipe.events[m_next].action, simulation))
+    std::size_t& next = m_mark.nextEvent;
+    for (; next < m_recipe.events.size() && isDue(m_recipe.events[next], simulation); ++next) {
+        if (m_mark.isRepeated && isThere(m_recipe.events[next].action, simulation))
             continue;
-        for (Command& command : m_events.commandsOf(m_next, simulation.bodies()))
+        for (Command& command : m_events.commandsOf(next, simulation.bodies()))
             carryOut(std::move(command), simulation, refused);
     }
 }
@@ -87,17 +88,15 @@ void RecipeProgress::noteOther(const Command& command)
     m_events.carriedOutByOthers(command);
     if (!std::holds_alternative<Reset>(command))
         return;
-    m_next = 0;
-    m_isRepeated = true;
+    m_mark = {.nextEvent = 0, .isRepeated = true};
 }
 
-void RecipeProgress::goTo(const Moment& moment, std::optional<std::size_t> next)
+void RecipeProgress::goTo(const Moment& moment, const std::optional<Mark>& mark)
 {
     m_events.goTo(moment);
-    m_next = 0;
-    while (m_next < m_recipe.events.size() && wasDue(m_recipe.events[m_next], moment))
-        ++m_next;
-    m_next = next.value_or(m_next);
+    const auto isNext = [&](const RecipeEvent& event) { return !wasDue(event, moment); };
+    const auto next = std::find_if(m_recipe.events.begin(), m_recipe.events.end(), isNext);
+    m_mark = mark.value_or(Mark{.nextEvent = static_cast<std::size_t>(next - m_recipe.events.begin())});
 }
 
 void checkEvents(const Recipe& recipe, const RecipeScene& ready)

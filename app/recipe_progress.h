@@ -11,6 +11,12 @@ namespace knead {
 /// How far the events of a recipe were carried out in a simulation, each before the step at which it is due.
 class RecipeProgress {
 public:
+    /// Where it is in the recipe.
+    struct Mark {
+        std::size_t nextEvent = 0;
+        bool isRepeated = false; ///< somebody else's Reset came before: what events add may be there already
+    };
+
     /// @param recipe and ready outlive this
     RecipeProgress(const Recipe& recipe, const RecipeScene& ready);
 
@@ -21,14 +27,14 @@ public:
     /// The end counts from the last time that the run begins again.
     bool isDone(const Simulation& simulation) const;
 
-    std::size_t nextEvent() const { return m_next; }
+    const Mark& mark() const { return m_mark; }
 
     /// Somebody else's command was carried out. After a Reset the recipe begins again; what it had added is there still.
     void noteOther(const Command& command);
 
     /// The simulation is at another moment.
-    /// @param next the event that is next there; none: found by the time of the moment
-    void goTo(const Moment& moment, std::optional<std::size_t> next);
+    /// @param mark what mark() was there; none: the next event is found by the time of the moment
+    void goTo(const Moment& moment, const std::optional<Mark>& mark);
 
 private:
     bool isDue(const RecipeEvent& event, const Simulation& simulation) const;
@@ -37,9 +43,8 @@ private:
 
     const Recipe& m_recipe;
     EventCommands m_events;
-    std::size_t m_next = 0;
+    Mark m_mark;
     std::size_t m_toDo = 0; ///< events before the end counts
-    bool m_isRepeated = false;
 };
 
 /// Names and boxes are checked before the first step, not when the event is due.

@@ -77,7 +77,7 @@ public:
         }
         m_wall = secondsSince(start);
         takeSnapshot();
-        if (const std::size_t left = m_recipe.events.size() - m_progress.nextEvent(); left > 0)
+        if (const std::size_t left = m_recipe.events.size() - m_progress.mark().nextEvent; left > 0)
             m_warnings.push_back("The run ended before " + std::to_string(left) + " of the events were due.");
     }
 

@@ -67,12 +67,16 @@ std::vector<std::uint32_t> entriesOf(const ReplayOptions& options, const Project
     return {entry};
 }
 
-std::string verdict(const RepeatedEntry& repeated)
+std::string verdict(const HistoryRecord& record, const RepeatedEntry& repeated)
 {
     if (!repeated.trouble.empty())
         return "not reached: " + repeated.trouble;
-    return repeated.isSame ? "same"
-                           : "different: " + hexadecimal(repeated.hash) + " at step " + std::to_string(repeated.step);
+    using Whole = RepeatedEntry::Whole;
+    if (repeated.isSame)
+        return repeated.whole == Whole::same ? "same" : "same positions and velocities; no more was kept";
+    if (repeated.step == record.step && repeated.hash == record.hash)
+        return "different: the same positions and velocities, but other materials, tools or forces";
+    return "different: " + hexadecimal(repeated.hash) + " at step " + std::to_string(repeated.step);
 }
 
 /// As many columns as a terminal shows, but for wide letters.
@@ -93,13 +97,19 @@ void printTable(const Project& project, const ReplayReport& report)
         const HistoryRecord& record = project.entries[repeated.entry];
         std::printf("%5u  %s  %8llu  %9.4f  %s  %s\n", repeated.entry, padded(record.name).c_str(),
                     static_cast<unsigned long long>(record.step), record.time, hexadecimal(record.hash).c_str(),
-                    verdict(repeated).c_str());
+                    verdict(record, repeated).c_str());
     }
     for (const std::string& file : report.files)
         std::printf("wrote %s\n", file.c_str());
     for (const ExportReport& exported : report.exports)
         for (const std::string& line : linesOf(exported))
             std::printf("%s\n", line.c_str());
+}
+
+const char* wholeWord(RepeatedEntry::Whole whole)
+{
+    using Whole = RepeatedEntry::Whole;
+    return whole == Whole::notKept ? "not kept" : whole == Whole::same ? "same" : "different";
 }
 
 Json toJson(const HistoryRecord& record, const RepeatedEntry& repeated)
@@ -113,6 +123,7 @@ Json toJson(const HistoryRecord& record, const RepeatedEntry& repeated)
     if (repeated.trouble.empty()) {
         json["repeated_step"] = repeated.step;
         json["repeated_hash"] = hexadecimal(repeated.hash);
+        json["whole_state"] = wholeWord(repeated.whole);
     } else {
         json["trouble"] = repeated.trouble;
     }

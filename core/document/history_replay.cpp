@@ -1,5 +1,6 @@
 #include "core/document/history_replay.h"
 
+#include "core/document/moment_hash.h"
 #include "core/simulation/moment.h"
 #include "core/simulation/replay.h"
 
@@ -42,6 +43,7 @@ HistoryReplay::HistoryReplay(const Project& project, From from, Packing packing)
     : m_project(project)
     , m_history(recordsOf(project, from), project.current, std::numeric_limits<std::size_t>::max())
     , m_packing(std::move(packing))
+    , m_parts(toolPartsOf(project))
 {
 }
 
@@ -99,6 +101,22 @@ void HistoryReplay::remember(History::Entry entry, const std::set<History::Entry
         m_branches[entry] = m_simulation->keepMoment();
 }
 
+/// A moment that cannot be read is another one.
+RepeatedEntry::Whole HistoryReplay::compareWhole(History::Entry entry)
+{
+    using Whole = RepeatedEntry::Whole;
+    const HistoryRecord& record = m_project.entries[entry];
+    if (!record.moment || !continuesAt(entry))
+        return Whole::notKept;
+    const std::vector<Body>& bodies = m_project.starts[record.start].scene.bodies;
+    try {
+        Moment kept = momentFromBytes(*record.moment, bodies, m_parts, m_packing);
+        return momentHash(std::move(kept)) == momentHash(*m_simulation->keepMoment()) ? Whole::same : Whole::different;
+    } catch (const std::runtime_error&) {
+        return Whole::different;
+    }
+}
+
 RepeatedEntry HistoryReplay::repeat(History::Entry entry, TaskControl& control, const std::set<History::Entry>& next)
 {
     const HistoryRecord& record = m_history.record(entry);
@@ -121,7 +139,9 @@ RepeatedEntry HistoryReplay::repeat(History::Entry entry, TaskControl& control, 
     m_at = entry;
     result.step = m_simulation->stepCount();
     result.hash = m_simulation->stateHash();
-    result.isSame = result.step == record.step && result.hash == record.hash;
+    result.whole = compareWhole(entry);
+    result.isSame =
+        result.step == record.step && result.hash == record.hash && result.whole != RepeatedEntry::Whole::different;
     remember(entry, next);
     return result;
 }

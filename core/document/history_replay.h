@@ -15,19 +15,24 @@ namespace knead {
 
 /// What repeating the commands that lead to an entry of a history came to.
 struct RepeatedEntry {
+    /// Everything at the entry, see momentHash(), beside the moment that is kept.
+    enum class Whole : std::uint8_t { notKept, same, different };
+
     std::uint32_t entry = 0;
     std::uint64_t step = 0; ///< that was reached
-    std::uint64_t hash = 0; ///< of the state there
-    bool isSame = false;    ///< as step and hash that are kept
-    std::string trouble;    ///< why the entry was not reached, in a sentence; empty when it was
+    std::uint64_t hash = 0; ///< of positions and velocities there
+    bool isSame = false;    ///< as all that is kept: step, hash, and the moment unless it was thinned out
+    Whole whole = Whole::notKept;
+    std::string trouble; ///< why the entry was not reached, in a sentence; empty when it was
 };
 
-/// Proves the history of a project: repeats its commands from the scenes they began with, and compares. What entries have in
-/// common is repeated once. One thread at a time, which takes as long as the steps took.
+/// Proves the history of a project: repeats its commands from the scenes they began with, and compares: all of a moment where
+/// it is kept, else positions and velocities. What entries have in common is repeated once. One thread at a time, which takes
+/// as long as the steps took.
 class HistoryReplay {
 public:
     enum class From : std::uint8_t {
-        starts,  ///< everything is repeated; moments that are kept are not looked at
+        starts,  ///< everything is repeated; moments that are kept are compared with, and not gone on from
         moments, ///< only what follows the nearest moment that is kept
     };
 
@@ -51,12 +56,14 @@ private:
     std::vector<RecordedCommand> goToBegin(History::Entry entry);
     std::vector<RecordedCommand> goToWay(const Way& way);
     void remember(History::Entry entry, const std::set<History::Entry>& next);
+    RepeatedEntry::Whole compareWhole(History::Entry entry);
     bool continuesAt(History::Entry entry) const;
     bool beginsStart(History::Entry entry) const;
 
     const Project& m_project;
     History m_history; ///< without moments where everything is repeated
     Packing m_packing;
+    ToolParts m_parts;
     std::optional<Simulation> m_simulation; ///< at m_at; none when there was trouble
     History::Entry m_at = 0;
     std::map<History::Entry, MomentPointer> m_branches; ///< where others will go on from

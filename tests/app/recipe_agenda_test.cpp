@@ -66,6 +66,31 @@ private slots:
         QVERIFY(!run.agenda->carryOutDue(*run.simulation)); // it has ended there
     }
 
+    /// Until something touches a rigid body, its positions and velocities are the same at every step.
+    void goingBackBeforeAnythingMovesLosesNoEvent()
+    {
+        const json recipe = workshop::lateRecipe(std::string(KNEAD_RESOURCES) + "/examples/bar.step");
+        const Run run = started(recipe);
+        const Gesture first = gestureOf(run);
+        stepTo(run, 0.07);
+        const Gesture middle = gestureOf(run);
+        stepTo(run, 0.12);
+        const Gesture late = gestureOf(run);
+        QCOMPARE(late.hash, first.hash);
+        QCOMPARE(run.simulation->snapshot()->tools.size(), std::size_t{1});
+        for (const Gesture* gesture : {&late, &first, &middle}) {
+            run.simulation->goTo(gesture->moment);
+            run.agenda->wentTo(*gesture->moment, gesture->hash);
+            QVERIFY(playToEnd(*run.simulation, *run.agenda));
+            QCOMPARE(run.simulation->snapshot()->tools.size(), std::size_t{1});
+            QCOMPARE(gestureOf(run).moment->gravity.z(), -2.0);
+        }
+        run.simulation->goTo(first.moment);
+        run.agenda->wentTo(*first.moment, first.hash);
+        QVERIFY(playToEnd(*run.simulation, *run.agenda));
+        QCOMPARE(run.simulation->stateHash(), hashOfRunning(recipe));
+    }
+
     void namesMeanTheToolsOfTheRecipe()
     {
         const Run run = started(m_recipe);
@@ -99,6 +124,32 @@ private slots:
         QCOMPARE(now->fixtures.size(), std::size_t{2});
         QVERIFY(playToEnd(*run.simulation, *run.agenda));
         QCOMPARE(run.simulation->snapshot()->tools.size(), std::size_t{1});
+    }
+
+    /// After Reset, what the recipe had added is there; before it, it is not.
+    void goingBackOverAResetKnowsWhatIsThere()
+    {
+        const Run run = started(m_recipe);
+        const Gesture first = gestureOf(run);
+        stepTo(run, 0.13);
+        gestureOf(run);
+        run.simulation->post(Reset{});
+        run.simulation->applyCommands();
+        const Gesture again = gestureOf(run);
+        QCOMPARE(again.hash, first.hash);
+        const std::unique_ptr<Agenda> other = run.start.agenda(); // as after going back over another filling
+        for (Agenda* agenda : {run.agenda.get(), other.get()})
+            for (const Gesture* gesture : {&again, &first, &again}) {
+                Simulation simulation(run.start.start.scene);
+                simulation.goTo(gesture->moment);
+                agenda->wentTo(*gesture->moment, simulation.stateHash());
+                while (simulation.time() < 0.14) {
+                    agenda->carryOutDue(simulation);
+                    simulation.step();
+                }
+                QCOMPARE(simulation.snapshot()->tools.size(), std::size_t{2});
+                QCOMPARE(simulation.snapshot()->fixtures.size(), std::size_t{2});
+            }
     }
 
     void resetsOfTheRecipeAreItsOwn()

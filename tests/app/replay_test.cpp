@@ -61,6 +61,7 @@ private slots:
             QCOMPARE(entry.at("name").get<std::string>(), std::string("Push aside"));
             QCOMPARE(entry.at("step").get<std::uint64_t>(), m_project.entries[4].step);
             QCOMPARE(entry.at("repeated_hash"), entry.at("state_hash"));
+            QCOMPARE(entry.at("whole_state").get<std::string>(), std::string("same"));
         }
     }
 
@@ -88,6 +89,30 @@ private slots:
                  one.errors.c_str());
         QCOMPARE(workshop::knead({"replay", m_shop.qPath("other.knead"), "--entry", "4"}).status, 0);
         QCOMPARE(workshop::knead({"replay", m_shop.qPath("other.knead"), "--all"}).status, 1);
+    }
+
+    void anEditThatMovesNothingIsProvenToo()
+    {
+        Project other = m_project;
+        auto& commands = other.entries[1].commands; // the block that was added
+        std::get<AddManipulator>(commands.at(0).command).manipulator.friction = 0.9;
+        writeProject(m_shop.path("still.knead"), other);
+        const Outcome one = workshop::knead({"replay", m_shop.qPath("still.knead"), "--entry", "1"});
+        QCOMPARE(one.status, 1);
+        QVERIFY2(
+            one.out.find("  different: the same positions and velocities, but other materials, tools or forces\n") !=
+                std::string::npos,
+            one.out.c_str());
+        const Outcome report = workshop::knead({"replay", m_shop.qPath("still.knead"), "--entry", "1", "--json"});
+        const json entry = json::parse(report.out).at("entries").at(0);
+        QCOMPARE(entry.at("repeated_hash"), entry.at("state_hash"));
+        QCOMPARE(entry.at("whole_state").get<std::string>(), std::string("different"));
+        other.entries[1].moment = nullptr;
+        writeProject(m_shop.path("thinned.knead"), other);
+        const Outcome thinned = workshop::knead({"replay", m_shop.qPath("thinned.knead"), "--entry", "1"});
+        QCOMPARE(thinned.status, 0);
+        QVERIFY2(thinned.out.find("  same positions and velocities; no more was kept\n") != std::string::npos,
+                 thinned.out.c_str());
     }
 
     /// All formats but IGES, whose lists of names OpenCASCADE writes in any order.

@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -53,18 +54,19 @@ public:
             Word word;
             while (read(m_said, &word, sizeof word) == sizeof word) {
                 m_words.push_back(word);
-                m_savings += word.kind == Word::Kind::saving ? 1 : 0;
+                ++m_saidOf[static_cast<std::size_t>(word.kind)];
             }
         });
     }
 
     bool isAtWork() const { return m_isAtWork; }
 
-    /// Until it begins to write its project, or does not for long.
-    void waitForSaving() const
+    /// Until it begins to write its project or an export, or does not for long.
+    void waitFor(Word::Kind kind) const
     {
+        const std::atomic<int>& count = m_saidOf[static_cast<std::size_t>(kind)];
         const Clock::time_point latest = Clock::now() + std::chrono::seconds(10);
-        for (const int before = m_savings; m_savings == before && Clock::now() < latest;)
+        for (const int before = count; count == before && Clock::now() < latest;)
             std::this_thread::sleep_for(std::chrono::microseconds(100));
     }
 
@@ -83,7 +85,7 @@ private:
     pid_t m_process = -1;
     int m_said = -1;
     bool m_isAtWork = false;
-    std::atomic<int> m_savings = 0;
+    std::array<std::atomic<int>, 5> m_saidOf{}; ///< by Word::Kind
     std::deque<Word> m_words;
     std::thread m_listener;
     Clock::time_point m_killed;
@@ -97,11 +99,13 @@ class WindowKillTest : public QObject, WindowOnTest {
 
     QTemporaryDir m_temporary;
     QString m_folder;
-    std::uint64_t m_inFile = 0; ///< hash of what was saved last for sure
+    std::uint64_t m_inFile = 0; ///< of the project that was saved last for sure, see digests::of()
     int m_recoveries = 0;
     int m_cutSavings = 0;
+    int m_cutExports = 0;
 
     std::string file() const { return (m_folder + "/work.knead").toStdString(); }
+    std::string exported() const { return (m_folder + "/out.stl").toStdString(); }
 
     /// A bar with a block above it.
     void makeProject()
@@ -112,14 +116,16 @@ class WindowKillTest : public QObject, WindowOnTest {
         QTRY_VERIFY(!snapshot().tools.empty());
         m_window->projects().saveTo(QString::fromStdString(file()));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->projects().path().isEmpty(), patience);
-        const History& tree = document().history().tree();
-        m_inFile = tree.record(tree.current()).hash;
+        m_inFile = digests::of(readProject(file()));
+        m_window->exportTo(QString::fromStdString(exported()));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        QVERIFY(std::filesystem::exists(exported()));
         m_window->projects().close();
         m_window.reset();
     }
 
-    /// @return how many entries are in the file
-    std::size_t checkFile(const std::deque<Word>& words)
+    /// @return what is in the file
+    Project checkFile(const std::deque<Word>& words)
     {
         std::vector<std::uint64_t> allowed{m_inFile};
         for (const Word& word : words) {
@@ -128,16 +134,17 @@ class WindowKillTest : public QObject, WindowOnTest {
             else if (word.kind == Word::Kind::saving)
                 allowed.push_back(word.hash);
         }
-        const Project project = readProject(file());
-        m_inFile = project.entries[project.current].hash;
+        Project project = readProject(file());
+        m_inFile = digests::of(project);
         const bool isBeforeOrAfter = std::find(allowed.begin(), allowed.end(), m_inFile) != allowed.end();
         [&] { QVERIFY(isBeforeOrAfter); }();
-        return project.entries.size();
+        return project;
     }
 
     /// What was there 5 s before it was killed is in the file or in the recovery.
-    void checkRecovery(const std::deque<Word>& words, Clock::time_point killed, std::size_t entriesInFile)
+    void checkRecovery(const std::deque<Word>& words, Clock::time_point killed, const Project& saved)
     {
+        const std::size_t entriesInFile = saved.entries.size();
         const Word* last = nullptr;
         for (const Word& word : words)
             if (word.kind == Word::Kind::working && Clock::time_point(Clock::duration(word.time)) <= killed - mostLost)
@@ -152,6 +159,7 @@ class WindowKillTest : public QObject, WindowOnTest {
         QCOMPARE(found[0].projectFile, file());
         RecoveredWork work = RecoveryFile(found[0]).read();
         QVERIFY(work.missing.empty());
+        QVERIFY(digests::beginAlike(work.project, saved));
         const std::size_t entries = work.project.entries.size();
         const std::uint64_t step =
             work.state.step > 0 ? work.state.step : work.project.entries[work.project.current].step;
@@ -169,19 +177,19 @@ class WindowKillTest : public QObject, WindowOnTest {
                  std::size_t{0});
     }
 
-    static bool isCutSaving(const std::deque<Word>& words)
+    /// Whether it was killed between saying the one and the other.
+    static bool isCut(const std::deque<Word>& words, Word::Kind begun, Word::Kind ended)
     {
         const auto last = std::find_if(words.rbegin(), words.rend(),
-                                       [](const Word& word) { return word.kind != Word::Kind::working; });
-        return last != words.rend() && last->kind == Word::Kind::saving;
+                                       [&](const Word& word) { return word.kind == begun || word.kind == ended; });
+        return last != words.rend() && last->kind == begun;
     }
 
-    /// It is whole, or not there.
+    /// There was one before: that or the next is there, whole.
     void checkExport()
     {
-        const std::string path = (m_folder + "/out.stl").toStdString();
-        if (std::filesystem::exists(path))
-            QVERIFY(importFile(path).parts.front().watertight);
+        QVERIFY(std::filesystem::exists(exported()));
+        QVERIFY(importFile(exported()).parts.front().watertight);
     }
 
 private slots:
@@ -200,7 +208,7 @@ private slots:
         constexpr int kills = 20;
         QTest::addColumn<int>("work");
         QTest::addColumn<int>("time");  // [ms]
-        QTest::addColumn<int>("delay"); // after the beginning of a saving [us]
+        QTest::addColumn<int>("delay"); // after the beginning of a saving or an export [us]
         fuzz::Random random(17);
         const Work works[] = {Work::all, Work::save, Work::all, Work::save, Work::play};
         for (int i = 0; i < kills; ++i) {
@@ -222,21 +230,25 @@ private slots:
         QVERIFY(child.isAtWork());
         std::this_thread::sleep_for(std::chrono::milliseconds(time));
         if (work == static_cast<int>(Work::save)) {
-            child.waitForSaving();
-            std::this_thread::sleep_for(std::chrono::microseconds(delay));
+            const bool isSaving = time % 2 == 0;
+            child.waitFor(isSaving ? Word::Kind::saving : Word::Kind::exporting);
+            const int wait = isSaving ? delay : delay / 10; // a small mesh is quick
+            std::this_thread::sleep_for(std::chrono::microseconds(wait));
         }
         const std::deque<Word> words = child.kill();
-        const std::size_t entries = checkFile(words);
-        checkRecovery(words, child.killed(), entries);
+        checkRecovery(words, child.killed(), checkFile(words));
         checkExport();
         m_recoveries += static_cast<int>(findRecoveries().size());
-        m_cutSavings += isCutSaving(words) ? 1 : 0;
+        m_cutSavings += isCut(words, Word::Kind::saving, Word::Kind::saved) ? 1 : 0;
+        m_cutExports += isCut(words, Word::Kind::exporting, Word::Kind::exported) ? 1 : 0;
     }
 
     void manyKillsLeaveSomething()
     {
-        qInfo("%d kills left something to recover, %d came while saving", m_recoveries, m_cutSavings);
+        qInfo("%d kills left something to recover, %d came while saving, %d while exporting", m_recoveries,
+              m_cutSavings, m_cutExports);
         QVERIFY(m_recoveries >= 5);
+        QVERIFY(m_cutSavings + m_cutExports > 0);
     }
 
     /// Of what the last kill left, if it left anything.

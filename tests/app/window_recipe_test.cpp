@@ -89,6 +89,28 @@ private slots:
         QCOMPARE(presentHash(), end);
     }
 
+    void undoneBeforeAnythingMovedItPlaysAgain()
+    {
+        const json late = workshop::lateRecipe(example("bar.step").toStdString());
+        const QString recipe = m_shop.write(late, "late.recipe.json");
+        open(recipe);
+        key(Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.1, patience);
+        key(Qt::Key_Space);
+        settle();
+        QCOMPARE(snapshot().tools.size(), std::size_t{1});
+        key(Qt::Key_Z, Qt::ControlModifier);
+        settle();
+        QCOMPARE(snapshot().tools.size(), std::size_t{0});
+        key(Qt::Key_Space);
+        waitForEnd();
+        QCOMPARE(snapshot().tools.size(), std::size_t{1});
+        QCOMPARE(presentHash(), hashOf({"run", recipe}));
+        open(m_recipe);
+        key(Qt::Key_Space);
+        waitForEnd();
+    }
+
     void afterItsEndTimeGoesOn()
     {
         const double end = snapshot().time;

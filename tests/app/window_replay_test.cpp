@@ -45,6 +45,8 @@ private slots:
             const json report = json::parse(outcome.out);
             QCOMPARE(report.at("entries").size(), document().history().tree().records().size());
             QVERIFY(report.at("same").get<bool>());
+            for (const json& entry : report.at("entries"))
+                QCOMPARE(entry.at("whole_state").get<std::string>(), std::string("same"));
         }
     }
 

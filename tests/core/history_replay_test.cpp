@@ -12,6 +12,23 @@ using namespace knead::sessions;
 
 namespace {
 
+using Whole = RepeatedEntry::Whole;
+
+struct StillEdit {
+    const char* name;
+    Command command;
+};
+const StillEdit stillEdits[] = {
+    {"material", SetMaterial{0, scenes::clay(), {}}},
+    {"material of some objects", SetMaterial{0, scenes::clay(), {1, 2, 3}}},
+    {"gravity", SetGravity{Vec3(0, 0, -3)}},
+    {"floor", SetFloor{-0.5, 0.1}},
+    {"tool", AddManipulator{{.name = "far", .size = Vec3::Constant(0.001), .pose = scenes::placedAt(Vec3(0, 0, 1))}}},
+    {"fixture", AddFixture{{"grip", 0, {0, 1, 2}}}},
+    {"re-normalization", Renormalize{0, {}, 0.01}},
+    {"integrator", SetIntegrator{Integrator::implicitEuler}},
+};
+
 std::vector<RepeatedEntry> repeatAll(const Project& project, HistoryReplay::From from = HistoryReplay::From::starts)
 {
     HistoryReplay replay(project, from);
@@ -66,8 +83,65 @@ private slots:
         while (falling.stepCount() < project.entries[3].step)
             falling.step();
         project.entries[3].moment = recordOf(endGesture(falling), "").moment;
-        QVERIFY(repeatAll(project)[3].isSame);
+        std::vector<bool> allButOne(project.entries.size(), true);
+        allButOne[3] = false;
+        const std::vector<RepeatedEntry> repeated = repeatAll(project);
+        QCOMPARE(sameness(repeated), allButOne);
+        QCOMPARE(repeated[3].hash, project.entries[3].hash); // what its commands lead to
+        QVERIFY(repeated[3].whole == Whole::different);
         QVERIFY(!repeatAll(project, HistoryReplay::From::moments)[3].isSame);
+    }
+
+    /// Edits while time stands still, which move nothing.
+    void everythingAtAnEntryIsCompared_data()
+    {
+        QTest::addColumn<int>("edit");
+        for (int edit = 0; edit < static_cast<int>(std::size(stillEdits)); ++edit)
+            QTest::addRow("%s", stillEdits[edit].name) << edit;
+    }
+    void everythingAtAnEntryIsCompared()
+    {
+        QFETCH(int, edit);
+        Document document(twoLumps());
+        document.simulation.post(stillEdits[edit].command);
+        document.simulation.applyCommands();
+        document.history.append(recordOf(endGesture(document.simulation), "edit"));
+        Project project = projectOf(document);
+        RepeatedEntry repeated = repeatAll(project)[1];
+        QVERIFY(repeated.isSame && repeated.whole == Whole::same);
+
+        project.entries[1].commands.erase(project.entries[1].commands.begin());
+        repeated = repeatAll(project)[1];
+        QCOMPARE(repeated.hash, project.entries[1].hash);
+        QVERIFY(!repeated.isSame && repeated.whole == Whole::different);
+        project.entries[1].moment = nullptr;
+        repeated = repeatAll(project)[1];
+        QVERIFY(repeated.isSame && repeated.whole == Whole::notKept);
+    }
+
+    void lookingAtARunChangesNothing()
+    {
+        Document document(scenes::smallPress(scenes::soft(), 5));
+        for (int step = 0; step < 100; ++step) {
+            document.simulation.step();
+            if (step % 7 == 0)
+                document.simulation.snapshot(); // means of forces are counted anew
+        }
+        document.history.append(recordOf(endGesture(document.simulation), "press"));
+        const Project project = projectOf(document);
+        QVERIFY(document.simulation.snapshot()->tools.at(0).peakForce > 0);
+        QVERIFY(repeatAll(project)[1].whole == Whole::same);
+        QVERIFY(repeatAll(project, HistoryReplay::From::moments)[1].whole == Whole::same);
+    }
+
+    void aMomentThatCannotBeReadIsAnotherOne()
+    {
+        Project project = projectOf(branchedDocument(twoLumps(), 12, 4));
+        Bytes bytes = *project.entries[2].moment;
+        bytes[bytes.size() / 2] ^= std::byte{1};
+        project.entries[2].moment = std::make_shared<const Bytes>(bytes);
+        const std::vector<RepeatedEntry> repeated = repeatAll(project);
+        QVERIFY(repeated[2].trouble.empty() && repeated[2].whole == Whole::different && !repeated[2].isSame);
     }
 
     void whatDiffersIsTold()

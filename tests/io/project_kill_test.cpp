@@ -1,21 +1,17 @@
 #include "io/project/project_file.h"
 #include "io/project/recovery.h"
 #include "io/safe_file.h"
+#include "support/killed_child.h"
 #include "support/same_values.h"
 #include "support/sample_project.h"
 
 #include <QtTest>
 
-#include <chrono>
-#include <csignal>
 #include <filesystem>
-#include <thread>
-
-#include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <span>
 
 using namespace knead;
+using namespace knead::killed;
 
 namespace {
 
@@ -40,11 +36,6 @@ HistoryRecord entryNumber(std::uint32_t n)
 
 // --- what children do until they are killed -------------------------------------------------------------------------------
 
-void say(std::uint32_t number)
-{
-    [[maybe_unused]] const auto written = write(STDOUT_FILENO, &number, sizeof number);
-}
-
 /// Says each number before and after the saving with it.
 [[noreturn]] void saveForever(const std::string& path)
 {
@@ -56,11 +47,15 @@ void say(std::uint32_t number)
     }
 }
 
+/// Each gesture while it goes on, then the entry that it becomes.
 [[noreturn]] void keepForever(RecoveryFile& file, std::uint32_t next)
 {
     for (std::uint32_t n = next;; ++n) {
         const HistoryRecord record = entryNumber(n);
+        const std::span commands(record.commands);
         say(n);
+        file.keepGesture(commands.first(commands.size() / 2), n);
+        file.keepGesture(commands, n + 1);
         file.append(record);
         say(n);
     }
@@ -94,77 +89,6 @@ int child(const std::string& work, const std::string& where)
     return 2;
 }
 
-// --- and what their parent does -------------------------------------------------------------------------------------------
-
-/// What a child said until it was killed.
-struct Said {
-    std::uint32_t begun = 0; ///< the last one
-    std::uint32_t ended = 0;
-};
-
-/// A child at work, until kill().
-class Child {
-public:
-    Child(const char* work, const std::string& where)
-    {
-        int ends[2];
-        if (pipe2(ends, O_CLOEXEC) != 0)
-            return;
-        m_process = fork();
-        if (m_process == 0) {
-            dup2(ends[1], STDOUT_FILENO);
-            execl("/proc/self/exe", "project_kill_test", work, where.c_str(), nullptr);
-            _exit(127);
-        }
-        close(ends[1]);
-        m_said = ends[0];
-    }
-    ~Child()
-    {
-        kill();
-        close(m_said);
-    }
-
-    /// Until it has ended something. @return whether it did
-    bool waitForEnd()
-    {
-        while (m_numbers.ended == 0)
-            if (!next())
-                return false;
-        return true;
-    }
-
-    Said kill()
-    {
-        if (m_process > 0) {
-            ::kill(m_process, SIGKILL);
-            waitpid(m_process, nullptr, 0);
-            m_process = 0;
-            while (next()) {}
-        }
-        return m_numbers;
-    }
-
-private:
-    bool next()
-    {
-        std::uint32_t number = 0;
-        if (read(m_said, &number, sizeof number) != sizeof number)
-            return false;
-        (m_numbers.begun == number ? m_numbers.ended : m_numbers.begun) = number;
-        return true;
-    }
-
-    pid_t m_process = 0;
-    int m_said = -1;
-    Said m_numbers;
-};
-
-void waitAWhile(fuzz::Random& random)
-{
-    std::this_thread::sleep_for(std::chrono::microseconds(random.below(15'000)));
-}
-
 } // namespace
 
 /// Work survives a kill at any moment.
@@ -179,7 +103,7 @@ private slots:
         int between = 0;
         for (int trial = 0; trial < 200; ++trial) {
             writeProject(path, projectAfter(0));
-            Child child("--save", path);
+            Child child({"--save", path});
             if (trial % 2 == 0)
                 QVERIFY(child.waitForEnd());
             waitAWhile(random);
@@ -187,7 +111,7 @@ private slots:
             const Project project = readProject(path);
             const auto is = [&](std::uint32_t n) { return same::values(project, projectAfter(n)); };
             QVERIFY2(is(said.ended) || is(said.begun), std::to_string(trial).c_str());
-            between += said.ended != said.begun ? 1 : 0;
+            between += said.isCut() ? 1 : 0;
         }
         QVERIFY(between > 20); // many were killed while they saved
     }
@@ -201,7 +125,7 @@ private slots:
         };
         writeProject(path, projectAfter(0));
         for (fuzz::Random random(33); files() < 2;) {
-            Child child("--save", path);
+            Child child({"--save", path});
             child.waitForEnd();
             waitAWhile(random);
             child.kill();
@@ -217,17 +141,19 @@ private slots:
         const QTemporaryDir folder;
         const std::string where = folder.path().toStdString();
         fuzz::Random random(32);
+        int between = 0;
         for (int trial = 0; trial < 100; ++trial) {
-            Child first("--autosave", where);
+            Child first({"--autosave", where});
             QVERIFY(first.waitForEnd());
             waitAWhile(random);
             const Said atFirst = first.kill();
             QVERIFY(isKept(where, atFirst));
-            Child second("--recover", where); // and crashes again, perhaps before it has taken over all of it
+            Child second({"--recover", where}); // and crashes again, perhaps before it has taken over all of it
             if (trial % 2 == 0)
                 QVERIFY(second.waitForEnd());
             waitAWhile(random);
             Said atSecond = second.kill();
+            between += (atFirst.isCut() ? 1 : 0) + (atSecond.isCut() || atSecond.begun == 0 ? 1 : 0);
             if (atSecond.begun == 0)
                 atSecond = atFirst;
             else if (atSecond.ended == 0)
@@ -236,10 +162,21 @@ private slots:
             dropRecovery(findRecoveries(where).at(0));
             QVERIFY(findRecoveries(where).empty());
         }
+        QVERIFY(between > 40); // many were killed while they kept something
     }
 
 private:
-    /// One recovery, with all entries up to those that were kept.
+    /// None, the first half or all of those that the next entry has.
+    static bool isGestureBefore(std::uint32_t next, const WorkState& state)
+    {
+        const std::vector<RecordedCommand> all = entryNumber(next).commands;
+        const std::vector<RecordedCommand> half(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2));
+        return (state.gesture.empty() && state.step == 0) ||
+               (same::values(state.gesture, half) && state.step == next) ||
+               (same::values(state.gesture, all) && state.step == next + 1);
+    }
+
+    /// One recovery, with all entries up to those that were kept, and what was under way.
     static bool isKept(const std::string& folder, const Said& said)
     {
         const std::vector<Recovery> found = findRecoveries(folder);
@@ -253,6 +190,7 @@ private:
         expected.current = static_cast<std::uint32_t>(expected.entries.size() - 1);
         const std::size_t count = work.project.entries.size();
         return work.missing.empty() && same::values(work.project, expected) &&
+               isGestureBefore(static_cast<std::uint32_t>(count), work.state) &&
                (count == said.ended + 1 || count == said.begun + 1);
     }
 };

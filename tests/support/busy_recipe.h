@@ -32,4 +32,21 @@ inline nlohmann::json busyRecipe(const std::string& part)
     return recipe;
 }
 
+/// A rigid bar that nothing moves, so that its hash stays the same, before a block comes down on it after a third of the time;
+/// then gravity sets in.
+/// @param part the path of bar.step
+inline nlohmann::json lateRecipe(const std::string& part)
+{
+    nlohmann::json recipe = busyRecipe(part);
+    recipe.erase("manipulators");
+    recipe.erase("fixtures");
+    recipe["bodies"] = {{"Bar", {{"kind", "rigid"}}}};
+    recipe["events"] = nlohmann::json::parse(R"([
+        {"time_s": 0.05, "add_manipulator": {"name": "late", "size_mm": [16, 40, 16], "position_mm": [70, 10, 33]}},
+        {"time_s": 0.08, "move_manipulator": {"name": "late", "velocity_mm_s": [0, 0, -15]}},
+        {"time_s": 0.1, "material": {"friction": 0.1}},
+        {"time_s": 0.5, "gravity_m_s2": [0, 0, -2]}])");
+    return recipe;
+}
+
 } // namespace workshop

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "support/project_digest.h"
 #include "support/window_on_test.h"
 #include "ui/project/project_keeper.h"
 #include "ui/run_window.h"
@@ -19,12 +20,12 @@ namespace knead {
 
 /// What the window says of itself, over and over.
 struct Word {
-    enum class Kind : std::uint32_t { working, saving, saved } kind = Kind::working;
+    enum class Kind : std::uint32_t { working, saving, saved, exporting, exported } kind = Kind::working;
     std::uint32_t entries = 0; ///< of the history
     std::uint32_t current = 0;
     std::uint32_t isUnderWay = 0; ///< something is done that is not in them
     std::uint64_t step = 0;
-    std::uint64_t hash = 0; ///< of the current entry
+    std::uint64_t hash = 0; ///< of the whole project that is written, see digests::of()
     std::int64_t time = 0;  ///< of the steady clock [ns]
 };
 
@@ -49,6 +50,13 @@ public:
             sayOfSaving(Word::Kind::saving, project);
             write(path, project, control);
             sayOfSaving(Word::Kind::saved, project);
+        };
+        m_services.exportParts = [write = m_services.exportParts](const std::string& path, const ExportJob& job,
+                                                                  bool keepsReport, TaskControl& control) {
+            tell({.kind = Word::Kind::exporting});
+            ExportReport report = write(path, job, keepsReport, control);
+            tell({.kind = Word::Kind::exported});
+            return report;
         };
         show(m_services);
         m_window->open(QStringList(m_folder + "/work.knead"));
@@ -103,7 +111,7 @@ private:
 
     static void sayOfSaving(Word::Kind kind, const Project& project)
     {
-        tell({.kind = kind, .hash = project.entries[project.current].hash});
+        tell({.kind = kind, .hash = digests::of(project)});
     }
 
     static void tell(Word word)
@@ -122,7 +130,6 @@ private:
         word.current = history.tree().current();
         word.isUnderWay = document().isAnythingUnderWay() ? 1 : 0;
         word.step = snapshot().step;
-        word.hash = history.tree().record(word.current).hash;
         tell(word);
     }
 
