@@ -7,6 +7,7 @@
 #include <QScopedValueRollback>
 #include <QTimer>
 
+#include <filesystem>
 #include <utility>
 
 namespace knead {
@@ -70,6 +71,17 @@ bool ProjectKeeper::isProject(const QString& file) const
 {
     return !m_services.ending.empty() &&
            QFileInfo(file).suffix().compare(QString::fromStdString(m_services.ending), Qt::CaseInsensitive) == 0;
+}
+
+/// However it is called: by links, or from another folder.
+bool ProjectKeeper::isOwnFile(const std::string& path) const
+{
+    if (m_path.isEmpty() || path.empty())
+        return false;
+    std::error_code error;
+    const auto own = std::filesystem::weakly_canonical(QFile::encodeName(m_path).toStdString(), error);
+    const auto other = std::filesystem::weakly_canonical(path, error);
+    return !error && own == other;
 }
 
 QString ProjectKeeper::filter() const

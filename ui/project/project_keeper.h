@@ -80,6 +80,7 @@ signals:
     void recentChanged();
 
 private:
+    bool isOwnFile(const std::string& path) const;
     void offerRemedy(const ProjectWish& wish, const ReadProject& read);
     void show(ReadProject read);
     bool showContent(ReadProject& read);

@@ -118,7 +118,7 @@ void ProjectKeeper::startSaving()
     m_saving->isRunning = true;
     m_autosave.savingBegins();
     SavedFile file{.path = m_saving->path, .revision = m_window.document.history().revision()};
-    if (file.path == m_path)
+    if (isOwnFile(encoded(file.path)))
         file.lock = m_lock;
     const auto work = [services = m_services, file, project = collect(true)](TaskControl& control) {
         SavedFile done = file;

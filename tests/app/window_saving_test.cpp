@@ -1,0 +1,108 @@
+#include "io/project/project_file.h"
+#include "io/project/recovery.h"
+#include "support/projects_on_test.h"
+#include "ui/run_window.h"
+
+#include <QTimer>
+
+#include <utility>
+
+using namespace knead;
+
+/// What is saved when other things happen at the same time, and where.
+class WindowSavingTest : public QObject, ProjectsOnTest {
+    Q_OBJECT
+
+    QString m_home = QDir::currentPath();
+
+    std::size_t entries() { return document().history().tree().records().size(); }
+    static std::size_t entriesIn(const QString& path) { return readProject(bytesOf(path)).entries.size(); }
+
+    void pressSave() { QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ControlModifier); }
+
+    /// What is written while the disk is slow waits for it, whatever is cancelled.
+    Services servicesThatCannotBeStopped()
+    {
+        Services services = m_services;
+        services.projects.write = [this, write = m_services.projects.write](
+                                      const std::string& path, const Project& project, TaskControl& /*control*/) {
+            const bool waits = m_isDiskSlow && !m_isWaiting.exchange(true);
+            while (waits && m_isDiskSlow)
+                QTest::qSleep(5);
+            write(path, project, TaskControl::none());
+        };
+        return services;
+    }
+    std::atomic<bool> m_isWaiting = false;
+
+private slots:
+    void initTestCase()
+    {
+        if (!hasDisplay())
+            QSKIP("The view needs a display: run this test under xvfb-run.");
+        prepare();
+    }
+
+    void init()
+    {
+        m_isWaiting = false;
+        begin();
+    }
+
+    void cleanup()
+    {
+        m_isDiskSlow = false;
+        m_window.reset();
+        QDir::setCurrent(m_home);
+    }
+
+    void aProjectOpenedByARelativePathIsSavedWhereItIs()
+    {
+        openExample("bar.step", 10);
+        saveTo(file("a.knead"));
+        newWindow(m_services);
+        QDir::setCurrent(m_folder->path());
+        openProject("a.knead");
+        QCOMPARE(projects().path(), file("a.knead"));
+        switchGravity();
+        pressSave();
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isWindowModified(), patience);
+        openProject("./a.knead"); // once more, in the window that has it
+        QVERIFY2(m_window->banner().sentence().isEmpty(), qPrintable(m_window->banner().sentence()));
+
+        switchGravity();
+        const std::size_t left = entries();
+        newWindow(m_services);
+        QVERIFY(QDir().mkdir(file("elsewhere")));
+        QDir::setCurrent(file("elsewhere"));
+        recoverByHand();
+        QCOMPARE(projects().path(), file("a.knead"));
+        m_window->activateWindow(); // the dialog is gone
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        pressSave();
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isWindowModified(), patience);
+        QCOMPARE(entriesIn(file("a.knead")), left);
+        QVERIFY(!QFile::exists("a.knead"));
+    }
+
+    void aLinkToTheOpenFileIsSavedTo()
+    {
+        openExample("bar.step", 10);
+        saveTo(file("a.knead"));
+        QVERIFY(QFile::link(file("a.knead"), file("link.knead")));
+        switchGravity();
+        saveTo(file("link.knead"));
+        QCOMPARE(entriesIn(file("a.knead")), entries());
+    }
+
+};
+
+int main(int argc, char** argv)
+{
+    prepareGraphics();
+    QApplication application(argc, argv);
+    WindowSavingTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_saving_test.moc"
