@@ -14,6 +14,7 @@ namespace knead {
 /// What else there is to say about work, besides its project.
 struct WorkState {
     std::string projectFile;              ///< that it was opened from or saved to; empty: none yet
+    bool isFileReplaced = false;          ///< read(): somebody has written that file since
     bool isSaved = false;                 ///< nothing would be lost without the recovery
     std::vector<RecordedCommand> gesture; ///< given since the current entry
     std::uint64_t step = 0;               ///< that the simulation had reached then; 0 without a gesture

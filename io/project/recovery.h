@@ -65,7 +65,8 @@ private:
     std::string m_folder;
     std::unique_ptr<SQLite::Database> m_database;
     std::optional<ProjectTables> m_tables;
-    WorkState m_state; ///< without its gesture
+    WorkState m_state;       ///< without its gesture
+    std::string m_fileStamp; ///< of the project file, when it was opened or saved last
     std::uint64_t m_revision = 0;
     std::size_t m_gestureKept = 0; ///< commands of it
     std::int64_t m_gestureRows = 0;

@@ -6,6 +6,8 @@
 
 #include <filesystem>
 
+#include <sys/stat.h>
+
 namespace knead::recovery_files {
 
 namespace fs = std::filesystem;
@@ -52,6 +54,15 @@ std::uint64_t size(const std::string& folder)
         bytes += error ? 0 : size;
     }
     return bytes;
+}
+
+std::string stampOf(const std::string& path)
+{
+    struct stat status {};
+    if (stat(path.c_str(), &status) != 0)
+        return {};
+    return std::to_string(status.st_size) + " bytes at " + std::to_string(status.st_mtim.tv_sec) + " s " +
+           std::to_string(status.st_mtim.tv_nsec) + " ns";
 }
 
 void remove(const std::string& folder)
