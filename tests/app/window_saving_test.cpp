@@ -95,6 +95,86 @@ private slots:
         QCOMPARE(entriesIn(file("a.knead")), entries());
     }
 
+    void savingComesAfterALongWayBack()
+    {
+        openExample("bar.step", 10); // opened and refilled
+        saveTo(file("a.knead"));
+        newWindow(m_services);
+        openProject(file("a.knead"));
+        // In one go: the way over the refill begins, with progress, when the saving is about to.
+        QTest::keyClick(m_window.get(), Qt::Key_G);
+        document().undo();
+        document().undo();
+        pressSave();
+        QTRY_VERIFY_WITH_TIMEOUT(entries() == 3 && isIdle() && !m_window->isWindowModified(), patience);
+        const Project saved = readProject(bytesOf(file("a.knead")));
+        QCOMPARE(saved.entries.size(), std::size_t{3});
+        QCOMPARE(saved.current, 0U);
+    }
+
+    void whatWasSavedBeforeIsNotDiscarded()
+    {
+        newWindow(servicesWithSlowDisk());
+        openExample("bar.step", 10);
+        saveTo(file("a.knead"));
+        switchGravity();
+        const std::size_t saved = entries();
+        m_isDiskSlow = true;
+        pressSave();
+        QTRY_VERIFY(m_window->tasks().isRunning());
+        switchGravity(); // of no use
+        m_window->close();
+        answer("saveQuestion", QMessageBox::Discard);
+        QVERIFY(m_window->isVisible()); // waits for the disk
+        m_isDiskSlow = false;
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), patience);
+        m_window.reset();
+        QCOMPARE(entriesIn(file("a.knead")), saved);
+        QVERIFY(findRecoveries().empty());
+    }
+
+    void whatIsDoneDuringTheLastSavingIsAskedAbout()
+    {
+        newWindow(servicesWithSlowDisk());
+        openExample("bar.step", 10);
+        saveTo(file("a.knead"));
+        switchGravity();
+        QTest::keyClick(m_window.get(), Qt::Key_Space); // mere time is not asked about
+        m_isDiskSlow = true;
+        m_window->close();
+        answer("saveQuestion", QMessageBox::Save);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->tasks().isRunning(), patience);
+        QVERIFY(!document().isPlaying());
+        switchGravity();
+        m_isDiskSlow = false;
+        answer("saveQuestion", QMessageBox::Save); // that too
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), patience);
+        const std::size_t all = entries();
+        m_window.reset();
+        QCOMPARE(entriesIn(file("a.knead")), all);
+    }
+
+    void aCancelledSavingDoesNotEndAfterTheNext()
+    {
+        newWindow(servicesThatCannotBeStopped());
+        openExample("bar.step", 10);
+        saveTo(file("a.knead"));
+        switchGravity();
+        m_isDiskSlow = true;
+        pressSave();
+        QTRY_VERIFY(m_isWaiting);
+        QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        QVERIFY(!m_window->tasks().isRunning());
+        switchGravity();
+        pressSave();
+        QTest::qWait(300);
+        QVERIFY(m_window->isWindowModified());
+        m_isDiskSlow = false;
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isWindowModified(), patience);
+        QTest::qWait(300);
+        QCOMPARE(entriesIn(file("a.knead")), entries());
+    }
+
 };
 
 int main(int argc, char** argv)

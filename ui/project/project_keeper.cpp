@@ -31,11 +31,12 @@ ProjectKeeper::ProjectKeeper(ProjectServices services, Packing packing, const Wi
     connect(&m_window.document.history(), &DocumentHistory::changed, this, &ProjectKeeper::historyChanged);
     connect(&m_window.document.history(), &DocumentHistory::settled, this, &ProjectKeeper::historyChanged);
     const auto savingEnded = [this] { // without finishSaving()
-        if (m_saving && m_saving->isRunning)
+        if (m_saving && m_saving->stage == Saving::Stage::running)
             m_saving.reset();
     };
     connect(&m_window.tasks, &TaskRunner::cancelled, this, savingEnded);
     connect(&m_window.tasks, &TaskRunner::failed, this, savingEnded);
+    connect(&m_window.tasks, &TaskRunner::finished, this, &ProjectKeeper::goOnSaving);
     connect(&m_autosave, &Autosave::failed, this, &ProjectKeeper::keepingFailed);
     connect(&m_autosave, &Autosave::begun, this, [this] {
         if (std::exchange(m_isRefused, false))

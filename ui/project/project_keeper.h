@@ -10,7 +10,9 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 class QMessageBox;
@@ -89,13 +91,21 @@ private:
 
     /// A saving from when it is asked for until it ends.
     struct Saving {
+        enum class Stage {
+            settling, ///< what is under way becomes part of the history
+            waiting,  ///< for a task that began meanwhile
+            running
+        };
         QString path;
         std::function<void()> then;
-        bool isRunning = false; ///< else it waits for the end of what is under way
+        Stage stage = Stage::settling;
     };
     struct SavedFile;
     void saveUnder(const QString& path, const std::function<void()>& then);
+    void saveAll(const std::function<void()>& then);
+    void afterSaving(const std::function<void()>& then);
     void startSaving();
+    void goOnSaving();
     void finishSaving(SavedFile file);
     Project collect(bool withPicture) const;
     std::map<std::string, std::string> panels() const;
@@ -129,6 +139,7 @@ private:
     std::optional<std::uint64_t> m_savedRevision; ///< of the history that is in the file; none: recovered work is not
     bool m_wasModified = false;
     std::optional<Saving> m_saving;
+    std::map<QString, std::shared_ptr<std::mutex>> m_turns; ///< of savings, by their files
     QPointer<QMessageBox> m_question;
 
     Clock::time_point m_gestureKept;

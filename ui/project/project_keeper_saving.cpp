@@ -15,6 +15,8 @@
 #include <QSettings>
 #include <QTimer>
 
+#include <chrono>
+#include <thread>
 #include <utility>
 
 namespace knead {
@@ -35,6 +37,18 @@ std::function<void()> both(std::function<void()> first, std::function<void()> se
         if (second)
             second();
     };
+}
+
+/// A saving that was cancelled may be on its way out, and shall not end after the next one to its file.
+/// @throws Cancelled
+std::unique_lock<std::mutex> turnOf(std::mutex& turn, const TaskControl& control)
+{
+    std::unique_lock lock(turn, std::defer_lock);
+    while (!lock.try_lock()) {
+        control.throwIfCancelled();
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return lock;
 }
 
 } // namespace
@@ -111,21 +125,32 @@ void ProjectKeeper::saveTo(const QString& path, std::function<void()> then)
     m_window.document.whenSettled([this] { startSaving(); });
 }
 
-/// All that was done has become part of the history.
+/// All that was done has become part of the history. That may have begun a task, as going far in the history does.
 void ProjectKeeper::startSaving()
 {
+    if (!m_saving || m_saving->stage != Saving::Stage::settling)
+        return;
+    if (m_window.tasks.isRunning()) {
+        m_saving->stage = Saving::Stage::waiting;
+        return;
+    }
     historyChanged(); // in case it is told of it later
-    m_saving->isRunning = true;
+    m_saving->stage = Saving::Stage::running;
     m_autosave.savingBegins();
     SavedFile file{.path = m_saving->path, .revision = m_window.document.history().revision()};
     if (isOwnFile(encoded(file.path)))
         file.lock = m_lock;
-    const auto work = [services = m_services, file, project = collect(true)](TaskControl& control) {
+    std::shared_ptr<std::mutex>& turn = m_turns[file.path];
+    if (turn == nullptr)
+        turn = std::make_shared<std::mutex>();
+    const auto work = [services = m_services, file, project = collect(true), turn](TaskControl& control) {
+        const std::unique_lock lock = turnOf(*turn, control);
         SavedFile done = file;
         try {
             if (!done.lock)
                 done.lock = services.lock(encoded(done.path));
             services.write(encoded(done.path), project, control);
+            control.throwIfCancelled(); // nobody would let go of the lock
         } catch (const Cancelled&) {
             throw;
         } catch (const std::runtime_error& error) {
@@ -134,8 +159,16 @@ void ProjectKeeper::startSaving()
         return done;
     };
     const QString title = tr("Saving %1").arg(QFileInfo(file.path).fileName());
-    if (!m_window.tasks.run<SavedFile>(title, work, [this](SavedFile done) { finishSaving(std::move(done)); }))
-        m_saving.reset(); // something else began in the meantime
+    m_window.tasks.run<SavedFile>(title, work, [this](SavedFile done) { finishSaving(std::move(done)); });
+}
+
+/// A task has ended.
+void ProjectKeeper::goOnSaving()
+{
+    if (!m_saving || m_saving->stage != Saving::Stage::waiting)
+        return;
+    m_saving->stage = Saving::Stage::settling;
+    m_window.document.whenSettled([this] { startSaving(); });
 }
 
 void ProjectKeeper::finishSaving(SavedFile file)
@@ -215,11 +248,27 @@ void ProjectKeeper::letGo(std::function<void()> then)
     m_question->setDefaultButton(QMessageBox::Save);
     connect(m_question, &QMessageBox::finished, this, [this, then = std::move(then)](int button) {
         if (button == QMessageBox::Save)
-            save(then);
+            saveAll(then);
         else if (button == QMessageBox::Discard)
-            then();
+            afterSaving(then);
     });
     m_question->open();
+}
+
+/// Time stands still from now on; what is done by hand while the file is written is asked about again.
+void ProjectKeeper::saveAll(const std::function<void()>& then)
+{
+    m_window.document.pause();
+    save([this, then] { letGo(then); });
+}
+
+/// What was asked for before is saved, whatever becomes of the rest.
+void ProjectKeeper::afterSaving(const std::function<void()>& then)
+{
+    if (m_saving)
+        m_saving->then = both(std::move(m_saving->then), [this, then] { afterSaving(then); });
+    else
+        then();
 }
 
 void ProjectKeeper::close()
