@@ -154,6 +154,25 @@ private slots:
         QCOMPARE(entriesIn(file("a.knead")), all);
     }
 
+    void theFirstEditIsNotSaved()
+    {
+        bool isDone = false;
+        connect(&projects(), &ProjectKeeper::changed, m_window.get(), [&] {
+            if (document().isEmpty() || std::exchange(isDone, true))
+                return;
+            QTest::keyClick(m_window.get(), Qt::Key_G); // before the first moment is packed
+            document().finishGesture();
+        });
+        m_window->open(QStringList(example("bar.step")));
+        QTRY_VERIFY_WITH_TIMEOUT(!document().isEmpty(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(entries() == 2, patience);
+        QVERIFY(m_window->isWindowModified());
+        m_window->close();
+        answer("saveQuestion", QMessageBox::Cancel);
+        newWindow(m_services);
+        QCOMPARE(findRecoveries().size(), std::size_t{1});
+    }
+
     void aCancelledSavingDoesNotEndAfterTheNext()
     {
         newWindow(servicesThatCannotBeStopped());

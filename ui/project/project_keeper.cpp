@@ -62,8 +62,6 @@ bool ProjectKeeper::isModified() const
     const Document& document = m_window.document;
     if (document.isEmpty() || document.history().isEmpty())
         return false;
-    if (m_isNew)
-        return document.isAnythingUnderWay();
     return document.isAnythingUnderWay() || !document.history().isSettled() ||
            m_savedRevision != document.history().revision();
 }
@@ -99,8 +97,9 @@ void ProjectKeeper::open(PreparedContent parts)
     m_saving.reset();
     m_marks.clear();
     m_panels.clear();
-    m_savedRevision.reset();
+    m_savedRevision = m_window.document.history().revision();
     m_isNew = true;
+    m_wasModified = isModified();
     emit changed();
 }
 
@@ -108,7 +107,7 @@ void ProjectKeeper::open(PreparedContent parts)
 
 void ProjectKeeper::documentChanged(Document::Change what)
 {
-    if (what != Document::Change::Selection)
+    if (what != Document::Change::Selection && !m_isChanging)
         noteModified();
 }
 
@@ -119,7 +118,6 @@ void ProjectKeeper::historyChanged()
         return;
     if (!history.isEmpty() && m_isNew && history.isSettled()) {
         m_isNew = false;
-        m_savedRevision = history.revision();
         m_autosave.begin(collect(false), state());
         m_gestureKept = m_viewKept = Clock::now();
     } else if (!history.isEmpty() && !m_isNew && m_autosave.isBegun()) {

@@ -135,8 +135,8 @@ private:
     std::vector<ProjectMark> m_marks;
     std::map<std::string, std::string> m_panels;  ///< of the file that was opened
     bool m_isChanging = false;                    ///< the document is about to be another one
-    bool m_isNew = false;                         ///< opened, but its first entry is not there yet
-    std::optional<std::uint64_t> m_savedRevision; ///< of the history that is in the file; none: recovered work is not
+    bool m_isNew = false;                         ///< opened, but its first moment is not there yet
+    std::optional<std::uint64_t> m_savedRevision; ///< of what would not be lost; none: recovered work would be
     bool m_wasModified = false;
     std::optional<Saving> m_saving;
     std::map<QString, std::shared_ptr<std::mutex>> m_turns; ///< of savings, by their files
