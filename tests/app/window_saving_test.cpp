@@ -194,6 +194,24 @@ private slots:
         QCOMPARE(entriesIn(file("a.knead")), entries());
     }
 
+    /// Names and marks are no reason to lose what is under way.
+    void gesturesAreKeptWhileEntriesAreRenamed()
+    {
+        openExample("bar.step", 10);
+        wait();
+        const auto* watch = projects().findChild<QTimer*>(); // a gesture has just been asked for
+        QVERIFY(watch != nullptr);
+        connect(watch, &QTimer::timeout, m_window.get(), [this] {
+            DocumentHistory& history = document().history();
+            history.rename(0, QString::fromStdString(history.tree().record(0).name));
+        });
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTest::qWait(4500);
+        newWindow(m_services);
+        const std::vector<Recovery> left = findRecoveries();
+        QCOMPARE(left.size(), std::size_t{1});
+        QVERIFY(RecoveryFile(left[0]).read(TaskControl::none()).state.step > 0);
+    }
 };
 
 int main(int argc, char** argv)

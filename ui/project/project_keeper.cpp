@@ -92,6 +92,7 @@ void ProjectKeeper::open(PreparedContent parts)
 {
     const QScopedValueRollback changing(m_isChanging, true);
     m_window.document.open(std::move(parts));
+    ++m_documents;
     m_path.clear();
     m_lock.reset();
     m_saving.reset();
@@ -152,22 +153,30 @@ void ProjectKeeper::watch()
     }
 }
 
-/// A gesture belongs to the entry that is current now; it is not kept when another one is by the time the simulation tells.
+/// A gesture belongs to the entry that is current now; it is not kept when another one is, or was, by the time the simulation
+/// tells. Then it is looked at again soon.
 void ProjectKeeper::lookAfterGesture()
 {
     Document& document = m_window.document;
     if (!document.isAnythingUnderWay() || !document.history().isSettled() || document.isGoing())
         return;
-    m_gestureKept = Clock::now();
-    const std::uint64_t revision = document.history().revision();
-    document.lookAtGesture([this, revision](std::vector<RecordedCommand> commands, std::uint64_t step) {
-        const auto keep = [this, revision, commands = std::move(commands), step] {
-            const DocumentHistory& history = m_window.document.history();
-            if (history.isSettled() && history.revision() == revision)
-                m_autosave.keepGesture(commands, step);
+    document.lookAtGesture([this, place = place()](std::vector<RecordedCommand> commands, std::uint64_t step) {
+        const auto keep = [this, place, commands = std::move(commands), step] {
+            const Clock::time_point now = Clock::now();
+            if (!m_window.document.history().isSettled() || this->place() != place ||
+                now - m_gestureKept < Autosave::gestureInterval)
+                return;
+            m_gestureKept = now;
+            m_autosave.keepGesture(commands, step);
         };
         QMetaObject::invokeMethod(this, keep, Qt::QueuedConnection);
     });
+}
+
+ProjectKeeper::Place ProjectKeeper::place() const
+{
+    const History& tree = m_window.document.history().tree();
+    return {m_documents, tree.current(), tree.records().size()};
 }
 
 /// It is said once, and tried again and again.

@@ -14,6 +14,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <tuple>
 
 class QMessageBox;
 class QTimer;
@@ -120,6 +121,9 @@ private:
     void noteModified();
     void watch();
     void lookAfterGesture();
+    /// Where a gesture goes on from: the document, its current entry, and how many there are.
+    using Place = std::tuple<std::uint64_t, History::Entry, std::size_t>;
+    Place place() const;
     void keepingFailed(const QString& sentence);
 
     using Clock = std::chrono::steady_clock;
@@ -138,6 +142,7 @@ private:
     bool m_isNew = false;                         ///< opened, but its first moment is not there yet
     std::optional<std::uint64_t> m_savedRevision; ///< of what would not be lost; none: recovered work would be
     bool m_wasModified = false;
+    std::uint64_t m_documents = 0; ///< that were opened
     std::optional<Saving> m_saving;
     std::map<QString, std::shared_ptr<std::mutex>> m_turns; ///< of savings, by their files
     QPointer<QMessageBox> m_question;

@@ -114,6 +114,7 @@ bool ProjectKeeper::showContent(ReadProject& read)
     try {
         const QScopedValueRollback changing(m_isChanging, true);
         m_window.document.open(std::move(*read.project));
+        ++m_documents;
         m_isNew = false;
         return true;
     } catch (const std::runtime_error& error) {
