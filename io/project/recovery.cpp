@@ -4,6 +4,7 @@
 #include "io/project/project_reader.h"
 #include "io/project/recovery_files.h"
 #include "io/project/schema.h"
+#include "io/safe_file.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
@@ -45,6 +46,8 @@ std::string newFolder(const std::string& parent, FileLock& lock)
         fs::remove_all(name, error);
         failKeeping("its folder cannot be locked");
     }
+    for (const fs::path& folder : {fs::path(ready), fs::path(parent), fs::path(parent).parent_path()})
+        syncFolder(folder.string());
     return ready;
 }
 

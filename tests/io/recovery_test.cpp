@@ -173,6 +173,14 @@ private slots:
         QVERIFY(isEmpty());
     }
 
+    /// A power failure takes what the disk has not been told to keep.
+    void eachCommitIsOnTheDisk()
+    {
+        const std::string folder = m_temporary->path().toStdString();
+        constexpr int full = 2;
+        QCOMPARE(recovery_files::open(folder)->execAndGet("PRAGMA synchronous").getInt(), full);
+    }
+
     void aProjectFileThatWasWrittenSinceIsSaid()
     {
         const std::string path = m_temporary->filePath("a.knead").toStdString();
@@ -187,6 +195,19 @@ private slots:
         QVERIFY(!file.read().state.isFileReplaced);
         std::filesystem::remove(path);
         QVERIFY(!file.read().state.isFileReplaced); // nothing is lost by saving there
+    }
+
+    void whatAKillLeftHalfMadeIsRemoved()
+    {
+        const std::filesystem::path folder = m_folder;
+        for (const char* name : {"new-before", "new-Abc123"})
+            std::filesystem::create_directories(folder / name);
+        std::ofstream(folder / "new-before" / "owner") << "somebody";
+        const auto now = std::filesystem::file_time_type::clock::now();
+        std::filesystem::last_write_time(folder / "new-before", now - std::chrono::hours(1));
+        QVERIFY(findRecoveries(m_folder).empty());
+        QVERIFY(!std::filesystem::exists(folder / "new-before"));
+        QVERIFY(std::filesystem::exists(folder / "new-Abc123")); // perhaps a window is at it
     }
 
     void workAfterSavingIsOffered()
