@@ -208,6 +208,11 @@ void RecoveryFile::replaceEntry(std::uint32_t entry, const HistoryRecord& record
     change([&](ProjectTables& tables) { tables.replaceEntry(entry, record); });
 }
 
+void RecoveryFile::replaceMoment(std::uint32_t entry, const HistoryRecord& record)
+{
+    change([&](ProjectTables& tables) { tables.replaceEntry(entry, record); }, false);
+}
+
 void RecoveryFile::addStart(const ProjectStart& start)
 {
     change([&](ProjectTables& tables) { tables.addStart(start); });

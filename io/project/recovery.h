@@ -42,6 +42,7 @@ public:
     bool isGoingOn() const override { return m_tables.has_value(); }
     void append(const HistoryRecord& record) override;
     void replaceEntry(std::uint32_t entry, const HistoryRecord& record) override;
+    void replaceMoment(std::uint32_t entry, const HistoryRecord& record) override;
     void addStart(const ProjectStart& start) override;
     void setCurrent(std::uint32_t entry) override;
     void setView(const ProjectView& view) override;

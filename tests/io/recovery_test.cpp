@@ -173,6 +173,32 @@ private slots:
         QVERIFY(isEmpty());
     }
 
+    void aMomentIsNoWork()
+    {
+        {
+            RecoveryFile file(m_folder);
+            file.begin(m_project, {.isSaved = true});
+            m_project.entries[2].moment = nullptr; // thinned out
+            file.replaceMoment(2, m_project.entries[2]);
+            m_project.entries[1].moment = sample::moment(100, 6); // made again
+            file.replaceMoment(1, m_project.entries[1]);
+            QVERIFY(same::values(file.read().project, m_project));
+        }
+        QVERIFY(findRecoveries(m_folder).empty());
+        QVERIFY(isEmpty());
+    }
+
+    void aNewNameIsWork()
+    {
+        {
+            RecoveryFile file(m_folder);
+            file.begin(m_project, {.isSaved = true});
+            m_project.entries[2].name = "Renamed";
+            file.replaceEntry(2, m_project.entries[2]);
+        }
+        QVERIFY(same::values(left().project, m_project));
+    }
+
     /// A power failure takes what the disk has not been told to keep.
     void eachCommitIsOnTheDisk()
     {

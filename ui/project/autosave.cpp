@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -92,7 +93,7 @@ Autosave::Autosave(ProjectServices services, QObject* parent)
     : QObject(parent)
     , m_services(std::move(services))
     , m_stop(std::make_shared<Stop>())
-    , m_worker(std::make_unique<Worker>([this](const std::string& sentence) { tell(sentence); }))
+    , m_worker(std::make_unique<Worker>([this](const std::string& sentence) { tell(sentence, &Autosave::failed); }))
 {
 }
 
@@ -102,10 +103,11 @@ Autosave::~Autosave()
 }
 
 /// On the thread.
-void Autosave::tell(const std::string& sentence)
+void Autosave::tell(const std::string& sentence, void (Autosave::*signal)(const QString&))
 {
     QMetaObject::invokeMethod(
-        this, [this, sentence] { emit failed(QString::fromStdString(sentence)); }, Qt::QueuedConnection);
+        this, [this, sentence, signal] { emit(this->*signal)(QString::fromStdString(sentence)); },
+        Qt::QueuedConnection);
 }
 
 Autosave::Known Autosave::knownOf(const HistoryRecord& record)
@@ -173,10 +175,10 @@ void Autosave::follow(const std::vector<HistoryRecord>& entries, History::Entry 
     KnownHistory& known = *m_known;
     for (std::size_t i = 0; i < known.entries.size(); ++i)
         if (!isSame(known.entries[i], entries[i])) {
-            known.entries[i] = knownOf(entries[i]);
-            m_worker->post([entry = static_cast<History::Entry>(i), record = entries[i]](Worker& worker) {
-                worker.change([&](KeptWork& kept) { kept.replaceEntry(entry, record); });
-            });
+            const Known before = std::exchange(known.entries[i], knownOf(entries[i]));
+            const bool isWork = before.name != entries[i].name || before.isKey != entries[i].isKey;
+            replace(static_cast<History::Entry>(i), entries[i],
+                    isWork ? &KeptWork::replaceEntry : &KeptWork::replaceMoment);
         }
     for (std::size_t i = known.entries.size(); i < entries.size(); ++i) {
         known.entries.push_back(knownOf(entries[i]));
@@ -186,6 +188,13 @@ void Autosave::follow(const std::vector<HistoryRecord>& entries, History::Entry 
     }
     if (std::exchange(known.current, current) != current)
         m_worker->post([current](Worker& worker) { worker.change([&](KeptWork& kept) { kept.setCurrent(current); }); });
+}
+
+void Autosave::replace(History::Entry entry, const HistoryRecord& record, Replacing call)
+{
+    m_worker->post([entry, record, call](Worker& worker) {
+        worker.change([&](KeptWork& kept) { (kept.*call)(entry, record); });
+    });
 }
 
 void Autosave::followPanels(const std::map<std::string, std::string>& panels)
@@ -227,7 +236,7 @@ void Autosave::find(std::function<void(std::vector<Recovery>)> told)
 {
     if (!m_services.findRecoveries)
         return;
-    m_worker->post([this, finds = m_services.findRecoveries, told = std::move(told)](Worker& /*worker*/) {
+    onRecoveries([this, finds = m_services.findRecoveries, told = std::move(told)] {
         QMetaObject::invokeMethod(
             this, [told, found = finds()] { told(found); }, Qt::QueuedConnection);
     });
@@ -235,7 +244,19 @@ void Autosave::find(std::function<void(std::vector<Recovery>)> told)
 
 void Autosave::drop(const Recovery& recovery)
 {
-    m_worker->post([drops = m_services.dropRecovery, recovery](Worker& /*worker*/) { drops(recovery); });
+    onRecoveries([drops = m_services.dropRecovery, recovery] { drops(recovery); });
+}
+
+/// On the thread, for work that is not this window's.
+void Autosave::onRecoveries(std::function<void()> work)
+{
+    m_worker->post([this, work = std::move(work)](Worker& /*worker*/) {
+        try {
+            work();
+        } catch (const std::runtime_error& error) {
+            tell(error.what(), &Autosave::recoveriesFailed);
+        }
+    });
 }
 
 void Autosave::discard()

@@ -38,6 +38,8 @@ ProjectKeeper::ProjectKeeper(ProjectServices services, Packing packing, const Wi
     connect(&m_window.tasks, &TaskRunner::failed, this, savingEnded);
     connect(&m_window.tasks, &TaskRunner::finished, this, &ProjectKeeper::goOnSaving);
     connect(&m_autosave, &Autosave::failed, this, &ProjectKeeper::keepingFailed);
+    connect(&m_autosave, &Autosave::recoveriesFailed, this,
+            [this](const QString& sentence) { emit problem(sentence, {}, {}); });
     connect(&m_autosave, &Autosave::begun, this, [this] {
         if (std::exchange(m_isRefused, false))
             emit told(tr("The work is kept for recovery again."));
