@@ -205,7 +205,7 @@ private slots:
         for (int i = 0; i < 10; ++i)
             follow();
         settle();
-        QCOMPARE(m_disk.calls.load(), 1);
+        QCOMPARE(m_disk.calls.load(), 2); // all but the first moment, and that
     }
 
     void workThatCameWhileSavingIsNotSaved()
@@ -271,6 +271,26 @@ private slots:
         QCOMPARE(elsewhere[0][0].toString(), QString("It cannot be listed."));
         QCOMPARE(elsewhere[1][0].toString(), QString("Another window has it."));
         QCOMPARE(failures.size(), 0);
+    }
+
+    void whatIsDoneDoesNotWaitForOldMoments()
+    {
+        constexpr std::uint32_t many = 20;
+        for (std::uint32_t i = 2; i < many; ++i)
+            m_project.entries.push_back(entry(std::to_string(i), i - 1));
+        m_project.current = many - 1;
+        m_disk.isSlow = true;
+        m_autosave->begin(m_project, {});
+        m_project.entries.push_back(entry("New", many - 1));
+        m_project.current = many;
+        m_project.entries[3].name = "Renamed";
+        m_project.entries[4].moment = nullptr;
+        follow();
+        m_disk.isSlow = false;
+        settle();
+        QVERIFY(isKeptAsItIs());
+        QCOMPARE(m_disk.entriesAtFirstMoment, std::size_t{many + 1});
+        QVERIFY(m_disk.hadCurrentMoment);
     }
 
     void aDiskThatRefusesIsToldOnceAndTriedAgain()

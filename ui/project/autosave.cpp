@@ -4,12 +4,29 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
 #include <utility>
 
 namespace knead {
+
+namespace {
+
+/// All but that of the current entry. They may take long to write, and follow from the rest.
+std::map<History::Entry, HistoryRecord> takeOldMoments(Project& project)
+{
+    std::map<History::Entry, HistoryRecord> taken;
+    for (History::Entry i = 0; i < project.entries.size(); ++i)
+        if (i != project.current && project.entries[i].moment != nullptr) {
+            taken.emplace(i, project.entries[i]);
+            project.entries[i].moment = nullptr;
+        }
+    return taken;
+}
+
+} // namespace
 
 /// What is being written whole need not be.
 struct Autosave::Stop final : TaskControl {
@@ -55,10 +72,13 @@ struct Autosave::Worker {
             }
     }
 
+    /// What can wait comes when there is nothing else to do, but before the end.
     Job next()
     {
         std::unique_lock lock(mutex);
-        wake.wait(lock, [this] { return !jobs.empty(); });
+        wake.wait(lock, [this] { return !jobs.empty() || !oldMoments.empty(); });
+        if (!oldMoments.empty() && (jobs.empty() || !jobs.front()))
+            return [](Worker& worker) { worker.keepOldMoment(); };
         Job job = std::move(jobs.front());
         jobs.pop_front();
         return job;
@@ -72,15 +92,23 @@ struct Autosave::Worker {
             call(*kept);
     }
 
+    void keepOldMoment()
+    {
+        const auto next = oldMoments.extract(oldMoments.begin());
+        change([&](KeptWork& work) { work.replaceMoment(next.key(), next.mapped()); });
+    }
+
     void drop()
     {
+        oldMoments.clear();
         if (kept)
             kept->discard();
         kept.reset();
     }
 
     std::shared_ptr<KeptWork> kept;
-    std::optional<std::uint64_t> revisionInFile; ///< when saving began; none when all was kept anew since
+    std::map<History::Entry, HistoryRecord> oldMoments; ///< entries of which the rest is kept
+    std::optional<std::uint64_t> revisionInFile;        ///< when saving began; none when all was kept anew since
 
     const std::function<void(const std::string&)> tell;
     std::mutex mutex; // guards the jobs
@@ -149,12 +177,15 @@ void Autosave::beginAgain(Project project, WorkState state)
     if (!m_services.keepWork)
         return;
     know(project);
+    auto oldMoments = takeOldMoments(project);
     m_worker->post([this, makes = m_services.keepWork, project = std::move(project), state = std::move(state),
-                    stop = m_stop](Worker& worker) {
+                    oldMoments = std::move(oldMoments), stop = m_stop](Worker& worker) {
         worker.revisionInFile.reset();
+        worker.oldMoments.clear();
         if (!worker.kept)
             worker.kept = makes();
         worker.kept->begin(project, state, *stop);
+        worker.oldMoments = oldMoments;
         QMetaObject::invokeMethod(this, &Autosave::begun, Qt::QueuedConnection);
     });
 }
@@ -193,6 +224,7 @@ void Autosave::follow(const std::vector<HistoryRecord>& entries, History::Entry 
 void Autosave::replace(History::Entry entry, const HistoryRecord& record, Replacing call)
 {
     m_worker->post([entry, record, call](Worker& worker) {
+        worker.oldMoments.erase(entry);
         worker.change([&](KeptWork& kept) { (kept.*call)(entry, record); });
     });
 }

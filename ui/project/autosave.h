@@ -24,7 +24,8 @@ public:
     /// Ends what was handed in, and leaves what is kept as a crash would.
     ~Autosave() override;
 
-    /// Keeps this from now on; what was kept of an earlier document goes.
+    /// Keeps this from now on; what was kept of an earlier document goes. Moments but the current one come when there is nothing
+    /// else to keep: what is done meanwhile does not wait for them.
     void begin(Project project, WorkState state);
     /// As begin(), in place of what was kept of a window that is gone.
     void takeOver(std::shared_ptr<KeptWork> kept, Project project, WorkState state);
