@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -43,16 +44,6 @@ void copyPermissions(const std::string& from, int to)
     struct stat status {};
     if (stat(from.c_str(), &status) == 0)
         fchmod(to, status.st_mode & 0777U);
-}
-
-/// So that a power failure does not bring back what lay at the path before. Some file systems cannot; then they cannot.
-void syncFolder(const fs::path& folder)
-{
-    const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0)
-        return;
-    fsync(descriptor);
-    close(descriptor);
 }
 
 } // namespace
@@ -93,13 +84,11 @@ void SafeFile::write(std::string_view bytes)
 
 void SafeFile::finish()
 {
-    if (m_descriptor < 0)
-        return;
     if (fsync(m_descriptor) != 0 && errno != EINVAL && errno != EROFS) // some file systems have no fsync
         fail();
-    const int closed = close(m_descriptor);
-    m_descriptor = -1;
-    if (closed != 0)
+    const int other =
+        dup(m_descriptor); // some disks refuse only at a close; the file stays marked as ours until keep()
+    if (other >= 0 && close(other) != 0)
         fail();
 }
 
@@ -109,7 +98,8 @@ void SafeFile::keep()
     if (std::rename(m_path.c_str(), m_target.c_str()) != 0)
         fail();
     m_path.clear();
-    syncFolder(fs::path(m_target).parent_path());
+    close(std::exchange(m_descriptor, -1));
+    syncFolder(fs::path(m_target).parent_path().string());
 }
 
 void SafeFile::fail() const
@@ -138,6 +128,16 @@ void removeLeftOvers(const std::string& path)
             unlink(entry.path().c_str());
         close(descriptor);
     }
+}
+
+/// So that a power failure does not bring back what lay there before.
+void syncFolder(const std::string& folder)
+{
+    const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    fsync(descriptor);
+    close(descriptor);
 }
 
 void writeFileSafely(const std::string& path, std::string_view bytes)

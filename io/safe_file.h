@@ -39,11 +39,14 @@ private:
 
     std::string m_target;
     std::string m_path;    ///< for now; empty when kept
-    int m_descriptor = -1; ///< negative when finished
+    int m_descriptor = -1; ///< negative when kept
 };
 
 /// Removes what processes that were killed had begun to write in the folder of a path; what others are writing stays.
 void removeLeftOvers(const std::string& path);
+
+/// Makes sure that the disk has the names in a folder, as far as its file system can.
+void syncFolder(const std::string& folder);
 
 /// Writes a file whole or not at all, as SafeFile does.
 /// @throws std::runtime_error, in a sentence that names the file and why the disk refused; nothing is left behind.

@@ -107,7 +107,9 @@ void MainWindow::writeRecipe(const QString& path)
         for (const std::string& remark : remarks)
             m_log->add(QString::fromStdString(remark), LogPanel::Kind::Warning);
     };
-    m_tasks.run<std::vector<std::string>>(tr("Exporting %1").arg(QFileInfo(path).fileName()), work, finish);
+    const QString title = tr("Exporting %1").arg(QFileInfo(path).fileName());
+    if (!m_tasks.run<std::vector<std::string>>(title, work, finish))
+        isBusy(); // says with what
 }
 
 } // namespace knead

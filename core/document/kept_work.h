@@ -14,6 +14,7 @@ namespace knead {
 /// What else there is to say about work, besides its project.
 struct WorkState {
     std::string projectFile;              ///< that it was opened from or saved to; empty: none yet
+    bool isFileReplaced = false;          ///< read(): somebody has written that file since
     bool isSaved = false;                 ///< nothing would be lost without the recovery
     std::vector<RecordedCommand> gesture; ///< given since the current entry
     std::uint64_t step = 0;               ///< that the simulation had reached then; 0 without a gesture
@@ -54,7 +55,8 @@ public:
 
     // What changes, one transaction each.
     virtual void append(const HistoryRecord& record) = 0; ///< the current entry from now on; the gesture has become it
-    virtual void replaceEntry(std::uint32_t entry, const HistoryRecord& record) = 0;
+    virtual void replaceEntry(std::uint32_t entry, const HistoryRecord& record) = 0;  ///< another name or mark
+    virtual void replaceMoment(std::uint32_t entry, const HistoryRecord& record) = 0; ///< its only change, and no work
     virtual void addStart(const ProjectStart& start) = 0;
     virtual void setCurrent(std::uint32_t entry) = 0; ///< the gesture is forgotten
     virtual void setView(const ProjectView& view) = 0;
@@ -65,7 +67,7 @@ public:
     /// @param commands all since the current entry @param step that the simulation has reached
     virtual void keepGesture(std::span<const RecordedCommand> commands, std::uint64_t step) = 0;
 
-    /// Goes up with each piece of work that is kept; a view is none.
+    /// Goes up with each piece of work that is kept; a view or a moment is none.
     virtual std::uint64_t revision() const = 0;
     /// The work is in a project file as it was at a revision, when saving began; what came since is not.
     virtual void markSaved(const std::string& projectFile, std::uint64_t revision) = 0;

@@ -5,6 +5,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
@@ -58,6 +59,20 @@ std::optional<Recovery> recoveryIn(const std::string& folder)
     return recovery;
 }
 
+/// What a window that was killed had just begun to make. @return whether it is that
+bool removedHalfMade(const fs::directory_entry& entry)
+{
+    constexpr auto patience = std::chrono::minutes(1); // it takes a window milliseconds
+    std::error_code error;
+    if (!entry.path().filename().string().starts_with("new-"))
+        return false;
+    const auto changed = entry.last_write_time(error);
+    const FileLock lock(recovery_files::lock(entry.path().string()), false);
+    if (!error && fs::file_time_type::clock::now() - changed > patience && lock.result() != FileLock::Result::taken)
+        recovery_files::remove(entry.path().string());
+    return true;
+}
+
 } // namespace
 
 std::string recoveryFolder()
@@ -75,7 +90,8 @@ std::vector<Recovery> findRecoveries(const std::string& folder)
     std::vector<Recovery> recoveries;
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-        if (entry.path().filename().string().starts_with("work-") && entry.is_directory(error))
+        if (entry.is_directory(error) && !removedHalfMade(entry) &&
+            entry.path().filename().string().starts_with("work-"))
             if (auto recovery = recoveryIn(entry.path().string()))
                 recoveries.push_back(std::move(*recovery));
     std::sort(recoveries.begin(), recoveries.end(),

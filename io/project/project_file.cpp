@@ -120,6 +120,8 @@ void writeProject(const std::string& path, const Project& project, TaskControl& 
     }
     TaskPortion checking(control, writingShare, 1);
     readBack(file, checking);
+    file.finish();
+    control.throwIfCancelled();
     file.keep();
 }
 

@@ -4,6 +4,7 @@
 #include "io/project/project_reader.h"
 #include "io/project/recovery_files.h"
 #include "io/project/schema.h"
+#include "io/safe_file.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
@@ -45,6 +46,8 @@ std::string newFolder(const std::string& parent, FileLock& lock)
         fs::remove_all(name, error);
         failKeeping("its folder cannot be locked");
     }
+    for (const fs::path& folder : {fs::path(ready), fs::path(parent), fs::path(parent).parent_path()})
+        syncFolder(folder.string());
     return ready;
 }
 
@@ -105,6 +108,8 @@ WorkState RecoveryFile::readState(const std::function<std::vector<RecordedComman
 {
     const Row session = rowAt(*m_database, "session", 0);
     WorkState state{.projectFile = session.text(1), .isSaved = session.integer(2) != 0};
+    const std::string stamp = recovery_files::stampOf(state.projectFile);
+    state.isFileReplaced = !stamp.empty() && stamp != session.text(4);
     for (std::int64_t id = 0; id < session.integer(3); ++id) {
         const Row row = rowAt(*m_database, "gesture", id);
         for (RecordedCommand& command : commands(row.text(2)))
@@ -144,6 +149,7 @@ void RecoveryFile::begin(const Project& project, const WorkState& state, TaskCon
         makeTables(*m_database, recoveryTables());
         m_tables.emplace(*m_database).addProject(project, control);
         m_state = state;
+        m_fileStamp = recovery_files::stampOf(state.projectFile);
         forgetGesture();
         if (!state.gesture.empty() || state.step > 0)
             putGesture(state.gesture, state.step);
@@ -168,7 +174,7 @@ void RecoveryFile::change(const std::function<void(ProjectTables&)>& change, boo
 void RecoveryFile::putSession()
 {
     putRow(*m_database, "session",
-           {std::int64_t{0}, m_state.projectFile, std::int64_t{m_state.isSaved}, m_gestureRows});
+           {std::int64_t{0}, m_state.projectFile, std::int64_t{m_state.isSaved}, m_gestureRows, m_fileStamp});
 }
 
 void RecoveryFile::forgetGesture()
@@ -200,6 +206,11 @@ void RecoveryFile::append(const HistoryRecord& record)
 void RecoveryFile::replaceEntry(std::uint32_t entry, const HistoryRecord& record)
 {
     change([&](ProjectTables& tables) { tables.replaceEntry(entry, record); });
+}
+
+void RecoveryFile::replaceMoment(std::uint32_t entry, const HistoryRecord& record)
+{
+    change([&](ProjectTables& tables) { tables.replaceEntry(entry, record); }, false);
 }
 
 void RecoveryFile::addStart(const ProjectStart& start)
@@ -244,6 +255,7 @@ void RecoveryFile::markSaved(const std::string& projectFile, std::uint64_t revis
 {
     const auto mark = [&](ProjectTables&) {
         m_state.projectFile = projectFile;
+        m_fileStamp = recovery_files::stampOf(projectFile);
         m_state.isSaved = revision == m_revision;
     };
     change(mark, false);

@@ -42,6 +42,7 @@ public:
     bool isGoingOn() const override { return m_tables.has_value(); }
     void append(const HistoryRecord& record) override;
     void replaceEntry(std::uint32_t entry, const HistoryRecord& record) override;
+    void replaceMoment(std::uint32_t entry, const HistoryRecord& record) override;
     void addStart(const ProjectStart& start) override;
     void setCurrent(std::uint32_t entry) override;
     void setView(const ProjectView& view) override;
@@ -65,7 +66,8 @@ private:
     std::string m_folder;
     std::unique_ptr<SQLite::Database> m_database;
     std::optional<ProjectTables> m_tables;
-    WorkState m_state; ///< without its gesture
+    WorkState m_state;       ///< without its gesture
+    std::string m_fileStamp; ///< of the project file, when it was opened or saved last
     std::uint64_t m_revision = 0;
     std::size_t m_gestureKept = 0; ///< commands of it
     std::int64_t m_gestureRows = 0;

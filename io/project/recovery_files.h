@@ -23,6 +23,9 @@ void settle(SQLite::Database& database);
 
 std::uint64_t size(const std::string& folder); ///< [bytes]
 
+/// What tells whether a file has been written since; empty when it is not there.
+std::string stampOf(const std::string& path);
+
 /// The lock last, so that what a kill leaves over is found and removed.
 void remove(const std::string& folder);
 

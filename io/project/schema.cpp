@@ -42,7 +42,7 @@ constexpr TableForm tablesOfProjects[] = {
 constexpr TableForm tablesOfRecoveries[] = {
     {"session",
      "CREATE TABLE session (id INTEGER PRIMARY KEY, project_file TEXT, is_saved INTEGER, gesture_rows INTEGER, "
-     "row_check INTEGER)"},
+     "file_stamp TEXT, row_check INTEGER)"},
     {"gesture", "CREATE TABLE gesture (id INTEGER PRIMARY KEY, step INTEGER, commands TEXT, row_check INTEGER)"},
 };
 

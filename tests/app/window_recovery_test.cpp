@@ -21,6 +21,18 @@ using namespace knead;
 class WindowRecoveryTest : public QObject, ProjectsOnTest {
     Q_OBJECT
 
+    /// Changes words wherever they are in a file.
+    static void spoil(const QString& path, const QByteArray& words)
+    {
+        QFile file(path);
+        QVERIFY(file.open(QFile::ReadWrite));
+        QByteArray bytes = file.readAll();
+        QVERIFY(bytes.contains(words));
+        bytes.replace(words, QByteArray(words.size(), '#'));
+        file.seek(0);
+        file.write(bytes);
+    }
+
 private slots:
     void initTestCase()
     {
@@ -213,6 +225,66 @@ private slots:
         QVERIFY(m_window->windowTitle().startsWith("a.knead[*]"));
         QVERIFY(m_window->isWindowModified());
         QVERIFY(!snapshot().gravity.isZero());
+    }
+
+    void olderWorkDoesNotTakeThePlaceOfANewerFile()
+    {
+        openExample("bar.step", 10);
+        saveTo(file("a.knead"));
+        switchGravity();
+        newWindow(m_services); // and the work is left for later
+        openProject(file("a.knead"));
+        switchGravity();
+        switchGravity();
+        saveTo(file("a.knead"));
+        m_window->close();
+        newWindow(m_services);
+        recoverByHand();
+        QVERIFY(projects().path().isEmpty());
+        QVERIFY(m_window->isWindowModified());
+        QVERIFY2(m_window->banner().sentence().startsWith("a.knead was written after this work"),
+                 qPrintable(m_window->banner().sentence()));
+        picture("older than its file");
+        QVERIFY(ProjectLock(bytesOf(file("a.knead"))).isHeld());
+    }
+
+    void workThatIsNotWholeDoesNotTakeThePlaceOfItsFile()
+    {
+        openExample("bar.step", 10);
+        saveTo(file("a.knead"));
+        switchGravity();
+        document().history().rename(document().history().tree().current(), "Unlike any other");
+        newWindow(m_services);
+        spoil(QString::fromStdString(findRecoveries().at(0).folder + "/work.db"), "Unlike any other");
+        recoverByHand();
+        answer("missingBox", QMessageBox::Ok);
+        QVERIFY(projects().path().isEmpty());
+        QVERIFY(m_window->isWindowModified());
+        QVERIFY2(m_window->banner().sentence().startsWith("a.knead stays as it is"),
+                 qPrintable(m_window->banner().sentence()));
+    }
+
+    /// As when memory had no room for the last moment and a later version comes to another one.
+    void aProjectThatCannotBeShownIsRescued()
+    {
+        openExample("bar.step", 10);
+        switchGravity();
+        saveTo(file("a.knead"));
+        newWindow(m_services);
+        Project project = readProject(bytesOf(file("a.knead")));
+        project.entries.back().moment = nullptr;
+        project.entries.back().hash ^= 1U;
+        writeProject(bytesOf(file("a.knead")), project);
+        openProject(file("a.knead"));
+        QVERIFY(document().isEmpty());
+        QVERIFY2(m_window->banner().sentence().startsWith("a.knead: what was seen last cannot be shown."),
+                 qPrintable(m_window->banner().sentence()));
+        QCOMPARE(find<QToolButton>("bannerRemedy")->text(), QString("Rescue what is whole"));
+        clickOn<QToolButton>("bannerRemedy");
+        answer("missingBox", QMessageBox::Ok);
+        QVERIFY(!document().isEmpty());
+        QVERIFY(projects().path().isEmpty());
+        QCOMPARE(document().history().tree().current(), project.entries.back().parent);
     }
 
     void workThatIsNotWantedIsDropped()

@@ -1,17 +1,17 @@
-#include "io/project/project_lock.h"
 #include "io/project/recovery.h"
+#include "io/project/recovery_files.h"
 #include "support/same_values.h"
 #include "support/sample_project.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
+
 #include <QtTest>
 
-#include <csignal>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
 #include <sys/mount.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 using namespace knead;
 
@@ -173,6 +173,69 @@ private slots:
         QVERIFY(isEmpty());
     }
 
+    void aMomentIsNoWork()
+    {
+        {
+            RecoveryFile file(m_folder);
+            file.begin(m_project, {.isSaved = true});
+            m_project.entries[2].moment = nullptr; // thinned out
+            file.replaceMoment(2, m_project.entries[2]);
+            m_project.entries[1].moment = sample::moment(100, 6); // made again
+            file.replaceMoment(1, m_project.entries[1]);
+            QVERIFY(same::values(file.read().project, m_project));
+        }
+        QVERIFY(findRecoveries(m_folder).empty());
+        QVERIFY(isEmpty());
+    }
+
+    void aNewNameIsWork()
+    {
+        {
+            RecoveryFile file(m_folder);
+            file.begin(m_project, {.isSaved = true});
+            m_project.entries[2].name = "Renamed";
+            file.replaceEntry(2, m_project.entries[2]);
+        }
+        QVERIFY(same::values(left().project, m_project));
+    }
+
+    /// A power failure takes what the disk has not been told to keep.
+    void eachCommitIsOnTheDisk()
+    {
+        const std::string folder = m_temporary->path().toStdString();
+        constexpr int full = 2;
+        QCOMPARE(recovery_files::open(folder)->execAndGet("PRAGMA synchronous").getInt(), full);
+    }
+
+    void aProjectFileThatWasWrittenSinceIsSaid()
+    {
+        const std::string path = m_temporary->filePath("a.knead").toStdString();
+        const auto write = [&](const std::string& text) { std::ofstream(path) << text; };
+        write("one");
+        RecoveryFile file(m_folder);
+        file.begin(m_project, {.projectFile = path});
+        QVERIFY(!file.read().state.isFileReplaced);
+        write("another");
+        QVERIFY(file.read().state.isFileReplaced);
+        file.markSaved(path, file.revision());
+        QVERIFY(!file.read().state.isFileReplaced);
+        std::filesystem::remove(path);
+        QVERIFY(!file.read().state.isFileReplaced); // nothing is lost by saving there
+    }
+
+    void whatAKillLeftHalfMadeIsRemoved()
+    {
+        const std::filesystem::path folder = m_folder;
+        for (const char* name : {"new-before", "new-Abc123"})
+            std::filesystem::create_directories(folder / name);
+        std::ofstream(folder / "new-before" / "owner") << "somebody";
+        const auto now = std::filesystem::file_time_type::clock::now();
+        std::filesystem::last_write_time(folder / "new-before", now - std::chrono::hours(1));
+        QVERIFY(findRecoveries(m_folder).empty());
+        QVERIFY(!std::filesystem::exists(folder / "new-before"));
+        QVERIFY(std::filesystem::exists(folder / "new-Abc123")); // perhaps a window is at it
+    }
+
     void workAfterSavingIsOffered()
     {
         {
@@ -313,58 +376,6 @@ private slots:
         file.begin(m_project, {});
         file.append(sample::entry(0, "goes on"));
         QCOMPARE(file.read().project.entries.size(), std::size_t{5});
-    }
-
-    void oneWindowHasAProject()
-    {
-        std::filesystem::create_directories(m_folder);
-        const std::string path = m_folder + "/a.knead";
-        std::ofstream(path).flush();
-        std::filesystem::create_symlink("a.knead", m_folder + "/link.knead");
-        {
-            const ProjectLock lock(path);
-            QVERIFY(lock.isHeld());
-            QCOMPARE(
-                complaint([&] { ProjectLock other(path); }),
-                std::string("a.knead: another window of this program works on it. Close it there, or open a copy."));
-            QVERIFY(!complaint([&] { ProjectLock other(m_folder + "/../recovery/link.knead"); }).empty());
-            QVERIFY(ProjectLock(m_folder + "/b.knead").isHeld());
-        }
-        QVERIFY(ProjectLock(path).isHeld());
-        QVERIFY(!std::filesystem::exists(m_folder + "/.a.knead.lock"));
-    }
-
-    void anotherProcessIsNamed()
-    {
-        std::filesystem::create_directories(m_folder);
-        const std::string path = m_folder + "/a.knead";
-        int ready[2];
-        QCOMPARE(pipe(ready), 0);
-        const pid_t child = fork();
-        if (child == 0) {
-            const ProjectLock lock(path);
-            [[maybe_unused]] const auto written = write(ready[1], "x", 1);
-            pause();
-            _exit(0);
-        }
-        char byte = 0;
-        QCOMPARE(read(ready[0], &byte, 1), 1);
-        const std::string sentence = complaint([&] { ProjectLock other(path); });
-        kill(child, SIGKILL);
-        waitpid(child, nullptr, 0);
-        char host[256] = {};
-        gethostname(host, sizeof host - 1);
-        const std::string expected =
-            "a.knead: another window works on it (process " + std::to_string(child) + " on " + host + ", since 2";
-        QVERIFY2(sentence.starts_with(expected), sentence.c_str());
-        QVERIFY2(sentence.ends_with("). Close it there, or open a copy."), sentence.c_str());
-        QVERIFY(ProjectLock(path).isHeld()); // the killed one has it no more, whatever stands in the file
-    }
-
-    void whereNoLockCanBeHadNobodyIsKeptFromAnything()
-    {
-        const ProjectLock lock("/proc/a.knead");
-        QVERIFY(!lock.isHeld());
     }
 
     void theFolderIsThatOfTheState()

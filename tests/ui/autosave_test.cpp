@@ -17,6 +17,9 @@ struct Disk {
     std::uint64_t revision = 0;
     std::atomic<int> calls = 0;
     std::atomic<bool> isFull = false;
+    std::atomic<bool> isSlow = false;
+    std::size_t entriesAtFirstMoment = 0; ///< when the first moment came after the rest
+    bool hadCurrentMoment = false;        ///< from the beginning
     bool isThere = false;
 };
 
@@ -29,8 +32,12 @@ public:
     RecoveredWork read(TaskControl&) override { return {m_disk.project, m_disk.state, {}}; }
     void begin(const Project& project, const WorkState& state, TaskControl& control) override
     {
+        while (m_disk.isSlow)
+            QTest::qSleep(1);
         control.throwIfCancelled();
         m_isGoingOn = false;
+        m_disk.entriesAtFirstMoment = 0;
+        m_disk.hadCurrentMoment = project.entries.at(project.current).moment != nullptr;
         change([&] {
             m_disk.project = project;
             m_disk.state = state;
@@ -50,6 +57,15 @@ public:
     }
     void replaceEntry(std::uint32_t entry, const HistoryRecord& record) override
     {
+        change([&] {
+            m_disk.project.entries.at(entry) = record;
+            ++m_disk.revision;
+        });
+    }
+    void replaceMoment(std::uint32_t entry, const HistoryRecord& record) override
+    {
+        if (m_disk.entriesAtFirstMoment == 0 && record.moment != nullptr)
+            m_disk.entriesAtFirstMoment = m_disk.project.entries.size();
         change([&] { m_disk.project.entries.at(entry) = record; });
     }
     void addStart(const ProjectStart& start) override
@@ -150,7 +166,7 @@ private slots:
         m_disk.state = {};
         m_disk.revision = 0;
         m_disk.calls = 0;
-        m_disk.isFull = m_disk.isThere = false;
+        m_disk.isFull = m_disk.isSlow = m_disk.isThere = false;
         m_project = {};
         m_project.starts.resize(1);
         m_project.entries = {entry("Start"), entry("Push")};
@@ -189,7 +205,7 @@ private slots:
         for (int i = 0; i < 10; ++i)
             follow();
         settle();
-        QCOMPARE(m_disk.calls.load(), 1);
+        QCOMPARE(m_disk.calls.load(), 2); // all but the first moment, and that
     }
 
     void workThatCameWhileSavingIsNotSaved()
@@ -213,6 +229,68 @@ private slots:
         m_autosave->saved("b.knead");
         settle();
         QVERIFY(m_disk.state.isSaved);
+    }
+
+    void aMomentThatIsThinnedOutOrFoundAgainIsNoWork()
+    {
+        m_autosave->savingBegins();
+        m_project.entries[0].moment = nullptr;
+        follow();
+        m_project.entries[0].moment = entry("").moment;
+        follow();
+        m_autosave->saved("b.knead");
+        settle();
+        QVERIFY(m_disk.state.isSaved);
+        QVERIFY(isKeptAsItIs());
+    }
+
+    void aNameIsWork()
+    {
+        m_autosave->savingBegins();
+        m_project.entries[0].name = "Beginning";
+        follow();
+        m_autosave->saved("b.knead");
+        settle();
+        QVERIFY(!m_disk.state.isSaved);
+    }
+
+    /// Work of windows that are gone, which another window may have taken over.
+    void whatFailsElsewhereIsToldApart()
+    {
+        ProjectServices services;
+        services.keepWork = [this] { return std::make_unique<KeptOnTest>(m_disk); };
+        services.findRecoveries = []() -> std::vector<Recovery> { throw std::runtime_error("It cannot be listed."); };
+        services.dropRecovery = [](const Recovery&) { throw std::runtime_error("Another window has it."); };
+        m_autosave = std::make_unique<Autosave>(services);
+        m_autosave->begin(m_project, {});
+        const QSignalSpy failures(m_autosave.get(), &Autosave::failed);
+        const QSignalSpy elsewhere(m_autosave.get(), &Autosave::recoveriesFailed);
+        m_autosave->find([](const std::vector<Recovery>&) {});
+        m_autosave->drop({});
+        QTRY_COMPARE(elsewhere.size(), 2);
+        QCOMPARE(elsewhere[0][0].toString(), QString("It cannot be listed."));
+        QCOMPARE(elsewhere[1][0].toString(), QString("Another window has it."));
+        QCOMPARE(failures.size(), 0);
+    }
+
+    void whatIsDoneDoesNotWaitForOldMoments()
+    {
+        constexpr std::uint32_t many = 20;
+        for (std::uint32_t i = 2; i < many; ++i)
+            m_project.entries.push_back(entry(std::to_string(i), i - 1));
+        m_project.current = many - 1;
+        m_disk.isSlow = true;
+        m_autosave->begin(m_project, {});
+        m_project.entries.push_back(entry("New", many - 1));
+        m_project.current = many;
+        m_project.entries[3].name = "Renamed";
+        m_project.entries[4].moment = nullptr;
+        follow();
+        m_disk.isSlow = false;
+        settle();
+        QVERIFY(isKeptAsItIs());
+        QCOMPARE(m_disk.entriesAtFirstMoment, std::size_t{many + 1});
+        QVERIFY(m_disk.hadCurrentMoment);
     }
 
     void aDiskThatRefusesIsToldOnceAndTriedAgain()

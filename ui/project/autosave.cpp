@@ -4,11 +4,29 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <map>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
 namespace knead {
+
+namespace {
+
+/// All but that of the current entry. They may take long to write, and follow from the rest.
+std::map<History::Entry, HistoryRecord> takeOldMoments(Project& project)
+{
+    std::map<History::Entry, HistoryRecord> taken;
+    for (History::Entry i = 0; i < project.entries.size(); ++i)
+        if (i != project.current && project.entries[i].moment != nullptr) {
+            taken.emplace(i, project.entries[i]);
+            project.entries[i].moment = nullptr;
+        }
+    return taken;
+}
+
+} // namespace
 
 /// What is being written whole need not be.
 struct Autosave::Stop final : TaskControl {
@@ -54,10 +72,13 @@ struct Autosave::Worker {
             }
     }
 
+    /// What can wait comes when there is nothing else to do, but before the end.
     Job next()
     {
         std::unique_lock lock(mutex);
-        wake.wait(lock, [this] { return !jobs.empty(); });
+        wake.wait(lock, [this] { return !jobs.empty() || !oldMoments.empty(); });
+        if (!oldMoments.empty() && (jobs.empty() || !jobs.front()))
+            return [](Worker& worker) { worker.keepOldMoment(); };
         Job job = std::move(jobs.front());
         jobs.pop_front();
         return job;
@@ -71,15 +92,23 @@ struct Autosave::Worker {
             call(*kept);
     }
 
+    void keepOldMoment()
+    {
+        const auto next = oldMoments.extract(oldMoments.begin());
+        change([&](KeptWork& work) { work.replaceMoment(next.key(), next.mapped()); });
+    }
+
     void drop()
     {
+        oldMoments.clear();
         if (kept)
             kept->discard();
         kept.reset();
     }
 
     std::shared_ptr<KeptWork> kept;
-    std::optional<std::uint64_t> revisionInFile; ///< when saving began; none when all was kept anew since
+    std::map<History::Entry, HistoryRecord> oldMoments; ///< entries of which the rest is kept
+    std::optional<std::uint64_t> revisionInFile;        ///< when saving began; none when all was kept anew since
 
     const std::function<void(const std::string&)> tell;
     std::mutex mutex; // guards the jobs
@@ -92,7 +121,7 @@ Autosave::Autosave(ProjectServices services, QObject* parent)
     : QObject(parent)
     , m_services(std::move(services))
     , m_stop(std::make_shared<Stop>())
-    , m_worker(std::make_unique<Worker>([this](const std::string& sentence) { tell(sentence); }))
+    , m_worker(std::make_unique<Worker>([this](const std::string& sentence) { tell(sentence, &Autosave::failed); }))
 {
 }
 
@@ -102,10 +131,11 @@ Autosave::~Autosave()
 }
 
 /// On the thread.
-void Autosave::tell(const std::string& sentence)
+void Autosave::tell(const std::string& sentence, void (Autosave::*signal)(const QString&))
 {
     QMetaObject::invokeMethod(
-        this, [this, sentence] { emit failed(QString::fromStdString(sentence)); }, Qt::QueuedConnection);
+        this, [this, sentence, signal] { emit(this->*signal)(QString::fromStdString(sentence)); },
+        Qt::QueuedConnection);
 }
 
 Autosave::Known Autosave::knownOf(const HistoryRecord& record)
@@ -147,12 +177,15 @@ void Autosave::beginAgain(Project project, WorkState state)
     if (!m_services.keepWork)
         return;
     know(project);
+    auto oldMoments = takeOldMoments(project);
     m_worker->post([this, makes = m_services.keepWork, project = std::move(project), state = std::move(state),
-                    stop = m_stop](Worker& worker) {
+                    oldMoments = std::move(oldMoments), stop = m_stop](Worker& worker) {
         worker.revisionInFile.reset();
+        worker.oldMoments.clear();
         if (!worker.kept)
             worker.kept = makes();
         worker.kept->begin(project, state, *stop);
+        worker.oldMoments = oldMoments;
         QMetaObject::invokeMethod(this, &Autosave::begun, Qt::QueuedConnection);
     });
 }
@@ -173,10 +206,10 @@ void Autosave::follow(const std::vector<HistoryRecord>& entries, History::Entry 
     KnownHistory& known = *m_known;
     for (std::size_t i = 0; i < known.entries.size(); ++i)
         if (!isSame(known.entries[i], entries[i])) {
-            known.entries[i] = knownOf(entries[i]);
-            m_worker->post([entry = static_cast<History::Entry>(i), record = entries[i]](Worker& worker) {
-                worker.change([&](KeptWork& kept) { kept.replaceEntry(entry, record); });
-            });
+            const Known before = std::exchange(known.entries[i], knownOf(entries[i]));
+            const bool isWork = before.name != entries[i].name || before.isKey != entries[i].isKey;
+            replace(static_cast<History::Entry>(i), entries[i],
+                    isWork ? &KeptWork::replaceEntry : &KeptWork::replaceMoment);
         }
     for (std::size_t i = known.entries.size(); i < entries.size(); ++i) {
         known.entries.push_back(knownOf(entries[i]));
@@ -186,6 +219,14 @@ void Autosave::follow(const std::vector<HistoryRecord>& entries, History::Entry 
     }
     if (std::exchange(known.current, current) != current)
         m_worker->post([current](Worker& worker) { worker.change([&](KeptWork& kept) { kept.setCurrent(current); }); });
+}
+
+void Autosave::replace(History::Entry entry, const HistoryRecord& record, Replacing call)
+{
+    m_worker->post([entry, record, call](Worker& worker) {
+        worker.oldMoments.erase(entry);
+        worker.change([&](KeptWork& kept) { (kept.*call)(entry, record); });
+    });
 }
 
 void Autosave::followPanels(const std::map<std::string, std::string>& panels)
@@ -227,7 +268,7 @@ void Autosave::find(std::function<void(std::vector<Recovery>)> told)
 {
     if (!m_services.findRecoveries)
         return;
-    m_worker->post([this, finds = m_services.findRecoveries, told = std::move(told)](Worker& /*worker*/) {
+    onRecoveries([this, finds = m_services.findRecoveries, told = std::move(told)] {
         QMetaObject::invokeMethod(
             this, [told, found = finds()] { told(found); }, Qt::QueuedConnection);
     });
@@ -235,7 +276,19 @@ void Autosave::find(std::function<void(std::vector<Recovery>)> told)
 
 void Autosave::drop(const Recovery& recovery)
 {
-    m_worker->post([drops = m_services.dropRecovery, recovery](Worker& /*worker*/) { drops(recovery); });
+    onRecoveries([drops = m_services.dropRecovery, recovery] { drops(recovery); });
+}
+
+/// On the thread, for work that is not this window's.
+void Autosave::onRecoveries(std::function<void()> work)
+{
+    m_worker->post([this, work = std::move(work)](Worker& /*worker*/) {
+        try {
+            work();
+        } catch (const std::runtime_error& error) {
+            tell(error.what(), &Autosave::recoveriesFailed);
+        }
+    });
 }
 
 void Autosave::discard()

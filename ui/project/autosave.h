@@ -24,7 +24,8 @@ public:
     /// Ends what was handed in, and leaves what is kept as a crash would.
     ~Autosave() override;
 
-    /// Keeps this from now on; what was kept of an earlier document goes.
+    /// Keeps this from now on; what was kept of an earlier document goes. Moments but the current one come when there is nothing
+    /// else to keep: what is done meanwhile does not wait for them.
     void begin(Project project, WorkState state);
     /// As begin(), in place of what was kept of a window that is gone.
     void takeOver(std::shared_ptr<KeptWork> kept, Project project, WorkState state);
@@ -49,7 +50,7 @@ public:
 
     /// Looks for the work of windows that are gone. @param told called in the window's thread
     void find(std::function<void(std::vector<Recovery>)> told);
-    /// Removes such work, which the person does not want. A failure is told by failed().
+    /// Removes such work, which the person does not want.
     void drop(const Recovery& recovery);
 
     /// Nothing of it is wanted any more: it was saved, or the person said so.
@@ -59,6 +60,8 @@ signals:
     void begun(); ///< all is kept from now on
     /// The disk refused; nothing more is kept. @param sentence for the person
     void failed(const QString& sentence);
+    /// find() or drop() came to nothing; what is kept is not touched by that. @param sentence for the person
+    void recoveriesFailed(const QString& sentence);
 
 private:
     struct Stop;
@@ -80,8 +83,11 @@ private:
 
     static Known knownOf(const HistoryRecord& record);
     static bool isSame(const Known& known, const HistoryRecord& record);
+    using Replacing = void (KeptWork::*)(std::uint32_t entry, const HistoryRecord& record);
     void know(const Project& project);
-    void tell(const std::string& sentence);
+    void replace(History::Entry entry, const HistoryRecord& record, Replacing call);
+    void tell(const std::string& sentence, void (Autosave::*signal)(const QString&));
+    void onRecoveries(std::function<void()> work);
 
     ProjectServices m_services;
     std::optional<KnownHistory> m_known; ///< what was handed to the thread

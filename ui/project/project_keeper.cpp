@@ -1,21 +1,13 @@
 #include "ui/project/project_keeper.h"
 
-#include "ui/panels/model_tree.h"
-#include "ui/project/project_view.h"
-#include "ui/project/recent_files.h"
 #include "ui/tasks/task_runner.h"
-#include "ui/theme.h"
-#include "ui/viewport/viewport_widget.h"
 
-#include <QDir>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QScopedValueRollback>
-#include <QSettings>
 #include <QTimer>
 
+#include <filesystem>
 #include <utility>
 
 namespace knead {
@@ -26,31 +18,7 @@ constexpr auto watchInterval = std::chrono::milliseconds(500);
 constexpr auto viewInterval = std::chrono::seconds(30);
 constexpr auto retryInterval = std::chrono::seconds(15);
 
-std::string encoded(const QString& path)
-{
-    return QFile::encodeName(path).toStdString();
-}
-
-/// One after the other.
-std::function<void()> both(std::function<void()> first, std::function<void()> second)
-{
-    return [first = std::move(first), second = std::move(second)] {
-        if (first)
-            first();
-        if (second)
-            second();
-    };
-}
-
 } // namespace
-
-/// What writing a file comes to.
-struct ProjectKeeper::SavedFile {
-    QString path;
-    std::uint64_t revision = 0; ///< of the history in it
-    std::shared_ptr<void> lock;
-    std::string problem; ///< a sentence; empty: it was written
-};
 
 ProjectKeeper::ProjectKeeper(ProjectServices services, Packing packing, const Window& window)
     : m_services(std::move(services))
@@ -63,12 +31,15 @@ ProjectKeeper::ProjectKeeper(ProjectServices services, Packing packing, const Wi
     connect(&m_window.document.history(), &DocumentHistory::changed, this, &ProjectKeeper::historyChanged);
     connect(&m_window.document.history(), &DocumentHistory::settled, this, &ProjectKeeper::historyChanged);
     const auto savingEnded = [this] { // without finishSaving()
-        if (m_saving && m_saving->isRunning)
+        if (m_saving && m_saving->stage == Saving::Stage::running)
             m_saving.reset();
     };
     connect(&m_window.tasks, &TaskRunner::cancelled, this, savingEnded);
     connect(&m_window.tasks, &TaskRunner::failed, this, savingEnded);
+    connect(&m_window.tasks, &TaskRunner::finished, this, &ProjectKeeper::goOnSaving);
     connect(&m_autosave, &Autosave::failed, this, &ProjectKeeper::keepingFailed);
+    connect(&m_autosave, &Autosave::recoveriesFailed, this,
+            [this](const QString& sentence) { emit problem(sentence, {}, {}); });
     connect(&m_autosave, &Autosave::begun, this, [this] {
         if (std::exchange(m_isRefused, false))
             emit told(tr("The work is kept for recovery again."));
@@ -93,8 +64,6 @@ bool ProjectKeeper::isModified() const
     const Document& document = m_window.document;
     if (document.isEmpty() || document.history().isEmpty())
         return false;
-    if (m_isNew)
-        return document.isAnythingUnderWay();
     return document.isAnythingUnderWay() || !document.history().isSettled() ||
            m_savedRevision != document.history().revision();
 }
@@ -103,6 +72,17 @@ bool ProjectKeeper::isProject(const QString& file) const
 {
     return !m_services.ending.empty() &&
            QFileInfo(file).suffix().compare(QString::fromStdString(m_services.ending), Qt::CaseInsensitive) == 0;
+}
+
+/// However it is called: by links, or from another folder.
+bool ProjectKeeper::isOwnFile(const std::string& path) const
+{
+    if (m_path.isEmpty() || path.empty())
+        return false;
+    std::error_code error;
+    const auto own = std::filesystem::weakly_canonical(QFile::encodeName(m_path).toStdString(), error);
+    const auto other = std::filesystem::weakly_canonical(path, error);
+    return !error && own == other;
 }
 
 QString ProjectKeeper::filter() const
@@ -114,205 +94,23 @@ void ProjectKeeper::open(PreparedContent parts)
 {
     const QScopedValueRollback changing(m_isChanging, true);
     m_window.document.open(std::move(parts));
+    ++m_documents;
     m_path.clear();
     m_lock.reset();
     m_saving.reset();
     m_marks.clear();
     m_panels.clear();
-    m_savedRevision.reset();
+    m_savedRevision = m_window.document.history().revision();
     m_isNew = true;
+    m_wasModified = isModified();
     emit changed();
-}
-
-// --- saving ---------------------------------------------------------------------------------------------------------------
-
-void ProjectKeeper::save(std::function<void()> then)
-{
-    if (m_path.isEmpty())
-        saveAs(std::move(then));
-    else
-        saveTo(m_path, std::move(then));
-}
-
-void ProjectKeeper::saveAs(std::function<void()> then)
-{
-    if (m_window.document.isEmpty())
-        return;
-    auto* dialog = new QFileDialog(m_window.widget, tr("Save the project"));
-    dialog->setObjectName("saveDialog");
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setFileMode(QFileDialog::AnyFile);
-    dialog->setNameFilter(filter());
-    dialog->setDefaultSuffix(QString::fromStdString(m_services.ending));
-    QSettings settings;
-    const QVariant folder = settings.value("projectFolder", settings.value("folder", QDir::homePath()));
-    dialog->setDirectory(m_path.isEmpty() ? folder.toString() : QFileInfo(m_path).absolutePath());
-    dialog->selectFile(QFileInfo(name()).completeBaseName() + '.' + QString::fromStdString(m_services.ending));
-    connect(dialog, &QFileDialog::fileSelected, this, [this, then = std::move(then)](const QString& path) {
-        QSettings().setValue("projectFolder", QFileInfo(path).absolutePath());
-        saveUnder(path, then);
-    });
-    dialog->open();
-}
-
-/// The dialog asked before a file is replaced, but not by this name when it has another ending.
-void ProjectKeeper::saveUnder(const QString& path, const std::function<void()>& then)
-{
-    const QString whole = isProject(path) ? path : path + '.' + QString::fromStdString(m_services.ending);
-    if (whole != path && QFileInfo::exists(whole))
-        emit problem(tr("%1 is there already: choose another name, or choose that file.").arg(whole), tr("Save as..."),
-                     [this, then] { saveAs(then); });
-    else
-        saveTo(whole, then);
-}
-
-void ProjectKeeper::saveTo(const QString& path, std::function<void()> then)
-{
-    if (m_window.document.isEmpty())
-        return;
-    if (m_saving) { // what is done while it goes on is saved after it
-        m_saving->then = both(std::move(m_saving->then), [this, path, then = std::move(then)] {
-            if (isModified() || QFileInfo(path).absoluteFilePath() != m_path)
-                saveTo(path, then);
-            else if (then)
-                then();
-        });
-        return;
-    }
-    if (m_window.tasks.isRunning()) {
-        emit problem(
-            tr("%1 is still going on: wait for it, or cancel it with Esc, and save again.").arg(m_window.tasks.title()),
-            {}, {});
-        return;
-    }
-    m_saving = Saving{QFileInfo(path).absoluteFilePath(), std::move(then)};
-    m_window.document.whenSettled([this] { startSaving(); });
-}
-
-/// All that was done has become part of the history.
-void ProjectKeeper::startSaving()
-{
-    historyChanged(); // in case it is told of it later
-    m_saving->isRunning = true;
-    m_autosave.savingBegins();
-    SavedFile file{.path = m_saving->path, .revision = m_window.document.history().revision()};
-    if (file.path == m_path)
-        file.lock = m_lock;
-    const auto work = [services = m_services, file, project = collect(true)](TaskControl& control) {
-        SavedFile done = file;
-        try {
-            if (!done.lock)
-                done.lock = services.lock(encoded(done.path));
-            services.write(encoded(done.path), project, control);
-        } catch (const Cancelled&) {
-            throw;
-        } catch (const std::runtime_error& error) {
-            done.problem = error.what();
-        }
-        return done;
-    };
-    const QString title = tr("Saving %1").arg(QFileInfo(file.path).fileName());
-    if (!m_window.tasks.run<SavedFile>(title, work, [this](SavedFile done) { finishSaving(std::move(done)); }))
-        m_saving.reset(); // something else began in the meantime
-}
-
-void ProjectKeeper::finishSaving(SavedFile file)
-{
-    const std::function<void()> then = std::exchange(m_saving, std::nullopt)->then;
-    if (!file.problem.empty()) {
-        emit problem(QString::fromStdString(file.problem), tr("Save as..."), [this, then] { saveAs(then); });
-        return;
-    }
-    m_path = file.path;
-    m_lock = std::move(file.lock);
-    m_savedRevision = file.revision;
-    m_autosave.saved(encoded(m_path));
-    recent_files::add(m_path);
-    emit recentChanged();
-    emit told(tr("Saved %1.").arg(m_path));
-    noteModified();
-    emit changed();
-    if (then)
-        then();
-}
-
-Project ProjectKeeper::collect(bool withPicture) const
-{
-    Project project = m_window.document.project();
-    project.marks = m_marks;
-    project.panels = panels();
-    project.view = view(withPicture);
-    return project;
-}
-
-std::map<std::string, std::string> ProjectKeeper::panels() const
-{
-    std::map<std::string, std::string> result = m_window.document.panels();
-    result.insert(m_panels.begin(), m_panels.end()); // where they are not the document's, which are newer
-    return result;
-}
-
-ProjectView ProjectKeeper::view(bool withPicture) const
-{
-    ProjectView result;
-    result.camera = kept(m_window.viewport.camera());
-    const auto& hidden = m_window.viewport.options().hiddenParts;
-    result.hiddenParts.assign(hidden.begin(), hidden.end());
-    if (withPicture)
-        result.thumbnail = thumbnailOf(m_window.viewport.grabFramebuffer());
-    return result;
-}
-
-WorkState ProjectKeeper::state() const
-{
-    return {.projectFile = encoded(m_path), .isSaved = !isModified(), .gesture = {}, .step = 0};
-}
-
-void ProjectKeeper::letGo(std::function<void()> then)
-{
-    if (!isModified()) {
-        if (m_saving)
-            m_saving->then = both(std::move(m_saving->then), [this, then = std::move(then)] { letGo(then); });
-        else
-            then();
-        return;
-    }
-    if (m_question) {
-        m_question->raise();
-        return;
-    }
-    m_question = new QMessageBox(QMessageBox::NoIcon, tr("Unsaved changes"),
-                                 m_path.isEmpty() ? tr("Save the work on \"%1\" as a project?").arg(name())
-                                                  : tr("Save the changes to \"%1\"?").arg(name()),
-                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window.widget);
-    m_question->setObjectName("saveQuestion");
-    m_question->setAttribute(Qt::WA_DeleteOnClose);
-    m_question->setIconPixmap(icon("save").pixmap(32, 32));
-    m_question->setInformativeText(m_path.isEmpty() ? tr("It has never been saved.")
-                                                    : tr("What was done since it was saved is lost otherwise."));
-    m_question->setDefaultButton(QMessageBox::Save);
-    connect(m_question, &QMessageBox::finished, this, [this, then = std::move(then)](int button) {
-        if (button == QMessageBox::Save)
-            save(then);
-        else if (button == QMessageBox::Discard)
-            then();
-    });
-    m_question->open();
-}
-
-void ProjectKeeper::close()
-{
-    m_watch->stop();
-    m_autosave.discard();
-    m_lock.reset();
 }
 
 // --- what changes ---------------------------------------------------------------------------------------------------------
 
 void ProjectKeeper::documentChanged(Document::Change what)
 {
-    if (what != Document::Change::Selection)
+    if (what != Document::Change::Selection && !m_isChanging)
         noteModified();
 }
 
@@ -323,7 +121,6 @@ void ProjectKeeper::historyChanged()
         return;
     if (!history.isEmpty() && m_isNew && history.isSettled()) {
         m_isNew = false;
-        m_savedRevision = history.revision();
         m_autosave.begin(collect(false), state());
         m_gestureKept = m_viewKept = Clock::now();
     } else if (!history.isEmpty() && !m_isNew && m_autosave.isBegun()) {
@@ -358,22 +155,30 @@ void ProjectKeeper::watch()
     }
 }
 
-/// A gesture belongs to the entry that is current now; it is not kept when another one is by the time the simulation tells.
+/// A gesture belongs to the entry that is current now; it is not kept when another one is, or was, by the time the simulation
+/// tells. Then it is looked at again soon.
 void ProjectKeeper::lookAfterGesture()
 {
     Document& document = m_window.document;
     if (!document.isAnythingUnderWay() || !document.history().isSettled() || document.isGoing())
         return;
-    m_gestureKept = Clock::now();
-    const std::uint64_t revision = document.history().revision();
-    document.lookAtGesture([this, revision](std::vector<RecordedCommand> commands, std::uint64_t step) {
-        const auto keep = [this, revision, commands = std::move(commands), step] {
-            const DocumentHistory& history = m_window.document.history();
-            if (history.isSettled() && history.revision() == revision)
-                m_autosave.keepGesture(commands, step);
+    document.lookAtGesture([this, place = place()](std::vector<RecordedCommand> commands, std::uint64_t step) {
+        const auto keep = [this, place, commands = std::move(commands), step] {
+            const Clock::time_point now = Clock::now();
+            if (!m_window.document.history().isSettled() || this->place() != place ||
+                now - m_gestureKept < Autosave::gestureInterval)
+                return;
+            m_gestureKept = now;
+            m_autosave.keepGesture(commands, step);
         };
         QMetaObject::invokeMethod(this, keep, Qt::QueuedConnection);
     });
+}
+
+ProjectKeeper::Place ProjectKeeper::place() const
+{
+    const History& tree = m_window.document.history().tree();
+    return {m_documents, tree.current(), tree.records().size()};
 }
 
 /// It is said once, and tried again and again.

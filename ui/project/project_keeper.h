@@ -10,8 +10,11 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <tuple>
 
 class QMessageBox;
 class QTimer;
@@ -80,6 +83,7 @@ signals:
     void recentChanged();
 
 private:
+    bool isOwnFile(const std::string& path) const;
     void offerRemedy(const ProjectWish& wish, const ReadProject& read);
     void show(ReadProject read);
     bool showContent(ReadProject& read);
@@ -88,13 +92,21 @@ private:
 
     /// A saving from when it is asked for until it ends.
     struct Saving {
+        enum class Stage {
+            settling, ///< what is under way becomes part of the history
+            waiting,  ///< for a task that began meanwhile
+            running
+        };
         QString path;
         std::function<void()> then;
-        bool isRunning = false; ///< else it waits for the end of what is under way
+        Stage stage = Stage::settling;
     };
     struct SavedFile;
     void saveUnder(const QString& path, const std::function<void()>& then);
+    void saveAll(const std::function<void()>& then);
+    void afterSaving(const std::function<void()>& then);
     void startSaving();
+    void goOnSaving();
     void finishSaving(SavedFile file);
     Project collect(bool withPicture) const;
     std::map<std::string, std::string> panels() const;
@@ -109,6 +121,9 @@ private:
     void noteModified();
     void watch();
     void lookAfterGesture();
+    /// Where a gesture goes on from: the document, its current entry, and how many there are.
+    using Place = std::tuple<std::uint64_t, History::Entry, std::size_t>;
+    Place place() const;
     void keepingFailed(const QString& sentence);
 
     using Clock = std::chrono::steady_clock;
@@ -124,10 +139,12 @@ private:
     std::vector<ProjectMark> m_marks;
     std::map<std::string, std::string> m_panels;  ///< of the file that was opened
     bool m_isChanging = false;                    ///< the document is about to be another one
-    bool m_isNew = false;                         ///< opened, but its first entry is not there yet
-    std::optional<std::uint64_t> m_savedRevision; ///< of the history that is in the file; none: recovered work is not
+    bool m_isNew = false;                         ///< opened, but its first moment is not there yet
+    std::optional<std::uint64_t> m_savedRevision; ///< of what would not be lost; none: recovered work would be
     bool m_wasModified = false;
+    std::uint64_t m_documents = 0; ///< that were opened
     std::optional<Saving> m_saving;
+    std::map<QString, std::shared_ptr<std::mutex>> m_turns; ///< of savings, by their files
     QPointer<QMessageBox> m_question;
 
     Clock::time_point m_gestureKept;

@@ -29,21 +29,30 @@ QString titleOf(const ProjectWish& wish)
     return wish.rescues ? ProjectKeeper::tr("Rescuing %1").arg(name) : ProjectKeeper::tr("Opening %1").arg(name);
 }
 
+/// The program may go on in another folder, and so may the next one that recovers the work.
+std::string absolute(const std::string& path)
+{
+    const QFileInfo file(QFile::decodeName(path.c_str()));
+    return path.empty() ? path : QFile::encodeName(file.absoluteFilePath()).toStdString();
+}
+
 } // namespace
 
 void ProjectKeeper::open(const ProjectWish& wish)
 {
-    ProjectWish own = wish;
-    if (!m_path.isEmpty() && wish.path == QFile::encodeName(m_path).toStdString())
-        own.lock = m_lock;
-    const auto work = [services = m_services, packing = m_packing, wish = own](TaskControl& control) {
-        return readProjectFor(wish, services, packing, control);
-    };
-    const auto finish = [this, wish](ReadProject read) {
+    ProjectWish whole = wish;
+    whole.path = absolute(wish.path);
+    const auto finish = [this, whole](ReadProject read) {
         if (read.obstacle == ReadProject::Obstacle::none)
             show(std::move(read));
         else
-            offerRemedy(wish, read);
+            offerRemedy(whole, read);
+    };
+    ProjectWish own = whole;
+    if (isOwnFile(wish.recovery ? wish.recovery->projectFile : whole.path))
+        own.lock = m_lock;
+    const auto work = [services = m_services, packing = m_packing, own](TaskControl& control) {
+        return readProjectFor(own, services, packing, control);
     };
     if (m_window.tasks.run<ReadProject>(titleOf(wish), work, finish))
         emit opening();
@@ -105,6 +114,7 @@ bool ProjectKeeper::showContent(ReadProject& read)
     try {
         const QScopedValueRollback changing(m_isChanging, true);
         m_window.document.open(std::move(*read.project));
+        ++m_documents;
         m_isNew = false;
         return true;
     } catch (const std::runtime_error& error) {

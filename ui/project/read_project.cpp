@@ -2,6 +2,7 @@
 
 #include "core/document/mended_project.h"
 
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -50,19 +51,48 @@ Raw readFile(const ProjectWish& wish, const ProjectServices& services, ReadProje
     }
 }
 
-/// The file of recovered work may be another window's by now: then the work has none.
-Raw readRecovery(const Recovery& recovery, const ProjectServices& services, ReadProject& result, TaskControl& control)
+std::string nameOf(const std::string& path)
 {
-    result.kept = services.takeOver(recovery);
+    return std::filesystem::path(path).filename().string();
+}
+
+/// The file of recovered work may have been written since, or be another window's by now: then the work has none.
+void takeFileOf(const WorkState& state, const ProjectWish& wish, const ProjectServices& services, ReadProject& result)
+{
+    if (state.projectFile.empty())
+        return;
+    if (state.isFileReplaced) {
+        result.sentence = nameOf(state.projectFile) +
+                          " was written after this work was cut off, and stays as it is: save the work under a name of "
+                          "its own, or in place of that file.";
+        return;
+    }
+    try {
+        result.lock = wish.lock ? wish.lock : services.lock(state.projectFile);
+        result.path = state.projectFile;
+    } catch (const std::runtime_error& error) {
+        result.sentence = error.what();
+    }
+}
+
+/// Work of which something is missing shall not take the place of what may be whole.
+void letGoOfFile(ReadProject& result)
+{
+    if (result.path.empty())
+        return;
+    result.sentence = nameOf(result.path) +
+                      " stays as it is, since the recovered work is not whole: save the work under a name of its own, "
+                      "or in place of that file.";
+    result.path.clear();
+    result.lock.reset();
+}
+
+Raw readRecovery(const ProjectWish& wish, const ProjectServices& services, ReadProject& result, TaskControl& control)
+{
+    result.kept = services.takeOver(*wish.recovery);
     RecoveredWork work = result.kept->read(control);
     append(result.missing, std::move(work.missing));
-    if (!work.state.projectFile.empty())
-        try {
-            result.lock = services.lock(work.state.projectFile);
-            result.path = work.state.projectFile;
-        } catch (const std::runtime_error& error) {
-            result.sentence = error.what();
-        }
+    takeFileOf(work.state, wish, services, result);
     return {std::move(work.project), std::move(work.state)};
 }
 
@@ -101,8 +131,7 @@ ReadProject readProjectFor(const ProjectWish& wish, const ProjectServices& servi
 {
     ReadProject result;
     TaskPortion reading(control, 0, readingShare);
-    Raw raw = wish.recovery ? readRecovery(*wish.recovery, services, result, reading)
-                            : readFile(wish, services, result, reading);
+    Raw raw = wish.recovery ? readRecovery(wish, services, result, reading) : readFile(wish, services, result, reading);
     if (result.obstacle != ReadProject::Obstacle::none)
         return result;
     Project project;
@@ -112,7 +141,19 @@ ReadProject readProjectFor(const ProjectWish& wish, const ProjectServices& servi
     } else
         project = std::move(raw.project);
     TaskPortion preparing(control, mendingShare, 1);
-    prepare(std::move(project), packing, result, preparing);
+    try {
+        prepare(std::move(project), packing, result, preparing);
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        if (wish.recovery || wish.rescues)
+            throw;
+        result.obstacle = ReadProject::Obstacle::damage;
+        result.sentence = nameOf(wish.path) + ": what was seen last cannot be shown. " + error.what() +
+                          " What is whole can be rescued.";
+    }
+    if (wish.recovery && !result.missing.empty())
+        letGoOfFile(result);
     return result;
 }
 
