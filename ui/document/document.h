@@ -124,7 +124,8 @@ public:
 
     /// What was seen while time ran.
     const Film& film() const { return m_film; }
-    /// Repeats what leads to a step within an entry, with progress, and goes on from there: another branch.
+    /// Repeats what leads to a step within an entry, with progress, and goes on from there: another branch. What is under way
+    /// becomes an entry first.
     /// @param entry that the step leads to, not one that begins a start
     void branchAt(Entry entry, std::uint64_t step);
 
@@ -199,6 +200,7 @@ private:
 
     bool later(std::function<void()> action);
     void wish(Wish wish);
+    void standStill();
     void takeWishes();
     void tellSettled();
     void setOut();
@@ -207,6 +209,8 @@ private:
     void goShort(const Journey& journey);
     void arrive(Arrival arrival);
     std::unique_ptr<Agenda> agendaAt(std::uint32_t start, const Moment& moment, std::uint64_t hash) const;
+    bool canBranchAt(Entry entry) const;
+    void setOutForBranch(Entry entry, std::uint64_t step);
     void arriveAtBranch(Entry from, Branch branch);
     void goInSimulation(MomentPointer moment);
     void follow(const Moment& moment);

@@ -52,14 +52,19 @@ void Document::wish(Wish wish)
 {
     if (m_history.isEmpty())
         return;
-    if (!isGoing()) {
-        emit stopping();
-        m_simulation->pause();
-        m_isPlaying = false;
-        finishGesture();
-    }
+    if (!isGoing())
+        standStill();
     m_wishes.push_back(std::move(wish));
     takeWishes();
+}
+
+/// What was done until now is, or will be, in the history.
+void Document::standStill()
+{
+    emit stopping();
+    m_simulation->pause();
+    m_isPlaying = false;
+    finishGesture();
 }
 
 void Document::whenSettled(std::function<void()> action)
@@ -197,12 +202,29 @@ void Document::goInSimulation(MomentPointer moment)
 
 void Document::branchAt(Entry entry, std::uint64_t step)
 {
-    if (later([this, entry, step] { branchAt(entry, step); }) || m_tasks == nullptr || !m_history.isSettled())
+    if (m_tasks == nullptr || m_history.isEmpty() || later([this, entry, step] { branchAt(entry, step); }))
         return;
+    if (m_isPlaying || m_gesture.isAny || !m_history.isSettled()) {
+        standStill();
+        whenSettled([this, entry, step] { branchAt(entry, step); });
+        return;
+    }
+    if (canBranchAt(entry))
+        setOutForBranch(entry, step);
+}
+
+bool Document::canBranchAt(Entry entry) const
+{
     const History& tree = m_history.tree();
+    if (entry == 0 || entry >= tree.records().size())
+        return false;
     const HistoryRecord& record = tree.record(entry);
-    if (entry == 0 || record.start != tree.record(m_shown).start || record.start != tree.record(record.parent).start)
-        return;
+    return record.start == tree.record(m_shown).start && record.start == tree.record(record.parent).start;
+}
+
+void Document::setOutForBranch(Entry entry, std::uint64_t step)
+{
+    const HistoryRecord& record = m_history.tree().record(entry);
     m_target = record.parent;
     m_history.goTo(m_target);
     m_journey = JourneyState::looking;
