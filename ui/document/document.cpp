@@ -74,6 +74,7 @@ void Document::open(PreparedContent prepared)
     m_history.begin({startOf(*content, std::move(prepared.scene)), content, std::move(prepared.agenda)},
                     std::move(prepared.first),
                     prepared.name.empty() ? tr("Import %1").arg(file) : QString::fromStdString(prepared.name));
+    m_start = 0;
     showStart();
 }
 
@@ -93,6 +94,7 @@ void Document::refill(PreparedContent prepared, const QString& name)
     const QString spacing = formatQuantity(content->spacing, Quantity::Length);
     m_history.expectStart({startOf(*content, std::move(prepared.scene)), content}, std::move(prepared.first),
                           name.isEmpty() ? tr("Refill %1").arg(spacing) : name);
+    m_start = static_cast<std::uint32_t>(m_history.starts().size() - 1);
     showStart();
 }
 
@@ -104,7 +106,8 @@ void Document::open(PreparedProject prepared)
     for (ProjectStart& start : project.starts)
         starts.push_back({std::move(start), nullptr});
     m_history.begin(std::move(starts), std::move(project.entries), project.current);
-    m_history.setContent(m_history.tree().record(project.current).start, arrival.content);
+    m_start = m_history.tree().record(project.current).start;
+    m_history.setContent(m_start, arrival.content);
     start(std::move(*arrival.simulation), arrival.content, std::move(arrival.frame));
     forgetGoing();
     m_whenSettled.clear();
@@ -226,21 +229,6 @@ void Document::select(const Selection& selection)
     emit changed(Change::Selection);
 }
 
-void Document::removeSelected()
-{
-    if (later([this] { removeSelected(); }))
-        return;
-    if (m_selection.kind == Selection::Kind::Tool) {
-        post(RemoveManipulator{m_selection.id});
-    } else if (const FaceFixture* fixture = m_fixtures.find(m_selection.id);
-               m_selection.kind == Selection::Kind::Fixture && fixture != nullptr) {
-        const QString name = tr("Remove %1").arg(QString::fromStdString(fixture->name));
-        postAll(m_fixtures.remove(m_selection.id), name);
-        select({});
-        emit changed(Change::Fixtures);
-    }
-}
-
 void Document::addTool(ToolKind kind)
 {
     if (isEmpty() || later([this, kind] { addTool(kind); }))
@@ -359,41 +347,6 @@ ExportJob Document::exportJob(const std::vector<bool>& keep) const
             }
     }
     return job;
-}
-
-void Document::toggleFace(BodyId body, std::uint32_t face)
-{
-    if (later([this, body, face] { toggleFace(body, face); }))
-        return;
-    if (m_content->model->parts[m_content->bodies[body]->part].faces.empty()) {
-        emit notice(tr("\"%1\" is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.")
-                        .arg(QString::fromStdString(m_content->bodies[body]->name)));
-        return;
-    }
-    const std::uint32_t active = m_selection.kind == Selection::Kind::Fixture ? m_selection.id : 0;
-    FaceFixtures::Edit edit = m_fixtures.toggle(*m_content, body, face, active);
-    postAll(std::move(edit.commands), edit.key != 0 ? tr("Fix face") : tr("Free face"));
-    if (edit.key != 0)
-        select({Selection::Kind::Fixture, edit.key});
-    else if (m_fixtures.find(active) == nullptr)
-        select({});
-    noticeEmptyFixtures();
-    emit changed(Change::Fixtures);
-}
-
-void Document::noticeEmptyFixtures()
-{
-    for (const FaceFixture& fixture : m_fixtures.list())
-        if (!fixture.id)
-            emit notice(
-                tr("%1 holds no objects: its faces are smaller than the spacing. Choose a finer spacing and refill.")
-                    .arg(QString::fromStdString(fixture.name)));
-}
-
-void Document::postAll(std::vector<Command> commands, const QString& name)
-{
-    for (Command& command : commands)
-        post(std::move(command), name);
 }
 
 } // namespace knead

@@ -6,6 +6,7 @@
 #include "ui/document/face_fixtures.h"
 #include "ui/document/film.h"
 #include "ui/document/frame.h"
+#include "ui/document/timeline.h"
 
 #include <QObject>
 
@@ -124,6 +125,8 @@ public:
 
     /// What was seen while time ran.
     const Film& film() const { return m_film; }
+    /// What of it belongs to the content that is shown; empty on the way from one filling to another.
+    Timeline timeline() const;
     /// Repeats what leads to a step within an entry, with progress, and goes on from there: another branch. What is under way
     /// becomes an entry first.
     /// @param entry that the step leads to, not one that begins a start
@@ -220,6 +223,7 @@ private:
 
     TaskRunner* m_tasks = nullptr;
     std::shared_ptr<const Content> m_content;
+    std::uint32_t m_start = 0; ///< of the history's, that the content belongs to
     FaceFixtures m_fixtures;
     DocumentHistory m_history;
     Film m_film;

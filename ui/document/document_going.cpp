@@ -180,6 +180,7 @@ void Document::arrive(Arrival arrival)
         const std::uint64_t hash = arrival.simulation->stateHash();
         start(std::move(*arrival.simulation), arrival.content, std::move(arrival.frame),
               agendaAt(startIndex, *moment, hash));
+        m_start = startIndex;
         follow(*moment);
         emit changed(Change::Content);
         emit changed(Change::Selection);
@@ -198,6 +199,13 @@ void Document::goInSimulation(MomentPointer moment)
     m_simulation->goTo(std::move(moment));
     emit changed(Change::Selection);
     emit changed(Change::Fixtures);
+}
+
+Timeline Document::timeline() const
+{
+    const bool isOfContent =
+        !m_history.isEmpty() && m_history.tree().record(m_history.tree().current()).start == m_start;
+    return isOfContent ? timelineOf(m_history.tree(), m_film, m_gesture.isAny) : Timeline();
 }
 
 void Document::branchAt(Entry entry, std::uint64_t step)
@@ -219,7 +227,7 @@ bool Document::canBranchAt(Entry entry) const
     if (entry == 0 || entry >= tree.records().size())
         return false;
     const HistoryRecord& record = tree.record(entry);
-    return record.start == tree.record(m_shown).start && record.start == tree.record(record.parent).start;
+    return record.start == m_start && record.start == tree.record(record.parent).start;
 }
 
 void Document::setOutForBranch(Entry entry, std::uint64_t step)

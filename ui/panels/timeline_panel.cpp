@@ -115,6 +115,10 @@ void TimelinePanel::documentChanged(Document::Change what)
     const bool isElsewhere = what == Document::Change::Content || what == Document::Change::Moment;
     if (isElsewhere || m_document.isPlaying())
         stopLooking();
+    if (what == Document::Change::Content) { // what is on the axis fits it no longer
+        m_axis->show({});
+        showState();
+    }
     if (isVisible() && what != Document::Change::Selection && what != Document::Change::Fixtures && !m_soon->isActive())
         m_soon->start();
 }
@@ -127,8 +131,7 @@ void TimelinePanel::showEvent(QShowEvent* event)
 
 void TimelinePanel::bringUpToDate()
 {
-    if (!m_document.history().isEmpty())
-        m_axis->show(timelineOf(m_document.history().tree(), m_document.film(), m_document.isUnderWay()));
+    m_axis->show(m_document.timeline());
     showState();
 }
 
