@@ -132,7 +132,8 @@ public:
     /// @param entry that the step leads to, not one that begins a start
     void branchAt(Entry entry, std::uint64_t step);
 
-    /// Between asking for another entry and seeing it. What is posted in the meantime happens there.
+    /// Between asking for another entry and seeing it. What is posted in the meantime happens there, or here when the journey
+    /// is given up.
     bool isGoing() const { return m_journey != JourneyState::none || !m_wishes.empty(); }
 
     /// Nothing is under way: the history has all that was done, and the frame shows it.

@@ -278,10 +278,11 @@ void Document::follow(const Moment& moment)
         m_selection = m_content->bodies.empty() ? Selection{} : Selection{Selection::Kind::Body, 0};
 }
 
-/// Stays where the simulation is.
+/// Stays where the simulation is. What was posted meanwhile, in sight of that, happens there.
 void Document::giveUp(const QString& sentence)
 {
-    forgetGoing();
+    ++m_travels;
+    m_wishes.clear();
     m_history.goTo(m_shown);
     endJourney();
     if (!sentence.isEmpty())
