@@ -14,7 +14,7 @@ Arrival Journey::go(TaskControl& control) const
     arrival.content = start.content;
     TaskPortion preparing(control, 0, 0.3);
     if (!arrival.content)
-        arrival.content = std::make_shared<const Content>(contentOf(model, choices, start.start, preparing));
+        arrival.content = std::make_shared<const Content>(contentOf(model, start.choices, start.start, preparing));
     TaskPortion repeating(control, start.content ? 0 : 0.3, 1);
     const Scene& scene = start.start.scene;
     arrival.moment = follow(way, scene, packing, repeating);

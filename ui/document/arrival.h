@@ -27,7 +27,6 @@ struct Journey {
     Way way;
     DocumentHistory::Start start;
     std::shared_ptr<const Model> model;
-    ImportChoices choices;
     Packing packing;
     bool changesStart = false; ///< another start is shown now
 

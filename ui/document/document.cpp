@@ -27,6 +27,16 @@ constexpr double crossingTime = 1.5;     // a tool crosses the part in this time
 constexpr double stallStrain = 0.25;
 constexpr const char* fixturesPanel = "fixtures"; // in Project::panels
 
+/// A project tells only those that lead to what is shown. The others have other spacings.
+ImportChoices choicesFor(const ProjectStart& start, const ImportChoices& ofAnother)
+{
+    ImportChoices choices = ofAnother;
+    if (!start.scene.bodies.empty())
+        choices.spacing =
+            SpacingChoice{SpacingChoice::Kind::Length, start.scene.bodies.front().aggregate->lattice.spacing};
+    return choices;
+}
+
 } // namespace
 
 Document::Document(QObject* parent)
@@ -103,8 +113,10 @@ void Document::open(PreparedProject prepared)
     Project& project = prepared.project;
     Arrival& arrival = prepared.arrival;
     std::vector<DocumentHistory::Start> starts;
-    for (ProjectStart& start : project.starts)
-        starts.push_back({std::move(start), nullptr});
+    for (ProjectStart& start : project.starts) {
+        ImportChoices choices = choicesFor(start, project.import);
+        starts.push_back({.start = std::move(start), .content = nullptr, .choices = std::move(choices)});
+    }
     m_history.begin(std::move(starts), std::move(project.entries), project.current);
     m_start = m_history.tree().record(project.current).start;
     m_history.setContent(m_start, arrival.content);

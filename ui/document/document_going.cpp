@@ -107,7 +107,6 @@ Journey Document::journeyTo(Entry entry) const
     journey.way = tree.wayTo(entry);
     journey.start = m_history.starts()[journey.way.start];
     journey.model = m_content->model;
-    journey.choices = m_content->request;
     journey.packing = m_history.packing();
     journey.changesStart = journey.way.start != tree.record(m_shown).start;
     return journey;
@@ -326,9 +325,8 @@ PreparedProject prepareProject(Project project, const Packing& packing, TaskCont
     const History tree(project.entries, project.current, std::numeric_limits<std::size_t>::max());
     Journey journey;
     journey.way = tree.wayTo(project.current);
-    journey.start = {project.starts.at(journey.way.start), nullptr};
+    journey.start = {.start = project.starts.at(journey.way.start), .content = nullptr, .choices = project.import};
     journey.model = project.model;
-    journey.choices = project.import;
     journey.packing = packing;
     journey.changesStart = true;
     Arrival arrival = journey.go(control);
