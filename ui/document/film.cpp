@@ -151,17 +151,16 @@ FilmFrame between(const FilmFrame& before, const FilmFrame& after, double share)
     return frame;
 }
 
-FramePointer drawable(const FilmFrame& frame, const Content& content)
+FramePointer drawable(const FilmFrame& frame, const ContentBodies& bodies)
 {
     auto snapshot = std::make_shared<Snapshot>();
     snapshot->step = frame.step;
     snapshot->time = frame.time;
     snapshot->tools = frame.tools;
     snapshot->floorHeight = frame.floorHeight;
-    for (std::size_t b = 0; b < content.bodies.size(); ++b)
-        snapshot->bodies.push_back(
-            {.positions = placesOf(frame.objects[b]), .aggregate = content.bodies[b]->aggregate});
-    return prepareFrame(content.bodies, std::move(snapshot), nullptr);
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        snapshot->bodies.push_back({.positions = placesOf(frame.objects[b]), .aggregate = bodies[b]->aggregate});
+    return prepareFrame(bodies, std::move(snapshot), nullptr);
 }
 
 } // namespace knead

@@ -61,7 +61,9 @@ private:
 /// Between two frames of one run, 0 <= share <= 1, in straight lines.
 FilmFrame between(const FilmFrame& before, const FilmFrame& after, double share);
 
-/// A frame of the film as the view draws it. Its snapshot has places, tools and floor, and nothing else. Any thread.
-FramePointer drawable(const FilmFrame& frame, const Content& content);
+/// A frame of the film as the view draws it. Its snapshot has places, tools and floor, and nothing else. Any thread, for as
+/// long as a skin takes.
+/// @pre the frame is one of these bodies
+FramePointer drawable(const FilmFrame& frame, const ContentBodies& bodies);
 
 } // namespace knead
