@@ -93,6 +93,7 @@ struct Snapshot {
         std::vector<Vec3> displacements() const;
     };
 
+    std::uint32_t resets = 0; ///< carried out since the simulation began or last went to a moment: steps count from the last
     std::uint64_t step = 0;
     double time = 0;                                             ///< simulated [s]
     double timeStep = 0;                                         ///< [s]

@@ -52,7 +52,10 @@ Document::Document(QObject* parent)
     connect(m_ending, &QTimer::timeout, this, &Document::finishGesture);
     connect(&m_history, &DocumentHistory::appended, this, [this](Entry entry) {
         m_shown = entry;
-        m_film.append(entry, m_history.tree().record(entry).time);
+        const HistoryRecord& record = m_history.tree().record(entry);
+        if (record.start != m_history.tree().record(record.parent).start)
+            m_film.dropUnderWay();
+        m_film.append(entry, record.time, resetsIn(record.commands));
     });
     connect(&m_history, &DocumentHistory::settled, this, &Document::tellSettled);
     connect(&m_history, &DocumentHistory::changed, this, [this] { emit changed(Change::History); });

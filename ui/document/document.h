@@ -130,7 +130,8 @@ public:
     /// Repeats what leads to a step within an entry, with progress, and goes on from there: another branch. What is under way
     /// becomes an entry first.
     /// @param entry that the step leads to, not one that begins a start
-    void branchAt(Entry entry, std::uint64_t step);
+    /// @param run in which the step is reached: after so many resets within the entry
+    void branchAt(Entry entry, std::uint64_t step, std::uint32_t run = 0);
 
     /// Between asking for another entry and seeing it. What is posted in the meantime happens there, or here when the journey
     /// is given up.
@@ -214,7 +215,7 @@ private:
     void arrive(Arrival arrival);
     std::unique_ptr<Agenda> agendaAt(std::uint32_t start, const Moment& moment, std::uint64_t hash) const;
     bool canBranchAt(Entry entry) const;
-    void setOutForBranch(Entry entry, std::uint64_t step);
+    void setOutForBranch(Entry entry, std::uint64_t step, std::uint32_t run);
     void arriveAtBranch(Entry from, Branch branch);
     void goInSimulation(MomentPointer moment);
     void follow(const Moment& moment);

@@ -207,17 +207,17 @@ Timeline Document::timeline() const
     return isOfContent ? timelineOf(m_history.tree(), m_film, m_gesture.isAny) : Timeline();
 }
 
-void Document::branchAt(Entry entry, std::uint64_t step)
+void Document::branchAt(Entry entry, std::uint64_t step, std::uint32_t run)
 {
-    if (m_tasks == nullptr || m_history.isEmpty() || later([this, entry, step] { branchAt(entry, step); }))
+    if (m_tasks == nullptr || m_history.isEmpty() || later([this, entry, step, run] { branchAt(entry, step, run); }))
         return;
     if (m_isPlaying || m_gesture.isAny || !m_history.isSettled()) {
         standStill();
-        whenSettled([this, entry, step] { branchAt(entry, step); });
+        whenSettled([this, entry, step, run] { branchAt(entry, step, run); });
         return;
     }
     if (canBranchAt(entry))
-        setOutForBranch(entry, step);
+        setOutForBranch(entry, step, run);
 }
 
 bool Document::canBranchAt(Entry entry) const
@@ -229,7 +229,7 @@ bool Document::canBranchAt(Entry entry) const
     return record.start == m_start && record.start == tree.record(record.parent).start;
 }
 
-void Document::setOutForBranch(Entry entry, std::uint64_t step)
+void Document::setOutForBranch(Entry entry, std::uint64_t step, std::uint32_t run)
 {
     const HistoryRecord& record = m_history.tree().record(entry);
     m_target = record.parent;
@@ -237,8 +237,9 @@ void Document::setOutForBranch(Entry entry, std::uint64_t step)
     m_journey = JourneyState::looking;
     ++m_travels;
     m_longTitle = tr("Branching from %1").arg(QString::fromStdString(record.name));
-    const auto work = [journey = journeyTo(record.parent), commands = record.commands, step](TaskControl& control) {
-        return journey.branch(commands, step, control);
+    const auto work = [journey = journeyTo(record.parent), commands = record.commands, step,
+                       run](TaskControl& control) {
+        return journey.branch(commands, run, step, control);
     };
     const auto finish = [this, entry, travel = m_travels](Branch branch) {
         if (travel == m_travels)
@@ -257,9 +258,11 @@ void Document::arriveAtBranch(Entry from, Branch branch)
     }
     m_shown = m_target;
     const MomentPointer moment = branch.gesture.moment;
+    const std::uint32_t resets = resetsIn(branch.gesture.commands);
     m_history.expect(tr("Branch at %1").arg(timeText(moment->time)))(std::move(branch.gesture));
     goInSimulation(moment);
-    m_film.repeat(from, moment->step);
+    if (resets > 0 || moment->step > m_history.tree().record(m_target).step)
+        m_film.repeat(from, moment->step, resets);
 }
 
 /// What the window keeps besides the simulation becomes what it is at a moment.

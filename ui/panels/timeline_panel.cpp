@@ -241,7 +241,7 @@ void TimelinePanel::branchHere()
     if (picture == nullptr || picture->isUnderWay)
         return;
     m_player->stop();
-    m_document.branchAt(picture->entry, picture->frame->step);
+    m_document.branchAt(picture->entry, picture->frame->step, picture->run);
 }
 
 void TimelinePanel::stopLooking()
