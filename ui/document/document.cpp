@@ -175,6 +175,7 @@ void Document::start(Simulation simulation, std::shared_ptr<const Content> conte
     m_simulation = std::make_unique<SimulationThread>(std::move(simulation), std::move(agenda));
     m_seen = m_simulation->latest();
     m_arrivals = 0;
+    m_agendaEnds = 0;
     m_isPlaying = false;
     m_ending->stop();
     m_gesture = {.begin = m_frame->snapshot->time};
@@ -221,6 +222,7 @@ void Document::accept(const FramePointer& frame, std::uint64_t generation)
         return;
     m_frame = frame;
     noticeStop();
+    noticeRecipeEnd();
     selectNewTool();
     dropLostSelection();
     followAgenda();

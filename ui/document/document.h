@@ -195,6 +195,7 @@ private:
     void selectNewTool();
     void dropLostSelection();
     void followAgenda();
+    void noticeRecipeEnd();
     void beginFixtures(const PreparedContent& prepared);
     void postAll(std::vector<Command> commands, const QString& name);
     void noticeEmptyFixtures();
@@ -248,6 +249,7 @@ private:
     std::string m_toolToSelect;          ///< posted, not yet in a snapshot
     Selection m_selection;
     bool m_hasAgenda = false;       ///< the simulation does more than what is posted
+    std::uint64_t m_agendaEnds = 0; ///< that were told
     std::uint64_t m_generation = 0; ///< of the content; frames of an earlier one are dropped
     SnapshotPointer m_seen;
     FramePointer m_frame;

@@ -169,8 +169,6 @@ void Document::noticeStop()
         return;
     m_isPlaying = false;
     finishGesture();
-    if (snapshot.health.ok && m_hasAgenda)
-        emit recipeEnded(tr("The recipe has come to its end. Play goes on without it."));
 }
 
 bool Document::isSettled() const
