@@ -75,8 +75,7 @@ struct SimulationThread::Worker {
         for (const auto& request : taken)
             request(*this);
         carriedOut += taken.size();
-        if (!playing)
-            simulation.applyCommands();
+        simulation.applyCommands(); // the next snapshot shows them, with or without a step
     }
 
     /// Simulates one sixtieth of a second times the wanted speed, or as much of it as fits, and waits for the frame to end.

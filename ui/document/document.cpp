@@ -175,7 +175,8 @@ void Document::start(Simulation simulation, std::shared_ptr<const Content> conte
     m_simulation = std::make_unique<SimulationThread>(std::move(simulation), std::move(agenda));
     m_seen = m_simulation->latest();
     m_arrivals = 0;
-    m_agendaEnds = 0;
+    m_agendaEnds = m_fixtureRequest = 0;
+    m_whenKnown.clear();
     m_isPlaying = false;
     m_ending->stop();
     m_gesture = {.begin = m_frame->snapshot->time};

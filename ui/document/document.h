@@ -194,7 +194,10 @@ private:
     int numberOfNewTool(const ToolKindLook& look);
     void selectNewTool();
     void dropLostSelection();
+    bool areFixturesKnown() const;
+    bool whenFixturesAreKnown(std::function<void()> action);
     void followAgenda();
+    void followFixtures(const Snapshot& now);
     void noticeRecipeEnd();
     void beginFixtures(const PreparedContent& prepared);
     void postAll(std::vector<Command> commands, const QString& name);
@@ -248,9 +251,11 @@ private:
     std::map<ToolKind, int> m_toolCount; ///< added so far, for their names
     std::string m_toolToSelect;          ///< posted, not yet in a snapshot
     Selection m_selection;
-    bool m_hasAgenda = false;       ///< the simulation does more than what is posted
-    std::uint64_t m_agendaEnds = 0; ///< that were told
-    std::uint64_t m_generation = 0; ///< of the content; frames of an earlier one are dropped
+    bool m_hasAgenda = false;                       ///< the simulation does more than what is posted
+    std::uint64_t m_agendaEnds = 0;                 ///< that were told
+    std::uint64_t m_fixtureRequest = 0;             ///< the last one of a fixture
+    std::vector<std::function<void()>> m_whenKnown; ///< when a frame has seen that
+    std::uint64_t m_generation = 0;                 ///< of the content; frames of an earlier one are dropped
     SnapshotPointer m_seen;
     FramePointer m_frame;
     QTimer* m_timer;

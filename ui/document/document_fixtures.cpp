@@ -1,6 +1,8 @@
 // Faces that a person fixes, and those that a recipe does.
 #include "ui/document/document.h"
 
+#include <utility>
+
 namespace knead {
 
 /// Those of the scene, and the faces that they hold.
@@ -13,11 +15,34 @@ void Document::beginFixtures(const PreparedContent& prepared)
     m_fixtures.follow(*m_content, std::vector<std::optional<Fixture>>(held.begin(), held.end()));
 }
 
+/// A recipe may have added others before those that were posted, so that ids are what the simulation says.
+bool Document::areFixturesKnown() const
+{
+    return !m_hasAgenda || m_frame->snapshot->requests >= m_fixtureRequest;
+}
+
+/// @return whether the action has to wait until the ids of fixtures are known
+bool Document::whenFixturesAreKnown(std::function<void()> action)
+{
+    if (areFixturesKnown())
+        return false;
+    m_whenKnown.push_back(std::move(action));
+    return true;
+}
+
 /// Fixtures that come and go by a recipe.
 void Document::followAgenda()
 {
-    const Snapshot& now = *m_frame->snapshot;
-    if (!m_hasAgenda || now.requests != m_simulation->requests() || m_fixtures.agree(now.fixtureIds, now.nextFixture))
+    if (!m_hasAgenda || !areFixturesKnown())
+        return;
+    followFixtures(*m_frame->snapshot);
+    for (const auto& action : std::exchange(m_whenKnown, {}))
+        action();
+}
+
+void Document::followFixtures(const Snapshot& now)
+{
+    if (m_fixtures.agree(now.fixtureIds, now.nextFixture))
         return;
     std::vector<std::optional<Fixture>> held(now.nextFixture);
     for (std::size_t i = 0; i < now.fixtures.size(); ++i)
@@ -30,7 +55,7 @@ void Document::followAgenda()
 
 void Document::removeSelected()
 {
-    if (later([this] { removeSelected(); }))
+    if (later([this] { removeSelected(); }) || whenFixturesAreKnown([this] { removeSelected(); }))
         return;
     if (m_selection.kind == Selection::Kind::Tool) {
         post(RemoveManipulator{m_selection.id});
@@ -45,7 +70,8 @@ void Document::removeSelected()
 
 void Document::toggleFace(BodyId body, std::uint32_t face)
 {
-    if (later([this, body, face] { toggleFace(body, face); }))
+    const auto again = [this, body, face] { toggleFace(body, face); };
+    if (later(again) || whenFixturesAreKnown(again))
         return;
     if (m_content->model->parts[m_content->bodies[body]->part].faces.empty()) {
         emit notice(tr("\"%1\" is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.")

@@ -238,9 +238,7 @@ void Document::setOutForBranch(Entry entry, std::uint64_t step, std::uint32_t ru
     ++m_travels;
     m_longTitle = tr("Branching from %1").arg(QString::fromStdString(record.name));
     const auto work = [journey = journeyTo(record.parent), commands = record.commands, step,
-                       run](TaskControl& control) {
-        return journey.branch(commands, run, step, control);
-    };
+                       run](TaskControl& control) { return journey.branch(commands, run, step, control); };
     const auto finish = [this, entry, travel = m_travels](Branch branch) {
         if (travel == m_travels)
             arriveAtBranch(entry, std::move(branch));

@@ -48,7 +48,10 @@ public:
     void begin(std::vector<Start> starts, std::vector<HistoryRecord> entries, Entry current);
 
     bool isEmpty() const { return !m_tree; }
-    std::uint64_t documentNumber() const { return m_document; } ///< entries of another document have nothing to do with these
+    std::uint64_t documentNumber() const
+    {
+        return m_document;
+    }                                               ///< entries of another document have nothing to do with these
     const History& tree() const { return *m_tree; } ///< @pre not empty
     const std::vector<Start>& starts() const { return m_starts; }
     /// What is shown from now on. It is kept, and what was shown before it; the others have to be made anew.
