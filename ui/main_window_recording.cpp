@@ -28,7 +28,7 @@ void MainWindow::askForRecording(Recording::Kind kind)
     if (m_document.isPlaying())
         m_document.pause();
     m_document.whenSettled([this, kind] {
-        const Timeline line = timelineOf(m_document.history().tree(), m_document.film(), false);
+        const Timeline line = m_document.timeline();
         if (line.pictures.empty()) {
             showProblem(tr("There is nothing to record yet: press Play and let something happen first."));
             return;
@@ -60,7 +60,7 @@ void MainWindow::askForPlace(const Recording& recording)
 
 void MainWindow::record(const QString& path, const Recording& recording)
 {
-    const Timeline line = timelineOf(m_document.history().tree(), m_document.film(), m_document.isUnderWay());
+    const Timeline line = m_document.timeline();
     if (line.pictures.empty() || isBusy())
         return;
     std::shared_ptr<Studio> studio;

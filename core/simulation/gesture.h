@@ -15,6 +15,14 @@ struct Gesture {
     std::uint64_t hash = 0;                ///< Simulation::stateHash()
 };
 
+/// How often steps begin to be counted anew within commands.
+std::uint32_t resetsIn(const std::vector<RecordedCommand>& commands);
+
+/// The commands that lead to a step and no further.
+/// @param run in which the step is reached: after so many resets within the commands
+std::vector<RecordedCommand> commandsBefore(const std::vector<RecordedCommand>& commands, std::uint32_t run,
+                                            std::uint64_t step);
+
 /// Ends a gesture now: keeps the moment and takes the recording.
 Gesture endGesture(Simulation& simulation);
 

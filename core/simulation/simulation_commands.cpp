@@ -155,7 +155,11 @@ public:
                 m_state.requireDamping(run->materials, command.integrator);
         keepingAccounts([&] { m_state.setIntegrator(command.integrator); });
     }
-    void operator()(const Reset&) const { m_state.placeAtStart(); }
+    void operator()(const Reset&) const
+    {
+        m_state.placeAtStart();
+        ++m_state.resets;
+    }
     void operator()(const KeepMoment&) const { m_state.keepMoment(); }
 
 private:

@@ -170,6 +170,7 @@ void Simulation::State::goTo(MomentPointer moment)
         return;
     }
     restore(*moment);
+    resets = 0;
     recording.clear();
     lastGood = std::move(moment);
 }

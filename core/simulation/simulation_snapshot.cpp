@@ -148,6 +148,7 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
 {
     State& state = *m_state;
     auto shot = std::make_shared<Snapshot>();
+    shot->resets = state.resets;
     shot->step = state.step;
     shot->time = state.time;
     shot->timeStep = state.timeStep;

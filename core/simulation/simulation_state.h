@@ -106,6 +106,7 @@ struct Simulation::State {
 
     std::deque<Command> pending;
     std::vector<RecordedCommand> recording;
+    std::uint32_t resets = 0; ///< carried out since the last goTo()
     std::uint64_t step = 0;
     double time = 0;
     double timeStep = 0;

@@ -75,8 +75,7 @@ struct SimulationThread::Worker {
         for (const auto& request : taken)
             request(*this);
         carriedOut += taken.size();
-        if (!playing)
-            simulation.applyCommands();
+        simulation.applyCommands(); // the next snapshot shows them, with or without a step
     }
 
     /// Simulates one sixtieth of a second times the wanted speed, or as much of it as fits, and waits for the frame to end.
@@ -87,7 +86,7 @@ struct SimulationThread::Worker {
         const double before = simulation.time();
         steps = 0;
         while (!stop.stop_requested() && simulation.time() < target && simulation.health().ok) {
-            if (agenda && agenda->carryOutDue(simulation)) {
+            if (carryOutAgenda()) {
                 playing = false;
                 break;
             }
@@ -108,11 +107,16 @@ struct SimulationThread::Worker {
 
     void stepOnce()
     {
-        if (playing)
-            return;
-        if (agenda)
-            agenda->carryOutDue(simulation);
-        simulation.step();
+        if (!playing && !carryOutAgenda())
+            simulation.step();
+    }
+
+    /// What is due before the next step. @return whether time is to stand still here, at the end; said once
+    bool carryOutAgenda()
+    {
+        const bool hasEnded = agenda && agenda->carryOutDue(simulation);
+        agendaEnds += hasEnded ? 1 : 0;
+        return hasEnded;
     }
 
     Gesture endGesture()
@@ -160,6 +164,7 @@ struct SimulationThread::Worker {
         shot->snapshotSeconds = snapshotSeconds;
         shot->arrivals = arrivals;
         shot->requests = carriedOut;
+        shot->agendaEnds = agendaEnds;
         {
             const std::lock_guard lock(mutex);
             latest = shot;
@@ -185,6 +190,7 @@ struct SimulationThread::Worker {
     double snapshotSeconds = 0;
     std::uint64_t arrivals = 0;
     std::uint64_t carriedOut = 0;
+    std::uint64_t agendaEnds = 0;
     std::deque<Frame> frames;
     std::function<void(const SnapshotPointer&)> watcher;
 

@@ -23,7 +23,7 @@ public:
 
     void play();
     void pause();
-    void stepOnce();             ///< one step, while paused
+    void stepOnce();             ///< one step, while paused; none at the end of the agenda, as play() stops there
     void reset();                ///< pauses and carries out Reset
     void setSpeed(double ratio); ///< wanted ratio of simulated to wall time, 0.01 .. 10; 1 at first
     void post(Command command);  ///< takes effect at the next step, at once while paused

@@ -93,6 +93,8 @@ struct Snapshot {
         std::vector<Vec3> displacements() const;
     };
 
+    std::uint32_t resets =
+        0; ///< carried out since the simulation began or last went to a moment: steps count from the last
     std::uint64_t step = 0;
     double time = 0;                                             ///< simulated [s]
     double timeStep = 0;                                         ///< [s]
@@ -128,9 +130,10 @@ struct Snapshot {
     double ratio = 0; ///< simulated per wall time, over the last half second
     double updatesPerSecond = 0;
     int stepsPerFrame = 0;
-    double snapshotSeconds = 0; ///< that taking this one took
-    std::uint64_t arrivals = 0; ///< how often SimulationThread::goTo() was carried out before
-    std::uint64_t requests = 0; ///< how many requests were, see SimulationThread::requests()
+    double snapshotSeconds = 0;   ///< that taking this one took
+    std::uint64_t arrivals = 0;   ///< how often SimulationThread::goTo() was carried out before
+    std::uint64_t requests = 0;   ///< how many requests were, see SimulationThread::requests()
+    std::uint64_t agendaEnds = 0; ///< how often time stood still at the end of the agenda
 };
 
 using SnapshotPointer = std::shared_ptr<const Snapshot>;

@@ -1,10 +1,31 @@
 #include "support/history_on_test.h"
+#include "ui/project/project_keeper.h"
 #include "ui/run_window.h"
 
 #include <QComboBox>
 #include <QtTest>
 
+#include <algorithm>
+
 using namespace knead;
+
+namespace {
+
+/// A fixture comes before the first step.
+class FixesSomething final : public Agenda {
+public:
+    bool carryOutDue(Simulation& simulation) override
+    {
+        simulation.applyCommands();
+        if (simulation.stepCount() == 0)
+            simulation.post(AddFixture{{"by recipe", 0, {0, 1, 2}}});
+        return false;
+    }
+    void ended(const Gesture&) override {}
+    void wentTo(const Moment&, std::uint64_t) override {}
+};
+
+} // namespace
 
 /// Undo and redo as a person uses them.
 class WindowHistoryTest : public QObject, HistoryOnTest {
@@ -38,6 +59,50 @@ private slots:
         redo();
         QCOMPARE(digest(), after);
         QCOMPARE(snapshot().objects, objects);
+    }
+
+    void fillingsThatWereLeftTakeNoMemory()
+    {
+        const auto spacingOf = [this] { return document().content().request.spacing; };
+        const std::optional<SpacingChoice> first = spacingOf();
+        const Entry firstEntry = tree().current();
+        const std::uint64_t before = digest();
+        std::vector<std::weak_ptr<const Content>> contents;
+        for (const double cells : {6.0, 7.0, 8.0, 9.0}) {
+            m_window->refill(document().size() / cells);
+            QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+            settle();
+            contents.push_back(document().history().starts().back().content);
+        }
+        const auto isGone = [](const std::weak_ptr<const Content>& content) { return content.expired(); };
+        QTRY_COMPARE(std::count_if(contents.begin(), contents.end(), isGone), 2);
+        QVERIFY(!isGone(contents[2]) && !isGone(contents[3])); // undo is quick
+        document().goToEntry(firstEntry);
+        QCOMPARE(digest(), before);
+        QVERIFY(first && spacingOf() && spacingOf()->kind == first->kind && spacingOf()->value == first->value);
+        const Project project = document().project();
+        document().open(prepareProject(project, m_services.packing, TaskControl::none()));
+        document().goToEntry(firstEntry + 2);
+        settle();
+        QCOMPARE(spacingOf()->value, document().content().spacing);
+        QVERIFY(spacingOf()->value != first->value);
+    }
+
+    void aFaceThatIsFreedWhileARecipeFixesAnotherIsTheOneMeant()
+    {
+        PreparedContent prepared =
+            prepareRefill(document().content(), document().content().spacing, snapshot(), {}, TaskControl::none());
+        prepared.agenda = [] { return std::make_unique<FixesSomething>(); };
+        m_window->projects().open(std::move(prepared));
+        settle();
+        document().stepOnce(); // by which the recipe fixes something, as the window does not know yet
+        document().toggleFace(0, 1);
+        document().toggleFace(0, 1);
+        settle();
+        QCOMPARE(snapshot().fixtures.size(), std::size_t{1});
+        QCOMPARE(snapshot().fixtures[0].name, std::string("by recipe"));
+        QCOMPARE(document().fixtures().list().size(), std::size_t{1});
+        QCOMPARE(document().fixtures().list()[0].id, std::optional<FixtureId>(0));
     }
 
     void aTime()

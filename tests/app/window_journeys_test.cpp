@@ -1,24 +1,21 @@
 #include "support/fuzz_random.h"
 #include "support/history_on_test.h"
-#include "ui/document/entry_names.h"
-#include "ui/panels/timeline_axis.h"
-#include "ui/panels/timeline_panel.h"
+#include "ui/document/history_outline.h"
 #include "ui/run_window.h"
 
-#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
-#include <QToolButton>
 #include <QTreeWidget>
 #include <QtTest>
 
+#include <algorithm>
 #include <map>
 
 using namespace knead;
 
-/// Going anywhere in the history: with its panel, along the timeline, in any order, and when memory is short.
+/// Going anywhere in the history: with its panel, in any order, and when memory is short.
 class WindowJourneysTest : public QObject, HistoryOnTest {
     Q_OBJECT
 
@@ -113,7 +110,7 @@ private slots:
         const Box box = document().content().box;
         int goings = 0;
         for (int i = 0; i < 60; ++i) {
-            const std::size_t what = random.below(14);
+            const std::size_t what = random.below(15);
             switch (what) {
             case 0:
                 key(Qt::Key_B);
@@ -152,6 +149,10 @@ private slots:
                 document().goToEntry(static_cast<Entry>(random.below(tree().records().size())));
                 ++goings;
                 break;
+            case 11:
+                branchSomewhere(random);
+                ++goings;
+                break;
             default:
                 for (std::size_t times = 1 + random.below(3); times > 0; --times)
                     random.below(3) == 0 ? redo() : undo();
@@ -170,6 +171,8 @@ private slots:
             document().goToEntry(entry);
             QCOMPARE(digest(), before);
         }
+        verifyStraightRun();
+        verifyPanel();
         qInfo("%zu entries, %zu seen, %d goings, %zu bytes", tree().records().size(), digests.size(), goings,
               tree().memory());
     }
@@ -202,6 +205,30 @@ private slots:
         QCOMPARE(digest(), first);
         QCOMPARE(tree().current(), thinned);
         QVERIFY(tree().record(thinned).moment != nullptr);
+    }
+
+    void whatIsDoneOnAWayThatIsCancelledHappensWhereOneStays()
+    {
+        document().post(SetGravity{Vec3(0, 0, -9.81)});
+        simulate(0.3);
+        settle();
+        document().post(SetGravity{Vec3(0, 0, 5)});
+        settle();
+        Project project = document().project();
+        for (Entry entry = 1; entry < project.current; ++entry)
+            project.entries[entry].moment = nullptr;
+        document().open(prepareProject(project, m_services.packing, TaskControl::none()));
+        settle();
+        undo();
+        QVERIFY(m_window->tasks().isRunning());
+        key(Qt::Key_B);
+        document().post(SetMaterial{0, {.youngsModulus = 7e5}});
+        QVERIFY(snapshot().tools.empty());
+        m_window->tasks().cancel();
+        settle();
+        QCOMPARE(snapshot().tools.size(), std::size_t{1});
+        QCOMPARE(snapshot().materials[0].youngsModulus, 7e5);
+        QCOMPARE(present().parent, project.current);
     }
 
     void aHundredEntriesOfALargeBodyStayWithinMemoryWhileTheWindowAnswers()
@@ -238,87 +265,34 @@ private slots:
               longest);
     }
 
-    void theTimelineLooksBackAndBranches()
+    void anEntryIsOneMoreRowHoweverManyThereAre()
     {
-        addBlock();
-        key(Qt::Key_G);
-        simulate(0.4);
-        document().history().setKey(tree().current(), true);
-        key(Qt::Key_G);
-        simulate(0.4);
-        const std::uint64_t end = digest();
-        const Entry last = tree().current();
-        auto* panel = find<TimelinePanel>("timelinePanel");
-        auto* axis = find<TimelineAxis>("timelineAxis");
-        auto* caption = find<QLabel>("pastCaption");
-        QTRY_COMPARE(axis->timeline().ticks.back().entry, last);
-        const Timeline line = axis->timeline();
-        QVERIFY(line.pictures.size() > 10);
-        QCOMPARE(line.end, present().time);
-        QCOMPARE(line.present, line.end);
-
-        // A drag looks back; nothing changes but the view.
-        const Timeline::Picture& middle = line.pictures[line.pictures.size() / 3];
-        const auto dragTo = [&](double at) {
-            QTest::mousePress(axis, Qt::LeftButton, {}, axis->placeOf(line.present));
-            QTest::mouseMove(axis, axis->placeOf(0.6 * line.end));
-            QTest::mouseMove(axis, axis->placeOf(at));
-        };
-        dragTo(middle.at + 0.4 * Film::interval);
-        QVERIFY(panel->isLookingBack() && caption->isVisible());
-        QVERIFY(caption->text().startsWith("Looking back at "));
-        QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(middle.at + 0.4 * Film::interval));
-        QVERIFY(panel->isLookingBack());
-        QCOMPARE(digest(), end);
-        QCOMPARE(tree().current(), last);
-        pictures("timeline");
-
-        // The film plays to its end, at any rate.
-        find<QComboBox>("filmRate")->setCurrentText("8x");
-        QTest::mouseClick(find<QToolButton>("filmPlay"), Qt::LeftButton);
-        QTRY_COMPARE(find<QLabel>("filmState")->text(), timeText(line.end) + " / " + timeText(line.end));
-        QTest::mouseClick(find<QToolButton>("filmBack"), Qt::LeftButton);
-        QVERIFY(panel->isLookingBack());
-        QTest::mouseClick(find<QToolButton>("filmReturn"), Qt::LeftButton);
-        QVERIFY(!panel->isLookingBack() && !caption->isVisible());
-
-        // What one sees is where a branch begins.
-        dragTo(middle.at + 0.4 * Film::interval);
-        QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(middle.at + 0.4 * Film::interval));
-        QTest::mouseClick(find<QToolButton>("filmBranch"), Qt::LeftButton);
+        constexpr std::size_t many = 3000;
+        document().post(SetGravity{Vec3(0, 0, -9.81)});
         settle();
-        QVERIFY(presentName().startsWith("Branch at "));
-        QVERIFY(tree().current() != last && !panel->isLookingBack());
-        QCOMPARE(present().step, middle.frame->step);
-        QCOMPARE(present().time, middle.frame->time);
-        for (std::size_t i = 0; i < snapshot().bodies[0].positions.size(); ++i)
-            for (Eigen::Index axisIndex = 0; axisIndex < 3; ++axisIndex)
-                QCOMPARE(static_cast<float>(snapshot().bodies[0].positions[i][axisIndex]),
-                         middle.frame->objects[0][3 * i + static_cast<std::size_t>(axisIndex)]);
-        QTRY_COMPARE(axis->timeline().end, middle.at);
-        QCOMPARE(axis->timeline().pictures.back().frame, middle.frame);
-        const std::uint64_t branch = digest();
-        simulate(0.1);
+        Project project = document().project();
+        for (std::size_t i = project.entries.size(); i < many; ++i) {
+            project.entries.push_back(project.entries.back());
+            project.entries.back().parent = static_cast<Entry>(i - 1);
+        }
+        project.current = many - 1;
+        document().open(prepareProject(project, m_services.packing, TaskControl::none()));
         settle();
-        undo();
-        QCOMPARE(digest(), branch);
-
-        // A tick of an entry goes there.
-        document().goToEntry(last);
-        QCOMPARE(digest(), end);
-        QTRY_COMPARE(axis->timeline().end, line.end);
-        const Timeline::Tick key =
-            *std::find_if(line.ticks.begin(), line.ticks.end(), [](const Timeline::Tick& tick) { return tick.isKey; });
-        dragTo(key.at);
-        QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(key.at));
+        auto* panel = find<QTreeWidget>("historyTree");
+        find<QDockWidget>("historyDock")->raise();
+        QTRY_COMPARE(panel->topLevelItemCount(), static_cast<int>(many));
+        int changes = 0;
+        const auto count = [&changes] { ++changes; };
+        connect(panel->model(), &QAbstractItemModel::dataChanged, this, count);
+        connect(panel->model(), &QAbstractItemModel::rowsInserted, this, count);
+        connect(panel->model(), &QAbstractItemModel::modelReset, this, [&changes] { changes += 1000; });
+        document().post(SetGravity{Vec3(0, 0, 5)});
         settle();
-        QVERIFY(tree().current() != last && present().time == tree().record(key.entry).time);
-        QVERIFY(!panel->isLookingBack());
-        dragTo(middle.at + 0.4 * Film::interval);
-        QTest::keyClick(m_window.get(), Qt::Key_Space); // time goes on from the present
-        QTRY_VERIFY(snapshot().playing);
-        QVERIFY(!panel->isLookingBack());
-        QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(middle.at));
+        QTRY_COMPARE(panel->topLevelItemCount(), static_cast<int>(many + 1));
+        document().history().rename(many - 2, "up there");
+        QTRY_COMPARE(panel->topLevelItem(many - 2)->text(0), QString("up there"));
+        QVERIFY2(changes < 20, qPrintable(QString::number(changes)));
+        QVERIFY(panel->topLevelItem(many)->font(0).bold() && !panel->topLevelItem(many - 1)->font(0).bold());
     }
 
     void whatIsDoneOnTheWayHappensThere()
@@ -337,6 +311,43 @@ private slots:
         document().goToEntry(2);
         settle();
         QCOMPARE(snapshot().tools.size(), std::size_t{1});
+    }
+
+private:
+    /// Whatever is under way.
+    void branchSomewhere(fuzz::Random& random)
+    {
+        const auto entry = static_cast<Entry>(random.below(tree().records().size()));
+        const HistoryRecord& record = tree().record(entry);
+        const std::uint64_t begin = std::min(record.step, tree().record(record.parent).step);
+        document().branchAt(entry, begin + random.below(record.step - begin + 1));
+    }
+
+    /// The panel lists the entries as they hang together.
+    void verifyPanel()
+    {
+        auto* panel = find<QTreeWidget>("historyTree");
+        find<QDockWidget>("historyDock")->raise();
+        const std::vector<Entry> wanted = entriesOf(outlineOf(tree()));
+        const auto listed = [panel] {
+            std::vector<Entry> entries;
+            for (QTreeWidgetItemIterator it(panel); *it != nullptr; ++it)
+                entries.push_back((*it)->data(0, Qt::UserRole).toUInt());
+            return entries;
+        };
+        QTRY_COMPARE(listed(), wanted);
+    }
+
+    static std::vector<Entry> entriesOf(const std::vector<OutlineRow>& rows)
+    {
+        std::vector<Entry> entries;
+        for (const OutlineRow& row : rows) {
+            entries.push_back(row.entry);
+            for (const auto& branch : row.branches)
+                for (const Entry entry : entriesOf(branch))
+                    entries.push_back(entry);
+        }
+        return entries;
     }
 };
 

@@ -148,6 +148,22 @@ private slots:
         QCOMPARE(hashes[0], hashes[1]);
     }
 
+    void stepsStopAtTheEndOfAnAgendaOnce()
+    {
+        SimulationThread thread{Simulation(falling()), std::make_unique<TwoThings>()};
+        const auto stepTo = [&](std::uint64_t requests) {
+            while (thread.requests() < requests)
+                thread.stepOnce();
+            return waitFor(thread, [&](const Snapshot& shot) { return shot.requests == requests; });
+        };
+        QCOMPARE(stepTo(TwoThings::end)->step, TwoThings::end);
+        QCOMPARE(thread.latest()->agendaEnds, std::uint64_t{0});
+        QCOMPARE(stepTo(TwoThings::end + 1)->step, TwoThings::end);
+        QCOMPARE(thread.latest()->agendaEnds, std::uint64_t{1});
+        QCOMPARE(stepTo(TwoThings::end + 2)->step, TwoThings::end + 1); // once it was said, time goes on
+        QCOMPARE(thread.latest()->agendaEnds, std::uint64_t{1});
+    }
+
     void stepsOnceWhilePaused()
     {
         SimulationThread thread{Simulation(falling())};

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "core/document/byte_stream.h"
+#include "core/document/history_replay.h"
 #include "support/window_on_test.h"
 
 #include <QtTest>
 
 #include <cmath>
+#include <set>
 
 namespace knead {
 
@@ -123,6 +125,23 @@ protected:
         redo();
         QCOMPARE(digest(), after);
         QVERIFY(!action("redo")->isEnabled());
+    }
+
+    /// Repeating all commands from where they began leads to every entry, whatever way a person took.
+    void verifyStraightRun()
+    {
+        const Project project = document().project();
+        std::set<Entry> all;
+        for (Entry entry = 0; entry < project.entries.size(); ++entry)
+            all.insert(entry);
+        HistoryReplay replay(project);
+        for (const Entry entry : all) {
+            const RepeatedEntry repeated = replay.repeat(entry, TaskControl::none(), all);
+            QVERIFY2(repeated.isSame, qPrintable(QString("entry %1, \"%2\": %3")
+                                                     .arg(entry)
+                                                     .arg(QString::fromStdString(project.entries[entry].name))
+                                                     .arg(QString::fromStdString(repeated.trouble))));
+        }
     }
 };
 

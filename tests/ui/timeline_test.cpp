@@ -1,3 +1,6 @@
+#include "core/simulation/moment.h"
+#include "support/scenes.h"
+#include "ui/document/arrival.h"
 #include "ui/document/history_outline.h"
 #include "ui/document/timeline.h"
 
@@ -18,9 +21,10 @@ HistoryRecord at(double time, bool isReset = false)
 }
 
 /// Objects at a time.
-Snapshot frameAt(double time, std::size_t objects = 100)
+Snapshot frameAt(double time, std::size_t objects = 100, std::uint32_t resets = 0)
 {
     Snapshot snapshot;
+    snapshot.resets = resets;
     snapshot.time = time;
     snapshot.step = static_cast<std::uint64_t>(1000 * time);
     snapshot.bodies.push_back({.positions = std::vector<Vec3>(objects, Vec3::Zero())});
@@ -130,6 +134,72 @@ private slots:
         history.append(at(0.5));
         const Timeline line = timelineOf(history, {}, false);
         QCOMPARE(placesOf(line), (std::vector<double>{0, 2, 2, 2.5}));
+    }
+
+    void timeGoesOnAfterAResetWithinAnEntry()
+    {
+        History history(at(0));
+        Film film;
+        for (const std::uint32_t run : {0U, 1U, 2U})
+            for (const double time : {0.25, 0.5})
+                film.add(frameAt(time, 1, run));
+        film.append(history.append(at(0.5, true)), 0.5, 1);
+        QCOMPARE(film.framesOf(1).size(), std::size_t{4});
+        film.append(history.append(at(0, true)), 0, 1); // nothing is seen of it
+        film.append(history.append(at(0.5)), 0.5);
+        QCOMPARE(film.framesOf(3).size(), std::size_t{2});
+        QVERIFY(film.underWay().empty());
+        film.add(frameAt(0.75, 1, 2));
+        const Timeline line = timelineOf(history, film, true);
+        QCOMPARE(placesOf(line), (std::vector<double>{0, 1, 1, 1.5}));
+        std::vector<double> places;
+        std::vector<std::uint32_t> runs;
+        for (const Timeline::Picture& picture : line.pictures) {
+            places.push_back(picture.at);
+            runs.push_back(picture.run);
+        }
+        QCOMPARE(places, (std::vector<double>{0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75}));
+        QCOMPARE(runs, (std::vector<std::uint32_t>{0, 0, 1, 1, 0, 0, 0}));
+
+        film.dropUnderWay(); // a branch from the second run of the first one
+        film.repeat(1, 250, 1);
+        history.goTo(0);
+        film.append(history.append(at(0.25, true)), 0.25, 1);
+        QCOMPARE(film.framesOf(4).size(), std::size_t{3});
+        QCOMPARE(film.framesOf(4)[2], film.framesOf(1)[2]);
+        film.repeat(1, 250, 0); // and one from the first run
+        film.append(history.append(at(0.25)), 0.25);
+        QCOMPARE(film.framesOf(5).size(), std::size_t{1});
+    }
+
+    void aBranchBeginsInTheRunOneLookedAt()
+    {
+        Scene scene;
+        scene.bodies.push_back(scenes::box({3, 3, 3}, 2e-3));
+        Journey journey;
+        Simulation simulation(scene);
+        const HistoryRecord first = recordOf(endGesture(simulation), "start");
+        std::vector<std::uint64_t> hashes;
+        simulation.post(SetGravity{Vec3(0, 0, -1)});
+        for (const std::uint64_t steps : {30U, 20U}) {
+            for (std::uint64_t i = 0; i < steps; ++i) {
+                simulation.step();
+                if (i + 1 == 10)
+                    hashes.push_back(simulation.stateHash());
+            }
+            simulation.post(Reset{});
+            simulation.post(SetGravity{Vec3(0, 3, 0)});
+        }
+        simulation.step();
+        const Gesture gesture = endGesture(simulation);
+        journey.way = History(first).wayTo(0);
+        journey.start.start.scene = scene;
+        for (std::uint32_t run = 0; run < 2; ++run) {
+            const Branch branch = journey.branch(gesture.commands, run, 10, TaskControl::none());
+            QCOMPARE(branch.gesture.moment->step, std::uint64_t{10});
+            QCOMPARE(branch.gesture.hash, hashes[run]);
+            QCOMPARE(resetsIn(branch.gesture.commands), run);
+        }
     }
 
     void anotherStartBeginsAnotherLine()

@@ -14,7 +14,7 @@ Arrival Journey::go(TaskControl& control) const
     arrival.content = start.content;
     TaskPortion preparing(control, 0, 0.3);
     if (!arrival.content)
-        arrival.content = std::make_shared<const Content>(contentOf(model, choices, start.start, preparing));
+        arrival.content = std::make_shared<const Content>(contentOf(model, start.choices, start.start, preparing));
     TaskPortion repeating(control, start.content ? 0 : 0.3, 1);
     const Scene& scene = start.start.scene;
     arrival.moment = follow(way, scene, packing, repeating);
@@ -28,20 +28,17 @@ Arrival Journey::go(TaskControl& control) const
     return arrival;
 }
 
-Branch Journey::branch(const std::vector<RecordedCommand>& commands, std::uint64_t upToStep, TaskControl& control) const
+Branch Journey::branch(const std::vector<RecordedCommand>& commands, std::uint32_t run, std::uint64_t upToStep,
+                       TaskControl& control) const
 {
     const Scene& scene = start.start.scene;
     TaskPortion going(control, 0, way.commands.empty() ? 0.05 : 0.5);
     Simulation simulation(scene);
     simulation.goTo(follow(way, scene, packing, going));
-    std::vector<RecordedCommand> before;
-    for (const RecordedCommand& recorded : commands)
-        if (recorded.step < upToStep)
-            before.push_back(recorded);
+    const std::vector<RecordedCommand> before = commandsBefore(commands, run, upToStep);
+    const std::uint64_t begin = resetsIn(before) == 0 ? simulation.stepCount() : 0;
     TaskPortion repeating(control, way.commands.empty() ? 0.05 : 0.5, 1);
-    const std::uint64_t begin = simulation.stepCount();
-    const std::vector<RecordedCommand> none;
-    simulation = replay(std::move(simulation), begin <= upToStep ? before : none, std::max(begin, upToStep), repeating);
+    simulation = replay(std::move(simulation), before, std::max(begin, upToStep), repeating);
     return {endGesture(simulation)};
 }
 

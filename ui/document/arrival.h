@@ -27,7 +27,6 @@ struct Journey {
     Way way;
     DocumentHistory::Start start;
     std::shared_ptr<const Model> model;
-    ImportChoices choices;
     Packing packing;
     bool changesStart = false; ///< another start is shown now
 
@@ -37,8 +36,10 @@ struct Journey {
     /// @throws std::runtime_error with a sentence; Cancelled
     Arrival go(TaskControl& control) const;
     /// Goes there, and on as it went on then, up to a step.
+    /// @param run see commandsBefore()
     /// @throws as go()
-    Branch branch(const std::vector<RecordedCommand>& commands, std::uint64_t upToStep, TaskControl& control) const;
+    Branch branch(const std::vector<RecordedCommand>& commands, std::uint32_t run, std::uint64_t upToStep,
+                  TaskControl& control) const;
 };
 
 } // namespace knead

@@ -27,6 +27,16 @@ constexpr double crossingTime = 1.5;     // a tool crosses the part in this time
 constexpr double stallStrain = 0.25;
 constexpr const char* fixturesPanel = "fixtures"; // in Project::panels
 
+/// A project tells only those that lead to what is shown. The others have other spacings.
+ImportChoices choicesFor(const ProjectStart& start, const ImportChoices& ofAnother)
+{
+    ImportChoices choices = ofAnother;
+    if (!start.scene.bodies.empty())
+        choices.spacing =
+            SpacingChoice{SpacingChoice::Kind::Length, start.scene.bodies.front().aggregate->lattice.spacing};
+    return choices;
+}
+
 } // namespace
 
 Document::Document(QObject* parent)
@@ -42,7 +52,10 @@ Document::Document(QObject* parent)
     connect(m_ending, &QTimer::timeout, this, &Document::finishGesture);
     connect(&m_history, &DocumentHistory::appended, this, [this](Entry entry) {
         m_shown = entry;
-        m_film.append(entry, m_history.tree().record(entry).time);
+        const HistoryRecord& record = m_history.tree().record(entry);
+        if (record.start != m_history.tree().record(record.parent).start)
+            m_film.dropUnderWay();
+        m_film.append(entry, record.time, resetsIn(record.commands));
     });
     connect(&m_history, &DocumentHistory::settled, this, &Document::tellSettled);
     connect(&m_history, &DocumentHistory::changed, this, [this] { emit changed(Change::History); });
@@ -74,6 +87,7 @@ void Document::open(PreparedContent prepared)
     m_history.begin({startOf(*content, std::move(prepared.scene)), content, std::move(prepared.agenda)},
                     std::move(prepared.first),
                     prepared.name.empty() ? tr("Import %1").arg(file) : QString::fromStdString(prepared.name));
+    m_start = 0;
     showStart();
 }
 
@@ -93,6 +107,7 @@ void Document::refill(PreparedContent prepared, const QString& name)
     const QString spacing = formatQuantity(content->spacing, Quantity::Length);
     m_history.expectStart({startOf(*content, std::move(prepared.scene)), content}, std::move(prepared.first),
                           name.isEmpty() ? tr("Refill %1").arg(spacing) : name);
+    m_start = static_cast<std::uint32_t>(m_history.starts().size() - 1);
     showStart();
 }
 
@@ -101,10 +116,13 @@ void Document::open(PreparedProject prepared)
     Project& project = prepared.project;
     Arrival& arrival = prepared.arrival;
     std::vector<DocumentHistory::Start> starts;
-    for (ProjectStart& start : project.starts)
-        starts.push_back({std::move(start), nullptr});
+    for (ProjectStart& start : project.starts) {
+        ImportChoices choices = choicesFor(start, project.import);
+        starts.push_back({.start = std::move(start), .content = nullptr, .choices = std::move(choices)});
+    }
     m_history.begin(std::move(starts), std::move(project.entries), project.current);
-    m_history.setContent(m_history.tree().record(project.current).start, arrival.content);
+    m_start = m_history.tree().record(project.current).start;
+    m_history.setContent(m_start, arrival.content);
     start(std::move(*arrival.simulation), arrival.content, std::move(arrival.frame));
     forgetGoing();
     m_whenSettled.clear();
@@ -157,6 +175,8 @@ void Document::start(Simulation simulation, std::shared_ptr<const Content> conte
     m_simulation = std::make_unique<SimulationThread>(std::move(simulation), std::move(agenda));
     m_seen = m_simulation->latest();
     m_arrivals = 0;
+    m_agendaEnds = m_fixtureRequest = 0;
+    m_whenKnown.clear();
     m_isPlaying = false;
     m_ending->stop();
     m_gesture = {.begin = m_frame->snapshot->time};
@@ -203,6 +223,7 @@ void Document::accept(const FramePointer& frame, std::uint64_t generation)
         return;
     m_frame = frame;
     noticeStop();
+    noticeRecipeEnd();
     selectNewTool();
     dropLostSelection();
     followAgenda();
@@ -224,21 +245,6 @@ void Document::select(const Selection& selection)
         return;
     m_selection = selection;
     emit changed(Change::Selection);
-}
-
-void Document::removeSelected()
-{
-    if (later([this] { removeSelected(); }))
-        return;
-    if (m_selection.kind == Selection::Kind::Tool) {
-        post(RemoveManipulator{m_selection.id});
-    } else if (const FaceFixture* fixture = m_fixtures.find(m_selection.id);
-               m_selection.kind == Selection::Kind::Fixture && fixture != nullptr) {
-        const QString name = tr("Remove %1").arg(QString::fromStdString(fixture->name));
-        postAll(m_fixtures.remove(m_selection.id), name);
-        select({});
-        emit changed(Change::Fixtures);
-    }
 }
 
 void Document::addTool(ToolKind kind)
@@ -359,41 +365,6 @@ ExportJob Document::exportJob(const std::vector<bool>& keep) const
             }
     }
     return job;
-}
-
-void Document::toggleFace(BodyId body, std::uint32_t face)
-{
-    if (later([this, body, face] { toggleFace(body, face); }))
-        return;
-    if (m_content->model->parts[m_content->bodies[body]->part].faces.empty()) {
-        emit notice(tr("\"%1\" is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.")
-                        .arg(QString::fromStdString(m_content->bodies[body]->name)));
-        return;
-    }
-    const std::uint32_t active = m_selection.kind == Selection::Kind::Fixture ? m_selection.id : 0;
-    FaceFixtures::Edit edit = m_fixtures.toggle(*m_content, body, face, active);
-    postAll(std::move(edit.commands), edit.key != 0 ? tr("Fix face") : tr("Free face"));
-    if (edit.key != 0)
-        select({Selection::Kind::Fixture, edit.key});
-    else if (m_fixtures.find(active) == nullptr)
-        select({});
-    noticeEmptyFixtures();
-    emit changed(Change::Fixtures);
-}
-
-void Document::noticeEmptyFixtures()
-{
-    for (const FaceFixture& fixture : m_fixtures.list())
-        if (!fixture.id)
-            emit notice(
-                tr("%1 holds no objects: its faces are smaller than the spacing. Choose a finer spacing and refill.")
-                    .arg(QString::fromStdString(fixture.name)));
-}
-
-void Document::postAll(std::vector<Command> commands, const QString& name)
-{
-    for (Command& command : commands)
-        post(std::move(command), name);
 }
 
 } // namespace knead

@@ -6,6 +6,7 @@
 #include "ui/document/face_fixtures.h"
 #include "ui/document/film.h"
 #include "ui/document/frame.h"
+#include "ui/document/timeline.h"
 
 #include <QObject>
 
@@ -124,11 +125,16 @@ public:
 
     /// What was seen while time ran.
     const Film& film() const { return m_film; }
-    /// Repeats what leads to a step within an entry, with progress, and goes on from there: another branch.
+    /// What of it belongs to the content that is shown; empty on the way from one filling to another.
+    Timeline timeline() const;
+    /// Repeats what leads to a step within an entry, with progress, and goes on from there: another branch. What is under way
+    /// becomes an entry first.
     /// @param entry that the step leads to, not one that begins a start
-    void branchAt(Entry entry, std::uint64_t step);
+    /// @param run in which the step is reached: after so many resets within the entry
+    void branchAt(Entry entry, std::uint64_t step, std::uint32_t run = 0);
 
-    /// Between asking for another entry and seeing it. What is posted in the meantime happens there.
+    /// Between asking for another entry and seeing it. What is posted in the meantime happens there, or here when the journey
+    /// is given up.
     bool isGoing() const { return m_journey != JourneyState::none || !m_wishes.empty(); }
 
     /// Nothing is under way: the history has all that was done, and the frame shows it.
@@ -188,7 +194,11 @@ private:
     int numberOfNewTool(const ToolKindLook& look);
     void selectNewTool();
     void dropLostSelection();
+    bool areFixturesKnown() const;
+    bool whenFixturesAreKnown(std::function<void()> action);
     void followAgenda();
+    void followFixtures(const Snapshot& now);
+    void noticeRecipeEnd();
     void beginFixtures(const PreparedContent& prepared);
     void postAll(std::vector<Command> commands, const QString& name);
     void noticeEmptyFixtures();
@@ -199,6 +209,7 @@ private:
 
     bool later(std::function<void()> action);
     void wish(Wish wish);
+    void standStill();
     void takeWishes();
     void tellSettled();
     void setOut();
@@ -207,6 +218,8 @@ private:
     void goShort(const Journey& journey);
     void arrive(Arrival arrival);
     std::unique_ptr<Agenda> agendaAt(std::uint32_t start, const Moment& moment, std::uint64_t hash) const;
+    bool canBranchAt(Entry entry) const;
+    void setOutForBranch(Entry entry, std::uint64_t step, std::uint32_t run);
     void arriveAtBranch(Entry from, Branch branch);
     void goInSimulation(MomentPointer moment);
     void follow(const Moment& moment);
@@ -216,6 +229,7 @@ private:
 
     TaskRunner* m_tasks = nullptr;
     std::shared_ptr<const Content> m_content;
+    std::uint32_t m_start = 0; ///< of the history's, that the content belongs to
     FaceFixtures m_fixtures;
     DocumentHistory m_history;
     Film m_film;
@@ -237,8 +251,11 @@ private:
     std::map<ToolKind, int> m_toolCount; ///< added so far, for their names
     std::string m_toolToSelect;          ///< posted, not yet in a snapshot
     Selection m_selection;
-    bool m_hasAgenda = false;       ///< the simulation does more than what is posted
-    std::uint64_t m_generation = 0; ///< of the content; frames of an earlier one are dropped
+    bool m_hasAgenda = false;                       ///< the simulation does more than what is posted
+    std::uint64_t m_agendaEnds = 0;                 ///< that were told
+    std::uint64_t m_fixtureRequest = 0;             ///< the last one of a fixture
+    std::vector<std::function<void()>> m_whenKnown; ///< when a frame has seen that
+    std::uint64_t m_generation = 0;                 ///< of the content; frames of an earlier one are dropped
     SnapshotPointer m_seen;
     FramePointer m_frame;
     QTimer* m_timer;

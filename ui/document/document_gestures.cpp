@@ -81,8 +81,12 @@ void Document::post(Command command, const QString& name)
         m_gesture.name = name.isEmpty() ? nameOf(command, *m_content, *m_frame->snapshot) : name;
     m_gesture.isEdited = true;
     noteGesture();
+    const bool isOfFixture =
+        std::holds_alternative<AddFixture>(command) || std::holds_alternative<RemoveFixture>(command);
     m_fixtures.posted(command);
     m_simulation->post(std::move(command));
+    if (isOfFixture)
+        m_fixtureRequest = m_simulation->requests();
     if (!m_gesture.isHeld)
         m_ending->start(key.isEmpty() ? 0 : goingOnTime);
 }
@@ -169,8 +173,6 @@ void Document::noticeStop()
         return;
     m_isPlaying = false;
     finishGesture();
-    if (snapshot.health.ok && m_hasAgenda)
-        emit recipeEnded(tr("The recipe has come to its end. Play goes on without it."));
 }
 
 bool Document::isSettled() const

@@ -52,14 +52,19 @@ void Document::wish(Wish wish)
 {
     if (m_history.isEmpty())
         return;
-    if (!isGoing()) {
-        emit stopping();
-        m_simulation->pause();
-        m_isPlaying = false;
-        finishGesture();
-    }
+    if (!isGoing())
+        standStill();
     m_wishes.push_back(std::move(wish));
     takeWishes();
+}
+
+/// What was done until now is, or will be, in the history.
+void Document::standStill()
+{
+    emit stopping();
+    m_simulation->pause();
+    m_isPlaying = false;
+    finishGesture();
 }
 
 void Document::whenSettled(std::function<void()> action)
@@ -102,7 +107,6 @@ Journey Document::journeyTo(Entry entry) const
     journey.way = tree.wayTo(entry);
     journey.start = m_history.starts()[journey.way.start];
     journey.model = m_content->model;
-    journey.choices = m_content->request;
     journey.packing = m_history.packing();
     journey.changesStart = journey.way.start != tree.record(m_shown).start;
     return journey;
@@ -175,6 +179,7 @@ void Document::arrive(Arrival arrival)
         const std::uint64_t hash = arrival.simulation->stateHash();
         start(std::move(*arrival.simulation), arrival.content, std::move(arrival.frame),
               agendaAt(startIndex, *moment, hash));
+        m_start = startIndex;
         follow(*moment);
         emit changed(Change::Content);
         emit changed(Change::Selection);
@@ -195,22 +200,45 @@ void Document::goInSimulation(MomentPointer moment)
     emit changed(Change::Fixtures);
 }
 
-void Document::branchAt(Entry entry, std::uint64_t step)
+Timeline Document::timeline() const
 {
-    if (later([this, entry, step] { branchAt(entry, step); }) || m_tasks == nullptr || !m_history.isSettled())
+    const bool isOfContent =
+        !m_history.isEmpty() && m_history.tree().record(m_history.tree().current()).start == m_start;
+    return isOfContent ? timelineOf(m_history.tree(), m_film, m_gesture.isAny) : Timeline();
+}
+
+void Document::branchAt(Entry entry, std::uint64_t step, std::uint32_t run)
+{
+    if (m_tasks == nullptr || m_history.isEmpty() || later([this, entry, step, run] { branchAt(entry, step, run); }))
         return;
+    if (m_isPlaying || m_gesture.isAny || !m_history.isSettled()) {
+        standStill();
+        whenSettled([this, entry, step, run] { branchAt(entry, step, run); });
+        return;
+    }
+    if (canBranchAt(entry))
+        setOutForBranch(entry, step, run);
+}
+
+bool Document::canBranchAt(Entry entry) const
+{
     const History& tree = m_history.tree();
+    if (entry == 0 || entry >= tree.records().size())
+        return false;
     const HistoryRecord& record = tree.record(entry);
-    if (entry == 0 || record.start != tree.record(m_shown).start || record.start != tree.record(record.parent).start)
-        return;
+    return record.start == m_start && record.start == tree.record(record.parent).start;
+}
+
+void Document::setOutForBranch(Entry entry, std::uint64_t step, std::uint32_t run)
+{
+    const HistoryRecord& record = m_history.tree().record(entry);
     m_target = record.parent;
     m_history.goTo(m_target);
     m_journey = JourneyState::looking;
     ++m_travels;
     m_longTitle = tr("Branching from %1").arg(QString::fromStdString(record.name));
-    const auto work = [journey = journeyTo(record.parent), commands = record.commands, step](TaskControl& control) {
-        return journey.branch(commands, step, control);
-    };
+    const auto work = [journey = journeyTo(record.parent), commands = record.commands, step,
+                       run](TaskControl& control) { return journey.branch(commands, run, step, control); };
     const auto finish = [this, entry, travel = m_travels](Branch branch) {
         if (travel == m_travels)
             arriveAtBranch(entry, std::move(branch));
@@ -228,9 +256,11 @@ void Document::arriveAtBranch(Entry from, Branch branch)
     }
     m_shown = m_target;
     const MomentPointer moment = branch.gesture.moment;
+    const std::uint32_t resets = resetsIn(branch.gesture.commands);
     m_history.expect(tr("Branch at %1").arg(timeText(moment->time)))(std::move(branch.gesture));
     goInSimulation(moment);
-    m_film.repeat(from, moment->step);
+    if (resets > 0 || moment->step > m_history.tree().record(m_target).step)
+        m_film.repeat(from, moment->step, resets);
 }
 
 /// What the window keeps besides the simulation becomes what it is at a moment.
@@ -248,10 +278,11 @@ void Document::follow(const Moment& moment)
         m_selection = m_content->bodies.empty() ? Selection{} : Selection{Selection::Kind::Body, 0};
 }
 
-/// Stays where the simulation is.
+/// Stays where the simulation is. What was posted meanwhile, in sight of that, happens there.
 void Document::giveUp(const QString& sentence)
 {
-    forgetGoing();
+    ++m_travels;
+    m_wishes.clear();
     m_history.goTo(m_shown);
     endJourney();
     if (!sentence.isEmpty())
@@ -295,9 +326,8 @@ PreparedProject prepareProject(Project project, const Packing& packing, TaskCont
     const History tree(project.entries, project.current, std::numeric_limits<std::size_t>::max());
     Journey journey;
     journey.way = tree.wayTo(project.current);
-    journey.start = {project.starts.at(journey.way.start), nullptr};
+    journey.start = {.start = project.starts.at(journey.way.start), .content = nullptr, .choices = project.import};
     journey.model = project.model;
-    journey.choices = project.import;
     journey.packing = packing;
     journey.changesStart = true;
     Arrival arrival = journey.go(control);

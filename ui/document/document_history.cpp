@@ -61,6 +61,27 @@ void DocumentHistory::forget()
     m_nextTicket = m_nextEntry = 0;
     m_waiting.clear();
     m_starts.clear();
+    m_withContent.clear();
+}
+
+void DocumentHistory::addStart(Start start)
+{
+    const std::shared_ptr<const Content> content = start.content;
+    m_starts.push_back(std::move(start));
+    setContent(static_cast<std::uint32_t>(m_starts.size() - 1), content);
+}
+
+void DocumentHistory::setContent(std::uint32_t start, std::shared_ptr<const Content> content)
+{
+    constexpr std::size_t most = 2; // each may be as large as all that is simulated of it
+    m_starts[start].choices = content->request;
+    m_starts[start].content = std::move(content);
+    std::erase(m_withContent, start);
+    m_withContent.push_back(start);
+    if (m_withContent.size() <= most)
+        return;
+    m_starts[m_withContent.front()].content = nullptr;
+    m_withContent.erase(m_withContent.begin());
 }
 
 void DocumentHistory::begin(Start start, Gesture first, const QString& name)
@@ -68,7 +89,7 @@ void DocumentHistory::begin(Start start, Gesture first, const QString& name)
     forget();
     HistoryRecord record = bareRecord(first, name);
     record.wallTime = now();
-    m_starts.push_back(std::move(start));
+    addStart(std::move(start));
     m_tree.emplace(std::move(record), m_memory);
     ++m_revision;
     m_worker.run([this, first = std::move(first), packing = m_packing, document = m_document] {
@@ -109,7 +130,7 @@ void DocumentHistory::expectStart(Start start, Gesture first, const QString& nam
 {
     Ticket ticket = nextTicket(name);
     ticket.start = static_cast<std::uint32_t>(m_starts.size());
-    m_starts.push_back(std::move(start));
+    addStart(std::move(start));
     pack(ticket, std::move(first));
 }
 

@@ -31,8 +31,9 @@ public:
 
     struct Start {
         ProjectStart start;
-        std::shared_ptr<const Content> content; ///< null until it is shown, in a project that was opened
+        std::shared_ptr<const Content> content; ///< null where it has to be made anew to be shown
         AgendaMaker agenda = {};                ///< of a recipe that the document was opened from
+        ImportChoices choices = {};             ///< that the content is made for
     };
 
     explicit DocumentHistory(QObject* parent = nullptr);
@@ -41,15 +42,20 @@ public:
     void setPacking(Packing packing) { m_packing = std::move(packing); }
     const Packing& packing() const { return m_packing; }
 
-    /// A new document; `first` becomes entry 0. What was there before is forgotten.
+    /// A new document, shown; `first` becomes entry 0. What was there before is forgotten.
     void begin(Start start, Gesture first, const QString& name);
     /// One that was saved. @throws std::runtime_error, in a sentence, when entries do not form a tree; nothing has changed
     void begin(std::vector<Start> starts, std::vector<HistoryRecord> entries, Entry current);
 
     bool isEmpty() const { return !m_tree; }
+    std::uint64_t documentNumber() const
+    {
+        return m_document;
+    }                                               ///< entries of another document have nothing to do with these
     const History& tree() const { return *m_tree; } ///< @pre not empty
     const std::vector<Start>& starts() const { return m_starts; }
-    void setContent(std::uint32_t start, std::shared_ptr<const Content> content) { m_starts[start].content = content; }
+    /// What is shown from now on. It is kept, and what was shown before it; the others have to be made anew.
+    void setContent(std::uint32_t start, std::shared_ptr<const Content> content);
 
     /// An entry is to come after all that were expected before. One in which nothing happened is left out.
     /// @param name empty: after how long was simulated
@@ -90,6 +96,7 @@ private:
         Packing packing;
     };
 
+    void addStart(Start start);
     Ticket nextTicket(const QString& name);
     void pack(const Ticket& ticket, Gesture gesture);
     void arrive(const Ticket& ticket, HistoryRecord record);
@@ -101,6 +108,7 @@ private:
     std::size_t m_memory = History::defaultMemory;
     std::optional<History> m_tree;
     std::vector<Start> m_starts;
+    std::vector<std::uint32_t> m_withContent; ///< starts, the one shown last at the end
     std::uint64_t m_revision = 0;
     std::uint64_t m_document = 0; ///< counts them; what comes late for an earlier one is dropped
     std::uint64_t m_nextTicket = 0;

@@ -1,17 +1,9 @@
 // A recipe that the document was opened from goes on beside what the person does.
 #include "ui/document/document.h"
 
-namespace knead {
+#include <utility>
 
-/// Those of the scene, and the faces that they hold.
-void Document::beginFixtures(const PreparedContent& prepared)
-{
-    m_fixtures.clear();
-    for (const FaceFixture& fixture : prepared.fixtures)
-        m_fixtures.keepInMind(fixture);
-    const std::vector<Fixture>& held = prepared.scene.fixtures;
-    m_fixtures.follow(*m_content, std::vector<std::optional<Fixture>>(held.begin(), held.end()));
-}
+namespace knead {
 
 /// Of a start, as far as it was at a moment; null: it has none.
 std::unique_ptr<Agenda> Document::agendaAt(std::uint32_t start, const Moment& moment, std::uint64_t hash) const
@@ -23,19 +15,11 @@ std::unique_ptr<Agenda> Document::agendaAt(std::uint32_t start, const Moment& mo
     return agenda;
 }
 
-/// Fixtures that come and go by a recipe.
-void Document::followAgenda()
+void Document::noticeRecipeEnd()
 {
-    const Snapshot& now = *m_frame->snapshot;
-    if (!m_hasAgenda || now.requests != m_simulation->requests() || m_fixtures.agree(now.fixtureIds, now.nextFixture))
-        return;
-    std::vector<std::optional<Fixture>> held(now.nextFixture);
-    for (std::size_t i = 0; i < now.fixtures.size(); ++i)
-        held[now.fixtureIds[i]] = now.fixtures[i];
-    m_fixtures.follow(*m_content, held);
-    if (m_selection.kind == Selection::Kind::Fixture && m_fixtures.find(m_selection.id) == nullptr)
-        select({});
-    emit changed(Change::Fixtures);
+    const std::uint64_t ends = m_frame->snapshot->agendaEnds;
+    if (std::exchange(m_agendaEnds, ends) < ends)
+        emit recipeEnded(tr("The recipe has come to its end. Play goes on without it."));
 }
 
 } // namespace knead

@@ -28,6 +28,7 @@ std::vector<Vec3> placesOf(const std::vector<float>& floats)
 FilmFramePointer filmFrameOf(const Snapshot& snapshot)
 {
     auto frame = std::make_shared<FilmFrame>();
+    frame->run = snapshot.resets;
     frame->step = snapshot.step;
     frame->time = snapshot.time;
     frame->tools = snapshot.tools;
@@ -49,8 +50,8 @@ std::size_t FilmFrame::memory() const
 
 void Film::forget()
 {
+    dropUnderWay();
     m_entries.clear();
-    m_underWay.clear();
     m_used = 0;
 }
 
@@ -61,24 +62,35 @@ void Film::add(const Snapshot& snapshot)
     thin();
 }
 
-void Film::repeat(Entry entry, std::uint64_t step)
+void Film::repeat(Entry other, std::uint64_t step, std::uint32_t resets)
 {
-    for (const FilmFramePointer& frame : framesOf(entry))
-        if (frame->step <= step) {
-            m_underWay.push_back(frame);
+    Reel reel{{}, firstRunOf(other)};
+    for (const FilmFramePointer& frame : framesOf(other))
+        if (std::pair(frame->run - reel.firstRun, frame->step) <= std::pair(resets, step)) {
+            reel.frames.push_back(frame);
             m_used += frame->memory();
         }
-    thin();
+    m_repeated = std::move(reel);
 }
 
-void Film::append(Entry entry, double endTime)
+void Film::append(Entry entry, double endTime, std::uint32_t resets)
 {
+    if (m_repeated) {
+        m_entries[entry] = *std::exchange(m_repeated, {});
+        thin();
+        return;
+    }
+    const auto placeOf = [](const FilmFramePointer& frame) { return std::pair(frame->run, frame->time); };
+    const std::uint32_t begin = std::exchange(m_run, m_run + resets);
     auto end = m_underWay.begin();
-    for (double last = 0; end != m_underWay.end() && (*end)->time <= endTime && (*end)->time >= last; ++end)
-        last = (*end)->time;
+    for (std::pair last(begin, 0.0); end != m_underWay.end(); ++end) {
+        if (placeOf(*end) < last || placeOf(*end) > std::pair(m_run, endTime))
+            break;
+        last = placeOf(*end);
+    }
     if (end == m_underWay.begin())
         return;
-    m_entries[entry].assign(m_underWay.begin(), end);
+    m_entries[entry] = {{m_underWay.begin(), end}, begin};
     m_underWay.erase(m_underWay.begin(), end);
 }
 
@@ -86,14 +98,25 @@ void Film::dropUnderWay()
 {
     for (const FilmFramePointer& frame : m_underWay)
         m_used -= frame->memory();
+    if (m_repeated)
+        for (const FilmFramePointer& frame : m_repeated->frames)
+            m_used -= frame->memory();
     m_underWay.clear();
+    m_repeated.reset();
+    m_run = 0;
 }
 
 const std::vector<FilmFramePointer>& Film::framesOf(Entry entry) const
 {
     static const std::vector<FilmFramePointer> none;
     const auto found = m_entries.find(entry);
-    return found == m_entries.end() ? none : found->second;
+    return found == m_entries.end() ? none : found->second.frames;
+}
+
+std::uint32_t Film::firstRunOf(Entry entry) const
+{
+    const auto found = m_entries.find(entry);
+    return found == m_entries.end() ? 0 : found->second.firstRun;
 }
 
 /// @return the memory that was set free [bytes]
@@ -116,18 +139,18 @@ void Film::thin()
 {
     while (m_used > m_most) {
         std::size_t all = m_underWay.size();
-        for (const auto& [entry, frames] : m_entries)
-            all += frames.size();
+        for (const auto& [entry, reel] : m_entries)
+            all += reel.frames.size();
         std::size_t seen = 0;
-        for (auto& [entry, frames] : m_entries) {
+        for (auto& [entry, reel] : m_entries) {
             if (seen >= (all + 1) / 2)
                 break;
-            seen += frames.size();
-            m_used -= halve(frames);
+            seen += reel.frames.size();
+            m_used -= halve(reel.frames);
         }
         if (seen < (all + 1) / 2)
             m_used -= halve(m_underWay);
-        std::erase_if(m_entries, [](const auto& each) { return each.second.empty(); });
+        std::erase_if(m_entries, [](const auto& each) { return each.second.frames.empty(); });
         if (m_entries.empty() && m_underWay.empty())
             return;
     }
@@ -151,17 +174,16 @@ FilmFrame between(const FilmFrame& before, const FilmFrame& after, double share)
     return frame;
 }
 
-FramePointer drawable(const FilmFrame& frame, const Content& content)
+FramePointer drawable(const FilmFrame& frame, const ContentBodies& bodies)
 {
     auto snapshot = std::make_shared<Snapshot>();
     snapshot->step = frame.step;
     snapshot->time = frame.time;
     snapshot->tools = frame.tools;
     snapshot->floorHeight = frame.floorHeight;
-    for (std::size_t b = 0; b < content.bodies.size(); ++b)
-        snapshot->bodies.push_back(
-            {.positions = placesOf(frame.objects[b]), .aggregate = content.bodies[b]->aggregate});
-    return prepareFrame(content.bodies, std::move(snapshot), nullptr);
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        snapshot->bodies.push_back({.positions = placesOf(frame.objects[b]), .aggregate = bodies[b]->aggregate});
+    return prepareFrame(bodies, std::move(snapshot), nullptr);
 }
 
 } // namespace knead

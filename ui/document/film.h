@@ -13,6 +13,7 @@ namespace knead {
 
 /// Where things were at a moment: enough to be drawn, not to go on from. Immutable.
 struct FilmFrame {
+    std::uint32_t run = 0; ///< how many resets there were since the film began or went on from elsewhere
     std::uint64_t step = 0;
     double time = 0;                         ///< simulated [s]
     std::vector<std::vector<float>> objects; ///< per body: x y z per object [m]
@@ -37,23 +38,34 @@ public:
 
     /// Time has gone on in the gesture under way.
     void add(const Snapshot& snapshot);
-    /// What is under way went as an entry did, up to a step.
-    void repeat(Entry entry, std::uint64_t step);
+    /// The entry that comes next went as another did, up to a step after so many resets.
+    void repeat(Entry other, std::uint64_t step, std::uint32_t resets = 0);
     /// The gesture has become an entry: what was kept up to its end belongs to it.
-    void append(Entry entry, double endTime);
-    /// What is under way was given up.
+    /// @param resets in the gesture
+    void append(Entry entry, double endTime, std::uint32_t resets = 0);
+    /// What is under way was given up: the simulation is elsewhere, and counts its resets anew.
     void dropUnderWay();
 
     /// In order of time; empty for entries without any.
     const std::vector<FilmFramePointer>& framesOf(Entry entry) const;
+    /// FilmFrame::run as it was before any reset in an entry.
+    std::uint32_t firstRunOf(Entry entry) const;
     const std::vector<FilmFramePointer>& underWay() const { return m_underWay; }
+    std::uint32_t run() const { return m_run; } ///< FilmFrame::run at the end of the last entry
 
 private:
+    struct Reel {
+        std::vector<FilmFramePointer> frames;
+        std::uint32_t firstRun = 0;
+    };
+
     void thin();
     static std::size_t halve(std::vector<FilmFramePointer>& frames);
 
-    std::map<Entry, std::vector<FilmFramePointer>> m_entries;
+    std::map<Entry, Reel> m_entries;
     std::vector<FilmFramePointer> m_underWay;
+    std::optional<Reel> m_repeated; ///< of the entry that comes next
+    std::uint32_t m_run = 0;        ///< in which the next entry begins
     std::size_t m_most = defaultMemory;
     std::size_t m_used = 0;
 };
@@ -61,7 +73,9 @@ private:
 /// Between two frames of one run, 0 <= share <= 1, in straight lines.
 FilmFrame between(const FilmFrame& before, const FilmFrame& after, double share);
 
-/// A frame of the film as the view draws it. Its snapshot has places, tools and floor, and nothing else. Any thread.
-FramePointer drawable(const FilmFrame& frame, const Content& content);
+/// A frame of the film as the view draws it. Its snapshot has places, tools and floor, and nothing else. Any thread, for as
+/// long as a skin takes.
+/// @pre the frame is one of these bodies
+FramePointer drawable(const FilmFrame& frame, const ContentBodies& bodies);
 
 } // namespace knead

@@ -25,11 +25,32 @@ std::vector<Entry> wayOf(const History& history, bool isUnderWay)
     return way;
 }
 
-bool isReset(const HistoryRecord& record)
-{
-    return std::any_of(record.commands.begin(), record.commands.end(),
-                       [](const RecordedCommand& recorded) { return std::holds_alternative<Reset>(recorded.command); });
-}
+/// On the timeline, where time goes on after a reset.
+class Place {
+public:
+    double at() const { return m_at; }
+
+    /// An entry begins.
+    void begin(std::uint32_t run, double time)
+    {
+        m_run = run;
+        m_time = time;
+        m_begin = m_at;
+    }
+
+    void goOn(std::uint32_t run, double time)
+    {
+        if (run != m_run)
+            begin(run, 0);
+        m_at = std::max(m_at, m_begin + time - m_time);
+    }
+
+private:
+    double m_at = 0;    // [s]
+    double m_begin = 0; // where the time ...
+    double m_time = 0;  // ... was this [s]
+    std::uint32_t m_run = 0;
+};
 
 } // namespace
 
@@ -69,26 +90,29 @@ const Timeline::Tick* Timeline::tickNear(double at, double reach) const
 Timeline timelineOf(const History& history, const Film& film, bool isUnderWay)
 {
     Timeline line;
-    double at = 0;
-    double time = 0; // simulated at `at`
+    Place place;
+    double time = 0; // at the end of the entry before
     for (const Entry entry : wayOf(history, isUnderWay)) {
         const HistoryRecord& record = history.record(entry);
-        if (line.ticks.empty() || isReset(record))
-            time = std::min(record.time, line.ticks.empty() ? record.time : 0);
-        for (const FilmFramePointer& frame : film.framesOf(entry))
-            line.pictures.push_back({at + std::max(0.0, frame->time - time), entry, false, frame});
-        at += std::max(0.0, record.time - time);
-        time = record.time;
-        line.ticks.push_back({entry, at, record.isKey});
-        if (entry == history.current())
-            line.present = at;
-    }
-    if (isUnderWay)
-        for (const FilmFramePointer& frame : film.underWay()) {
-            line.pictures.push_back({at + std::max(0.0, frame->time - time), history.current(), true, frame});
-            line.present = line.pictures.back().at;
+        const std::uint32_t run = film.firstRunOf(entry);
+        place.begin(run, line.ticks.empty() ? record.time : time);
+        for (const FilmFramePointer& frame : film.framesOf(entry)) {
+            place.goOn(frame->run, frame->time);
+            line.pictures.push_back({place.at(), entry, false, frame, frame->run - run});
         }
-    line.end = std::max(at, line.present);
+        place.goOn(run + resetsIn(record.commands), record.time);
+        time = record.time;
+        line.ticks.push_back({entry, place.at(), record.isKey});
+        if (entry == history.current())
+            line.present = place.at();
+    }
+    place.begin(film.run(), time);
+    for (const FilmFramePointer& frame : isUnderWay ? film.underWay() : std::vector<FilmFramePointer>()) {
+        place.goOn(frame->run, frame->time);
+        line.pictures.push_back({place.at(), history.current(), true, frame});
+        line.present = place.at();
+    }
+    line.end = place.at();
     return line;
 }
 

@@ -21,6 +21,7 @@ struct Timeline {
         History::Entry entry = 0; ///< to which it leads
         bool isUnderWay = false;  ///< there is no entry yet
         FilmFramePointer frame;
+        std::uint32_t run = 0; ///< after so many resets within the entry
     };
     std::vector<Tick> ticks;       ///< the first one at 0
     std::vector<Picture> pictures; ///< in order

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace knead {
 
@@ -80,7 +81,35 @@ protected:
     }
 };
 
+/// With all that is in it.
+void expand(QTreeWidgetItem* item)
+{
+    for (int i = 0; i < item->childCount(); ++i)
+        expand(item->child(i));
+    item->setExpanded(item->childCount() > 0);
+}
+
 } // namespace
+
+/// What depends on where the document is, is asked for when it is drawn: thousands of rows need not be told.
+class HistoryPanel::Row final : public QTreeWidgetItem {
+public:
+    Row(const HistoryPanel& panel, Entry entry)
+        : m_panel(panel)
+        , m_entry(entry)
+    {
+    }
+
+    QVariant data(int column, int role) const override
+    {
+        const QVariant look = m_panel.lookOf(m_entry, column, role);
+        return look.isValid() ? look : QTreeWidgetItem::data(column, role);
+    }
+
+private:
+    const HistoryPanel& m_panel;
+    Entry m_entry;
+};
 
 HistoryPanel::HistoryPanel(Document& document, QWidget* parent)
     : QWidget(parent)
@@ -100,6 +129,7 @@ HistoryPanel::HistoryPanel(Document& document, QWidget* parent)
     m_soon->setInterval(updateTime);
     connect(m_soon, &QTimer::timeout, this, &HistoryPanel::bringUpToDate);
     connect(&document, &Document::changed, this, &HistoryPanel::documentChanged);
+    connect(&document.history(), &DocumentHistory::edited, this, [this](Entry entry) { m_edited.insert(entry); });
 }
 
 void HistoryPanel::makeTree()
@@ -125,6 +155,7 @@ void HistoryPanel::makeTree()
     header->resizeSection(mark, 24);
     for (const Column column : {simulated, made})
         header->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    header->setResizeContentsPrecision(50); // rows that are measured beside those in sight
     connect(m_tree, &QTreeWidget::itemClicked, this, &HistoryPanel::entryClicked);
     connect(m_tree, &QTreeWidget::itemChanged, this, &HistoryPanel::entryEdited);
     connect(m_tree, &QWidget::customContextMenuRequested, this, &HistoryPanel::askWhatToDo);
@@ -185,13 +216,20 @@ void HistoryPanel::bringUpToDate()
         return;
     }
     const QScopedValueRollback updating(m_isUpdating, true);
-    const auto& records = m_document.history().tree().records();
-    const bool isSame = std::equal(records.begin(), records.end(), m_parents.begin(), m_parents.end(),
-                                   [](const HistoryRecord& record, Entry parent) { return record.parent == parent; });
-    if (!isSame)
+    const History& tree = m_document.history().tree();
+    if (!isListed())
         build();
+    for (auto entry = static_cast<Entry>(m_items.size()); entry < tree.records().size(); ++entry)
+        addEntry(entry);
+    m_tree->setRootIsDecorated(m_tree->topLevelItemCount() < static_cast<int>(m_items.size())); // there are branches
     showEntries();
-    showMemory();
+    m_used->setText(memoryText(tree.memory()));
+}
+
+/// Whether the list is that of the document.
+bool HistoryPanel::isListed() const
+{
+    return m_listed == m_document.history().documentNumber();
 }
 
 void HistoryPanel::build()
@@ -199,34 +237,57 @@ void HistoryPanel::build()
     const History& tree = m_document.history().tree();
     m_tree->clear();
     m_items.assign(tree.records().size(), nullptr);
-    m_parents.clear();
-    for (const HistoryRecord& record : tree.records())
-        m_parents.push_back(record.parent);
+    m_edited.clear();
+    m_listed = m_document.history().documentNumber();
     addWay(outlineOf(tree), m_tree->invisibleRootItem());
     m_tree->expandAll();
-    const bool hasBranches = m_tree->topLevelItemCount() < static_cast<int>(m_items.size());
-    m_tree->setRootIsDecorated(hasBranches);
 }
 
 void HistoryPanel::addWay(const std::vector<OutlineRow>& way, QTreeWidgetItem* parent)
 {
-    const History& tree = m_document.history().tree();
     for (const OutlineRow& row : way) {
-        auto* item = new QTreeWidgetItem(parent);
-        const HistoryRecord& record = tree.record(row.entry);
-        const bool beginsStart = row.entry == 0 || record.start != tree.record(record.parent).start;
-        const EntryKind kind = kindOf(record, beginsStart);
-        item->setData(name, entryRole, row.entry);
-        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
-        item->setIcon(name, icon(beginsStart && row.entry != 0 ? "refill" : iconOf(kind)));
-        item->setText(simulated, timeText(record.time));
-        item->setText(made, clockTime(record.wallTime));
-        for (const Column column : {simulated, made})
-            item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-        m_items[row.entry] = item;
+        m_items[row.entry] = makeRow(row.entry);
+        parent->addChild(m_items[row.entry]);
         for (const auto& branch : row.branches)
-            addWay(branch, item);
+            addWay(branch, m_items[row.entry]);
     }
+}
+
+/// As outlineOf() has it: what was done before from the same entry on moves aside, under that.
+void HistoryPanel::addEntry(Entry entry)
+{
+    const History& tree = m_document.history().tree();
+    QTreeWidgetItem* before = m_items[tree.record(entry).parent];
+    QTreeWidgetItem* list = before->parent() == nullptr ? m_tree->invisibleRootItem() : before->parent();
+    const int place = list->indexOfChild(before) + 1;
+    int end = place; // another branch may follow
+    while (end < list->childCount() && tree.record(entryOf(list->child(end))).parent == entryOf(list->child(end - 1)))
+        ++end;
+    QList<QTreeWidgetItem*> others;
+    for (; end > place; --end)
+        others.prepend(list->takeChild(end - 1));
+    before->addChildren(others);
+    if (!others.empty())
+        expand(before);
+    m_items.push_back(makeRow(entry));
+    list->insertChild(place, m_items.back());
+}
+
+QTreeWidgetItem* HistoryPanel::makeRow(Entry entry)
+{
+    const History& tree = m_document.history().tree();
+    const HistoryRecord& record = tree.record(entry);
+    const bool beginsStart = entry == 0 || record.start != tree.record(record.parent).start;
+    auto* row = new Row(*this, entry);
+    row->setData(name, entryRole, entry);
+    row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
+    row->setIcon(name, icon(beginsStart && entry != 0 ? "refill" : iconOf(kindOf(record, beginsStart))));
+    row->setText(simulated, timeText(record.time));
+    row->setText(made, clockTime(record.wallTime));
+    for (const Column column : {simulated, made})
+        row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    m_edited.insert(entry);
+    return row;
 }
 
 void HistoryPanel::showEntries()
@@ -235,45 +296,56 @@ void HistoryPanel::showEntries()
     m_isOnWay.assign(m_items.size(), false);
     for (const Entry entry : tree.pathTo(tree.current()))
         m_isOnWay[entry] = true;
-    for (QTreeWidgetItem* item : m_items)
-        showEntry(item);
+    for (const Entry entry : std::exchange(m_edited, {}))
+        showEntry(entry);
     QTreeWidgetItem* current = m_items[tree.current()];
     if (m_tree->currentItem() != current) {
         m_tree->setCurrentItem(current, name);
         m_tree->scrollToItem(current);
     }
+    m_tree->viewport()->update();
 }
 
-void HistoryPanel::showEntry(QTreeWidgetItem* item)
+void HistoryPanel::showEntry(Entry entry)
 {
-    const Entry entry = entryOf(item);
-    const History& tree = m_document.history().tree();
-    const HistoryRecord& record = tree.record(entry);
-    QFont font = m_tree->font();
-    font.setBold(entry == tree.current());
-    const QColor dimmed = palette().color(QPalette::PlaceholderText);
-    item->setText(name, QString::fromStdString(record.name));
-    item->setFont(name, font);
-    item->setData(name, Qt::ForegroundRole, m_isOnWay[entry] ? QVariant() : QVariant(dimmed));
-    for (const Column column : {simulated, made})
-        item->setForeground(column, dimmed);
-    item->setIcon(mark, record.isKey ? icon("star-full") : QIcon());
+    const HistoryRecord& record = m_document.history().tree().record(entry);
+    m_items[entry]->setText(name, QString::fromStdString(record.name));
+    m_items[entry]->setIcon(mark, record.isKey ? icon("star-full") : QIcon());
+}
+
+/// @return invalid where the row looks as it was told to
+QVariant HistoryPanel::lookOf(Entry entry, int column, int role) const
+{
+    if (!isListed() || entry >= m_isOnWay.size())
+        return {};
+    if (role == Qt::ForegroundRole && (column != name || !m_isOnWay[entry]))
+        return palette().brush(QPalette::PlaceholderText);
+    if (role == Qt::FontRole && column == name && entry == m_document.history().tree().current()) {
+        QFont font = m_tree->font();
+        font.setBold(true);
+        return font;
+    }
+    return role == Qt::ToolTipRole ? tipOf(entry, column) : QVariant();
+}
+
+QVariant HistoryPanel::tipOf(Entry entry, int column) const
+{
+    const HistoryRecord& record = m_document.history().tree().record(entry);
+    if (column == mark)
+        return record.isKey ? tr("A key moment; click: no longer one") : tr("Mark as a key moment");
+    if (column != name)
+        return {};
     const QString kept = record.moment ? tr("Kept, %1").arg(memoryText(record.moment->size()))
                                        : tr("Found again by repeating what leads to it");
-    item->setToolTip(
-        name, tr("%1\nSimulated: %2, step %3\n%4")
-                  .arg(QString::fromStdString(record.name), timeText(record.time), formatCount(record.step), kept));
-    item->setToolTip(mark, record.isKey ? tr("A key moment; click: no longer one") : tr("Mark as a key moment"));
-}
-
-void HistoryPanel::showMemory()
-{
-    m_used->setText(memoryText(m_document.history().tree().memory()));
+    return tr("%1\nSimulated: %2, step %3\n%4")
+        .arg(QString::fromStdString(record.name), timeText(record.time), formatCount(record.step), kept);
 }
 
 void HistoryPanel::entryClicked(QTreeWidgetItem* item, int column)
 {
     const Entry entry = entryOf(item);
+    if (!isListed())
+        return;
     if (column == mark)
         toggleKey(entry);
     else if (entry != m_document.history().tree().current())
@@ -282,10 +354,11 @@ void HistoryPanel::entryClicked(QTreeWidgetItem* item, int column)
 
 void HistoryPanel::entryEdited(QTreeWidgetItem* item, int column)
 {
-    if (m_isUpdating || column != name)
+    if (m_isUpdating || column != name || !isListed())
         return;
     if (const QString typed = item->text(name).trimmed(); !typed.isEmpty())
         m_document.history().rename(entryOf(item), typed);
+    m_edited.insert(entryOf(item));
     m_soon->start();
 }
 
@@ -304,7 +377,7 @@ void HistoryPanel::renameEntry(QTreeWidgetItem* item)
 void HistoryPanel::askWhatToDo(const QPoint& place)
 {
     QTreeWidgetItem* item = m_tree->itemAt(place);
-    if (item == nullptr)
+    if (item == nullptr || !isListed())
         return;
     const Entry entry = entryOf(item);
     const bool isKey = m_document.history().tree().record(entry).isKey;

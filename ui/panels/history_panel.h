@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+#include <cstdint>
+#include <set>
 #include <vector>
 
 class QLabel;
@@ -28,15 +30,21 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    class Row;
+
     void makeTree();
     void makeFoot();
     void documentChanged(Document::Change what);
     void bringUpToDate();
     void build();
+    bool isListed() const;
     void addWay(const std::vector<OutlineRow>& way, QTreeWidgetItem* parent);
+    void addEntry(Entry entry);
+    QTreeWidgetItem* makeRow(Entry entry);
     void showEntries();
-    void showEntry(QTreeWidgetItem* item);
-    void showMemory();
+    void showEntry(Entry entry);
+    QVariant lookOf(Entry entry, int column, int role) const;
+    QVariant tipOf(Entry entry, int column) const;
     void entryClicked(QTreeWidgetItem* item, int column);
     void entryEdited(QTreeWidgetItem* item, int column);
     void askWhatToDo(const QPoint& place);
@@ -49,8 +57,9 @@ private:
     QSpinBox* m_allowed;                   ///< [MB]
     QTimer* m_soon;                        ///< many changes are shown at once
     std::vector<QTreeWidgetItem*> m_items; ///< by entry
-    std::vector<Entry> m_parents; ///< of the entries listed; tells whether the list is still that of the document
-    std::vector<bool> m_isOnWay;  ///< per entry: leads to the present one
+    std::vector<bool> m_isOnWay;           ///< per entry: leads to the present one
+    std::set<Entry> m_edited;              ///< entries whose name or mark is not shown yet
+    std::uint64_t m_listed = 0;            ///< number of the document whose entries these are
     bool m_isUpdating = false;
 };
 

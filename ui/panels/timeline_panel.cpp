@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace knead {
 
@@ -115,6 +116,10 @@ void TimelinePanel::documentChanged(Document::Change what)
     const bool isElsewhere = what == Document::Change::Content || what == Document::Change::Moment;
     if (isElsewhere || m_document.isPlaying())
         stopLooking();
+    if (what == Document::Change::Content) { // what is on the axis fits it no longer
+        m_axis->show({});
+        showState();
+    }
     if (isVisible() && what != Document::Change::Selection && what != Document::Change::Fixtures && !m_soon->isActive())
         m_soon->start();
 }
@@ -127,8 +132,7 @@ void TimelinePanel::showEvent(QShowEvent* event)
 
 void TimelinePanel::bringUpToDate()
 {
-    if (!m_document.history().isEmpty())
-        m_axis->show(timelineOf(m_document.history().tree(), m_document.film(), m_document.isUnderWay()));
+    m_axis->show(m_document.timeline());
     showState();
 }
 
@@ -140,9 +144,33 @@ void TimelinePanel::lookAt(double at)
     m_axis->lookAt(at);
     if (const FilmFramePointer frame = frameFor(at); frame && frame != m_seen) {
         m_seen = frame;
-        emit looked(drawable(*m_seen, m_document.content()), tr("Looking back at %1   Esc: return").arg(timeText(at)));
+        draw();
     }
     showState();
+}
+
+/// On another thread, always what is looked at when it gets there: the window never waits for a skin.
+void TimelinePanel::draw()
+{
+    if (std::exchange(m_isDrawing, true))
+        return; // drawn() goes on with it
+    const QString caption = tr("Looking back at %1   Esc: return").arg(timeText(*m_looking));
+    m_drawing.run([this, frame = m_seen, caption, bodies = m_document.content().bodies, look = m_look] {
+        const auto tell = [this, frame, caption, look, picture = drawable(*frame, bodies)] {
+            drawn(frame, look, picture, caption);
+        };
+        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+    });
+}
+
+void TimelinePanel::drawn(const FilmFramePointer& frame, std::uint64_t look, const FramePointer& picture,
+                          const QString& caption)
+{
+    m_isDrawing = false;
+    if (look == m_look)
+        emit looked(picture, caption);
+    if (m_seen && (look != m_look || frame != m_seen))
+        draw();
 }
 
 /// Between pictures while the film is played; what stands still is one at which a branch can begin.
@@ -213,7 +241,7 @@ void TimelinePanel::branchHere()
     if (picture == nullptr || picture->isUnderWay)
         return;
     m_player->stop();
-    m_document.branchAt(picture->entry, picture->frame->step);
+    m_document.branchAt(picture->entry, picture->frame->step, picture->run);
 }
 
 void TimelinePanel::stopLooking()
@@ -223,6 +251,7 @@ void TimelinePanel::stopLooking()
         return;
     m_looking.reset();
     m_seen.reset();
+    ++m_look;
     m_axis->lookAt({});
     emit looked(nullptr, {});
     showState();

@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/timeline.h"
+#include "ui/tasks/ordered_worker.h"
 
 #include <QWidget>
 
@@ -48,6 +49,8 @@ private:
     void documentChanged(Document::Change what);
     void bringUpToDate();
     void lookAt(double at);
+    void draw();
+    void drawn(const FilmFramePointer& frame, std::uint64_t look, const FramePointer& picture, const QString& caption);
     FilmFramePointer frameFor(double at) const;
     void release(double at);
     void stepBy(int pictures);
@@ -71,7 +74,10 @@ private:
     QTimer* m_player; ///< while the film is played
     std::unique_ptr<QElapsedTimer> m_clock;
     std::optional<double> m_looking; ///< [s] of the timeline
-    FilmFramePointer m_seen;         ///< what the view shows
+    FilmFramePointer m_seen;         ///< what the view shows, or will
+    std::uint64_t m_look = 0;        ///< goes up when one returns; pictures from before are dropped
+    bool m_isDrawing = false;
+    OrderedWorker m_drawing; // last: it ends first
 };
 
 } // namespace knead

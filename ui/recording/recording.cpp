@@ -26,7 +26,7 @@ void record(const Recording& recording, const Timeline& line, const Content& con
         const QString stage = QCoreApplication::translate("Recording", "picture %1 of %2").arg(i + 1).arg(count);
         control.report(static_cast<double>(i) / static_cast<double>(count), stage.toStdString());
         const double at = recording.placeOf(i);
-        writer.add(draw(drawable(*line.frameAt(at), content), at));
+        writer.add(draw(drawable(*line.frameAt(at), content.bodies), at));
     }
     writer.finish();
 }
