@@ -133,20 +133,20 @@ private slots:
     void missingNumberIsNamed()
     {
         QCOMPARE(messageFor(oneMaterial(complete)),
-                 std::string("materials.json: materials[0] must have the key \"friction\"."));
+                 std::string("materials.json, line 1: materials[0] must have the key \"friction\"."));
     }
 
     void numberOutOfRangeIsNamed()
     {
         QCOMPARE(messageFor(oneMaterial(complete + R"(, "friction": 3)")),
-                 std::string("materials.json: materials[0].friction must be a number between 0 and 2, got 3."));
+                 std::string("materials.json, line 4: materials[0].friction must be a number between 0 and 2, got 3."));
     }
 
     void idUsedTwiceIsRefused()
     {
         const std::string mud = complete + R"(, "friction": 0.7)";
         QCOMPARE(messageFor(oneMaterial(mud + "}, {" + mud)),
-                 std::string("materials.json: materials[1].id is used twice: \"mud\"."));
+                 std::string("materials.json, line 4: materials[1].id is used twice: \"mud\"."));
     }
 
     void missingFileIsNamed()
