@@ -2,6 +2,7 @@
 
 #include "core/document/byte_stream.h"
 #include "core/document/history_replay.h"
+#include "io/project/packing.h"
 #include "support/window_on_test.h"
 
 #include <QtTest>
@@ -134,7 +135,7 @@ protected:
         std::set<Entry> all;
         for (Entry entry = 0; entry < project.entries.size(); ++entry)
             all.insert(entry);
-        HistoryReplay replay(project);
+        HistoryReplay replay(project, HistoryReplay::From::starts, zstandardPacking());
         for (const Entry entry : all) {
             const RepeatedEntry repeated = replay.repeat(entry, TaskControl::none(), all);
             QVERIFY2(repeated.isSame, qPrintable(QString("entry %1, \"%2\": %3")
