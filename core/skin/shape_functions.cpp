@@ -1,24 +1,28 @@
 #include "core/skin/shape_functions.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
-#include <optional>
 
 namespace knead {
 
 namespace {
 
-constexpr double smallestPivot = 1e-6;      // of the moment matrix scaled to a unit diagonal
-constexpr double largestAmplification = 12; // of errors in node values, sum of |phi|; 1.7 at most surfaces
-constexpr double widening = 1.35;           // of the support at sharp corners, where too few nodes are near
+// Functions are given up by and by, so that nothing jumps from one point to the next.
+constexpr double poorPivot = 1e-6; // of the moment matrix scaled to a unit diagonal
+constexpr double goodPivot = 1e-4;
+constexpr double goodAmplification = 10; // of errors in node values, sum of |phi|; 1.7 at most surfaces
+constexpr double poorAmplification = 16;
+constexpr double ridge = 0.03; // keeps second derivatives small that the nodes hardly determine
 
 // Basis functions: 1, x, y, z, xx, yy, zz, xy, yz, zx.
 constexpr std::size_t basisSize = 10;
+constexpr std::size_t linearSize = 4;
 using Powers = std::array<std::uint8_t, 3>;
 constexpr std::array<Powers, basisSize> basisPowers{
     {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}}};
@@ -95,7 +99,7 @@ WeightedNodes weigh(std::span<const Vec3> offsets, double support)
         WeightedNodes::Group& group = nodes.groups.back();
         const double r = std::sqrt(squared);
         const double rest = (1 - r) * (1 - r);
-        group.weight[lane] = rest * rest * (4 * r + 1); // Wendland's C2 function
+        group.weight[lane] = rest * (1 - r) * (3 * r + 1);
         for (Eigen::Index c = 0; c < 3; ++c)
             group.place[c][lane] = offsets[i][c] / support;
         nodes.indices.push_back(i);
@@ -140,29 +144,55 @@ Functions functionsAt(const WeightedNodes& nodes, const Eigen::Matrix<double, ba
     return functions;
 }
 
-/// phi_i = w_i p(x_i)^T M^-1 p(0) with M = sum_i w_i p(x_i) p(x_i)^T, of the first `size` basis functions; nothing when M is
-/// close to singular.
-template <int size>
-std::optional<Functions> solve(const WeightedNodes& nodes)
-{
-    using Basis = Eigen::Matrix<double, size, 1>;
-    using Square = Eigen::Matrix<double, size, size>;
-    const std::array<double, Monomials::count> sums = momentsOf(nodes);
-    Square moments;
-    for (int i = 0; i < size; ++i)
-        for (int j = 0; j < size; ++j)
-            moments(i, j) = sums[monomials.ofPair[i][j]];
-    const Basis diagonal = moments.diagonal();
-    if (!(diagonal.minCoeff() > 0))
-        return std::nullopt;
-    const Basis scale = diagonal.cwiseSqrt().cwiseInverse();
-    const Eigen::LDLT<Square> factors(scale.asDiagonal() * moments * scale.asDiagonal());
-    if (factors.vectorD().minCoeff() < smallestPivot)
-        return std::nullopt;
-    Eigen::Matrix<double, basisSize, 1> solution = Eigen::Matrix<double, basisSize, 1>::Zero();
-    solution.template head<size>() = scale.cwiseProduct(factors.solve(scale[0] * Basis::Unit(0)));
-    return functionsAt(nodes, solution);
-}
+using Basis = Eigen::Matrix<double, basisSize, 1>;
+using Square = Eigen::Matrix<double, basisSize, basisSize>;
+
+/// M = sum_i w_i p(x_i) p(x_i)^T, scaled to a unit diagonal, as L D L^T. Pivots are taken in the order of the basis: what they are
+/// changes as smoothly as M does.
+struct Factors {
+    Basis scale = Basis::Zero();
+    Square lower = Square::Zero(); ///< L below the diagonal
+    Basis pivots = Basis::Zero();  ///< D; zero from where M is singular
+
+    /// @param damping added to the diagonal for the quadratic functions
+    Factors(const std::array<double, Monomials::count>& moments, double damping)
+    {
+        Square rest;
+        for (Eigen::Index i = 0; i < rest.rows(); ++i)
+            for (Eigen::Index j = 0; j < rest.cols(); ++j)
+                rest(i, j) = moments[monomials.ofPair[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]];
+        if (!(rest.diagonal().minCoeff() > 0))
+            return;
+        scale = rest.diagonal().cwiseSqrt().cwiseInverse();
+        rest = (scale.asDiagonal() * rest * scale.asDiagonal()).eval();
+        rest.diagonal().tail<basisSize - linearSize>().array() += damping;
+        for (Eigen::Index k = 0; k < rest.rows(); ++k) {
+            const double pivot = rest(k, k);
+            if (!(pivot > std::numeric_limits<double>::epsilon()))
+                return;
+            pivots[k] = pivot;
+            for (Eigen::Index i = k + 1; i < rest.rows(); ++i)
+                lower(i, k) = rest(i, k) / pivot;
+            for (Eigen::Index j = k + 1; j < rest.cols(); ++j)
+                for (Eigen::Index i = j; i < rest.rows(); ++i)
+                    rest(i, j) -= lower(i, k) * pivot * lower(j, k);
+        }
+    }
+
+    /// (M + damping)^-1 p(0). @pre no pivot is zero
+    Basis solve() const
+    {
+        Basis x = scale[0] * Basis::Unit(0);
+        for (Eigen::Index k = 0; k < x.size(); ++k)
+            for (Eigen::Index i = k + 1; i < x.size(); ++i)
+                x[i] -= lower(i, k) * x[k];
+        x = x.cwiseQuotient(pivots).eval();
+        for (Eigen::Index k = x.size() - 1; k >= 0; --k)
+            for (Eigen::Index i = k + 1; i < x.size(); ++i)
+                x[k] -= lower(i, k) * x[i];
+        return scale.cwiseProduct(x);
+    }
+};
 
 double amplification(const Functions& functions)
 {
@@ -170,36 +200,50 @@ double amplification(const Functions& functions)
                            [](double sum, double function) { return sum + std::abs(function); });
 }
 
-/// One value for every offset, zero for nodes that are too far.
-std::vector<double> spread(const Functions& functions, const WeightedNodes& nodes, std::size_t count)
+/// 0 at one end of a range and beyond, 1 at the other, flat at both.
+double smoothStep(double x, double zero, double one)
 {
-    std::vector<double> all(count, 0);
-    for (std::size_t i = 0; i < functions.size(); ++i)
-        all[nodes.indices[i]] = functions[i];
-    return all;
+    const double t = std::clamp((x - zero) / (one - zero), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
 }
 
-std::optional<Functions> solveQuadratic(const WeightedNodes& nodes)
+/// How far functions can be trusted that some pivots stand for: from 0 to 1.
+double trustIn(const Eigen::Ref<const Eigen::VectorXd>& pivots)
 {
-    auto functions = solve<10>(nodes);
-    if (functions && amplification(*functions) > largestAmplification)
-        return std::nullopt;
-    return functions;
+    double trust = 1;
+    for (const double pivot : pivots)
+        trust *= pivot > 0 ? smoothStep(std::log(pivot), std::log(poorPivot), std::log(goodPivot)) : 0;
+    return trust;
 }
 
 } // namespace
 
 std::vector<double> shapeFunctions(std::span<const Vec3> offsets, double support)
 {
-    const WeightedNodes near = weigh(offsets, support);
-    if (const auto functions = solveQuadratic(near))
-        return spread(*functions, near, offsets.size());
-    const WeightedNodes wide = weigh(offsets, widening * support);
-    if (const auto functions = solveQuadratic(wide))
-        return spread(*functions, wide, offsets.size());
-    if (const auto functions = solve<4>(near))
-        return spread(*functions, near, offsets.size());
-    return spread(*solve<1>(near), near, offsets.size());
+    std::vector<double> all(offsets.size(), 0);
+    const WeightedNodes nodes = weigh(offsets, support);
+    const std::array<double, Monomials::count> moments = momentsOf(nodes);
+    double rest = 1; // of the trust, for functions less exact but safer
+    const auto take = [&](const Functions& functions, double share) {
+        for (std::size_t i = 0; i < functions.size(); ++i)
+            all[nodes.indices[i]] += share * functions[i];
+        rest -= share;
+    };
+
+    const Factors exact(moments, 0);
+    if (double trust = trustIn(exact.pivots); trust > 0) {
+        const Functions functions = functionsAt(nodes, exact.solve());
+        trust *= smoothStep(amplification(functions), poorAmplification, goodAmplification);
+        take(functions, trust);
+    }
+    if (rest <= 0)
+        return all;
+    const Factors damped(moments, ridge);
+    if (const double trust = trustIn(damped.pivots); trust > 0)
+        take(functionsAt(nodes, damped.solve()), rest * trust);
+    if (rest > 0)
+        take(functionsAt(nodes, Basis::Unit(0) / moments[0]), rest);
+    return all;
 }
 
 } // namespace knead

@@ -7,10 +7,11 @@
 
 namespace knead {
 
-/// Moving-least-squares shape functions at the origin for nodes at `offsets`, with the Wendland C2 weight
-/// (1 - r)^4 (4 r + 1) of the given support. They reproduce quadratic functions, with a wider support where too few
-/// nodes are near; where the nodes do not determine one, linear functions; where they do not determine that either,
-/// constants. They sum to 1; nodes beyond the support get 0.
+/// Moving-least-squares shape functions at the origin for nodes at `offsets`, with the weight (1 - r)^3 (3 r + 1)
+/// of the given support, twice continuously differentiable (Wendland). They reproduce quadratic functions; where the nodes hardly determine one, such as
+/// across a sheet of two layers, linear functions, with the second derivatives that they leave open kept small; where they do not
+/// determine that either, constants. From one to the other they change by and by, so that they are continuous in the offsets.
+/// They sum to 1; nodes beyond the support get 0.
 /// @pre at least one node is closer than the support
 std::vector<double> shapeFunctions(std::span<const Vec3> offsets, double support);
 

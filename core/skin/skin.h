@@ -9,13 +9,13 @@
 namespace knead {
 
 /// Carries points of the imported surface along with the objects: x(X) = X + sum_i phi_i(X) u_i, where u_i is the
-/// displacement of object i and phi are quadratic moving-least-squares shape functions with Wendland C2 weights of
-/// support 2.6 a. The map reproduces affine (and quadratic) displacement fields, and is C2 in X.
+/// displacement of object i and phi are quadratic moving-least-squares shape functions with C2 weights whose
+/// support is about 3 spacings below a flat face. The map reproduces affine (and quadratic) displacement fields, and is C2 in X.
 ///
 /// Objects that influence a point are gathered along connections (at most three steps from the cell that owns the
 /// point), so material across a gap does not pull. Where few objects are near, at sharp corners and on fins too thin to
-/// hold any, the support is wider; where the moment matrix of the quadratic basis stays singular the linear basis is
-/// used, then the constant one.
+/// hold any, the support is wider; where the objects do not determine a quadratic function, a linear one takes over by and by,
+/// then a constant one, so that the map is continuous wherever the connections are.
 ///
 /// Immutable after construction; evaluate() may run on any number of threads and uses several itself.
 class Skin {

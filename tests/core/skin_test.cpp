@@ -3,6 +3,7 @@
 #include "core/aggregate/fill.h"
 #include "core/skin/shape_functions.h"
 #include "core/skin/skin.h"
+#include "core/skin/skin_map.h"
 #include "support/shapes.h"
 
 #include <QtTest>
@@ -140,6 +141,38 @@ private slots:
         const double twistError = largestError(bar.aggregate, points, bar.inWorld(twist90));
         QVERIFY2(bendError < 0.004, qPrintable(QString::number(bendError)));
         QVERIFY2(twistError < 0.008, qPrintable(QString::number(twistError)));
+    }
+
+    void nothingJumpsAlongTheSurface_data() { rigidAndAffineMotionsAreExact_data(); }
+    void nothingJumpsAlongTheSurface()
+    {
+        QFETCH(double, angle);
+        const Bar bar(shapes::tilt(angle, Vec3(0.13, 0.07, 0.31)));
+        // Displacements that no quadratic function describes: what is left out anywhere is missed.
+        std::minstd_rand random(4);
+        std::vector<Vec3> rough(bar.aggregate.size());
+        for (Vec3& displacement : rough)
+            for (double& component : displacement)
+                component = std::uniform_real_distribution<double>(-0.1, 0.1)(random);
+        const SkinMap map(bar.aggregate, rough);
+        constexpr int count = 4000;
+        const auto shiftAlong = [&](const Vec3& from, const Vec3& to) {
+            std::vector<Vec3> points;
+            for (int i = 0; i <= count; ++i)
+                points.push_back(bar.pose.toWorld(from + (to - from) * i / count));
+            std::vector<Vec3> places(points.size());
+            map.evaluate(points, places);
+            double largest = 0;
+            for (std::size_t i = 1; i < points.size(); ++i)
+                largest = std::max(largest, ((places[i] - points[i]) - (places[i - 1] - points[i - 1])).norm());
+            return largest / ((to - from).norm() / count);
+        };
+        // Slopes of such displacements are at most about 10; a jump of 0.01 would be a slope of 5 to 15 more.
+        const double limit = 6;
+        QVERIFY2(shiftAlong({-8, -2, -2}, {8, 2, -2}) < limit, "across the bottom");
+        QVERIFY2(shiftAlong({-8, 0.3, 2}, {8, 0.4, 2}) < limit, "along the top");
+        QVERIFY2(shiftAlong({-8, -2, -2}, {8, -2, -2}) < limit, "along an edge");
+        QVERIFY2(shiftAlong({8, -2, -2}, {8, 2, 2}) < limit, "across the end");
     }
 
     void normalsOfABentBarAreRight_data() { rigidAndAffineMotionsAreExact_data(); }
