@@ -1,6 +1,7 @@
 #include "core/skin/skin_map.h"
 
 #include "core/skin/point_weights.h"
+#include "core/task/parallel.h"
 
 #include <algorithm>
 #include <numeric>
@@ -8,6 +9,12 @@
 #include <utility>
 
 namespace knead {
+
+namespace {
+
+constexpr std::size_t pointsPerBlock = 512;
+
+} // namespace
 
 SkinMap::SkinMap(const Aggregate& aggregate, std::vector<Vec3> displacements)
     : m_aggregate(aggregate)
@@ -24,25 +31,34 @@ SkinMap::SkinMap(const Aggregate& aggregate, std::vector<Vec3> displacements)
 void SkinMap::evaluate(std::span<const Vec3> points, std::span<Vec3> places) const
 {
     const Lattice& lattice = m_aggregate.lattice;
-    std::vector<NeighborhoodFinder::Owner> owners;
-    owners.reserve(points.size());
-    for (const Vec3& point : points)
-        owners.push_back(m_finder.owner(lattice.coordinates(point)));
+    std::vector<NeighborhoodFinder::Owner> owners(points.size());
+    forEachBlock(points.size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t point = begin; point < end; ++point)
+            owners[point] = m_finder.owner(lattice.coordinates(points[point]));
+    });
     std::vector<std::uint32_t> order(points.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return owners[a] < owners[b]; });
-    std::vector<ObjectIndex> objects;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const std::uint32_t point = order[i];
-        if (i == 0 || owners[point] != owners[order[i - 1]])
-            objects = m_finder.gather(owners[point]);
-        const std::vector<double> weights = pointWeights(lattice, objects, lattice.coordinates(points[point]));
-        const Vec3 common = m_displacements[objects.front()];
-        Vec3 sum = Vec3::Zero();
-        for (std::size_t k = 0; k < objects.size(); ++k)
-            sum += weights[k] * (m_displacements[objects[k]] - common);
-        places[point] = points[point] + (common + sum);
-    }
+    forEachBlock(order.size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
+        std::vector<ObjectIndex> objects;
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t point = order[i];
+            if (i == begin || owners[point] != owners[order[i - 1]])
+                objects = m_finder.gather(owners[point]);
+            places[point] = place(points[point], objects);
+        }
+    });
+}
+
+Vec3 SkinMap::place(const Vec3& point, const std::vector<ObjectIndex>& objects) const
+{
+    const Lattice& lattice = m_aggregate.lattice;
+    const std::vector<double> weights = pointWeights(lattice, objects, lattice.coordinates(point));
+    const Vec3 common = m_displacements[objects.front()];
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < objects.size(); ++k)
+        sum += weights[k] * (m_displacements[objects[k]] - common);
+    return point + (common + sum);
 }
 
 } // namespace knead

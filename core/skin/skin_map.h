@@ -17,12 +17,16 @@ public:
     /// @throws std::invalid_argument for an aggregate without objects
     SkinMap(const Aggregate& aggregate, std::vector<Vec3> displacements);
 
+    /// Uses several threads for many points.
     void evaluate(std::span<const Vec3> points, std::span<Vec3> places) const override;
 
     /// The spacing of the objects: the map knows nothing finer [m].
     double featureSize() const override { return m_aggregate.lattice.spacing; }
 
 private:
+    /// @param objects that may carry the point
+    Vec3 place(const Vec3& point, const std::vector<ObjectIndex>& objects) const;
+
     const Aggregate& m_aggregate;
     NeighborhoodFinder m_finder;
     std::vector<Vec3> m_displacements;
