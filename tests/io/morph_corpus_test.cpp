@@ -36,11 +36,12 @@ struct Row {
     std::string reason;
 };
 
-/// No coarser than its walls, as far as that can be simulated quickly.
+/// Two cells across its walls, as far as that can be simulated quickly: where a wall has gaps in the lattice, the material is torn,
+/// and its surface with it.
 double spacingFor(const Part& part)
 {
     const double wall = 2 * part.volume / part.area;
-    return std::max(std::min(spacingForCellsAcross(part.mesh, 16), wall), spacingForObjectCount(part.mesh, 12'000));
+    return std::max(std::min(spacingForCellsAcross(part.mesh, 16), wall / 2), spacingForObjectCount(part.mesh, 60'000));
 }
 
 /// Pressed between two plates by a tenth of its thinnest side.
@@ -72,7 +73,9 @@ PartToExport squeezed(const Part& part)
         scene.manipulators.push_back(plate);
     }
     Simulation simulation(std::move(scene));
-    for (int step = 0; step < 1000 && simulation.health().ok; ++step)
+    // As long as sound takes to cross the part several times.
+    const double steps = 40 * part.box.diagonal().norm() / out.aggregate->lattice.spacing;
+    for (int step = 0; step < steps && simulation.health().ok; ++step)
         simulation.step();
     out.displacements = simulation.snapshot()->bodies[0].displacements();
     return out;
