@@ -5,12 +5,16 @@
 #include "app/project_services.h"
 #include "app/recipe_services.h"
 #include "app/resources.h"
+#include "app/thread_limit.h"
 #include "io/export/export_formats.h"
 #include "io/importer.h"
+#include "io/library_versions.h"
 #include "io/material_library.h"
 #include "io/project/packing.h"
 #include "io/safe_file.h"
 #include "ui/run_window.h"
+
+#include <memory>
 
 namespace knead {
 
@@ -46,6 +50,12 @@ Services fileServices()
     services.importFormats = formats(importFormats());
     services.exportFormats = formats(allExportFormats());
     services.materials = readMaterials(materialsFile());
+    for (const LibraryVersion& library : libraryVersions())
+        services.libraries.push_back({library.name, library.version, library.license});
+    services.limitThreads = [limit = std::make_shared<std::unique_ptr<ThreadLimit>>()](unsigned threads) {
+        limit->reset();
+        *limit = std::make_unique<ThreadLimit>(threads);
+    };
     services.examplesFolder = resourcesFolder() + "/examples";
     services.projects = projectServices();
     services.recipes = recipeServices();

@@ -11,7 +11,7 @@ find_package(ZLIB REQUIRED)
 find_package(zstd REQUIRED)
 find_package(SQLite3 3.37 REQUIRED)
 find_package(SQLiteCpp REQUIRED)
-find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg Test)
+find_package(Qt6 6.4 REQUIRED COMPONENTS Core DBus Gui LinguistTools Widgets OpenGL OpenGLWidgets Svg Test)
 find_package(VTK 9.1 REQUIRED COMPONENTS
     CommonCore CommonDataModel CommonExecutionModel CommonTransforms FiltersCore FiltersGeneral FiltersSources
     InteractionStyle InteractionWidgets RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2

@@ -51,7 +51,7 @@ QList<QAction*> makeToolActions(QWidget* window)
         if (look.kind == ToolKind::part)
             continue;
         const QByteArray name = QByteArray("add") + look.name;
-        const QByteArray tip = "Put a " + QByteArray(look.name).toLower() + " above the part to push it with";
+        const char* tip = "Put one above the part to push it with";
         const QList<QKeySequence> keys =
             look.kind == ToolKind::box ? QList<QKeySequence>{Qt::Key_B} : QList<QKeySequence>{};
         QAction* action = make(window, {name, look.name, look.icon, keys, tip});
@@ -134,12 +134,27 @@ Actions::Actions(QWidget* window)
     , hide(make(window, {"hide", "Hide or show body", nullptr, {Qt::Key_H}}))
     , lightTheme(make(window, {"lightTheme", "Light", nullptr, {}, nullptr, true}))
     , darkTheme(make(window, {"darkTheme", "Dark", nullptr, {}, nullptr, true}))
+    , systemTheme(make(window, {"systemTheme", "As the system", nullptr, {}, nullptr, true}))
+    , palette(make(window, {"palette",
+                            "Find a command...",
+                            nullptr,
+                            {QKeySequence("Ctrl+K")},
+                            "Find any command by a few of its letters and do it"}))
+    , preferences(make(window, {"preferences",
+                                "&Preferences...",
+                                nullptr,
+                                {QKeySequence("Ctrl+,")},
+                                "Theme, language, units, memory, files, view"}))
+    , shortcuts(make(window, {"shortcuts", "&Keyboard shortcuts...", nullptr, {}, "Give commands other keys"}))
+    , resetLayout(make(window, {"resetLayout", "Reset layout", nullptr, {}, "Put all panels back where they came"}))
+    , fullScreen(make(window, {"fullScreen", "Full screen", nullptr, {Qt::Key_F11}, nullptr, true}))
+    , tour(make(window, {"tour", "&Tour of the window", nullptr, {}, "What is where, in a minute"}))
     , controls(make(window, {"controls", "Mouse and keys", nullptr, {Qt::Key_F1}}))
     , about(make(window, {"about", "About Knead"}))
 {
     auto* themes = new QActionGroup(window);
-    themes->addAction(lightTheme);
-    themes->addAction(darkTheme);
+    for (QAction* theme : {lightTheme, darkTheme, systemTheme})
+        themes->addAction(theme);
     undo->setEnabled(false);
     redo->setEnabled(false);
     setDocumentOpen(false, false);

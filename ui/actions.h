@@ -57,7 +57,14 @@ struct Actions {
     QAction* hide;
     QAction* lightTheme;
     QAction* darkTheme;
+    QAction* systemTheme;
 
+    QAction* palette;
+    QAction* preferences;
+    QAction* shortcuts;
+    QAction* resetLayout;
+    QAction* fullScreen;
+    QAction* tour;
     QAction* controls;
     QAction* about;
 

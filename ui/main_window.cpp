@@ -59,6 +59,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     connect(&m_document, &Document::recipeEnded, this, [this](const QString& sentence) { m_log->add(sentence); });
     connect(&m_document, &Document::notice, this, [this](const QString& sentence) { showProblem(sentence); });
     selectionChanged();
+    makeShell();
     restoreSettings();
     m_log->add(tr("Ready. Open a part with Ctrl+O, or drop a file on the window."));
 }
@@ -131,8 +132,6 @@ void MainWindow::connectViewActions()
         options.hiddenParts = hiddenParts;
         m_viewport->setOptions(options);
     });
-    connect(a.lightTheme, &QAction::triggered, this, [this] { setTheme(Theme::Light); });
-    connect(a.darkTheme, &QAction::triggered, this, [this] { setTheme(Theme::Dark); });
 }
 
 void MainWindow::connectTasks()
@@ -140,8 +139,6 @@ void MainWindow::connectTasks()
     connect(&m_tasks, &TaskRunner::started, m_taskReading, &TaskReading::begin);
     connect(&m_tasks, &TaskRunner::progressed, m_taskReading, &TaskReading::progress);
     connect(&m_tasks, &TaskRunner::finished, m_taskReading, &TaskReading::end);
-    connect(&m_tasks, &TaskRunner::started, m_hint, &QWidget::hide);
-    connect(&m_tasks, &TaskRunner::finished, m_hint, &QWidget::show);
     connect(m_taskReading, &TaskReading::cancelClicked, &m_tasks, &TaskRunner::cancel);
     connect(&m_tasks, &TaskRunner::failed, this,
             [this](const QString&, const QString& sentence) { showProblem(sentence); });
@@ -152,18 +149,10 @@ void MainWindow::connectTasks()
 void MainWindow::restoreSettings()
 {
     const QSettings settings;
-    setTheme(settings.value("theme").toString() == "dark" ? Theme::Dark : Theme::Light);
+    applyPreferences();
+    applyLook();
     restoreGeometry(settings.value("geometry").toByteArray());
     restoreState(settings.value("docks").toByteArray(), layoutVersion);
-}
-
-void MainWindow::setTheme(Theme theme)
-{
-    const bool isDark = theme == Theme::Dark;
-    applyTheme(*qApp, theme);
-    m_viewport->setStyle(isDark ? darkScene() : lightScene());
-    (isDark ? m_actions->darkTheme : m_actions->lightTheme)->setChecked(true);
-    QSettings().setValue("theme", isDark ? "dark" : "light");
 }
 
 bool MainWindow::isBusy()

@@ -4,6 +4,7 @@
 #include "ui/document/export_request.h"
 #include "ui/recording/recording.h"
 #include "ui/services.h"
+#include "ui/shell/preferences_dialog.h"
 #include "ui/tasks/task_runner.h"
 #include "ui/theme.h"
 
@@ -13,6 +14,7 @@
 #include <memory>
 #include <utility>
 
+class QAction;
 class QLabel;
 class QMenu;
 class QStackedWidget;
@@ -56,7 +58,11 @@ public:
 
     /// Offers work that windows which are gone did not save.
     void offerRecoveries();
+    /// Shows the tour of the window to who has not seen it.
+    void offerTour();
     void setTheme(Theme theme);
+    /// Keeps them, and does as they say at once.
+    void setPreferences(const Preferences& now);
 
     /// Makes a video or pictures of what was simulated, in the background.
     /// @param path of the file, or of the folder of the pictures
@@ -70,6 +76,7 @@ public:
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
 
@@ -81,6 +88,7 @@ private:
     void makeMenus();
     void makeToolBar();
     void makeStatusBar();
+    void sizeDocks();
     void connectFileActions();
     void connectSimulationActions();
     void connectViewActions();
@@ -133,10 +141,28 @@ private:
     void showExport(const std::vector<ExportReport>& reports);
     void cancel();
     void showControls();
-    void showAbout();
     bool isBusy();
 
+    struct Shell;
+    using ShellPointer = std::unique_ptr<Shell, void (*)(Shell*)>;
+    ShellPointer newShell();
+    void makeShell();
+    void listPanels();
+    void resetLayout();
+    void keepHintClear();
+    void showPreferences(PreferencesDialog::Page page);
+    void applyPreferences();
+    void chooseLook(Preferences::Look look);
+    void applyLook();
+    void sayAllAnew();
+    QString whyDisabled(const QAction& action) const;
+    void keepPicture(const QString& path);
+    void showTour();
+    void showAbout();
+
     Services m_services;
+    Preferences m_preferences = readPreferences();
+    ShellPointer m_shell = newShell();
     std::unique_ptr<ProjectKeeper> m_projects; // goes after the document
     bool m_mayClose = false;                   ///< what is not saved is not wanted
     TaskRunner m_tasks;

@@ -6,7 +6,6 @@
 #include "ui/project/project_keeper.h"
 #include "ui/viewport/viewport_widget.h"
 
-#include <QApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -120,18 +119,8 @@ void MainWindow::showControls()
            "<tr><td><b>1, 3, 7, 0</b></td><td>front, right, top, isometric; Ctrl: from the other side</td></tr>"
            "<tr><td><b>5, F</b></td><td>perspective or parallel, fit</td></tr>"
            "<tr><td><b>Ctrl+S</b></td><td>save the project; Ctrl+Shift+S under another name</td></tr>"
+           "<tr><td><b>Ctrl+K</b></td><td>find any command; F11: full screen</td></tr>"
            "<tr><td><b>Esc</b></td><td>cancel</td></tr></table>"));
-    box->open();
-}
-
-void MainWindow::showAbout()
-{
-    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Knead"), {}, QMessageBox::Close, this);
-    box->setObjectName("aboutBox");
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setIconPixmap(icon("knead").pixmap(64, 64));
-    box->setText(tr("<b>Knead %1</b><br>A CAD workbench in which a part is a lump of real material.")
-                     .arg(QApplication::applicationVersion()));
     box->open();
 }
 

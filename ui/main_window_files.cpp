@@ -4,6 +4,7 @@
 #include "core/model/length_units.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/export_panel.h"
+#include "ui/panels/home_page.h"
 #include "ui/panels/import_panel.h"
 #include "ui/panels/log_panel.h"
 #include "ui/project/project_keeper.h"
@@ -17,7 +18,6 @@
 #include <QFileInfo>
 #include <QMimeData>
 #include <QRegularExpression>
-#include <QSettings>
 
 #include <algorithm>
 
@@ -42,8 +42,10 @@ void MainWindow::open(const QStringList& paths)
     if (openedAsProject(paths) || openedAsRecipe(paths))
         return;
     ImportChoices request;
-    request.options.timeLimit = 60 * QSettings().value("import/minutes", 0).toDouble();
-    request.options.memoryLimit = (1U << 30U) * QSettings().value("import/gibibytes", 0).toDouble();
+    const Preferences wanted = readPreferences();
+    request.options.relativeDeflection = wanted.detail;
+    request.options.timeLimit = 60.0 * wanted.importMinutes;
+    request.options.memoryLimit = (1U << 30U) * static_cast<double>(wanted.importGibibytes);
     qint64 size = 0;
     for (const QString& path : paths) {
         request.paths.push_back(QFile::encodeName(path).toStdString());
@@ -263,12 +265,21 @@ void MainWindow::takeHealed(bool heal)
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
     const QList<QUrl> urls = event->mimeData()->urls();
-    if (!urls.empty() && std::all_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); }))
+    if (!urls.empty() && std::all_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); })) {
+        m_home->showDrop(true);
         event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent* event)
+{
+    m_home->showDrop(false);
+    QMainWindow::dragLeaveEvent(event);
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
+    m_home->showDrop(false);
     event->acceptProposedAction();
     QStringList paths;
     for (const QUrl& url : event->mimeData()->urls())

@@ -41,7 +41,8 @@ QDockWidget* makeDock(QMainWindow* window, const QString& title, const char* nam
     auto* dock = new QDockWidget(title, window);
     dock->setObjectName(name);
     dock->setWidget(content);
-    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable |
+                      QDockWidget::DockWidgetFloatable);
     window->addDockWidget(area, dock);
     return dock;
 }
@@ -98,12 +99,12 @@ void MainWindow::makeDocks()
     QDockWidget* tree = makeDock(this, tr("Model"), "modelDock", m_tree, Qt::LeftDockWidgetArea);
     QDockWidget* history =
         makeDock(this, tr("History"), "historyDock", new HistoryPanel(m_document), Qt::LeftDockWidgetArea);
-    QDockWidget* properties = makeDock(this, tr("Properties"), "propertiesDock", m_properties, Qt::LeftDockWidgetArea);
+    makeDock(this, tr("Properties"), "propertiesDock", m_properties, Qt::LeftDockWidgetArea);
     QDockWidget* log = makeDock(this, tr("Log"), "logDock", m_log, Qt::BottomDockWidgetArea);
     m_timeline = new TimelinePanel(m_document);
     m_timeline->addButton(m_actions->recordVideo);
     QDockWidget* timeline = makeDock(this, tr("Timeline"), "timelineDock", m_timeline, Qt::BottomDockWidgetArea);
-    timeline->setTitleBarWidget(new QWidget(timeline)); // it needs no title
+    timeline->setFeatures(timeline->features() | QDockWidget::DockWidgetVerticalTitleBar); // it is low
     splitDockWidget(timeline, log, Qt::Vertical);
     QDockWidget* performance =
         makeDock(this, tr("Performance"), "performanceDock", m_performance, Qt::BottomDockWidgetArea);
@@ -115,9 +116,17 @@ void MainWindow::makeDocks()
     tabifyDockWidget(report, exported);
     tabifyDockWidget(exported, performance);
     log->raise();
+    sizeDocks();
+}
+
+/// As they come.
+void MainWindow::sizeDocks()
+{
+    auto* tree = findChild<QDockWidget*>("modelDock");
+    auto* properties = findChild<QDockWidget*>("propertiesDock");
     resizeDocks({tree, properties}, {leftWidth, leftWidth}, Qt::Horizontal);
     resizeDocks({tree, properties}, {1, 2}, Qt::Vertical);
-    resizeDocks({log}, {logHeight}, Qt::Vertical);
+    resizeDocks({findChild<QDockWidget*>("logDock")}, {logHeight}, Qt::Vertical);
 }
 
 void MainWindow::makeMenus()
@@ -136,7 +145,10 @@ void MainWindow::makeMenus()
     file->addSeparator();
     file->addAction(a.quit);
 
-    menuBar()->addMenu(tr("&Edit"))->addActions({a.undo, a.redo});
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    edit->addActions({a.undo, a.redo, a.cancel});
+    edit->addSeparator();
+    edit->addActions({a.palette, a.shortcuts, a.preferences});
 
     QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
     simulation->addActions({a.play, a.step, a.reset});
@@ -158,13 +170,12 @@ void MainWindow::makeMenus()
     view->addSeparator();
     view->addActions({a.perspective, a.edges, a.openEdges, a.grid, a.objects, a.allObjects, a.hide});
     view->addSeparator();
-    view->addMenu(tr("Theme"))->addActions({a.lightTheme, a.darkTheme});
-    QMenu* panels = view->addMenu(tr("Panels"));
-    for (QDockWidget* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
-        panels->addAction(dock->toggleViewAction());
+    view->addMenu(tr("Theme"))->addActions({a.lightTheme, a.darkTheme, a.systemTheme});
+    view->addMenu(tr("Panels"))->setObjectName("panelsMenu"); // filled by listPanels()
+    view->addAction(a.fullScreen);
 
     QMenu* help = menuBar()->addMenu(tr("&Help"));
-    help->addActions({a.controls, a.about});
+    help->addActions({a.tour, a.controls, a.about});
 }
 
 void MainWindow::makeToolBar()

@@ -113,8 +113,10 @@ bool MainWindow::openedAsProject(const QStringList& paths)
 void MainWindow::openPrepared(PreparedContent prepared)
 {
     m_projects->open(std::move(prepared));
-    for (const std::string& path : m_document.content().request.paths)
+    for (const std::string& path : m_document.content().request.paths) {
         recent_files::add(QFile::decodeName(path.c_str()));
+        keepPicture(QFileInfo(QFile::decodeName(path.c_str())).absoluteFilePath());
+    }
     listRecent();
 }
 

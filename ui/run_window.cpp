@@ -29,6 +29,8 @@ int showMainWindow(int argc, char** argv, Services services, const std::vector<s
     if (!paths.empty())
         window.open(paths);
     window.offerRecoveries();
+    if (paths.empty())
+        window.offerTour();
     return QApplication::exec();
 }
 

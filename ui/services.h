@@ -42,6 +42,15 @@ struct Services {
     std::vector<Format> exportFormats;
     std::vector<MaterialPreset> materials;
     std::string examplesFolder;
+    /// Of files and of computing, for those who want to know what Knead is made with.
+    struct Library {
+        std::string name;
+        std::string version;
+        std::string license;
+    };
+    std::vector<Library> libraries;
+    /// Has computations keep to a number of threads from now on. 0: all that the machine has. Window thread.
+    std::function<void(unsigned threads)> limitThreads;
     ProjectServices projects;
     RecipeServices recipes;
 };

@@ -4,10 +4,14 @@
 #include <QFile>
 #include <QIconEngine>
 #include <QPainter>
+#include <QPainterPath>
 #include <QPalette>
-#include <QStyle>
+#include <QProxyStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
 #include <QSvgRenderer>
+
+#include <algorithm>
 
 // The resources of a static library are not found by themselves; the macro must stand outside of namespaces.
 static void initializeResources()
@@ -49,6 +53,72 @@ public:
 
 private:
     QByteArray m_source;
+};
+
+/// Fusion with check boxes and radio buttons that are seen on dark ground, too: Fusion draws their rims darker than the window.
+class Style final : public QProxyStyle {
+public:
+    Style()
+        : QProxyStyle(QStyleFactory::create("Fusion"))
+    {
+    }
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override
+    {
+        switch (element) {
+        case PE_IndicatorCheckBox:
+        case PE_IndicatorItemViewItemCheck:
+        case PE_IndicatorRadioButton:
+            drawIndicator(*option, *painter, element == PE_IndicatorRadioButton);
+            break;
+        default:
+            QProxyStyle::drawPrimitive(element, option, painter, widget);
+        }
+    }
+
+private:
+    static void drawIndicator(const QStyleOption& option, QPainter& painter, bool isRound)
+    {
+        const QPalette& colors = option.palette;
+        const bool isAble = option.state.testFlag(State_Enabled);
+        const bool isSet = option.state.testFlag(State_On) || option.state.testFlag(State_NoChange);
+        const bool isLit = isAble && (option.state.testFlag(State_MouseOver) || option.state.testFlag(State_HasFocus));
+        const QColor ink = colors.color(isAble ? QPalette::Active : QPalette::Disabled, QPalette::Text);
+        const qreal side = std::min(option.rect.width(), option.rect.height()) - 1.5;
+        QRectF box(0, 0, side, side);
+        box.moveCenter(QRectF(option.rect).center());
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        const QColor accent = colors.color(QPalette::Highlight);
+        const QColor rim = isAble ? colors.color(QPalette::PlaceholderText) : colors.color(QPalette::Mid);
+        painter.setPen(QPen(isLit || (isSet && isAble) ? accent : rim, 1.2));
+        painter.setBrush(isSet && isAble ? accent : colors.color(QPalette::Base));
+        const qreal roundness = isRound ? side / 2 : 3;
+        painter.drawRoundedRect(box, roundness, roundness);
+        if (isSet)
+            drawMark(painter, box, isAble ? colors.color(QPalette::HighlightedText) : ink, isRound,
+                     option.state.testFlag(State_NoChange));
+        painter.restore();
+    }
+
+    static void drawMark(QPainter& painter, const QRectF& box, const QColor& color, bool isRound, bool isPartial)
+    {
+        if (isRound) {
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(color);
+            painter.drawEllipse(box.center(), box.width() / 4.5, box.width() / 4.5);
+            return;
+        }
+        const auto at = [&box](qreal x, qreal y) { return box.topLeft() + QPointF(x * box.width(), y * box.height()); };
+        QPainterPath mark(isPartial ? at(0.25, 0.5) : at(0.22, 0.52));
+        if (!isPartial)
+            mark.lineTo(at(0.42, 0.72));
+        mark.lineTo(isPartial ? at(0.75, 0.5) : at(0.78, 0.30));
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(color, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPath(mark);
+    }
 };
 
 struct ThemeColors {
@@ -151,6 +221,13 @@ QLabel[role="force"] {
 }
 QFrame#banner { background: @tip; border: none; border-bottom: 2px solid @problem; }
 QFrame#dropZone { border: 2px dashed @line; border-radius: 12px; background: @base; }
+QFrame#dropZone[isOver="true"] { border-color: @accent; background: @tint; }
+QFrame#waitingWork { border: 1px solid @line; border-left: 4px solid @accent; border-radius: 6px; background: @base; }
+QLabel[role="title"] { font-size: 12pt; font-weight: 600; }
+QTreeView[role="framed"] { border: 1px solid @line; border-radius: 4px; }
+QFrame#commandPalette { background: @tip; border: 1px solid @accent; border-radius: 9px; }
+QFrame#commandPalette QListWidget { border: none; background: transparent; }
+QWidget#tourCard { background: @tip; border: 1px solid @line; border-radius: 9px; }
 QToolTip { background: @tip; color: @text; border: 1px solid @line; padding: 4px; }
 )");
     const std::pair<const char*, QColor> names[] = {
@@ -169,8 +246,11 @@ void applyTheme(QApplication& application, Theme theme)
 {
     initializeResources();
     const ThemeColors colors = colorsOf(theme);
-    if (application.style()->objectName().compare("fusion", Qt::CaseInsensitive) != 0)
-        QApplication::setStyle(QStyleFactory::create("Fusion"));
+    static const bool isStyled = [] { // once: it belongs to the program
+        QApplication::setStyle(new Style);
+        return true;
+    }();
+    Q_UNUSED(isStyled);
     QApplication::setPalette(paletteOf(colors));
     application.setStyleSheet(styleSheet(colors));
 }

@@ -4,8 +4,11 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstring>
 #include <span>
+#include <vector>
 
 namespace knead {
 
@@ -24,9 +27,10 @@ constexpr Unit pressures[] = {{"Pa", 1, true},    {"kPa", 1e3, true},    {"MPa",
 constexpr Unit densities[] = {{"kg/m³", 1, true},    {"kg/m3", 1, false},   {"kg/m^3", 1, false},
                               {"g/cm³", 1e3, false}, {"g/cm3", 1e3, false}, {"g/cm^3", 1e3, false}};
 constexpr Unit rates[] = {{"1/s", 1, true}, {"Hz", 1, false}};
-constexpr Unit speeds[] = {{"mm/s", 1e-3, true}, {"m/s", 1, false}, {"cm/s", 1e-2, false}};
+constexpr Unit speeds[] = {{"mm/s", 1e-3, true}, {"m/s", 1, false}, {"cm/s", 1e-2, false}, {"in/s", 0.0254, false}};
 constexpr Unit forces[] = {{"mN", 1e-3, true}, {"N", 1, true}, {"kN", 1e3, true}, {"MN", 1e6, true}};
-constexpr Unit volumes[] = {{"mm³", 1e-9, true}, {"cm³", 1e-6, true}, {"m³", 1, false}};
+constexpr Unit volumes[] = {
+    {"mm³", 1e-9, true}, {"cm³", 1e-6, true}, {"m³", 1, false}, {"in³", 0.0254 * 0.0254 * 0.0254, false}};
 constexpr Unit times[] = {
     {"µs", 1e-6, true}, {"us", 1e-6, false}, {"ms", 1e-3, true}, {"s", 1, true}, {"min", 60, false}};
 constexpr Unit numbers[] = {{"", 1, true}};
@@ -56,6 +60,31 @@ std::span<const Unit> unitsOf(Quantity quantity)
     return numbers;
 }
 
+/// Units that a person may have lengths in, with those that follow; null: the displayed ones.
+struct LengthSystem {
+    const char* length;
+    const char* speed;
+    const char* volume;
+};
+
+constexpr LengthSystem systems[] = {
+    {"mm", nullptr, nullptr}, {"cm", "cm/s", "cm³"}, {"m", "m/s", "m³"}, {"in", "in/s", "in³"}};
+std::atomic<const LengthSystem*> lengthSystem = systems; // tasks write numbers, too
+
+/// The unit that was chosen for a quantity; null: none.
+const Unit* chosenUnit(Quantity quantity)
+{
+    const LengthSystem& system = *lengthSystem.load();
+    const char* symbol = quantity == Quantity::Length   ? (&system == systems ? nullptr : system.length)
+                         : quantity == Quantity::Speed  ? system.speed
+                         : quantity == Quantity::Volume ? system.volume
+                                                        : nullptr;
+    if (symbol == nullptr)
+        return nullptr;
+    const std::span<const Unit> units = unitsOf(quantity);
+    return &*std::ranges::find_if(units, [symbol](const Unit& unit) { return std::strcmp(unit.symbol, symbol) == 0; });
+}
+
 /// The unit zero is shown in: the plain one, not the smallest.
 const Unit& unitOfZero(Quantity quantity)
 {
@@ -67,6 +96,8 @@ const Unit& unitOfZero(Quantity quantity)
 /// The largest displayed unit that leaves at least one unit, the smallest one otherwise.
 const Unit& displayUnit(double value, Quantity quantity)
 {
+    if (const Unit* chosen = chosenUnit(quantity))
+        return *chosen;
     if (value == 0 || !std::isfinite(value))
         return unitOfZero(quantity);
     const std::span<const Unit> units = unitsOf(quantity);
@@ -115,12 +146,37 @@ Quantity quantityOfUnit(const std::string& unit)
     return Quantity::Number;
 }
 
+void setLengthUnit(const QString& symbol)
+{
+    for (const LengthSystem& system : systems)
+        if (symbol == QLatin1String(system.length))
+            lengthSystem = &system;
+}
+
+QString lengthUnit()
+{
+    return lengthSystem.load()->length;
+}
+
 QString formatQuantity(double value, Quantity quantity)
 {
     const Unit& unit = displayUnit(value, quantity);
     const QString number = QLocale::c().toString(value / unit.scale, 'g', 5);
     const QString symbol = QString::fromUtf8(unit.symbol);
     return symbol.isEmpty() ? number : number + ' ' + symbol;
+}
+
+QStringList unitsFor(Quantity quantity)
+{
+    QStringList symbols;
+    std::vector<double> scales;
+    for (const Unit& unit : unitsOf(quantity)) {
+        if (std::ranges::find(scales, unit.scale) != scales.end() || *unit.symbol == '\0')
+            continue; // another spelling
+        scales.push_back(unit.scale);
+        symbols << QString::fromUtf8(unit.symbol);
+    }
+    return symbols;
 }
 
 QString formatReading(double value, Quantity quantity)

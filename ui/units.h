@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 #include <string>
@@ -13,11 +14,18 @@ enum class Quantity { Number, Length, Pressure, Density, Rate, Speed, Force, Vol
 /// The quantity measured in an SI unit as MaterialField spells it: "Pa", "kg/m^3", "1/s"; Number for anything else.
 Quantity quantityOfUnit(const std::string& unit);
 
+/// Has lengths shown in another unit: "mm" as it comes, "cm", "m" or "in". Speeds and volumes follow.
+void setLengthUnit(const QString& symbol);
+QString lengthUnit();
+
 /// A number with a unit that keeps it short: 1.2e6 Pa becomes "1.2 MPa".
 QString formatQuantity(double value, Quantity quantity);
 
 /// The same with three digits, for readings that change all the time.
 QString formatReading(double value, Quantity quantity);
+
+/// The units in which a quantity may be typed, each once: "mm", "m", "cm", "µm", "in".
+QStringList unitsFor(Quantity quantity);
 
 /// Reads a number with or without a unit: "1,2 MPa", "1.2e6 Pa", "2 000". Point and comma both are decimal separators.
 /// A bare number takes the unit in which `shown` is displayed, since that is what the person sees in the field.

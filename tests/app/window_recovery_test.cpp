@@ -5,6 +5,7 @@
 #include "ui/run_window.h"
 
 #include <QFileDialog>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QToolButton>
@@ -297,12 +298,16 @@ private slots:
         clickOn<QPushButton>("recoveryLater");
         QTRY_VERIFY(find<QListWidget>("recoveryList") == nullptr);
         QCOMPARE(findRecoveries().size(), std::size_t{1});
-        action("recover")->trigger();
+        QTRY_VERIFY(find<QWidget>("waitingWork")->isVisible()); // on the first page
+        QVERIFY(find<QLabel>("waitingNames")->text().contains("bar"));
+        picture("home-waiting");
+        clickOn<QPushButton>("homeRecover");
         QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
         clickOn<QPushButton>("recoveryDiscard");
         answer("discardBox", QMessageBox::Discard);
         QTRY_VERIFY(find<QListWidget>("recoveryList") == nullptr);
         QTRY_VERIFY(findRecoveries().empty());
+        QTRY_VERIFY(!find<QWidget>("waitingWork")->isVisible());
     }
 
     void aDiskThatRefusesTheRecoveryIsSaidOnce()

@@ -97,6 +97,8 @@ protected:
         QApplication::setOrganizationName("knead-test");
         QApplication::setApplicationName("window-test");
         setCadProgram(KNEAD_PROGRAM);
+        QSettings().setValue("language", "en");
+        QSettings().setValue("theme", "light");
         m_services = fileServices();
     }
 };

@@ -34,6 +34,32 @@ private slots:
         row(90, Quantity::Time, "90 s");
     }
 
+    void lengthsSpeedsAndVolumesComeInTheChosenUnit()
+    {
+        setLengthUnit("in");
+        QCOMPARE(formatQuantity(0.0254, Quantity::Length), QString("1 in"));
+        QCOMPARE(formatQuantity(0, Quantity::Length), QString("0 in"));
+        QCOMPARE(formatQuantity(0.0127, Quantity::Speed), QString("0.5 in/s"));
+        QCOMPARE(formatQuantity(1.6387064e-05, Quantity::Volume), QString("1 in³"));
+        QCOMPARE(formatQuantity(2e6, Quantity::Pressure), QString("2 MPa"));
+        QCOMPARE(parseQuantity("2", Quantity::Length, 0.01), std::optional(0.0508)); // as it is shown
+        QCOMPARE(parseQuantity("2 mm", Quantity::Length), std::optional(0.002));
+        setLengthUnit("furlong"); // nobody has it
+        QCOMPARE(lengthUnit(), QString("in"));
+        setLengthUnit("mm");
+        QCOMPARE(formatQuantity(0.0254, Quantity::Length), QString("25.4 mm"));
+    }
+
+    void theUnitsThatMayBeTypedAreNamedOnce()
+    {
+        QCOMPARE(unitsFor(Quantity::Length), (QStringList{"mm", "m", "cm", "µm", "in"}));
+        QCOMPARE(unitsFor(Quantity::Pressure), (QStringList{"Pa", "kPa", "MPa", "GPa"}));
+        QVERIFY(unitsFor(Quantity::Number).isEmpty());
+        for (const Quantity quantity : {Quantity::Length, Quantity::Density, Quantity::Force, Quantity::Time})
+            for (const QString& unit : unitsFor(quantity))
+                QVERIFY(parseQuantity("1 " + unit, quantity));
+    }
+
     void unitsKeepNumbersShort()
     {
         QFETCH(double, value);

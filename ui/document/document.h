@@ -125,6 +125,7 @@ public:
 
     /// What was seen while time ran.
     const Film& film() const { return m_film; }
+    void setFilmMemory(std::size_t most) { m_film.setMemory(most); } ///< [bytes]
     /// What of it belongs to the content that is shown; empty on the way from one filling to another.
     Timeline timeline() const;
     /// Repeats what leads to a step within an entry, with progress, and goes on from there: another branch. What is under way

@@ -1,12 +1,16 @@
 #include "ui/panels/home_page.h"
 
+#include "ui/panels/picture_card.h"
+#include "ui/shell/thumbnails.h"
 #include "ui/theme.h"
 
 #include <QDir>
 #include <QFrame>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -14,6 +18,10 @@
 namespace knead {
 
 namespace {
+
+constexpr int cardsInRow = 5;
+constexpr int cardGap = 12;
+constexpr int pageWidth = cardsInRow * PictureCard::pictureSize.width() + (cardsInRow - 1) * cardGap;
 
 /// "l_bracket.step" becomes "L bracket".
 QString readableName(const QFileInfo& file)
@@ -24,106 +32,180 @@ QString readableName(const QFileInfo& file)
     return name;
 }
 
-QLabel* centered(const QString& text, const char* role, QWidget* parent)
+QLabel* label(const QString& text, const char* role, QWidget* parent)
 {
     auto* label = new QLabel(text, parent);
-    label->setAlignment(Qt::AlignCenter);
     label->setProperty("role", role);
     label->setWordWrap(true);
     return label;
 }
 
-/// Everything in a layout.
-void takeAway(QLayout* layout)
+/// Home is written as ~.
+QString folderOf(const QString& path)
 {
-    while (QLayoutItem* item = layout->takeAt(0)) {
-        if (QWidget* widget = item->widget()) {
-            widget->hide();
-            widget->deleteLater(); // it may be what was clicked
-        }
-        if (item->layout() != nullptr)
-            takeAway(item->layout());
-        delete item;
-    }
+    QString folder = QFileInfo(path).absolutePath();
+    if (folder.startsWith(QDir::homePath()))
+        folder.replace(0, QDir::homePath().size(), "~");
+    return folder;
+}
+
+QGridLayout* makeGrid(QWidget* owner)
+{
+    auto* grid = new QGridLayout(owner);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(cardGap);
+    grid->setColumnStretch(cardsInRow, 1);
+    return grid;
 }
 
 } // namespace
 
 HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
-    : QWidget(parent)
+    : QScrollArea(parent)
 {
     setObjectName("homePage");
-    auto* zone = new QFrame(this);
-    zone->setObjectName("dropZone");
-    zone->setFixedWidth(700);
-    auto* column = new QVBoxLayout(zone);
-    column->setContentsMargins(36, 32, 36, 32);
-    column->setSpacing(14);
-    auto* sign = new QLabel(zone);
-    sign->setPixmap(icon("knead").pixmap(72, 72));
-    sign->setAlignment(Qt::AlignCenter);
-    column->addWidget(sign);
-    column->addWidget(centered(tr("Drop STEP, IGES, mesh or project files here"), "big", zone));
-    column->addWidget(centered(tr("It becomes a lump of real material to push, bend and squeeze."), "dimmed", zone));
-    auto* open = new QPushButton(tr("Open a file..."), zone);
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    setFocusPolicy(Qt::NoFocus);
+    auto* page = new QWidget(this);
+    auto* column = new QVBoxLayout;
+    column->setSpacing(12);
+    column->addWidget(makeWaiting());
+    column->addWidget(makeZone());
+    m_recent = new QWidget(page);
+    m_recentGrid = makeGrid(m_recent);
+    auto* recentTitle = label(tr("Go on with"), "title", page);
+    recentTitle->setObjectName("recentTitle");
+    column->addSpacing(6);
+    column->addWidget(recentTitle);
+    column->addWidget(m_recent);
+    addExamples(column, examplesFolder);
+    column->addStretch();
+    auto* row = new QHBoxLayout(page);
+    row->setContentsMargins(18, 20, 18, 20);
+    row->addStretch();
+    row->addLayout(column);
+    row->addStretch();
+    setWidget(page);
+    showRecent({});
+}
+
+/// Where to drop a file, or to open one.
+QWidget* HomePage::makeZone()
+{
+    m_zone = new QFrame(this);
+    m_zone->setObjectName("dropZone");
+    m_zone->setMaximumWidth(pageWidth);
+    m_zone->setMinimumWidth(std::min(pageWidth, 560));
+    auto* sign = new QLabel(m_zone);
+    sign->setPixmap(icon("knead").pixmap(QSize(64, 64), devicePixelRatioF()));
+    auto* open = new QPushButton(tr("Open a file..."), m_zone);
     open->setObjectName("homeOpen");
     open->setProperty("role", "primary");
     open->setMinimumHeight(34);
     connect(open, &QPushButton::clicked, this, &HomePage::openClicked);
-    auto* openRow = new QHBoxLayout;
-    openRow->addStretch();
-    openRow->addWidget(open);
-    openRow->addStretch();
-    column->addLayout(openRow);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(4);
+    words->addStretch();
+    words->addWidget(label(tr("Drop STEP, IGES, mesh or project files here"), "big", m_zone));
+    words->addWidget(label(tr("It becomes a lump of real material to push, bend and squeeze."), "dimmed", m_zone));
+    words->addStretch();
+    auto* row = new QHBoxLayout(m_zone);
+    row->setContentsMargins(24, 22, 24, 22);
+    row->setSpacing(20);
+    row->addWidget(sign);
+    row->addLayout(words, 1);
+    row->addWidget(open);
+    return m_zone;
+}
 
-    const QFileInfoList examples = QDir(examplesFolder).entryInfoList({"*.step", "*.stp"}, QDir::Files, QDir::Name);
-    if (!examples.isEmpty()) {
-        column->addSpacing(10);
-        column->addWidget(centered(tr("or begin with an example"), "dimmed", zone));
-        auto* row = new QHBoxLayout;
-        row->addStretch();
-        for (const QFileInfo& example : examples) {
-            auto* button = new QPushButton(icon("part"), readableName(example), zone);
-            button->setObjectName("example_" + example.completeBaseName());
-            connect(button, &QPushButton::clicked, this,
-                    [this, path = example.absoluteFilePath()] { emit fileChosen(path); });
-            row->addWidget(button);
-        }
-        row->addStretch();
-        column->addLayout(row);
+QWidget* HomePage::makeWaiting()
+{
+    m_waiting = new QFrame(this);
+    m_waiting->setObjectName("waitingWork");
+    m_waiting->setMaximumWidth(pageWidth);
+    auto* sign = new QLabel(m_waiting);
+    sign->setPixmap(icon("warning").pixmap(QSize(28, 28), devicePixelRatioF()));
+    auto* words = new QVBoxLayout;
+    words->setSpacing(2);
+    words->addWidget(label(tr("Unsaved work is waiting"), "heading", m_waiting));
+    m_waitingNames = label({}, "dimmed", m_waiting);
+    m_waitingNames->setObjectName("waitingNames");
+    words->addWidget(m_waitingNames);
+    auto* recover = new QPushButton(tr("Recover..."), m_waiting);
+    recover->setObjectName("homeRecover");
+    connect(recover, &QPushButton::clicked, this, &HomePage::recoverClicked);
+    auto* row = new QHBoxLayout(m_waiting);
+    row->setContentsMargins(18, 12, 18, 12);
+    row->setSpacing(14);
+    row->addWidget(sign);
+    row->addLayout(words, 1);
+    row->addWidget(recover);
+    m_waiting->hide();
+    return m_waiting;
+}
+
+void HomePage::addExamples(QVBoxLayout* column, const QString& folder)
+{
+    const QFileInfoList examples = QDir(folder).entryInfoList({"*.step", "*.stp"}, QDir::Files, QDir::Name);
+    if (examples.isEmpty())
+        return;
+    column->addSpacing(6);
+    column->addWidget(label(tr("Begin with an example"), "title", this));
+    auto* all = new QWidget(this);
+    QGridLayout* grid = makeGrid(all);
+    for (const QFileInfo& example : examples) {
+        const QImage picture(example.absolutePath() + '/' + example.completeBaseName() + ".png");
+        auto* card = new PictureCard(picture, readableName(example), example.fileName(), all);
+        card->setObjectName("example_" + example.completeBaseName());
+        connect(card, &QPushButton::clicked, this,
+                [this, path = example.absoluteFilePath()] { emit fileChosen(path); });
+        grid->addWidget(card, grid->count() / cardsInRow, grid->count() % cardsInRow);
     }
-
-    m_recent = new QVBoxLayout;
-    m_recent->setSpacing(14);
-    column->addLayout(m_recent);
-
-    auto* page = new QVBoxLayout(this);
-    page->addStretch();
-    page->addWidget(zone, 0, Qt::AlignHCenter);
-    page->addStretch();
+    column->addWidget(all);
 }
 
 void HomePage::showRecent(const QStringList& paths)
 {
-    constexpr qsizetype most = 4;
-    constexpr int longestName = 110; // [pixels]
-    takeAway(m_recent);
-    if (paths.isEmpty())
-        return;
-    m_recent->addSpacing(10);
-    m_recent->addWidget(centered(tr("or go on with"), "dimmed", this));
-    auto* row = new QHBoxLayout;
-    row->addStretch();
-    for (const QString& path : paths.first(std::min(most, paths.size()))) {
-        const QString name = fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, longestName);
-        auto* button = new QPushButton(icon("part"), name, this);
-        button->setObjectName("recent_" + QFileInfo(path).fileName());
-        button->setToolTip(path);
-        connect(button, &QPushButton::clicked, this, [this, path] { emit fileChosen(path); });
-        row->addWidget(button);
+    constexpr qsizetype most = 10;
+    m_recentPaths = paths.first(std::min(most, paths.size()));
+    while (QLayoutItem* item = m_recentGrid->takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->setObjectName({});
+        item->widget()->deleteLater(); // it may be what was clicked
+        delete item;
     }
-    row->addStretch();
-    m_recent->addLayout(row);
+    for (const QString& path : m_recentPaths) {
+        const QFileInfo file(path);
+        auto* card = new PictureCard(thumbnails::of(path), file.fileName(), folderOf(path), m_recent);
+        card->setObjectName("recent_" + file.fileName());
+        card->setToolTip(path);
+        connect(card, &QPushButton::clicked, this, [this, path] { emit fileChosen(path); });
+        m_recentGrid->addWidget(card, m_recentGrid->count() / cardsInRow, m_recentGrid->count() % cardsInRow);
+    }
+    m_recent->setVisible(!paths.isEmpty());
+    if (auto* title = findChild<QLabel*>("recentTitle"))
+        title->setVisible(!paths.isEmpty());
+}
+
+void HomePage::showWaiting(const QStringList& names)
+{
+    m_waitingNames->setText(names.join(", "));
+    m_waiting->setVisible(!names.isEmpty());
+}
+
+void HomePage::showDrop(bool isOver)
+{
+    m_zone->setProperty("isOver", isOver);
+    m_zone->style()->unpolish(m_zone);
+    m_zone->style()->polish(m_zone);
+}
+
+/// Pictures may have come meanwhile.
+void HomePage::showEvent(QShowEvent* event)
+{
+    showRecent(m_recentPaths);
+    QScrollArea::showEvent(event);
 }
 
 } // namespace knead

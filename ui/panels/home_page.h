@@ -1,27 +1,48 @@
 #pragma once
 
-#include <QWidget>
+#include <QScrollArea>
 
+class QFrame;
+class QGridLayout;
+class QLabel;
 class QVBoxLayout;
 
 namespace knead {
 
-/// What the window shows before a part is open: where to drop a file, and examples to begin with.
-class HomePage final : public QWidget {
+/// What the window shows before a part is open: where to drop a file, unsaved work that waits, files of late and examples as
+/// pictures.
+class HomePage final : public QScrollArea {
     Q_OBJECT
 public:
-    /// @param examplesFolder holds the *.step files that are offered
+    /// @param examplesFolder holds the *.step files that are offered, each with a picture: "bar.step", "bar.png"
     explicit HomePage(const QString& examplesFolder, QWidget* parent = nullptr);
 
     /// Offers the first few of these to be opened again.
     void showRecent(const QStringList& paths);
+    /// Says that unsaved work waits; none: says nothing.
+    void showWaiting(const QStringList& names);
+    /// A file is held over the window.
+    void showDrop(bool isOver);
 
 signals:
     void openClicked();
     void fileChosen(const QString& path);
+    void recoverClicked();
+
+protected:
+    void showEvent(QShowEvent* event) override;
 
 private:
-    QVBoxLayout* m_recent = nullptr;
+    QWidget* makeZone();
+    QWidget* makeWaiting();
+    void addExamples(QVBoxLayout* column, const QString& folder);
+
+    QFrame* m_zone = nullptr;
+    QFrame* m_waiting = nullptr;
+    QLabel* m_waitingNames = nullptr;
+    QWidget* m_recent = nullptr;
+    QGridLayout* m_recentGrid = nullptr;
+    QStringList m_recentPaths;
 };
 
 } // namespace knead

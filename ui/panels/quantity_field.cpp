@@ -1,8 +1,12 @@
 #include "ui/panels/quantity_field.h"
 
 #include <QFocusEvent>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QStyle>
+#include <QToolTip>
+
+#include <cmath>
 
 namespace knead {
 
@@ -55,7 +59,28 @@ bool QuantityField::event(QEvent* event)
             return true;
         }
     }
+    if (event->type() == QEvent::ToolTip) {
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), tip(), this);
+        return true;
+    }
     return QLineEdit::event(event);
+}
+
+QString QuantityField::tip() const
+{
+    if (hasProblem())
+        return m_problem;
+    QStringList lines;
+    if (!toolTip().isEmpty())
+        lines << toolTip();
+    if (std::isfinite(m_minimum) && std::isfinite(m_maximum))
+        lines << tr("Allowed: %1 to %2")
+                     .arg(formatQuantity(m_minimum, m_quantity), formatQuantity(m_maximum, m_quantity));
+    else if (std::isfinite(m_minimum))
+        lines << tr("Allowed: %1 or more").arg(formatQuantity(m_minimum, m_quantity));
+    const QStringList units = unitsFor(m_quantity);
+    lines << (units.isEmpty() ? tr("A number, such as 0.5, 0,5 or 5e-1") : tr("Units: %1").arg(units.join(", ")));
+    return lines.join('\n');
 }
 
 void QuantityField::keyPressEvent(QKeyEvent* event)

@@ -29,6 +29,9 @@ public:
     /// Drops what is being typed and shows the value.
     void restore();
 
+    /// What the tool tip says: what is wrong, else what it is for, what is allowed, and in which units it may be typed.
+    QString tip() const;
+
     QSize sizeHint() const override;
 
 signals:

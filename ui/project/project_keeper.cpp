@@ -147,7 +147,7 @@ void ProjectKeeper::watch()
         m_lastTry = now;
         m_autosave.beginAgain(collect(false), state());
     }
-    if (now - m_gestureKept >= Autosave::gestureInterval)
+    if (now - m_gestureKept >= m_keepingInterval)
         lookAfterGesture();
     if (now - m_viewKept >= viewInterval) {
         m_viewKept = now;
@@ -166,7 +166,7 @@ void ProjectKeeper::lookAfterGesture()
         const auto keep = [this, place, commands = std::move(commands), step] {
             const Clock::time_point now = Clock::now();
             if (!m_window.document.history().isSettled() || this->place() != place ||
-                now - m_gestureKept < Autosave::gestureInterval)
+                now - m_gestureKept < m_keepingInterval)
                 return;
             m_gestureKept = now;
             m_autosave.keepGesture(commands, step);

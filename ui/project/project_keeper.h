@@ -73,6 +73,9 @@ public:
     /// @param saysNone when there is none
     void offerRecoveries(bool saysNone);
 
+    /// How often a gesture under way is kept. With what that takes, two seconds more of work can be lost.
+    void setKeepingInterval(std::chrono::seconds interval) { m_keepingInterval = interval; }
+
 signals:
     void changed();                               ///< name(), or isModified()
     void perspectiveRestored(bool isPerspective); ///< with the camera of a project
@@ -81,6 +84,7 @@ signals:
     void opening(); ///< what was said of an earlier attempt is of no interest any more
     void told(const QString& sentence);
     void recentChanged();
+    void recoveriesWaiting(const QStringList& names); ///< that were put off; none any more: empty
 
 private:
     bool isOwnFile(const std::string& path) const;
@@ -113,6 +117,7 @@ private:
     ProjectView view(bool withPicture) const;
     WorkState state() const;
 
+    void tellOfWaiting();
     void showRecoveries(std::vector<Recovery> found, bool saysNone);
     void recover(const Recovery& recovery);
 
@@ -147,6 +152,7 @@ private:
     std::map<QString, std::shared_ptr<std::mutex>> m_turns; ///< of savings, by their files
     QPointer<QMessageBox> m_question;
 
+    std::chrono::seconds m_keepingInterval = Autosave::gestureInterval;
     Clock::time_point m_gestureKept;
     Clock::time_point m_viewKept;
     bool m_isRefused = false; ///< the disk does not take the recovery

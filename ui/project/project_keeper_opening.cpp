@@ -169,7 +169,19 @@ void ProjectKeeper::showRecoveries(std::vector<Recovery> found, bool saysNone)
     connect(dialog, &RecoveryDialog::recoverClicked, this, &ProjectKeeper::recover);
     connect(dialog, &RecoveryDialog::discardClicked, this,
             [this](const Recovery& recovery) { m_autosave.drop(recovery); });
+    connect(dialog, &QDialog::finished, this, &ProjectKeeper::tellOfWaiting);
     dialog->open();
+}
+
+/// After what was asked for in the dialog.
+void ProjectKeeper::tellOfWaiting()
+{
+    m_autosave.find([this](const std::vector<Recovery>& found) {
+        QStringList names;
+        for (const Recovery& recovery : found)
+            names << RecoveryDialog::nameOf(recovery);
+        emit recoveriesWaiting(names);
+    });
 }
 
 void ProjectKeeper::recover(const Recovery& recovery)

@@ -52,6 +52,12 @@ ViewportBridge::~ViewportBridge()
     releaseContext();
 }
 
+void ViewportBridge::setSamples(int samples)
+{
+    m_window->render->SetMultiSamples(samples > 1 ? samples : 0);
+    requestRender();
+}
+
 vtkRenderWindow* ViewportBridge::renderWindow() const
 {
     return m_window->render;

@@ -22,6 +22,9 @@ public:
     /// The scene changed: draws it at the next opportunity, once, however often this is called.
     void requestRender();
 
+    /// @param samples of a pixel: 1 draws jagged edges
+    void setSamples(int samples);
+
     /// Wall time of the last drawing [s].
     double renderSeconds() const { return m_renderSeconds; }
 

@@ -71,6 +71,11 @@ void ViewportWidget::setStyle(const SceneStyle& style)
     requestRender();
 }
 
+void ViewportWidget::setTurningSmoothly(bool on)
+{
+    m_turning->setDuration(on ? turnTime : 0);
+}
+
 void ViewportWidget::setFixing(bool on)
 {
     m_manipulation->setFixing(on);

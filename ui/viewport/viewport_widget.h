@@ -34,6 +34,7 @@ public:
     /// Turns the view, smoothly, to look from a direction.
     void lookFrom(const Vec3& direction);
     void setPerspective(bool on);
+    void setTurningSmoothly(bool on);
     /// Looks from elsewhere, at once.
     void jumpTo(const Camera& camera);
 

@@ -1,0 +1,2723 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>AboutDialog</name>
+    <message>
+        <source>About Knead</source>
+        <translation>À propos de Knead</translation>
+    </message>
+    <message>
+        <source>Copy versions</source>
+        <translation>Copier les versions</translation>
+    </message>
+    <message>
+        <source>For a report of something that went wrong</source>
+        <translation>Pour signaler quelque chose qui n'a pas marché</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>&lt;b style='font-size:16pt'&gt;Knead %1&lt;/b&gt;&lt;br&gt;A CAD workbench in which a part is a lump of real material.</source>
+        <translation>&lt;b style='font-size:16pt'&gt;Knead %1&lt;/b&gt;&lt;br&gt;Un atelier de CAO où une pièce est un morceau de vrai matériau.</translation>
+    </message>
+    <message>
+        <source>After Jansson, Horváth and Vergeest, &lt;i&gt;Implementation and analysis of a mechanics simulation module for use in a conceptual design system&lt;/i&gt;, 2000.</source>
+        <translation>D'après Jansson, Horváth et Vergeest, &lt;i&gt;Implementation and analysis of a mechanics simulation module for use in a conceptual design system&lt;/i&gt;, 2000.</translation>
+    </message>
+    <message>
+        <source>Made with</source>
+        <translation>Fait avec</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>License</source>
+        <translation>Licence</translation>
+    </message>
+</context>
+<context>
+    <name>Actions</name>
+    <message>
+        <source>Put one above the part to push it with</source>
+        <translation>En place un au-dessus de la pièce pour la pousser</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Ouvrir...</translation>
+    </message>
+    <message>
+        <source>Open a part, a project or a recipe</source>
+        <translation>Ouvrir une pièce, un projet ou une recette</translation>
+    </message>
+    <message>
+        <source>Open with &amp;choices...</source>
+        <translation>Ouvrir avec des &amp;choix...</translation>
+    </message>
+    <message>
+        <source>Look into files and choose parts, detail and units before they are opened</source>
+        <translation>Examiner les fichiers et choisir pièces, finesse et unités avant de les ouvrir</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Keep part, history and view in a project file</source>
+        <translation>Conserver pièce, historique et vue dans un fichier de projet</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Enregistrer &amp;sous...</translation>
+    </message>
+    <message>
+        <source>Keep the project in another file and go on with that</source>
+        <translation>Conserver le projet dans un autre fichier et continuer avec celui-ci</translation>
+    </message>
+    <message>
+        <source>Recover &amp;unsaved work...</source>
+        <translation>Récupérer le travail &amp;non enregistré...</translation>
+    </message>
+    <message>
+        <source>Look for work that was not saved when Knead ended</source>
+        <translation>Chercher le travail qui n'était pas enregistré quand Knead s'est arrêté</translation>
+    </message>
+    <message>
+        <source>&amp;Export...</source>
+        <translation>E&amp;xporter...</translation>
+    </message>
+    <message>
+        <source>Write the deformed part to a file</source>
+        <translation>Écrire la pièce déformée dans un fichier</translation>
+    </message>
+    <message>
+        <source>Export as &amp;recipe...</source>
+        <translation>Exporter comme &amp;recette...</translation>
+    </message>
+    <message>
+        <source>Write what was done as a recipe, to be read, changed and carried out again</source>
+        <translation>Écrire ce qui a été fait comme une recette à lire, à modifier et à exécuter de nouveau</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>Run or pause the simulation</source>
+        <translation>Lancer la simulation ou la mettre en pause</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>One time step</source>
+        <translation>Un pas de temps</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Back to the start</source>
+        <translation>Retour au début</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Pesanteur</translation>
+    </message>
+    <message>
+        <source>Let everything weigh something</source>
+        <translation>Donner du poids à tout</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>Put a floor under the part</source>
+        <translation>Mettre un sol sous la pièce</translation>
+    </message>
+    <message>
+        <source>Record &amp;video...</source>
+        <translation>Enregistrer une &amp;vidéo...</translation>
+    </message>
+    <message>
+        <source>Make a video of what was simulated, as the view shows it</source>
+        <translation>Faire une vidéo de ce qui a été simulé, comme la vue le montre</translation>
+    </message>
+    <message>
+        <source>Record p&amp;ictures...</source>
+        <translation>Enregistrer des &amp;images...</translation>
+    </message>
+    <message>
+        <source>Write what was simulated as a sequence of pictures</source>
+        <translation>Écrire ce qui a été simulé comme une suite d'images</translation>
+    </message>
+    <message>
+        <source>Re-normalize</source>
+        <translation>Renormaliser</translation>
+    </message>
+    <message>
+        <source>The selected body, or every one, takes its present shape for its own: stress is gone, the shape stays</source>
+        <translation>Le corps choisi, ou chacun, prend sa forme présente pour sienne : la contrainte disparaît, la forme reste</translation>
+    </message>
+    <message>
+        <source>Fix faces</source>
+        <translation>Fixer des faces</translation>
+    </message>
+    <message>
+        <source>Click faces of the part to hold them in place</source>
+        <translation>Cliquer des faces de la pièce pour les tenir en place</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Remove the selected tool or fixture</source>
+        <translation>Supprimer l'outil ou la fixation choisis</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Stop what is being done</source>
+        <translation>Arrêter ce qui est en cours</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuster</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation>Tout montrer</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Arrière</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Dessous</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isométrique</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspective</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objets</translation>
+    </message>
+    <message>
+        <source>Show the objects the material is made of</source>
+        <translation>Montrer les objets dont le matériau est fait</translation>
+    </message>
+    <message>
+        <source>Inner objects too</source>
+        <translation>Objets intérieurs aussi</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Arêtes</translation>
+    </message>
+    <message>
+        <source>Open edges</source>
+        <translation>Arêtes ouvertes</translation>
+    </message>
+    <message>
+        <source>Show where surfaces that are not closed end</source>
+        <translation>Montrer où finissent les surfaces qui ne sont pas fermées</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Grille</translation>
+    </message>
+    <message>
+        <source>Hide or show body</source>
+        <translation>Cacher ou montrer le corps</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Comme le système</translation>
+    </message>
+    <message>
+        <source>Find a command...</source>
+        <translation>Chercher une commande...</translation>
+    </message>
+    <message>
+        <source>Find any command by a few of its letters and do it</source>
+        <translation>Trouver toute commande par quelques lettres et l'exécuter</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences...</source>
+        <translation>&amp;Préférences...</translation>
+    </message>
+    <message>
+        <source>Theme, language, units, memory, files, view</source>
+        <translation>Thème, langue, unités, mémoire, fichiers, vue</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts...</source>
+        <translation>Raccourcis &amp;clavier...</translation>
+    </message>
+    <message>
+        <source>Give commands other keys</source>
+        <translation>Donner d'autres touches aux commandes</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation>Réinitialiser la disposition</translation>
+    </message>
+    <message>
+        <source>Put all panels back where they came</source>
+        <translation>Remettre tous les panneaux à leur place d'origine</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Plein écran</translation>
+    </message>
+    <message>
+        <source>&amp;Tour of the window</source>
+        <translation>&amp;Visite de la fenêtre</translation>
+    </message>
+    <message>
+        <source>What is where, in a minute</source>
+        <translation>Ce qui est où, en une minute</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Souris et touches</translation>
+    </message>
+    <message>
+        <source>About Knead</source>
+        <translation>À propos de Knead</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Bloc</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Boule</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Cylindre</translation>
+    </message>
+    <message>
+        <source>Wedge</source>
+        <translation>Coin</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Plaque</translation>
+    </message>
+</context>
+<context>
+    <name>Banner</name>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>CommandPalette</name>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>Que voulez-vous faire ?</translation>
+    </message>
+    <message>
+        <source>Nothing is called like that: try fewer letters.</source>
+        <translation>Rien ne s'appelle ainsi : essayez moins de lettres.</translation>
+    </message>
+</context>
+<context>
+    <name>Document</name>
+    <message>
+        <source>Import %1</source>
+        <translation>Importer %1</translation>
+    </message>
+    <message>
+        <source>The recipe belongs to the filling before and does not go on in this one. Undo goes back to it.</source>
+        <translation>La recette appartient au remplissage précédent et ne continue pas dans celui-ci. Annuler y ramène.</translation>
+    </message>
+    <message>
+        <source>Refill %1</source>
+        <translation>Remplir %1 de nouveau</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Supprimer %1</translation>
+    </message>
+    <message>
+        <source>"%1" is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.</source>
+        <translation>« %1 » est un maillage sans faces de CAO : ouvrez-le en STEP, IGES ou BREP pour fixer des faces.</translation>
+    </message>
+    <message>
+        <source>Fix face</source>
+        <translation>Fixer la face</translation>
+    </message>
+    <message>
+        <source>Free face</source>
+        <translation>Libérer la face</translation>
+    </message>
+    <message>
+        <source>%1 holds no objects: its faces are smaller than the spacing. Choose a finer spacing and refill.</source>
+        <translation>%1 ne tient aucun objet : ses faces sont plus petites que l'espacement. Choisissez un espacement plus fin et remplissez de nouveau.</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation>Simuler</translation>
+    </message>
+    <message>
+        <source>Going to %1</source>
+        <translation>En route vers %1</translation>
+    </message>
+    <message>
+        <source>%1 is still going on: wait for it, or cancel it with Esc, then go to %2.</source>
+        <translation>%1 est encore en cours : attendez ou annulez avec Échap, puis allez à %2.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this moment. Close other programs and try again.</source>
+        <translation>La mémoire ne suffit pas pour ce moment. Fermez d'autres programmes et réessayez.</translation>
+    </message>
+    <message>
+        <source>Branching from %1</source>
+        <translation>Bifurcation depuis %1</translation>
+    </message>
+    <message>
+        <source>%1 is still going on: wait for it, or cancel it with Esc, then branch again.</source>
+        <translation>%1 est encore en cours : attendez ou annulez avec Échap, puis bifurquez de nouveau.</translation>
+    </message>
+    <message>
+        <source>Branch at %1</source>
+        <translation>Branche à %1</translation>
+    </message>
+    <message>
+        <source>The recipe has come to its end. Play goes on without it.</source>
+        <translation>La recette est finie. Lecture continue sans elle.</translation>
+    </message>
+</context>
+<context>
+    <name>EntryNames</name>
+    <message>
+        <source>Material of %1</source>
+        <translation>Matériau de %1</translation>
+    </message>
+    <message>
+        <source>%1 becomes rigid</source>
+        <translation>%1 devient rigide</translation>
+    </message>
+    <message>
+        <source>%1 becomes glue</source>
+        <translation>%1 devient colle</translation>
+    </message>
+    <message>
+        <source>%1 becomes deformable</source>
+        <translation>%1 devient déformable</translation>
+    </message>
+    <message>
+        <source>Re-normalize</source>
+        <translation>Renormaliser</translation>
+    </message>
+    <message>
+        <source>Gravity off</source>
+        <translation>Pesanteur désactivée</translation>
+    </message>
+    <message>
+        <source>Gravity on</source>
+        <translation>Pesanteur activée</translation>
+    </message>
+    <message>
+        <source>Floor on</source>
+        <translation>Sol activé</translation>
+    </message>
+    <message>
+        <source>Floor off</source>
+        <translation>Sol désactivé</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Ajouter %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Supprimer %1</translation>
+    </message>
+    <message>
+        <source>Stop %1</source>
+        <translation>Arrêter %1</translation>
+    </message>
+    <message>
+        <source>Push with %1</source>
+        <translation>Pousser avec %1</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Modifier %1</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>Déplacer %1</translation>
+    </message>
+    <message>
+        <source>Fix %1</source>
+        <translation>Fixer %1</translation>
+    </message>
+    <message>
+        <source>Semi-implicit steps</source>
+        <translation>Pas semi-implicites</translation>
+    </message>
+    <message>
+        <source>Forward steps</source>
+        <translation>Pas explicites avant</translation>
+    </message>
+    <message>
+        <source>Implicit steps</source>
+        <translation>Pas implicites</translation>
+    </message>
+    <message>
+        <source>Automatic steps</source>
+        <translation>Pas automatiques</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>the body</source>
+        <translation>le corps</translation>
+    </message>
+    <message>
+        <source>the tool</source>
+        <translation>l'outil</translation>
+    </message>
+    <message>
+        <source>the fixture</source>
+        <translation>la fixation</translation>
+    </message>
+    <message>
+        <source>Simulate %1</source>
+        <translation>Simuler %1</translation>
+    </message>
+    <message>
+        <source>0 s</source>
+        <translation>0 s</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Smooth trimmed faces, one for each face of the part as it was opened, at the places where the material has them now. The file is read back and compared.</source>
+        <translation>Faces lisses délimitées, une pour chaque face de la pièce telle qu'elle a été ouverte, là où le matériau les a maintenant. Le fichier est relu et comparé.</translation>
+    </message>
+    <message>
+        <source>Triangles, as fine as the surface that is drawn.</source>
+        <translation>Des triangles, aussi fins que la surface dessinée.</translation>
+    </message>
+    <message>
+        <source>Export the deformed parts</source>
+        <translation>Exporter les pièces déformées</translation>
+    </message>
+    <message>
+        <source>%1 (.%2)</source>
+        <translation>%1 (.%2)</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>All parts</source>
+        <translation>Toutes les pièces</translation>
+    </message>
+    <message>
+        <source>Visible parts</source>
+        <translation>Pièces visibles</translation>
+    </message>
+    <message>
+        <source>Only "%1"</source>
+        <translation>Seulement « %1 »</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Pièces</translation>
+    </message>
+    <message>
+        <source>As in the file that was opened</source>
+        <translation>Comme dans le fichier ouvert</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Longueurs</translation>
+    </message>
+    <message>
+        <source>Automatic: 0.01 % of the size</source>
+        <translation>Automatique : 0,01 % de la taille</translation>
+    </message>
+    <message>
+        <source>How far faces in the file may lie beside the surface of the material. A larger one gives smaller files.</source>
+        <translation>De combien les faces du fichier peuvent s'écarter de la surface du matériau. Plus grand donne des fichiers plus petits.</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>For older programs: AP214 instead of AP242</source>
+        <translation>Pour les programmes plus anciens : AP214 au lieu d'AP242</translation>
+    </message>
+    <message>
+        <source>As text, which is larger and can be read</source>
+        <translation>En texte, plus gros et lisible</translation>
+    </message>
+    <message>
+        <source>A file for each part</source>
+        <translation>Un fichier pour chaque pièce</translation>
+    </message>
+    <message>
+        <source>Keep the report as a JSON file beside it</source>
+        <translation>Garder le rapport à côté, en fichier JSON</translation>
+    </message>
+    <message>
+        <source>Choose a place…</source>
+        <translation>Choisir un endroit…</translation>
+    </message>
+</context>
+<context>
+    <name>ExportPanel</name>
+    <message>
+        <source>smooth faces</source>
+        <translation>faces lisses</translation>
+    </message>
+    <message>
+        <source>flat triangles</source>
+        <translation>triangles plans</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>maillage</translation>
+    </message>
+    <message>
+        <source>does not pass the geometry checks</source>
+        <translation>ne passe pas les contrôles géométriques</translation>
+    </message>
+    <message>
+        <source>not closed</source>
+        <translation>non fermé</translation>
+    </message>
+    <message>
+        <source>its volume is off</source>
+        <translation>son volume est faux</translation>
+    </message>
+    <message>
+        <source>further from the material than asked for</source>
+        <translation>plus loin du matériau que demandé</translation>
+    </message>
+    <message>
+        <source>closed and valid</source>
+        <translation>fermé et valide</translation>
+    </message>
+    <message>
+        <source>valid, open as it was</source>
+        <translation>valide, ouvert comme avant</translation>
+    </message>
+    <message>
+        <source>%1, mean %2</source>
+        <translation>%1, moyenne %2</translation>
+    </message>
+    <message>
+        <source>Not as smooth faces: %1</source>
+        <translation>Pas en faces lisses : %1</translation>
+    </message>
+    <message>
+        <source>Its name was not found again.</source>
+        <translation>Son nom n'a pas été retrouvé.</translation>
+    </message>
+    <message>
+        <source>Not all of its colors were found again.</source>
+        <translation>Ses couleurs n'ont pas toutes été retrouvées.</translation>
+    </message>
+    <message>
+        <source>Nothing was exported yet.</source>
+        <translation>Rien n'a encore été exporté.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Pièce</translation>
+    </message>
+    <message>
+        <source>Read back</source>
+        <translation>Relu</translation>
+    </message>
+    <message>
+        <source>As</source>
+        <translation>En</translation>
+    </message>
+    <message>
+        <source>Solids</source>
+        <translation>Solides</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Faces</translation>
+    </message>
+    <message>
+        <source>Distance to the material</source>
+        <translation>Distance au matériau</translation>
+    </message>
+    <message>
+        <source>Volume (since opened)</source>
+        <translation>Volume (depuis l'ouverture)</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1 fichiers</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 MB in %4 s. %5</source>
+        <translation>%1 : %2, %3 Mo en %4 s. %5</translation>
+    </message>
+    <message>
+        <source>All parts are sound.</source>
+        <translation>Toutes les pièces sont saines.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts are not sound.</source>
+        <translation>%1 pièces sur %2 ne sont pas saines.</translation>
+    </message>
+</context>
+<context>
+    <name>FilmWriter</name>
+    <message>
+        <source>There is no room left in %1. Free some, or record fewer or smaller pictures.</source>
+        <translation>Il n'y a plus de place dans %1. Libérez-en, ou enregistrez moins d'images ou de plus petites.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another place.</source>
+        <translation>%1 ne peut pas être écrit. Choisissez un autre endroit.</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Choose another name for the folder of pictures.</source>
+        <translation>%1 existe déjà. Choisissez un autre nom pour le dossier des images.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: is there room on the disk?</source>
+        <translation>%1 ne peut pas être écrit : reste-t-il de la place sur le disque ?</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made: %2.</source>
+        <translation>%1 ne peut pas être créé : %2.</translation>
+    </message>
+    <message>
+        <source>No folder can be made in %1: %2. Choose another place.</source>
+        <translation>Aucun dossier ne peut être créé dans %1 : %2. Choisissez un autre endroit.</translation>
+    </message>
+</context>
+<context>
+    <name>FixturePanel</name>
+    <message>
+        <source>Body</source>
+        <translation>Corps</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Faces</translation>
+    </message>
+    <message>
+        <source>Objects held</source>
+        <translation>Objets tenus</translation>
+    </message>
+    <message>
+        <source>With "Fix faces" on, a click on a face adds it to this fixture, or frees it.</source>
+        <translation>Avec « Fixer des faces », un clic sur une face l'ajoute à cette fixation ou la libère.</translation>
+    </message>
+    <message>
+        <source>Remove fixture</source>
+        <translation>Supprimer la fixation</translation>
+    </message>
+</context>
+<context>
+    <name>HistoryPanel</name>
+    <message>
+        <source>%1 kB</source>
+        <translation>%1 ko</translation>
+    </message>
+    <message>
+        <source>%1 MB</source>
+        <translation>%1 Mo</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Ce qui a été fait</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Made at</source>
+        <translation>Fait à</translation>
+    </message>
+    <message>
+        <source>Simulated time at its end</source>
+        <translation>Temps simulé à la fin</translation>
+    </message>
+    <message>
+        <source>Key moments: memory is kept for them longest</source>
+        <translation>Moments clés : la mémoire leur est gardée le plus longtemps</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> Mo</translation>
+    </message>
+    <message>
+        <source>What moments may take. The oldest ones are dropped, and found again by repeating</source>
+        <translation>Ce que les moments peuvent prendre. Les plus anciens sont abandonnés, et retrouvés en répétant</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>sur</translation>
+    </message>
+    <message>
+        <source>A key moment; click: no longer one</source>
+        <translation>Un moment clé ; clic : ne l'est plus</translation>
+    </message>
+    <message>
+        <source>Mark as a key moment</source>
+        <translation>Marquer comme moment clé</translation>
+    </message>
+    <message>
+        <source>Kept, %1</source>
+        <translation>Gardé, %1</translation>
+    </message>
+    <message>
+        <source>Found again by repeating what leads to it</source>
+        <translation>Retrouvé en répétant ce qui y mène</translation>
+    </message>
+    <message>
+        <source>%1
+Simulated: %2, step %3
+%4</source>
+        <translation>%1
+Simulé : %2, pas %3
+%4</translation>
+    </message>
+    <message>
+        <source>Go here, and branch from here with what is done next</source>
+        <translation>Aller ici, et bifurquer d'ici avec ce qui est fait ensuite</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>No longer a key moment</source>
+        <translation>N'est plus un moment clé</translation>
+    </message>
+    <message>
+        <source>Mark as key moment</source>
+        <translation>Marquer comme moment clé</translation>
+    </message>
+</context>
+<context>
+    <name>HomePage</name>
+    <message>
+        <source>Go on with</source>
+        <translation>Continuer avec</translation>
+    </message>
+    <message>
+        <source>Open a file...</source>
+        <translation>Ouvrir un fichier...</translation>
+    </message>
+    <message>
+        <source>Drop STEP, IGES, mesh or project files here</source>
+        <translation>Déposez ici des fichiers STEP, IGES, maillage ou projet</translation>
+    </message>
+    <message>
+        <source>It becomes a lump of real material to push, bend and squeeze.</source>
+        <translation>Cela devient un morceau de vrai matériau à pousser, plier et presser.</translation>
+    </message>
+    <message>
+        <source>Unsaved work is waiting</source>
+        <translation>Du travail non enregistré attend</translation>
+    </message>
+    <message>
+        <source>Recover...</source>
+        <translation>Récupérer...</translation>
+    </message>
+    <message>
+        <source>Begin with an example</source>
+        <translation>Commencer par un exemple</translation>
+    </message>
+</context>
+<context>
+    <name>ImportDialog</name>
+    <message>
+        <source>Coarse (0.2 % of the size)</source>
+        <translation>Grossier (0,2 % de la taille)</translation>
+    </message>
+    <message>
+        <source>Normal (0.05 % of the size)</source>
+        <translation>Normal (0,05 % de la taille)</translation>
+    </message>
+    <message>
+        <source>Fine (0.0125 % of the size)</source>
+        <translation>Fin (0,0125 % de la taille)</translation>
+    </message>
+    <message>
+        <source>1 part</source>
+        <translation>1 pièce</translation>
+    </message>
+    <message>
+        <source>%1 parts</source>
+        <translation>%1 pièces</translation>
+    </message>
+    <message>
+        <source>1 solid</source>
+        <translation>1 solide</translation>
+    </message>
+    <message>
+        <source>%1 solids</source>
+        <translation>%1 solides</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 faces</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Ouvrir %1</translation>
+    </message>
+    <message>
+        <source>Open %1 files</source>
+        <translation>Ouvrir %1 fichiers</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Toutes</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>How far the triangles that are drawn and filled may lie beside the surfaces of the file</source>
+        <translation>De combien les triangles dessinés et remplis peuvent s'écarter des surfaces du fichier</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triangles</translation>
+    </message>
+    <message>
+        <source>As the file says</source>
+        <translation>Comme le dit le fichier</translation>
+    </message>
+    <message>
+        <source>The unit that the numbers in the file are taken in</source>
+        <translation>L'unité dans laquelle sont pris les nombres du fichier</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Longueurs</translation>
+    </message>
+    <message>
+        <source>Stay separate</source>
+        <translation>Restent séparés</translation>
+    </message>
+    <message>
+        <source>Are glued together</source>
+        <translation>Sont collés</translation>
+    </message>
+    <message>
+        <source>What solids do that touch each other at rest</source>
+        <translation>Ce que font les solides qui se touchent au repos</translation>
+    </message>
+    <message>
+        <source>Touching solids</source>
+        <translation>Solides en contact</translation>
+    </message>
+    <message>
+        <source>Repair shapes: sew surfaces, close gaps</source>
+        <translation>Réparer les formes : coudre les surfaces, fermer les jours</translation>
+    </message>
+    <message>
+        <source>Close flat openings, fill in spite of small holes</source>
+        <translation>Fermer les ouvertures planes, remplir malgré de petits trous</translation>
+    </message>
+    <message>
+        <source>Flat openings of any size get a plane face; other surfaces are filled where they wind around. What is open too wide is only shown.</source>
+        <translation>Les ouvertures planes de toute taille reçoivent une face plane ; les autres surfaces sont remplies là où elles entourent. Ce qui est trop ouvert est seulement montré.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Reading is given up after this processor time; automatic: by the size of the file</source>
+        <translation>La lecture est abandonnée après ce temps de calcul ; automatique : selon la taille du fichier</translation>
+    </message>
+    <message>
+        <source> GiB</source>
+        <translation> Gio</translation>
+    </message>
+    <message>
+        <source>Reading is given up when it wants more memory; automatic: by the size of the file</source>
+        <translation>La lecture est abandonnée si elle veut plus de mémoire ; automatique : selon la taille du fichier</translation>
+    </message>
+    <message>
+        <source>Give up after</source>
+        <translation>Abandonner après</translation>
+    </message>
+    <message>
+        <source>For real time</source>
+        <translation>Pour le temps réel</translation>
+    </message>
+    <message>
+        <source>About so many objects</source>
+        <translation>À peu près tant d'objets</translation>
+    </message>
+    <message>
+        <source>Cells across the thinnest wall</source>
+        <translation>Cellules à travers la paroi la plus mince</translation>
+    </message>
+    <message>
+        <source>Spacing of the objects</source>
+        <translation>Espacement des objets</translation>
+    </message>
+    <message>
+        <source>How finely to fill with objects; finer is slower</source>
+        <translation>La finesse du remplissage en objets ; plus fin est plus lent</translation>
+    </message>
+    <message>
+        <source>Filling</source>
+        <translation>Remplissage</translation>
+    </message>
+    <message>
+        <source>All %1 parts</source>
+        <translation>Les %1 pièces</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts</source>
+        <translation>%1 pièces sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>ImportPanel</name>
+    <message>
+        <source>As the file says</source>
+        <translation>Comme le dit le fichier</translation>
+    </message>
+    <message>
+        <source>Close and fill</source>
+        <translation>Fermer et remplir</translation>
+    </message>
+    <message>
+        <source>Opens the file again: flat openings get a plane face, other surfaces are filled where they wind around</source>
+        <translation>Ouvre de nouveau le fichier : les ouvertures planes reçoivent une face plane, les autres surfaces sont remplies là où elles entourent</translation>
+    </message>
+    <message>
+        <source>The unit that the numbers in the file are taken in. Another one opens the part anew in it.</source>
+        <translation>L'unité dans laquelle sont pris les nombres du fichier. Une autre ouvre la pièce de nouveau dans celle-ci.</translation>
+    </message>
+    <message>
+        <source>Lengths in</source>
+        <translation>Longueurs en</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 filled</source>
+        <translation>%1, %2, %3 remplis</translation>
+    </message>
+    <message>
+        <source>several formats</source>
+        <translation>plusieurs formats</translation>
+    </message>
+    <message>
+        <source>1 part</source>
+        <translation>1 pièce</translation>
+    </message>
+    <message>
+        <source>%1 parts</source>
+        <translation>%1 pièces</translation>
+    </message>
+    <message>
+        <source>Take without repairs</source>
+        <translation>Prendre sans réparations</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>Réparer</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Filling</source>
+        <translation>Remplissage</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>Manquant</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>was not filled: %1</source>
+        <translation>n'a pas été rempli : %1</translation>
+    </message>
+    <message>
+        <source>Repaired: %1</source>
+        <translation>Réparé : %1</translation>
+    </message>
+    <message>
+        <source>Nothing was wrong with this file.</source>
+        <translation>Ce fichier n'avait aucun défaut.</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>Knead</source>
+        <translation>Knead</translation>
+    </message>
+    <message>
+        <source>Ready. Open a part with Ctrl+O, or drop a file on the window.</source>
+        <translation>Prêt. Ouvrez une pièce avec Ctrl+O, ou déposez un fichier sur la fenêtre.</translation>
+    </message>
+    <message>
+        <source>%1: cancelled, nothing has changed.</source>
+        <translation>%1 : annulé, rien n'a changé.</translation>
+    </message>
+    <message>
+        <source>%1 is still going on: wait for it, or cancel it with Esc.</source>
+        <translation>%1 est encore en cours : attendez ou annulez avec Échap.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 surfaces to look at, nothing to simulate.</source>
+        <translation>%1 : %2, %3 surfaces à regarder, rien à simuler.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 objects of spacing %4, %5 connections, time step %6.</source>
+        <translation>%1 : %2, %3 objets d'espacement %4, %5 liaisons, pas de temps %6.</translation>
+    </message>
+    <message>
+        <source>%1 "%2"</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Click faces to hold or free them   Esc: done</source>
+        <translation>Cliquer des faces pour les tenir ou les libérer   Échap : fini</translation>
+    </message>
+    <message>
+        <source>Arrows, PgUp, PgDn: drive   Shift: slower   Middle: orbit</source>
+        <translation>Flèches, Pg préc, Pg suiv : conduire   Maj : plus lent   Milieu : tourner</translation>
+    </message>
+    <message>
+        <source>Middle: orbit   Shift+middle: pan   Wheel: zoom</source>
+        <translation>Milieu : tourner   Maj+milieu : glisser   Molette : zoomer</translation>
+    </message>
+    <message>
+        <source>Parts (%1)</source>
+        <translation>Pièces (%1)</translation>
+    </message>
+    <message>
+        <source>Projects, recipes and parts (%1)</source>
+        <translation>Projets, recettes et pièces (%1)</translation>
+    </message>
+    <message>
+        <source>Recipes (%1)</source>
+        <translation>Recettes (%1)</translation>
+    </message>
+    <message>
+        <source>Open parts</source>
+        <translation>Ouvrir des pièces</translation>
+    </message>
+    <message>
+        <source>Open a project, a recipe or parts</source>
+        <translation>Ouvrir un projet, une recette ou des pièces</translation>
+    </message>
+    <message>
+        <source>Export a file for each part</source>
+        <translation>Exporter un fichier pour chaque pièce</translation>
+    </message>
+    <message>
+        <source>Export the deformed parts</source>
+        <translation>Exporter les pièces déformées</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Souris et touches</translation>
+    </message>
+    <message>
+        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;front, right, top, isometric; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Bouton gauche&lt;/b&gt;&lt;/td&gt;&lt;td&gt;choisir ; tirer un outil&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Bouton du milieu&lt;/b&gt;&lt;/td&gt;&lt;td&gt;tourner ; avec Maj ou Ctrl glisser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Molette&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomer vers le curseur&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Flèches, Pg préc, Pg suiv&lt;/b&gt;&lt;/td&gt;&lt;td&gt;conduire l'outil choisi ; Maj est plus lent&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Espace, . , Retour arrière&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lecture ou pause, un pas, réinitialiser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Suppr&lt;/b&gt;&lt;/td&gt;&lt;td&gt;ajouter un bloc, fixer des faces, supprimer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;pesanteur, renormaliser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objets, cacher le corps, arêtes&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;face, droite, dessus, isométrique ; Ctrl : de l'autre côté&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective ou parallèle, ajuster&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;enregistrer le projet ; Ctrl+Maj+S sous un autre nom&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;trouver toute commande ; F11 : plein écran&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Échap&lt;/b&gt;&lt;/td&gt;&lt;td&gt;annuler&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
+    </message>
+    <message>
+        <source>Looking into %1</source>
+        <translation>Examen de %1</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opening %1 and %n more</source>
+        <translation>
+            <numerusform>Ouverture de %1 et d'un autre fichier</numerusform>
+            <numerusform>Ouverture de %1 et de %n autres fichiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Filling with a spacing of %1</source>
+        <translation>Remplissage avec un espacement de %1</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Exportation de %1</translation>
+    </message>
+    <message>
+        <source>Exported 1 part to %1.</source>
+        <translation>1 pièce exportée vers %1.</translation>
+    </message>
+    <message>
+        <source>Exported %2 parts to %1.</source>
+        <translation>%2 pièces exportées vers %1.</translation>
+    </message>
+    <message>
+        <source>Not everything in %1 is sound; the export report says what is not.</source>
+        <translation>Tout n'est pas sain dans %1 ; le rapport d'exportation dit quoi.</translation>
+    </message>
+    <message>
+        <source>Take as %1</source>
+        <translation>Prendre en %1</translation>
+    </message>
+    <message>
+        <source>%1 parts of the file are missing; the import report says which and why.</source>
+        <translation>%1 pièces du fichier manquent ; le rapport d'importation dit lesquelles et pourquoi.</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translation>Montrer le rapport</translation>
+    </message>
+    <message>
+        <source>Nothing in this file is closed, so nothing can be filled and simulated; the import report says why. Open edges are drawn in color.</source>
+        <translation>Rien dans ce fichier n'est fermé, rien ne peut donc être rempli et simulé ; le rapport d'importation dit pourquoi. Les arêtes ouvertes sont dessinées en couleur.</translation>
+    </message>
+    <message>
+        <source>Taking lengths in %1</source>
+        <translation>Prise des longueurs en %1</translation>
+    </message>
+    <message>
+        <source>Nothing selected.</source>
+        <translation>Rien de choisi.</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Propriétés</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Chronologie</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>Performances</translation>
+    </message>
+    <message>
+        <source>Import report</source>
+        <translation>Rapport d'importation</translation>
+    </message>
+    <message>
+        <source>Export report</source>
+        <translation>Rapport d'exportation</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Ouvrir &amp;récent</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Édition</translation>
+    </message>
+    <message>
+        <source>&amp;Simulation</source>
+        <translation>&amp;Simulation</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Outils</translation>
+    </message>
+    <message>
+        <source>Add tool</source>
+        <translation>Ajouter un outil</translation>
+    </message>
+    <message>
+        <source>Put a tool above the part to push it with</source>
+        <translation>Mettre un outil au-dessus de la pièce pour la pousser</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Vue</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panneaux</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Aide</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>%1[*] - Knead</source>
+        <translation>%1[*] - Knead</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>Vider la liste</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more. It may have been moved: look for it with Ctrl+O.</source>
+        <translation>%1 n'est plus là. Il a peut-être été déplacé : cherchez-le avec Ctrl+O.</translation>
+    </message>
+    <message>
+        <source>A project is opened alone: choose one file, or only parts.</source>
+        <translation>Un projet s'ouvre seul : choisissez un fichier, ou seulement des pièces.</translation>
+    </message>
+    <message>
+        <source>A recipe is opened alone: choose one file, or only parts.</source>
+        <translation>Une recette s'ouvre seule : choisissez un fichier, ou seulement des pièces.</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Ouvrir %1</translation>
+    </message>
+    <message>
+        <source>Play carries out %1; what is done by hand comes on top of it.</source>
+        <translation>Lecture exécute %1 ; ce qui est fait à la main s'y ajoute.</translation>
+    </message>
+    <message>
+        <source>Export as a recipe</source>
+        <translation>Exporter comme recette</translation>
+    </message>
+    <message>
+        <source>Recipes (*.%1)</source>
+        <translation>Recettes (*.%1)</translation>
+    </message>
+    <message>
+        <source>Exported the session as a recipe to %1.</source>
+        <translation>Session exportée comme recette vers %1.</translation>
+    </message>
+    <message>
+        <source>There is nothing to record yet: press Play and let something happen first.</source>
+        <translation>Il n'y a encore rien à enregistrer : appuyez sur Lecture et laissez quelque chose se passer.</translation>
+    </message>
+    <message>
+        <source>Save the video</source>
+        <translation>Enregistrer la vidéo</translation>
+    </message>
+    <message>
+        <source>Make a folder for the pictures</source>
+        <translation>Créer un dossier pour les images</translation>
+    </message>
+    <message>
+        <source>Video (*.ogv)</source>
+        <translation>Vidéo (*.ogv)</translation>
+    </message>
+    <message>
+        <source>Folder (*)</source>
+        <translation>Dossier (*)</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>Enregistrement de %1</translation>
+    </message>
+    <message>
+        <source>%1: 1 picture recorded.</source>
+        <translation>%1 : 1 image enregistrée.</translation>
+    </message>
+    <message>
+        <source>%1: %2 pictures recorded.</source>
+        <translation>%1 : %2 images enregistrées.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Il n'y a rien à annuler.</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>Il n'y a rien à rétablir.</translation>
+    </message>
+    <message>
+        <source>Open a part first.</source>
+        <translation>Ouvrez d'abord une pièce.</translation>
+    </message>
+    <message>
+        <source>Nothing in this part is closed, so nothing can be simulated.</source>
+        <translation>Rien dans cette pièce n'est fermé, rien ne peut donc être simulé.</translation>
+    </message>
+    <message>
+        <source>Pause first.</source>
+        <translation>Mettez d'abord en pause.</translation>
+    </message>
+    <message>
+        <source>Select a tool or a fixture first.</source>
+        <translation>Choisissez d'abord un outil ou une fixation.</translation>
+    </message>
+    <message>
+        <source>Not possible now.</source>
+        <translation>Impossible pour l'instant.</translation>
+    </message>
+</context>
+<context>
+    <name>MaterialPanel</name>
+    <message>
+        <source>Elastic</source>
+        <translation>Élastique</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Écoulement</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Résistance</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Masse volumique</translation>
+    </message>
+    <message>
+        <source>Young's modulus</source>
+        <translation>Module d'Young</translation>
+    </message>
+    <message>
+        <source>Poisson's ratio</source>
+        <translation>Coefficient de Poisson</translation>
+    </message>
+    <message>
+        <source>Damping ratio</source>
+        <translation>Taux d'amortissement</translation>
+    </message>
+    <message>
+        <source>Shape damping</source>
+        <translation>Amortissement de forme</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Frottement</translation>
+    </message>
+    <message>
+        <source>Yield stress</source>
+        <translation>Limite d'élasticité</translation>
+    </message>
+    <message>
+        <source>never yields</source>
+        <translation>ne s'écoule jamais</translation>
+    </message>
+    <message>
+        <source>Hardening</source>
+        <translation>Écrouissage</translation>
+    </message>
+    <message>
+        <source>Relaxation time</source>
+        <translation>Temps de relaxation</translation>
+    </message>
+    <message>
+        <source>flows at once</source>
+        <translation>s'écoule aussitôt</translation>
+    </message>
+    <message>
+        <source>Tensile strength</source>
+        <translation>Résistance à la traction</translation>
+    </message>
+    <message>
+        <source>never breaks</source>
+        <translation>ne rompt jamais</translation>
+    </message>
+    <message>
+        <source>Elongation at break</source>
+        <translation>Allongement à la rupture</translation>
+    </message>
+    <message>
+        <source>flows without end</source>
+        <translation>s'écoule sans fin</translation>
+    </message>
+    <message>
+        <source>Adhesion</source>
+        <translation>Adhérence</translation>
+    </message>
+    <message>
+        <source>does not stick</source>
+        <translation>ne colle pas</translation>
+    </message>
+    <message>
+        <source>Healing time</source>
+        <translation>Temps de cicatrisation</translation>
+    </message>
+    <message>
+        <source>does not heal</source>
+        <translation>ne cicatrise pas</translation>
+    </message>
+    <message>
+        <source>Deformable</source>
+        <translation>Déformable</translation>
+    </message>
+    <message>
+        <source>Rigid</source>
+        <translation>Rigide</translation>
+    </message>
+    <message>
+        <source>Glue</source>
+        <translation>Colle</translation>
+    </message>
+    <message>
+        <source>Keeps its shape and moves as a whole</source>
+        <translation>Garde sa forme et se meut d'un bloc</translation>
+    </message>
+    <message>
+        <source>Keeps shape and place; its adhesion holds what touches it</source>
+        <translation>Garde forme et place ; son adhérence tient ce qui le touche</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Corps</translation>
+    </message>
+    <message>
+        <source>Own numbers</source>
+        <translation>Nombres propres</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>Filling</source>
+        <translation>Remplissage</translation>
+    </message>
+    <message>
+        <source>Distance between neighboring objects</source>
+        <translation>Distance entre objets voisins</translation>
+    </message>
+    <message>
+        <source>Objects along the longest side of the part</source>
+        <translation>Objets le long du plus grand côté de la pièce</translation>
+    </message>
+    <message>
+        <source>Refill</source>
+        <translation>Remplir de nouveau</translation>
+    </message>
+    <message>
+        <source>Fill all bodies again with this spacing; the simulation starts anew</source>
+        <translation>Remplir de nouveau tous les corps avec cet espacement ; la simulation recommence</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Espacement</translation>
+    </message>
+    <message>
+        <source>Cells across</source>
+        <translation>Cellules en travers</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Semi-implicit Euler</source>
+        <translation>Euler semi-implicite</translation>
+    </message>
+    <message>
+        <source>Forward Euler</source>
+        <translation>Euler explicite</translation>
+    </message>
+    <message>
+        <source>Implicit Euler</source>
+        <translation>Euler implicite</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Keeps vibrations; stiff materials take small steps</source>
+        <translation>Garde les vibrations ; les matériaux raides demandent de petits pas</translation>
+    </message>
+    <message>
+        <source>As published; needs damping</source>
+        <translation>Comme publié ; demande de l'amortissement</translation>
+    </message>
+    <message>
+        <source>A step per frame for any stiffness; fast vibrations die out</source>
+        <translation>Un pas par image pour toute raideur ; les vibrations rapides s'éteignent</translation>
+    </message>
+    <message>
+        <source>Implicit where the semi-implicit scheme would be slower than real time</source>
+        <translation>Implicite là où le schéma semi-implicite serait plus lent que le temps réel</translation>
+    </message>
+    <message>
+        <source>Integrator</source>
+        <translation>Intégrateur</translation>
+    </message>
+    <message>
+        <source>%1 objects, %2 connections
+%3 of material</source>
+        <translation>%1 objets, %2 liaisons
+%3 de matériau</translation>
+    </message>
+    <message>
+        <source>Material of %1 → %2</source>
+        <translation>Matériau de %1 → %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 → %3</source>
+        <translation>%1 de %2 → %3</translation>
+    </message>
+</context>
+<context>
+    <name>ModelTree</name>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>Fixtures</source>
+        <translation>Fixations</translation>
+    </message>
+    <message>
+        <source>Assembly</source>
+        <translation>Assemblage</translation>
+    </message>
+    <message>
+        <source>Not a closed solid: it is not simulated.</source>
+        <translation>Pas un solide fermé : il n'est pas simulé.</translation>
+    </message>
+    <message>
+        <source>objects</source>
+        <translation>objets</translation>
+    </message>
+    <message>
+        <source>1 face</source>
+        <translation>1 face</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 faces</translation>
+    </message>
+</context>
+<context>
+    <name>PerformancePanel</name>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>Commands and the motion of tools</source>
+        <translation>Commandes et mouvement des outils</translation>
+    </message>
+    <message>
+        <source>Vicinity</source>
+        <translation>Voisinage</translation>
+    </message>
+    <message>
+        <source>Finding what may touch</source>
+        <translation>Trouver ce qui peut se toucher</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>Plastic flow, breaking and annealing</source>
+        <translation>Écoulement plastique, rupture et recuit</translation>
+    </message>
+    <message>
+        <source>Connections</source>
+        <translation>Liaisons</translation>
+    </message>
+    <message>
+        <source>Forces of structural connections, or the equations of an implicit step</source>
+        <translation>Forces des liaisons structurelles, ou les équations d'un pas implicite</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+    <message>
+        <source>Forces of contacts, joints and fixtures</source>
+        <translation>Forces des contacts, articulations et fixations</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Integration of velocities and positions</source>
+        <translation>Intégration des vitesses et des positions</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Contrôles</translation>
+    </message>
+    <message>
+        <source>Health, the stable step, and states to go back to</source>
+        <translation>Santé, pas stable et états de retour</translation>
+    </message>
+    <message>
+        <source>Snapshot</source>
+        <translation>Instantané</translation>
+    </message>
+    <message>
+        <source>Handing the state to the window</source>
+        <translation>Remise de l'état à la fenêtre</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 µs/step</source>
+        <translation>%1 µs/pas</translation>
+    </message>
+    <message>
+        <source>%1 ms/step</source>
+        <translation>%1 ms/pas</translation>
+    </message>
+    <message>
+        <source>Time of a frame; its whole length is a sixtieth of a second</source>
+        <translation>Temps d'une image ; toute la longueur est un soixantième de seconde</translation>
+    </message>
+    <message>
+        <source>Open a part and press play to see where the time goes.</source>
+        <translation>Ouvrez une pièce et appuyez sur Lecture pour voir où passe le temps.</translation>
+    </message>
+    <message>
+        <source>%1, %2 step of %3 per frame</source>
+        <translation>%1, %2 pas de %3 par image</translation>
+    </message>
+    <message>
+        <source>%1, %2 steps of %3 per frame</source>
+        <translation>%1, %2 pas de %3 par image</translation>
+    </message>
+    <message>
+        <source>%1 iterations of the solver in the last step, %2 objects</source>
+        <translation>%1 itérations du solveur au dernier pas, %2 objets</translation>
+    </message>
+    <message>
+        <source>%1 million connections per second, %2 objects</source>
+        <translation>%1 millions de liaisons par seconde, %2 objets</translation>
+    </message>
+</context>
+<context>
+    <name>PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Préférences</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Général</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Comme le système</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>Names that you gave, and what the command line says, stay as they are.</source>
+        <translation>Les noms que vous avez donnés, et ce que dit la ligne de commande, restent tels quels.</translation>
+    </message>
+    <message>
+        <source>Lengths in</source>
+        <translation>Longueurs en</translation>
+    </message>
+    <message>
+        <source>Millimetres (mm)</source>
+        <translation>Millimètres (mm)</translation>
+    </message>
+    <message>
+        <source>Centimetres (cm)</source>
+        <translation>Centimètres (cm)</translation>
+    </message>
+    <message>
+        <source>Metres (m)</source>
+        <translation>Mètres (m)</translation>
+    </message>
+    <message>
+        <source>Inches (in)</source>
+        <translation>Pouces (in)</translation>
+    </message>
+    <message>
+        <source>Speeds and volumes follow. Every field takes numbers in any unit, such as 12.5 mm, 12,5 mm or 0.5 in.</source>
+        <translation>Vitesses et volumes suivent. Chaque champ prend des nombres en toute unité, comme 12.5 mm, 12,5 mm ou 0.5 in.</translation>
+    </message>
+    <message>
+        <source>Memory and safety</source>
+        <translation>Mémoire et sûreté</translation>
+    </message>
+    <message>
+        <source>For undo</source>
+        <translation>Pour l'annulation</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> Mo</translation>
+    </message>
+    <message>
+        <source>The oldest moments are dropped, and found again by repeating what was done.</source>
+        <translation>Les moments les plus anciens sont abandonnés, et retrouvés en répétant ce qui a été fait.</translation>
+    </message>
+    <message>
+        <source>For looking back</source>
+        <translation>Pour regarder en arrière</translation>
+    </message>
+    <message>
+        <source>When it is full, every second picture of the older half goes.</source>
+        <translation>Quand elle est pleine, une image sur deux de la moitié la plus ancienne s'en va.</translation>
+    </message>
+    <message>
+        <source>Keep unsaved work every</source>
+        <translation>Garder le travail non enregistré toutes les</translation>
+    </message>
+    <message>
+        <source>After a crash, no more than this and two seconds are lost.</source>
+        <translation>Après un plantage, pas plus que cela et deux secondes ne sont perdus.</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Fils de calcul</translation>
+    </message>
+    <message>
+        <source>All (%1)</source>
+        <translation>Tous (%1)</translation>
+    </message>
+    <message>
+        <source>That compute. The results are the same for any number.</source>
+        <translation>Qui calculent. Les résultats sont les mêmes pour tout nombre.</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Fichiers</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triangles</translation>
+    </message>
+    <message>
+        <source>Coarse (0.2 % of the size)</source>
+        <translation>Grossier (0,2 % de la taille)</translation>
+    </message>
+    <message>
+        <source>Normal (0.05 % of the size)</source>
+        <translation>Normal (0,05 % de la taille)</translation>
+    </message>
+    <message>
+        <source>Fine (0.0125 % of the size)</source>
+        <translation>Fin (0,0125 % de la taille)</translation>
+    </message>
+    <message>
+        <source>How far the triangles that are drawn and filled may lie beside the surfaces of a file. Open with choices asks for each file.</source>
+        <translation>De combien les triangles dessinés et remplis peuvent s'écarter des surfaces d'un fichier. « Ouvrir avec des choix » le demande pour chaque fichier.</translation>
+    </message>
+    <message>
+        <source>Give up reading after</source>
+        <translation>Abandonner la lecture après</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>or with more memory than</source>
+        <translation>ou avec plus de mémoire que</translation>
+    </message>
+    <message>
+        <source> GiB</source>
+        <translation> Gio</translation>
+    </message>
+    <message>
+        <source>Automatic: by the size of the file.</source>
+        <translation>Automatique : selon la taille du fichier.</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>Vue 3D</translation>
+    </message>
+    <message>
+        <source>Smooth edges</source>
+        <translation>Bords lisses</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Non</translation>
+    </message>
+    <message>
+        <source>2 samples</source>
+        <translation>2 échantillons</translation>
+    </message>
+    <message>
+        <source>4 samples</source>
+        <translation>4 échantillons</translation>
+    </message>
+    <message>
+        <source>8 samples</source>
+        <translation>8 échantillons</translation>
+    </message>
+    <message>
+        <source>More is slower without a graphics card.</source>
+        <translation>Plus est plus lent sans carte graphique.</translation>
+    </message>
+    <message>
+        <source>Turn smoothly from one view to another</source>
+        <translation>Tourner en douceur d'une vue à l'autre</translation>
+    </message>
+    <message>
+        <source>Restore defaults</source>
+        <translation>Rétablir les valeurs d'origine</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectKeeper</name>
+    <message>
+        <source>The work is kept for recovery again.</source>
+        <translation>Le travail est de nouveau gardé pour la récupération.</translation>
+    </message>
+    <message>
+        <source>Knead projects (*.%1)</source>
+        <translation>Projets Knead (*.%1)</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Recovering %1</source>
+        <translation>Récupération de %1</translation>
+    </message>
+    <message>
+        <source>Rescuing %1</source>
+        <translation>Sauvetage de %1</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+    <message>
+        <source>%1 is still going on: wait for it, or cancel it with Esc.</source>
+        <translation>%1 est encore en cours : attendez ou annulez avec Échap.</translation>
+    </message>
+    <message>
+        <source>Open a copy</source>
+        <translation>Ouvrir une copie</translation>
+    </message>
+    <message>
+        <source>Rescue what is whole</source>
+        <translation>Sauver ce qui est intact</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Enregistrer sous...</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 autres</translation>
+    </message>
+    <message>
+        <source>Not whole: %1</source>
+        <translation>Pas intact : %1</translation>
+    </message>
+    <message>
+        <source>Not everything is whole</source>
+        <translation>Tout n'est pas intact</translation>
+    </message>
+    <message>
+        <source>This could not be brought back:</source>
+        <translation>Ceci n'a pas pu être retrouvé :</translation>
+    </message>
+    <message>
+        <source>There is no unsaved work to recover.</source>
+        <translation>Il n'y a pas de travail non enregistré à récupérer.</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Enregistrer le projet</translation>
+    </message>
+    <message>
+        <source>%1 is there already: choose another name, or choose that file.</source>
+        <translation>%1 existe déjà : choisissez un autre nom, ou choisissez ce fichier.</translation>
+    </message>
+    <message>
+        <source>%1 is still going on: wait for it, or cancel it with Esc, and save again.</source>
+        <translation>%1 est encore en cours : attendez ou annulez avec Échap, puis enregistrez de nouveau.</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Enregistrement de %1</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 enregistré.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Changements non enregistrés</translation>
+    </message>
+    <message>
+        <source>Save the work on "%1" as a project?</source>
+        <translation>Enregistrer le travail sur « %1 » comme projet ?</translation>
+    </message>
+    <message>
+        <source>Save the changes to "%1"?</source>
+        <translation>Enregistrer les changements de « %1 » ?</translation>
+    </message>
+    <message>
+        <source>It has never been saved.</source>
+        <translation>Il n'a jamais été enregistré.</translation>
+    </message>
+    <message>
+        <source>What was done since it was saved is lost otherwise.</source>
+        <translation>Sinon, ce qui a été fait depuis l'enregistrement est perdu.</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>Block</source>
+        <translation>Bloc</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Boule</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Cylindre</translation>
+    </message>
+    <message>
+        <source>Wedge</source>
+        <translation>Coin</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Plaque</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Pièce</translation>
+    </message>
+    <message>
+        <source>%1 slower than real time</source>
+        <translation>%1 plus lent que le temps réel</translation>
+    </message>
+</context>
+<context>
+    <name>QuantityField</name>
+    <message>
+        <source>"%1" is not a number here; the value is still %2. Esc restores it.</source>
+        <translation>« %1 » n'est pas un nombre ici ; la valeur reste %2. Échap la rétablit.</translation>
+    </message>
+    <message>
+        <source>Allowed is %1 to %2; the value is still %3. Esc restores it.</source>
+        <translation>De %1 à %2 est permis ; la valeur reste %3. Échap la rétablit.</translation>
+    </message>
+    <message>
+        <source>Allowed: %1 to %2</source>
+        <translation>Permis : de %1 à %2</translation>
+    </message>
+    <message>
+        <source>Allowed: %1 or more</source>
+        <translation>Permis : %1 ou plus</translation>
+    </message>
+    <message>
+        <source>A number, such as 0.5, 0,5 or 5e-1</source>
+        <translation>Un nombre, comme 0.5, 0,5 ou 5e-1</translation>
+    </message>
+    <message>
+        <source>Units: %1</source>
+        <translation>Unités : %1</translation>
+    </message>
+</context>
+<context>
+    <name>RecordDialog</name>
+    <message>
+        <source>Record a video</source>
+        <translation>Enregistrer une vidéo</translation>
+    </message>
+    <message>
+        <source>Record pictures</source>
+        <translation>Enregistrer des images</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Pictures per second</source>
+        <translation>Images par seconde</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>As simulated</source>
+        <translation>Comme simulé</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1 fois</translation>
+    </message>
+    <message>
+        <source>With the time, and forces on tools</source>
+        <translation>Avec le temps et les forces sur les outils</translation>
+    </message>
+    <message>
+        <source>%1, as the view</source>
+        <translation>%1, comme la vue</translation>
+    </message>
+    <message>
+        <source>Choose a place…</source>
+        <translation>Choisir un endroit…</translation>
+    </message>
+    <message>
+        <source>1 picture</source>
+        <translation>1 image</translation>
+    </message>
+    <message>
+        <source>%1 pictures</source>
+        <translation>%1 images</translation>
+    </message>
+    <message>
+        <source>%1: a video of %2 (Ogg Theora)</source>
+        <translation>%1 : une vidéo de %2 (Ogg Theora)</translation>
+    </message>
+    <message>
+        <source>%1: PNG files in a folder of their own</source>
+        <translation>%1 : des fichiers PNG dans un dossier à part</translation>
+    </message>
+</context>
+<context>
+    <name>Recording</name>
+    <message>
+        <source>picture %1 of %2</source>
+        <translation>image %1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryDialog</name>
+    <message>
+        <source>nobody knows when</source>
+        <translation>nul ne sait quand</translation>
+    </message>
+    <message>
+        <source>today, %1</source>
+        <translation>aujourd'hui, %1</translation>
+    </message>
+    <message>
+        <source>yesterday, %1</source>
+        <translation>hier, %1</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>endommagé</translation>
+    </message>
+    <message>
+        <source>just begun</source>
+        <translation>à peine commencé</translation>
+    </message>
+    <message>
+        <source>1 change</source>
+        <translation>1 changement</translation>
+    </message>
+    <message>
+        <source>%1 changes</source>
+        <translation>%1 changements</translation>
+    </message>
+    <message>
+        <source>Work without a name</source>
+        <translation>Travail sans nom</translation>
+    </message>
+    <message>
+        <source>%1, never saved</source>
+        <translation>%1, jamais enregistré</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>Récupérer le travail non enregistré</translation>
+    </message>
+    <message>
+        <source>Knead ended before this was saved</source>
+        <translation>Knead s'est arrêté avant que ceci soit enregistré</translation>
+    </message>
+    <message>
+        <source>What is recovered opens unsaved, and stays here until you save or discard it.</source>
+        <translation>Ce qui est récupéré s'ouvre non enregistré et reste ici jusqu'à ce que vous l'enregistriez ou l'abandonniez.</translation>
+    </message>
+    <message>
+        <source>%1  ·  %2</source>
+        <translation>%1  ·  %2</translation>
+    </message>
+    <message>
+        <source>Discard...</source>
+        <translation>Abandonner...</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Plus tard</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Récupérer</translation>
+    </message>
+    <message>
+        <source>Discard unsaved work</source>
+        <translation>Abandonner le travail non enregistré</translation>
+    </message>
+    <message>
+        <source>Discard the unsaved work on "%1"? It cannot be brought back.</source>
+        <translation>Abandonner le travail non enregistré sur « %1 » ? On ne pourra pas le retrouver.</translation>
+    </message>
+</context>
+<context>
+    <name>Shortcuts</name>
+    <message>
+        <source>drives the selected tool</source>
+        <translation>conduit l'outil choisi</translation>
+    </message>
+</context>
+<context>
+    <name>ShortcutsPage</name>
+    <message>
+        <source>No key</source>
+        <translation>Aucune touche</translation>
+    </message>
+    <message>
+        <source>As it came</source>
+        <translation>Comme à l'origine</translation>
+    </message>
+    <message>
+        <source>Search an action or a key</source>
+        <translation>Chercher une action ou une touche</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Action</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>Press the new key:</source>
+        <translation>Appuyez sur la nouvelle touche :</translation>
+    </message>
+    <message>
+        <source>Elsewhere</source>
+        <translation>Ailleurs</translation>
+    </message>
+    <message>
+        <source>%1 %2: choose another key.</source>
+        <translation>%1 %2 : choisissez une autre touche.</translation>
+    </message>
+    <message>
+        <source>%1 already does "%2".</source>
+        <translation>%1 fait déjà « %2 ».</translation>
+    </message>
+    <message>
+        <source>Take it from there</source>
+        <translation>La prendre de là</translation>
+    </message>
+</context>
+<context>
+    <name>StatusReadings</name>
+    <message>
+        <source>Simulated time per wall time</source>
+        <translation>Temps simulé par temps réel</translation>
+    </message>
+    <message>
+        <source>Frames the simulation delivers per second</source>
+        <translation>Images que la simulation livre par seconde</translation>
+    </message>
+    <message>
+        <source>Time steps per frame</source>
+        <translation>Pas de temps par image</translation>
+    </message>
+    <message>
+        <source>Spheres the bodies are made of</source>
+        <translation>Sphères dont les corps sont faits</translation>
+    </message>
+    <message>
+        <source>Structural connections between objects</source>
+        <translation>Liaisons structurelles entre objets</translation>
+    </message>
+    <message>
+        <source>Contact connections now</source>
+        <translation>Liaisons de contact à présent</translation>
+    </message>
+    <message>
+        <source>Structural connections that broke so far</source>
+        <translation>Liaisons structurelles rompues jusqu'ici</translation>
+    </message>
+    <message>
+        <source>Connected pieces of material</source>
+        <translation>Morceaux de matériau d'un seul tenant</translation>
+    </message>
+    <message>
+        <source>Units of what is shown</source>
+        <translation>Unités de ce qui est montré</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pause</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>1 step/frame</source>
+        <translation>1 pas/image</translation>
+    </message>
+    <message>
+        <source>%1 steps/frame</source>
+        <translation>%1 pas/image</translation>
+    </message>
+    <message>
+        <source>Implicit</source>
+        <translation>Implicite</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Euler avant</translation>
+    </message>
+    <message>
+        <source>Explicit</source>
+        <translation>Explicite</translation>
+    </message>
+    <message>
+        <source>%1 objects</source>
+        <translation>%1 objets</translation>
+    </message>
+    <message>
+        <source>%1 connections</source>
+        <translation>%1 liaisons</translation>
+    </message>
+    <message>
+        <source>%1 contacts</source>
+        <translation>%1 contacts</translation>
+    </message>
+    <message>
+        <source>%1 broken</source>
+        <translation>%1 rompues</translation>
+    </message>
+    <message>
+        <source>1 piece</source>
+        <translation>1 morceau</translation>
+    </message>
+    <message>
+        <source>%1 pieces</source>
+        <translation>%1 morceaux</translation>
+    </message>
+</context>
+<context>
+    <name>TaskReading</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>TimelineAxis</name>
+    <message>
+        <source>0 s</source>
+        <translation>0 s</translation>
+    </message>
+    <message>
+        <source>... and %1 before</source>
+        <translation>... et %1 avant</translation>
+    </message>
+</context>
+<context>
+    <name>TimelinePanel</name>
+    <message>
+        <source>Look at the start</source>
+        <translation>Regarder le début</translation>
+    </message>
+    <message>
+        <source>One picture back</source>
+        <translation>Une image en arrière</translation>
+    </message>
+    <message>
+        <source>Play what was simulated, from where you look</source>
+        <translation>Jouer ce qui a été simulé, d'où vous regardez</translation>
+    </message>
+    <message>
+        <source>One picture on</source>
+        <translation>Une image en avant</translation>
+    </message>
+    <message>
+        <source>Look at the end</source>
+        <translation>Regarder la fin</translation>
+    </message>
+    <message>
+        <source>%1x</source>
+        <translation>%1x</translation>
+    </message>
+    <message>
+        <source>How fast it is played, in simulated per real time</source>
+        <translation>La vitesse de lecture, temps simulé par temps réel</translation>
+    </message>
+    <message>
+        <source>Go on from what you see: a new branch of the history</source>
+        <translation>Continuer depuis ce que vous voyez : une nouvelle branche de l'historique</translation>
+    </message>
+    <message>
+        <source>Branch here</source>
+        <translation>Bifurquer ici</translation>
+    </message>
+    <message>
+        <source>Back to the present (Esc)</source>
+        <translation>Retour au présent (Échap)</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Revenir</translation>
+    </message>
+    <message>
+        <source>Looking back at %1   Esc: return</source>
+        <translation>Regard en arrière sur %1   Échap : revenir</translation>
+    </message>
+</context>
+<context>
+    <name>ToolPanel</name>
+    <message>
+        <source>Size X</source>
+        <translation>Taille X</translation>
+    </message>
+    <message>
+        <source>Size Y</source>
+        <translation>Taille Y</translation>
+    </message>
+    <message>
+        <source>Size Z</source>
+        <translation>Taille Z</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Diamètre</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Tranchant</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Dos</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>Largest so far</source>
+        <translation>La plus grande jusqu'ici</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>Position %1</source>
+        <translation>Position %1</translation>
+    </message>
+    <message>
+        <source>Size %1</source>
+        <translation>Taille %1</translation>
+    </message>
+    <message>
+        <source>Arrow keys and PgUp/PgDn drive at this speed; dragging is never faster</source>
+        <translation>Les flèches et Pg préc/suiv conduisent à cette vitesse ; tirer n'est jamais plus rapide</translation>
+    </message>
+    <message>
+        <source>The tool stalls rather than push harder</source>
+        <translation>L'outil cale plutôt que de pousser plus fort</translation>
+    </message>
+    <message>
+        <source>Speed limit</source>
+        <translation>Limite de vitesse</translation>
+    </message>
+    <message>
+        <source>Force limit</source>
+        <translation>Limite de force</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Frottement</translation>
+    </message>
+    <message>
+        <source>Remove tool</source>
+        <translation>Supprimer l'outil</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Tour of the window</source>
+        <translation>Visite de la fenêtre</translation>
+    </message>
+    <message>
+        <source>End tour</source>
+        <translation>Finir la visite</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fini</translation>
+    </message>
+    <message>
+        <source>Open a part</source>
+        <translation>Ouvrir une pièce</translation>
+    </message>
+    <message>
+        <source>Drop a STEP, IGES or mesh file here, press Ctrl+O, or begin with an example. It is filled with material at once.</source>
+        <translation>Déposez ici un fichier STEP, IGES ou de maillage, appuyez sur Ctrl+O, ou commencez par un exemple. Il est aussitôt rempli de matériau.</translation>
+    </message>
+    <message>
+        <source>What there is</source>
+        <translation>Ce qu'il y a</translation>
+    </message>
+    <message>
+        <source>Parts, tools and fixtures are listed here. A click selects; the selected one shows in the view, too.</source>
+        <translation>Pièces, outils et fixations sont listés ici. Un clic choisit ; ce qui est choisi se voit aussi dans la vue.</translation>
+    </message>
+    <message>
+        <source>What it is made of</source>
+        <translation>De quoi c'est fait</translation>
+    </message>
+    <message>
+        <source>Choose a material or type its numbers, with any unit: 2 MPa, 0,5 mm, 1.2e3 kg/m³. It takes effect while time runs.</source>
+        <translation>Choisissez un matériau ou tapez ses nombres, en toute unité : 2 MPa, 0,5 mm, 1.2e3 kg/m³. L'effet est immédiat, même en marche.</translation>
+    </message>
+    <message>
+        <source>Hold, push, run</source>
+        <translation>Tenir, pousser, lancer</translation>
+    </message>
+    <message>
+        <source>X fixes faces that you click, B adds a block, Space runs time. Drag the block with the left button or drive it with the arrow keys; the middle button turns the view.</source>
+        <translation>X fixe les faces que vous cliquez, B ajoute un bloc, Espace fait courir le temps. Tirez le bloc avec le bouton gauche ou conduisez-le avec les flèches ; le bouton du milieu tourne la vue.</translation>
+    </message>
+    <message>
+        <source>Back and forth in time</source>
+        <translation>En avant et en arrière dans le temps</translation>
+    </message>
+    <message>
+        <source>Drag along the timeline to look back. Ctrl+Z undoes whatever you did, what was simulated included.</source>
+        <translation>Glissez le long de la chronologie pour regarder en arrière. Ctrl+Z annule tout ce que vous avez fait, y compris ce qui a été simulé.</translation>
+    </message>
+    <message>
+        <source>Everything else</source>
+        <translation>Tout le reste</translation>
+    </message>
+    <message>
+        <source>Ctrl+E exports the part as CAD again. Ctrl+K finds any command by a few letters, F1 lists mouse and keys, and the menu Help repeats this tour.</source>
+        <translation>Ctrl+E exporte de nouveau la pièce en CAO. Ctrl+K trouve toute commande par quelques lettres, F1 liste souris et touches, et le menu Aide répète cette visite.</translation>
+    </message>
+</context>
+<context>
+    <name>ViewCube</name>
+    <message>
+        <source>FRONT</source>
+        <translation>FACE</translation>
+    </message>
+    <message>
+        <source>RIGHT</source>
+        <translation>DROITE</translation>
+    </message>
+    <message>
+        <source>BACK</source>
+        <translation>ARRIÈRE</translation>
+    </message>
+    <message>
+        <source>LEFT</source>
+        <translation>GAUCHE</translation>
+    </message>
+    <message>
+        <source>TOP</source>
+        <translation>DESSUS</translation>
+    </message>
+    <message>
+        <source>BOTTOM</source>
+        <translation>DESSOUS</translation>
+    </message>
+</context>
+</TS>

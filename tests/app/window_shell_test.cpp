@@ -1,0 +1,504 @@
+#include "support/window_on_test.h"
+#include "ui/document/film.h"
+#include "ui/language/language.h"
+#include "ui/panels/quantity_field.h"
+#include "ui/run_window.h"
+#include "ui/shell/command_palette.h"
+#include "ui/shell/listed_actions.h"
+#include "ui/shell/preferences_dialog.h"
+#include "ui/shell/tour.h"
+
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QTreeWidget>
+#include <QtTest>
+
+using namespace knead;
+
+/// What is around the work: commands, keys, preferences, languages, panels, tour, about.
+class WindowShellTest : public QObject, WindowOnTest {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        if (!hasDisplay())
+            QSKIP("The view needs a display: run this test under xvfb-run.");
+        prepare();
+    }
+
+    void init()
+    {
+        QSettings settings;
+        settings.clear();
+        settings.setValue("language", "en");
+        settings.setValue("theme", "light");
+        show(m_services);
+    }
+
+    void cleanup()
+    {
+        m_window.reset();
+        speak("en");
+    }
+
+    // --- commands -------------------------------------------------------------------------------------------------------
+
+    void everyActionIsInAMenuAndThePaletteAndSaysItsKeys()
+    {
+        press(m_window.get(), Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(palette()->isVisible());
+        QSet<QAction*> offered;
+        for (const ListedAction& one : palette()->shown())
+            offered << one.action;
+        QSet<QAction*> inMenus;
+        for (const ListedAction& one : listedActions(*m_window))
+            if (!one.menu.isEmpty())
+                inMenus << one.action;
+        int count = 0;
+        for (QAction* action : m_window->findChildren<QAction*>()) {
+            if (action->text().isEmpty() || action->isSeparator() || action->menu<QMenu*>() != nullptr ||
+                qobject_cast<QWidget*>(action->parent()) == nullptr || isOfAField(action))
+                continue;
+            ++count;
+            const QByteArray name = (action->objectName() + ' ' + action->text()).toUtf8();
+            QVERIFY2(offered.contains(action), name);
+            QVERIFY2(inMenus.contains(action), name);
+            QVERIFY2(!action->toolTip().isEmpty(), name);
+            for (const QKeySequence& key : action->shortcuts())
+                QVERIFY2(action->toolTip().contains(key.toString(QKeySequence::NativeText)), name);
+        }
+        QVERIFY(count > 60);
+    }
+
+    void aCommandIsFoundByAFewLettersAndDone()
+    {
+        openExample("bar.step");
+        press(m_window.get(), Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(palette()->isVisible());
+        auto* field = find<QLineEdit>("paletteField");
+        QVERIFY(field->hasFocus());
+        QTest::keyClicks(field, "gravi");
+        QCOMPARE(palette()->shown().front().text, QString("Gravity"));
+        QCOMPARE(palette()->shown().front().menu, QString("Simulation"));
+        picture("palette");
+        press(field, Qt::Key_Return);
+        QTRY_VERIFY(!snapshot().gravity.isZero());
+        QVERIFY(!palette()->isVisible());
+        QTRY_VERIFY(m_window->viewport().hasFocus());
+        press(m_window.get(), Qt::Key_K, Qt::ControlModifier); // what was done last comes first
+        QTRY_VERIFY(palette()->isVisible());
+        QCOMPARE(palette()->shown().front().text, QString("Gravity"));
+    }
+
+    void whatCannotBeDoneSaysWhyAndIsNotDone()
+    {
+        press(m_window.get(), Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(palette()->isVisible());
+        auto* field = find<QLineEdit>("paletteField");
+        QTest::keyClicks(field, "play");
+        const auto* list = find<QListWidget>("paletteList");
+        int row = 0;
+        while (palette()->shown()[static_cast<std::size_t>(row)].action != action("play"))
+            ++row;
+        QVERIFY(list->item(row)->data(Qt::UserRole + 2).toString().contains("Open a part first."));
+        for (int i = 0; i < row; ++i)
+            press(field, Qt::Key_Down);
+        press(field, Qt::Key_Return);
+        QVERIFY(palette()->isVisible());
+        picture("palette-disabled");
+        press(field, Qt::Key_Escape);
+        QVERIFY(!palette()->isVisible());
+    }
+
+    void arrowsGoThroughTheListAndAround()
+    {
+        press(m_window.get(), Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(palette()->isVisible());
+        auto* field = find<QLineEdit>("paletteField");
+        auto* list = find<QListWidget>("paletteList");
+        QCOMPARE(list->currentRow(), 0);
+        press(field, Qt::Key_Up);
+        QCOMPARE(list->currentRow(), list->count() - 1);
+        press(field, Qt::Key_Down);
+        QCOMPARE(list->currentRow(), 0);
+        QTest::keyClicks(field, "qqqq");
+        QVERIFY(palette()->shown().empty());
+        press(field, Qt::Key_Return); // nothing happens
+        QVERIFY(palette()->isVisible());
+    }
+
+    // --- keys -----------------------------------------------------------------------------------------------------------
+
+    void aCommandGetsAnotherKeyWhichIsKept()
+    {
+        choose("renormalize");
+        auto* key = dialog()->findChild<QKeySequenceEdit*>("shortcutKey");
+        key->setFocus();
+        press(key, Qt::Key_J, Qt::ControlModifier);
+        QTRY_COMPARE(action("renormalize")->shortcut(), QKeySequence("Ctrl+J"));
+        QVERIFY(action("renormalize")->toolTip().endsWith("(Ctrl+J)"));
+        QVERIFY(!action("renormalize")->toolTip().contains("(N)"));
+        picture("keys");
+        m_window.reset();
+        show(m_services);
+        QCOMPARE(action("renormalize")->shortcut(), QKeySequence("Ctrl+J"));
+        choose("renormalize");
+        QTest::mouseClick(dialog()->findChild<QPushButton*>("shortcutReset"), Qt::LeftButton);
+        QCOMPARE(action("renormalize")->shortcut(), QKeySequence(Qt::Key_N));
+        QVERIFY(!QSettings().contains("shortcuts/renormalize"));
+    }
+
+    void aKeyThatIsTakenIsNamedAndTakenOnlyWhenOneSaysSo()
+    {
+        choose("fit");
+        auto* key = dialog()->findChild<QKeySequenceEdit*>("shortcutKey");
+        auto* conflict = dialog()->findChild<QLabel*>("shortcutConflict");
+        key->setFocus();
+        press(key, Qt::Key_G);
+        QTRY_COMPARE(conflict->text(), QString("G already does \"Gravity\"."));
+        QCOMPARE(action("fit")->shortcut(), QKeySequence(Qt::Key_F));
+        picture("keys-conflict");
+        QTest::mouseClick(dialog()->findChild<QPushButton*>("shortcutTake"), Qt::LeftButton);
+        QCOMPARE(action("fit")->shortcut(), QKeySequence(Qt::Key_G));
+        QVERIFY(action("gravity")->shortcut().isEmpty());
+        QTest::mouseClick(dialog()->findChild<QPushButton*>("preferencesDefaults"), Qt::LeftButton);
+        QCOMPARE(action("fit")->shortcut(), QKeySequence(Qt::Key_F));
+        QCOMPARE(action("gravity")->shortcut(), QKeySequence(Qt::Key_G));
+    }
+
+    void keysThatDriveToolsStayTheirs()
+    {
+        choose("fit");
+        auto* key = dialog()->findChild<QKeySequenceEdit*>("shortcutKey");
+        key->setFocus();
+        press(key, Qt::Key_PageUp);
+        QTRY_VERIFY(dialog()->findChild<QLabel*>("shortcutConflict")->text().contains("drives the selected tool"));
+        QCOMPARE(action("fit")->shortcut(), QKeySequence(Qt::Key_F));
+    }
+
+    // --- preferences ----------------------------------------------------------------------------------------------------
+
+    void whatIsChosenHoldsAtOnceAndTheNextTime()
+    {
+        press(m_window.get(), Qt::Key_Comma, Qt::ControlModifier);
+        QTRY_VERIFY(dialog() != nullptr && dialog()->isVisible());
+        picture("preferences");
+        pick("preferenceTheme", "Dark");
+        QTRY_VERIFY(m_window->palette().color(QPalette::Window).lightness() < 100);
+        QVERIFY(action("darkTheme")->isChecked());
+        dialog()->show(PreferencesDialog::Page::Memory);
+        auto* memory = dialog()->findChild<QSpinBox*>("preferenceHistory");
+        memory->setFocus();
+        memory->selectAll();
+        QTest::keyClicks(memory, "128");
+        press(memory, Qt::Key_Tab);
+        QCOMPARE(document().history().memoryLimit(), std::size_t{128} << 20U);
+        QCOMPARE(find<QSpinBox>("historyMemoryAllowed")->value(), 128);
+        auto* seconds = dialog()->findChild<QuantityField*>("preferenceKeeping");
+        seconds->setFocus();
+        seconds->selectAll();
+        QTest::keyClicks(seconds, "10 s");
+        press(seconds, Qt::Key_Return);
+        picture("preferences-memory");
+        m_window.reset();
+        show(m_services);
+        const Preferences kept = readPreferences();
+        QCOMPARE(kept.historyMegabytes, 128);
+        QCOMPARE(kept.keepingInterval, std::chrono::seconds(10));
+        QCOMPARE(kept.look, Preferences::Look::Dark);
+        QVERIFY(m_window->palette().color(QPalette::Window).lightness() < 100);
+    }
+
+    void defaultsComeBack()
+    {
+        Preferences changed;
+        changed.look = Preferences::Look::Light;
+        changed.language = "en";
+        changed.filmMegabytes = 64;
+        changed.lengthUnit = "in";
+        m_window->setPreferences(changed);
+        QCOMPARE(find<QLabel>("units")->text(), QString("in, N, MPa"));
+        action("preferences")->trigger();
+        QTRY_VERIFY(dialog() != nullptr);
+        QCOMPARE(dialog()->findChild<QSpinBox*>("preferenceFilm")->value(), 64);
+        QTest::mouseClick(dialog()->findChild<QPushButton*>("preferencesDefaults"), Qt::LeftButton);
+        QCOMPARE(readPreferences().filmMegabytes, Preferences().filmMegabytes);
+        QCOMPARE(find<QLabel>("units")->text(), QString("mm, N, MPa"));
+        QVERIFY(!QSettings().contains("film/megabytes"));
+    }
+
+    void lengthsAreShownInTheChosenUnit()
+    {
+        openExample("bar.step");
+        press(m_window.get(), Qt::Key_B);
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
+        auto* size = find<QuantityField>("toolSizeX");
+        QTRY_VERIFY(size->text().endsWith(" mm"));
+        QVERIFY(size->tip().contains("Units: mm, m, cm, µm, in"));
+        Preferences inches = readPreferences();
+        inches.lengthUnit = "in";
+        m_window->setPreferences(inches);
+        QVERIFY(size->text().endsWith(" in"));
+        size->setFocus();
+        size->selectAll();
+        QTest::keyClicks(size, "0,5");
+        press(size, Qt::Key_Return);
+        QTRY_COMPARE(snapshot().tools[0].size.x(), 0.0127);
+        Preferences usual = inches;
+        usual.lengthUnit = "mm";
+        m_window->setPreferences(usual);
+        QTRY_COMPARE(size->text(), QString("12.7 mm"));
+    }
+
+    // --- languages ------------------------------------------------------------------------------------------------------
+
+    void theWindowSpeaksAnotherLanguageAtOnce()
+    {
+        openExample("bracket.step");
+        press(m_window.get(), Qt::Key_B);
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
+        action("preferences")->trigger();
+        QTRY_VERIFY(dialog() != nullptr);
+        pick("preferenceLanguage", "Deutsch");
+        QTRY_COMPARE(m_window->menuBar()->actions().front()->text(), QString("&Datei"));
+        QCOMPARE(action("open")->text(), QString("Ö&ffnen..."));
+        QVERIFY(action("open")->toolTip().startsWith("Ein Teil, ein Projekt oder ein Rezept öffnen ("));
+        QCOMPARE(find<QDockWidget>("historyDock")->windowTitle(), QString("Verlauf"));
+        QTRY_COMPARE(find<QComboBox>("toolKind")->currentText(), QString("Block"));
+        QCOMPARE(find<QComboBox>("toolKind")->itemText(1), QString("Kugel"));
+        QVERIFY(action("undo")->text().startsWith("Rückgängig"));
+        QTRY_VERIFY(find<QLabel>("objectCount")->text().endsWith(" Objekte"));
+        QTRY_COMPARE(dialog()->windowTitle(), QString("Einstellungen"));
+        QTRY_COMPARE(dialog()->findChild<QListWidget*>("preferencesIndex")->item(1)->text(),
+                     QString("Speicher und Sicherheit"));
+        picture("german");
+        dialog()->close();
+        const auto untranslated =
+            textsLike({"Properties", "Timeline", "Nothing selected.", "Speed limit", "Force limit"});
+        QVERIFY2(untranslated.isEmpty(), qPrintable(untranslated.join(", ")));
+        for (const char* code : {"fr", "nl", "en"}) {
+            Preferences other = readPreferences();
+            other.language = code;
+            m_window->setPreferences(other);
+            picture(code);
+        }
+        QCOMPARE(m_window->menuBar()->actions().front()->text(), QString("&File"));
+        QCOMPARE(find<QComboBox>("toolKind")->itemText(1), QString("Ball"));
+        QVERIFY(action("undo")->text().startsWith("Undo"));
+        QCOMPARE(action("renormalize")->text(), QString("Re-normalize"));
+    }
+
+    void whatAPersonNamedIsNotTranslated()
+    {
+        openExample("bar.step");
+        const QString part = QString::fromStdString(document().content().bodies[0]->name);
+        Preferences german = readPreferences();
+        german.language = "de";
+        m_window->setPreferences(german);
+        QCOMPARE(QString::fromStdString(document().content().bodies[0]->name), part);
+        QCOMPARE(document().history().tree().records().size(), std::size_t{2}); // opened and refilled, no entry more
+    }
+
+    // --- tour, about ----------------------------------------------------------------------------------------------------
+
+    void theTourPointsAtWhatItSpeaksOf()
+    {
+        action("tour")->trigger();
+        auto* tour = find<Tour>("tour");
+        QTRY_VERIFY(tour->isVisible() && tour->hasFocus());
+        picture("tour-1");
+        press(tour, Qt::Key_Return);
+        QCOMPARE(tour->step(), 1);
+        const auto* dock = find<QDockWidget>("modelDock");
+        QVERIFY(tour->spot().contains(QRect(dock->mapTo(m_window.get(), QPoint(0, 0)), dock->size())));
+        picture("tour-2");
+        press(tour, Qt::Key_Left);
+        QCOMPARE(tour->step(), 0);
+        for (int i = 0; i < 3; ++i)
+            QTest::mouseClick(find<QPushButton>("tourNext"), Qt::LeftButton);
+        QCOMPARE(tour->step(), 3);
+        QVERIFY(!tour->findChild<QWidget*>("tourCard")->geometry().intersects(tour->spot()));
+        picture("tour-4");
+        press(tour, Qt::Key_B); // no key reaches the window
+        QVERIFY(document().isEmpty());
+        press(tour, Qt::Key_Right);
+        press(tour, Qt::Key_Right);
+        QCOMPARE(tour->step(), 5);
+        picture("tour-6");
+        QPointer<Tour> watched = tour;
+        press(tour, Qt::Key_Return);
+        QTRY_VERIFY(watched == nullptr);
+        action("tour")->trigger(); // as often as one likes
+        QTRY_VERIFY(find<Tour>("tour") != nullptr && find<Tour>("tour")->isVisible());
+        watched = find<Tour>("tour");
+        press(watched, Qt::Key_Escape);
+        QTRY_VERIFY(watched == nullptr);
+    }
+
+    void theTourIsOfferedOnce()
+    {
+        m_window->offerTour();
+        QTRY_VERIFY(find<Tour>("tour") != nullptr);
+        find<Tour>("tour")->close();
+        QTRY_VERIFY(find<Tour>("tour") == nullptr);
+        m_window->offerTour();
+        QTest::qWait(100);
+        QVERIFY(find<Tour>("tour") == nullptr);
+    }
+
+    void aboutNamesWhatKneadIsMadeWith()
+    {
+        action("about")->trigger();
+        QTRY_VERIFY(find<QDialog>("aboutBox") != nullptr);
+        auto* list = find<QTreeWidget>("aboutLibraries");
+        for (const char* name : {"Qt", "VTK", "OpenCASCADE", "Eigen", "oneTBB", "SQLite"}) {
+            const QList<QTreeWidgetItem*> found = list->findItems(name, Qt::MatchExactly);
+            QVERIFY2(found.size() == 1, name);
+            QVERIFY2(found[0]->text(1).contains(QRegularExpression("^\\d+\\.\\d+")), name);
+            QVERIFY2(!found[0]->text(2).isEmpty(), name);
+        }
+        picture("about");
+        QTest::mouseClick(find<QPushButton>("aboutCopy"), Qt::LeftButton);
+        QVERIFY(QApplication::clipboard()->text().contains("Qt " + QString(qVersion())));
+    }
+
+    // --- panels, status -------------------------------------------------------------------------------------------------
+
+    void panelsCloseComeBackAndAreRemembered()
+    {
+        auto* dock = find<QDockWidget>("propertiesDock");
+        QVERIFY(dock->isVisible());
+        action("show_propertiesDock")->trigger();
+        QVERIFY(!dock->isVisible());
+        auto* timeline = find<QDockWidget>("timelineDock");
+        m_window->addDockWidget(Qt::TopDockWidgetArea, timeline);
+        QCOMPARE(m_window->dockWidgetArea(timeline), Qt::TopDockWidgetArea);
+        m_window->close();
+        m_window.reset();
+        show(m_services);
+        QVERIFY(!find<QDockWidget>("propertiesDock")->isVisible());
+        QCOMPARE(m_window->dockWidgetArea(find<QDockWidget>("timelineDock")), Qt::TopDockWidgetArea);
+        action("resetLayout")->trigger();
+        QTRY_VERIFY(find<QDockWidget>("propertiesDock")->isVisible());
+        QCOMPARE(m_window->dockWidgetArea(find<QDockWidget>("timelineDock")), Qt::BottomDockWidgetArea);
+        QTRY_VERIFY(std::abs(find<QDockWidget>("propertiesDock")->width() - 300) < 40);
+        picture("layout-reset");
+    }
+
+    void everyPanelIsListed()
+    {
+        for (const QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
+            QVERIFY2(action(("show_" + dock->objectName()).toUtf8()) != nullptr, qPrintable(dock->objectName()));
+            QVERIFY(dock->features().testFlag(QDockWidget::DockWidgetClosable));
+            QVERIFY(dock->features().testFlag(QDockWidget::DockWidgetMovable));
+        }
+    }
+
+    void messagesAndTheHintTakeTurns()
+    {
+        auto* hint = find<QLabel>("navigationHint");
+        QVERIFY(hint->isVisible());
+        m_window->statusBar()->showMessage("Saved bracket.knead.", 300);
+        QVERIFY(!hint->isVisible());
+        QTRY_VERIFY(hint->isVisible());
+        m_window->statusBar()->showMessage("Saved bracket.knead.");
+        m_window->open({example("bar.step")});
+        QVERIFY(m_window->statusBar()->currentMessage().isEmpty()); // the task is shown there
+        QVERIFY(!hint->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        QTRY_VERIFY(hint->isVisible());
+    }
+
+    // --- first page -----------------------------------------------------------------------------------------------------
+
+    void theFirstPageShowsExamplesAndFilesOfLateAsPictures()
+    {
+        for (const char* name : {"bar", "bracket", "handle", "lump", "plate"})
+            QVERIFY2(QFile::exists(example(qPrintable(QString(name) + ".png"))), name);
+        QVERIFY(!find<QLabel>("recentTitle")->isVisible());
+        picture("home-first");
+        openExample("bracket.step");
+        QTest::qWait(2500); // a picture is taken
+        m_window->close();
+        m_window.reset();
+        show(m_services);
+        auto* card = find<QPushButton>("recent_bracket.step");
+        QVERIFY(card != nullptr && card->isVisible());
+        QVERIFY(find<QLabel>("recentTitle")->isVisible());
+        picture("home-recent");
+        m_window->setTheme(Theme::Dark);
+        picture("home-dark");
+        QTest::mouseClick(card, Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!document().isEmpty(), patience);
+    }
+
+private:
+    CommandPalette* palette() { return find<CommandPalette>("commandPalette"); }
+    PreferencesDialog* dialog() { return find<PreferencesDialog>("preferencesDialog"); }
+
+    static void press(QWidget* widget, Qt::Key key, Qt::KeyboardModifiers modifiers = {})
+    {
+        QTest::keyClick(widget, key, modifiers);
+    }
+
+    /// Line edits have actions of their own.
+    static bool isOfAField(const QAction* action)
+    {
+        return qobject_cast<QLineEdit*>(action->parent()) != nullptr || action->objectName().startsWith("_q_");
+    }
+
+    /// Opens the page of keys at an action.
+    void choose(const char* name)
+    {
+        action("shortcuts")->trigger();
+        QTRY_VERIFY(dialog() != nullptr && dialog()->isVisible());
+        auto* list = dialog()->findChild<QTreeWidget*>("shortcutList");
+        for (int m = 0; m < list->topLevelItemCount(); ++m)
+            for (int i = 0; i < list->topLevelItem(m)->childCount(); ++i)
+                if (list->topLevelItem(m)->child(i)->data(0, Qt::UserRole).value<QObject*>() == action(name))
+                    list->setCurrentItem(list->topLevelItem(m)->child(i));
+        QVERIFY(list->currentItem() != nullptr);
+    }
+
+    void pick(const char* box, const QString& text)
+    {
+        auto* choice = dialog()->findChild<QComboBox*>(box);
+        QVERIFY(choice->findText(text) >= 0);
+        choice->setFocus();
+        choice->setCurrentIndex(choice->findText(text));
+    }
+
+    /// Labels and buttons of the window that read so.
+    QStringList textsLike(const QStringList& texts)
+    {
+        QStringList found;
+        for (const QLabel* label : m_window->findChildren<QLabel*>())
+            if (texts.contains(label->text()))
+                found << label->text();
+        for (const QWidget* widget : m_window->findChildren<QDockWidget*>())
+            if (texts.contains(widget->windowTitle()))
+                found << widget->windowTitle();
+        return found;
+    }
+};
+
+int main(int argc, char** argv)
+{
+    prepareGraphics();
+    QApplication application(argc, argv);
+    WindowShellTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "window_shell_test.moc"

@@ -1,0 +1,42 @@
+// Words that core and tables bring into the window, marked for the translators.
+#include <QtGlobal>
+
+namespace knead {
+
+namespace {
+
+[[maybe_unused]] const char* const materialWords[] = {
+    QT_TRANSLATE_NOOP("MaterialPanel", "Elastic"),           QT_TRANSLATE_NOOP("MaterialPanel", "Flow"),
+    QT_TRANSLATE_NOOP("MaterialPanel", "Strength"),          QT_TRANSLATE_NOOP("MaterialPanel", "Surface"),
+    QT_TRANSLATE_NOOP("MaterialPanel", "Density"),           QT_TRANSLATE_NOOP("MaterialPanel", "Young's modulus"),
+    QT_TRANSLATE_NOOP("MaterialPanel", "Poisson's ratio"),   QT_TRANSLATE_NOOP("MaterialPanel", "Damping ratio"),
+    QT_TRANSLATE_NOOP("MaterialPanel", "Shape damping"),     QT_TRANSLATE_NOOP("MaterialPanel", "Friction"),
+    QT_TRANSLATE_NOOP("MaterialPanel", "Yield stress"),      QT_TRANSLATE_NOOP("MaterialPanel", "never yields"),
+    QT_TRANSLATE_NOOP("MaterialPanel", "Hardening"),         QT_TRANSLATE_NOOP("MaterialPanel", "Relaxation time"),
+    QT_TRANSLATE_NOOP("MaterialPanel", "flows at once"),     QT_TRANSLATE_NOOP("MaterialPanel", "Tensile strength"),
+    QT_TRANSLATE_NOOP("MaterialPanel", "never breaks"),      QT_TRANSLATE_NOOP("MaterialPanel", "Elongation at break"),
+    QT_TRANSLATE_NOOP("MaterialPanel", "flows without end"), QT_TRANSLATE_NOOP("MaterialPanel", "Adhesion"),
+    QT_TRANSLATE_NOOP("MaterialPanel", "does not stick"),    QT_TRANSLATE_NOOP("MaterialPanel", "Healing time"),
+    QT_TRANSLATE_NOOP("MaterialPanel", "does not heal")};
+
+[[maybe_unused]] const char* const formsOfTools[] = {
+    QT_TRANSLATE_NOOP("Actions", "Block"),    QT_TRANSLATE_NOOP("Actions", "Ball"),
+    QT_TRANSLATE_NOOP("Actions", "Cylinder"), QT_TRANSLATE_NOOP("Actions", "Wedge"),
+    QT_TRANSLATE_NOOP("Actions", "Plate"),    QT_TRANSLATE_NOOP("QObject", "Block"),
+    QT_TRANSLATE_NOOP("QObject", "Ball"),     QT_TRANSLATE_NOOP("QObject", "Cylinder"),
+    QT_TRANSLATE_NOOP("QObject", "Wedge"),    QT_TRANSLATE_NOOP("QObject", "Plate"),
+    QT_TRANSLATE_NOOP("QObject", "Part")};
+
+[[maybe_unused]] const char* const measuresOfTools[] = {
+    QT_TRANSLATE_NOOP("ToolPanel", "Size X"),   QT_TRANSLATE_NOOP("ToolPanel", "Size Y"),
+    QT_TRANSLATE_NOOP("ToolPanel", "Size Z"),   QT_TRANSLATE_NOOP("ToolPanel", "Diameter"),
+    QT_TRANSLATE_NOOP("ToolPanel", "Length"),   QT_TRANSLATE_NOOP("ToolPanel", "Edge"),
+    QT_TRANSLATE_NOOP("ToolPanel", "Back"),     QT_TRANSLATE_NOOP("ToolPanel", "Height"),
+    QT_TRANSLATE_NOOP("ToolPanel", "Thickness")};
+
+[[maybe_unused]] const char* const unitsOfFiles[] = {QT_TRANSLATE_NOOP("ImportDialog", "As the file says"),
+                                                     QT_TRANSLATE_NOOP("ImportPanel", "As the file says")};
+
+} // namespace
+
+} // namespace knead

@@ -1,0 +1,73 @@
+#include "ui/panels/picture_card.h"
+
+#include "ui/theme.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+namespace knead {
+
+namespace {
+
+constexpr int roundness = 7;
+constexpr int lines = 46; // height of what is below the picture [pixels]
+
+} // namespace
+
+PictureCard::PictureCard(const QImage& picture, const QString& name, const QString& about, QWidget* parent)
+    : QPushButton(name, parent)
+    , m_picture(picture)
+    , m_about(about)
+{
+    setCursor(Qt::PointingHandCursor);
+    setAccessibleDescription(about);
+    setFixedSize(sizeHint());
+    setAttribute(Qt::WA_Hover);
+}
+
+QSize PictureCard::sizeHint() const
+{
+    return {pictureSize.width(), pictureSize.height() + lines};
+}
+
+void PictureCard::paintEvent(QPaintEvent* /*event*/)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const bool isLit = underMouse() || hasFocus();
+    const QRectF frame = QRectF(rect()).adjusted(1, 1, -1, -1);
+    QPainterPath shape;
+    shape.addRoundedRect(frame, roundness, roundness);
+    painter.fillPath(shape, palette().color(isDown() ? QPalette::Button : QPalette::Base));
+    painter.save();
+    painter.setClipPath(shape);
+    drawPicture(painter, QRect(QPoint(0, 0), pictureSize));
+    painter.restore();
+    painter.strokePath(shape, QPen(palette().color(isLit ? QPalette::Highlight : QPalette::Mid), isLit ? 2 : 1));
+
+    const QRect words = rect().adjusted(10, pictureSize.height() + 5, -10, -5);
+    QFont bold = font();
+    bold.setWeight(QFont::DemiBold);
+    painter.setFont(bold);
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(words, Qt::AlignTop | Qt::AlignLeft,
+                     painter.fontMetrics().elidedText(text(), Qt::ElideMiddle, words.width()));
+    painter.setFont(font());
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(words, Qt::AlignBottom | Qt::AlignLeft,
+                     painter.fontMetrics().elidedText(m_about, Qt::ElideMiddle, words.width()));
+}
+
+void PictureCard::drawPicture(QPainter& painter, const QRect& place)
+{
+    if (!m_picture.isNull()) {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(place, m_picture);
+        return;
+    }
+    painter.fillRect(place, palette().color(QPalette::AlternateBase));
+    const QSize sign(40, 40);
+    knead::icon("part").paint(&painter, QRect(place.center() - QPoint(20, 20), sign), Qt::AlignCenter, QIcon::Disabled);
+}
+
+} // namespace knead
