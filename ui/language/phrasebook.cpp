@@ -59,9 +59,11 @@ std::optional<QString> Phrasebook::whole(const QString& shown, const QByteArrayL
     const auto found = m_phrases.constFind(shown);
     if (found == m_phrases.constEnd())
         return std::nullopt;
-    const auto own =
-        std::ranges::find_if(*found, [&contexts](const Phrase& phrase) { return contexts.contains(phrase.context); });
-    return speaker(own == found->end() ? found->front() : *own, -1);
+    for (const QByteArray& context : contexts) // the nearest first
+        for (const Phrase& phrase : *found)
+            if (phrase.context == context)
+                return speaker(phrase, -1);
+    return speaker(found->front(), -1);
 }
 
 /// The shape with the most letters of its own that fits. What was put into it may be phrases in turn.
@@ -97,12 +99,14 @@ void Phrasebook::prepareTemplates() const
         qsizetype end = 0;
         for (auto places = placePattern().globalMatch(said.key()); places.hasNext();) {
             const QRegularExpressionMatch place = places.next();
-            shape += QRegularExpression::escape(said.key().mid(end, place.capturedStart() - end)) + "(.+?)";
+            const QString piece = said.key().mid(end, place.capturedStart() - end);
+            one.letters += lettersIn(piece);
+            shape += QRegularExpression::escape(piece) + "(.+?)";
             one.places.push_back(place.captured(1).toInt());
             end = place.capturedEnd();
         }
         const QString rest = said.key().mid(end);
-        one.letters = lettersIn(said.key()) - static_cast<qsizetype>(one.places.size());
+        one.letters += lettersIn(rest);
         if (one.places.empty() || one.letters < leastLetters)
             continue;
         one.shape.setPattern(QRegularExpression::anchoredPattern(shape + QRegularExpression::escape(rest)));

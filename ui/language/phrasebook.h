@@ -39,7 +39,7 @@ private:
         QRegularExpression shape;
         std::vector<int> places; ///< of the captures: 1 for %1; 0 for %n
         Phrase phrase;
-        qsizetype letters = 0; ///< that do not vary
+        qsizetype letters = 0; ///< of its own
     };
 
     std::optional<QString> whole(const QString& shown, const QByteArrayList& contexts, const Speaker& speaker) const;
