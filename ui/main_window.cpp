@@ -68,6 +68,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
 MainWindow::~MainWindow()
 {
     hide();
+    m_shell.reset();
     delete centralWidget();
 }
 

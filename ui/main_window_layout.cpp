@@ -180,7 +180,7 @@ void MainWindow::makeMenus()
 
 void MainWindow::makeToolBar()
 {
-    QToolBar* bar = addToolBar(tr("Tools"));
+    QToolBar* bar = addToolBar(tr("Tool bar"));
     bar->setObjectName("toolBar");
     bar->setMovable(false);
     bar->setIconSize({20, 20});

@@ -26,6 +26,7 @@
 #include <QSpinBox>
 #include <QStatusBar>
 #include <QTimer>
+#include <QToolBar>
 
 namespace knead {
 
@@ -48,7 +49,11 @@ struct MainWindow::Shell {
 
 MainWindow::ShellPointer MainWindow::newShell()
 {
-    ShellPointer shell(new Shell, [](Shell* gone) { delete gone; });
+    ShellPointer shell(new Shell, [](Shell* gone) {
+        delete gone->dialog; // it asks for the window's actions to the end
+        delete gone->tour;
+        delete gone;
+    });
     shell->system = new SystemTheme(this);      // before any theme is applied
     speak(languageFor(m_preferences.language)); // before anything is said
     setLengthUnit(m_preferences.lengthUnit);
@@ -82,7 +87,7 @@ void MainWindow::makeShell()
 
 // --- panels ---------------------------------------------------------------------------------------------------------------
 
-/// Every dock can be closed and comes back from here.
+/// Every dock and bar can be closed and comes back from here.
 void MainWindow::listPanels()
 {
     auto* panels = findChild<QMenu*>("panelsMenu");
@@ -90,6 +95,12 @@ void MainWindow::listPanels()
     for (QDockWidget* dock : findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
         QAction* toggle = dock->toggleViewAction();
         toggle->setObjectName("show_" + dock->objectName());
+        panels->addAction(toggle);
+    }
+    panels->addSeparator();
+    for (const QToolBar* bar : findChildren<QToolBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+        QAction* toggle = bar->toggleViewAction();
+        toggle->setObjectName("show_" + bar->objectName());
         panels->addAction(toggle);
     }
     panels->addSeparator();

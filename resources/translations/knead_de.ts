@@ -1373,10 +1373,6 @@ Simuliert: %2, Schritt %3
         <translation>&amp;Hilfe</translation>
     </message>
     <message>
-        <source>Tools</source>
-        <translation>Werkzeuge</translation>
-    </message>
-    <message>
         <source>%1[*] - Knead</source>
         <translation>%1[*] - Knead</translation>
     </message>
@@ -1475,6 +1471,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Not possible now.</source>
         <translation>Jetzt nicht möglich.</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Werkzeugleiste</translation>
     </message>
 </context>
 <context>

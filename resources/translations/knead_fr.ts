@@ -1373,10 +1373,6 @@ Simulé : %2, pas %3
         <translation>&amp;Aide</translation>
     </message>
     <message>
-        <source>Tools</source>
-        <translation>Outils</translation>
-    </message>
-    <message>
         <source>%1[*] - Knead</source>
         <translation>%1[*] - Knead</translation>
     </message>
@@ -1475,6 +1471,10 @@ Simulé : %2, pas %3
     <message>
         <source>Not possible now.</source>
         <translation>Impossible pour l'instant.</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Barre d’outils</translation>
     </message>
 </context>
 <context>

@@ -1373,10 +1373,6 @@ Gesimuleerd: %2, stap %3
         <translation>&amp;Help</translation>
     </message>
     <message>
-        <source>Tools</source>
-        <translation>Gereedschap</translation>
-    </message>
-    <message>
         <source>%1[*] - Knead</source>
         <translation>%1[*] - Knead</translation>
     </message>
@@ -1475,6 +1471,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Not possible now.</source>
         <translation>Nu niet mogelijk.</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Werkbalk</translation>
     </message>
 </context>
 <context>

@@ -186,7 +186,7 @@ void PreferencesDialog::addButtons(QVBoxLayout* column)
     auto* close = new QPushButton(tr("Close"), this);
     close->setObjectName("preferencesClose");
     close->setProperty("role", "primary");
-    close->setDefault(true);
+    close->setAutoDefault(false); // Enter ends typing in a field
     row->addWidget(defaults);
     row->addStretch();
     row->addWidget(close);
