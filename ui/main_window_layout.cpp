@@ -21,7 +21,9 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenuBar>
+#include <QPainter>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
@@ -47,9 +49,47 @@ QDockWidget* makeDock(QMainWindow* window, const QString& title, const char* nam
     return dock;
 }
 
+/// Scrolls downwards only: it is at least as wide as its panel wants, in whatever language.
+class PanelArea final : public QScrollArea {
+public:
+    QSize minimumSizeHint() const override
+    {
+        const int bar = verticalScrollBar()->sizeHint().width();
+        return {widget()->minimumSizeHint().width() + bar, QScrollArea::minimumSizeHint().height()};
+    }
+
+protected:
+    bool event(QEvent* event) override
+    {
+        if (event->type() == QEvent::LayoutRequest)
+            updateGeometry();
+        return QScrollArea::event(event);
+    }
+};
+
+/// What a low dock is held by: a narrow strip at its left.
+class Grip final : public QWidget {
+public:
+    using QWidget::QWidget;
+
+    QSize sizeHint() const override { return {14, 24}; }
+
+protected:
+    void paintEvent(QPaintEvent* /*event*/) override
+    {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(palette().color(QPalette::PlaceholderText));
+        for (int row = -2; row <= 2; ++row)
+            for (const double column : {-2.5, 2.5})
+                painter.drawEllipse(QRectF(rect()).center() + QPointF(column, 6.0 * row), 1.2, 1.2);
+    }
+};
+
 QScrollArea* scrolled(QWidget* panel)
 {
-    auto* area = new QScrollArea;
+    auto* area = new PanelArea;
     area->setWidget(panel);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
@@ -105,6 +145,9 @@ void MainWindow::makeDocks()
     m_timeline->addButton(m_actions->recordVideo);
     QDockWidget* timeline = makeDock(this, tr("Timeline"), "timelineDock", m_timeline, Qt::BottomDockWidgetArea);
     timeline->setFeatures(timeline->features() | QDockWidget::DockWidgetVerticalTitleBar); // it is low
+    auto* grip = new Grip(timeline);
+    grip->setToolTip(tr("Drag to move the timeline"));
+    timeline->setTitleBarWidget(grip);
     splitDockWidget(timeline, log, Qt::Vertical);
     QDockWidget* performance =
         makeDock(this, tr("Performance"), "performanceDock", m_performance, Qt::BottomDockWidgetArea);

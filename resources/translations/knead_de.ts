@@ -1476,6 +1476,10 @@ Simuliert: %2, Schritt %3
         <source>Tool bar</source>
         <translation>Werkzeugleiste</translation>
     </message>
+    <message>
+        <source>Drag to move the timeline</source>
+        <translation>Ziehen verschiebt die Zeitleiste</translation>
+    </message>
 </context>
 <context>
     <name>MaterialPanel</name>

@@ -1476,6 +1476,10 @@ Simulé : %2, pas %3
         <source>Tool bar</source>
         <translation>Barre d’outils</translation>
     </message>
+    <message>
+        <source>Drag to move the timeline</source>
+        <translation>Tirer pour déplacer la chronologie</translation>
+    </message>
 </context>
 <context>
     <name>MaterialPanel</name>

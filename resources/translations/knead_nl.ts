@@ -1476,6 +1476,10 @@ Gesimuleerd: %2, stap %3
         <source>Tool bar</source>
         <translation>Werkbalk</translation>
     </message>
+    <message>
+        <source>Drag to move the timeline</source>
+        <translation>Sleep om de tijdlijn te verplaatsen</translation>
+    </message>
 </context>
 <context>
     <name>MaterialPanel</name>

@@ -277,6 +277,7 @@ private slots:
         QCOMPARE(find<QDockWidget>("historyDock")->windowTitle(), QString("Verlauf"));
         QTRY_COMPARE(find<QComboBox>("toolKind")->currentText(), QString("Block"));
         QCOMPARE(find<QComboBox>("toolKind")->itemText(1), QString("Kugel"));
+        QVERIFY(!find<QTreeWidget>("modelTree")->findItems("Werkzeuge", Qt::MatchExactly).isEmpty());
         QVERIFY(action("undo")->text().startsWith("Rückgängig"));
         QTRY_VERIFY(find<QLabel>("objectCount")->text().endsWith(" Objekte"));
         QTRY_COMPARE(dialog()->windowTitle(), QString("Einstellungen"));
@@ -441,32 +442,6 @@ private slots:
         picture("home-dark");
         QTest::mouseClick(card, Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(!document().isEmpty(), patience);
-    }
-
-    void zzTemporaryPictures() // TEMPORARY
-    {
-        const QString folder = qEnvironmentVariable("KNEAD_EXAMPLE_PICTURES");
-        if (folder.isEmpty())
-            QSKIP("only when asked");
-        for (const char* name : {"bar", "bracket", "handle", "lump", "paper-bar", "plate"}) {
-            m_window.reset();
-            show(m_services);
-            m_window->resize(1100, 760);
-            m_window->open(QStringList(example(qPrintable(QString(name) + ".step"))));
-            QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
-            for (QDockWidget* dock : m_window->findChildren<QDockWidget*>())
-                dock->hide();
-            action("grid")->setChecked(false);
-            QTest::qWait(300);
-            action("fit")->trigger();
-            QTest::qWait(2000);
-            const QImage view = m_window->viewport().grabFramebuffer();
-            const QSize size(480, 300);
-            const QImage wide = view.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-            wide.copy(QRect(QPoint((wide.width() - 480) / 2, (wide.height() - 300) / 2), size))
-                .convertToFormat(QImage::Format_RGB32)
-                .save(QDir(folder).filePath(QString(name) + ".png"));
-        }
     }
 
 private:

@@ -53,8 +53,8 @@ QString Phrasebook::translated(const QString& shown, const QByteArrayList& conte
     return filled(shown, contexts, speaker).value_or(shown);
 }
 
-std::optional<QString> Phrasebook::whole(const QString& shown, const QByteArrayList& contexts,
-                                         const Speaker& speaker) const
+std::optional<QString> Phrasebook::ownPhrase(const QString& shown, const QByteArrayList& contexts,
+                                             const Speaker& speaker) const
 {
     const auto found = m_phrases.constFind(shown);
     if (found == m_phrases.constEnd())
@@ -63,6 +63,17 @@ std::optional<QString> Phrasebook::whole(const QString& shown, const QByteArrayL
         for (const Phrase& phrase : *found)
             if (phrase.context == context)
                 return speaker(phrase, -1);
+    return std::nullopt;
+}
+
+std::optional<QString> Phrasebook::whole(const QString& shown, const QByteArrayList& contexts,
+                                         const Speaker& speaker) const
+{
+    if (const std::optional<QString> own = ownPhrase(shown, contexts, speaker))
+        return own;
+    const auto found = m_phrases.constFind(shown);
+    if (found == m_phrases.constEnd())
+        return std::nullopt;
     return speaker(found->front(), -1);
 }
 
@@ -81,7 +92,7 @@ std::optional<QString> Phrasebook::filled(const QString& shown, const QByteArray
             const QString value = match.captured(static_cast<int>(i) + 1);
             if (one.places[i] == 0)
                 count = value.toInt();
-            values[one.places[i]] = whole(value, contexts, speaker).value_or(value);
+            values[one.places[i]] = translated(value, contexts, speaker);
         }
         return fill(speaker(one.phrase, count), values);
     }

@@ -34,6 +34,10 @@ public:
     /// @param contexts of who shows it: of phrases that read alike, theirs is taken
     QString translated(const QString& shown, const QByteArrayList& contexts, const Speaker& speaker) const;
 
+    /// The same for a phrase that one of `contexts` said whole, and nobody else; none: it was not.
+    std::optional<QString> ownPhrase(const QString& shown, const QByteArrayList& contexts,
+                                     const Speaker& speaker) const;
+
 private:
     struct Template {
         QRegularExpression shape;

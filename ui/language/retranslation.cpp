@@ -13,6 +13,7 @@
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
 #include <QWidget>
 
 namespace knead {
@@ -82,6 +83,13 @@ public:
         }
     }
 
+    void outline(QTreeWidget& tree)
+    {
+        const QSignalBlocker blocker(tree); // nothing was edited
+        headings(tree);
+        items(tree);
+    }
+
     void headings(QTreeWidget& tree)
     {
         QTreeWidgetItem* head = tree.headerItem();
@@ -89,6 +97,15 @@ public:
             head->setText(i, said(head->text(i)));
             head->setToolTip(i, said(head->toolTip(i)));
         }
+    }
+
+    /// What the tree itself says, as "Tools"; what a person may rename is hers.
+    void items(QTreeWidget& tree)
+    {
+        for (QTreeWidgetItemIterator item(&tree); *item != nullptr; ++item)
+            for (int i = 0; i < tree.columnCount() && !(*item)->flags().testFlag(Qt::ItemIsEditable); ++i)
+                if (const std::optional<QString> own = m_book.ownPhrase((*item)->text(i), m_contexts, say))
+                    (*item)->setText(i, *own);
     }
 
     void headings(QTableWidget& table)
@@ -135,7 +152,7 @@ void retranslate(const Phrasebook& book, QObject& object)
     else if (auto* tabs = qobject_cast<QTabWidget*>(&object))
         one.tabs(*tabs);
     else if (auto* tree = qobject_cast<QTreeWidget*>(&object))
-        one.headings(*tree);
+        one.outline(*tree);
     else if (auto* table = qobject_cast<QTableWidget*>(&object))
         one.headings(*table);
 }

@@ -19,7 +19,7 @@ namespace knead {
 
 namespace {
 
-constexpr int cardsInRow = 5;
+constexpr int cardsInRow = 6;
 constexpr int cardGap = 12;
 constexpr int pageWidth = cardsInRow * PictureCard::pictureSize.width() + (cardsInRow - 1) * cardGap;
 
@@ -82,7 +82,7 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
     addExamples(column, examplesFolder);
     column->addStretch();
     auto* row = new QHBoxLayout(page);
-    row->setContentsMargins(18, 20, 18, 20);
+    row->setContentsMargins(14, 18, 14, 18);
     row->addStretch();
     row->addLayout(column);
     row->addStretch();
@@ -167,7 +167,7 @@ void HomePage::addExamples(QVBoxLayout* column, const QString& folder)
 
 void HomePage::showRecent(const QStringList& paths)
 {
-    constexpr qsizetype most = 10;
+    constexpr qsizetype most = 6;
     m_recentPaths = paths.first(std::min(most, paths.size()));
     while (QLayoutItem* item = m_recentGrid->takeAt(0)) {
         item->widget()->hide();

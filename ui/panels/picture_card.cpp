@@ -2,6 +2,7 @@
 
 #include "ui/theme.h"
 
+#include <QApplication>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -32,28 +33,30 @@ QSize PictureCard::sizeHint() const
 
 void PictureCard::paintEvent(QPaintEvent* /*event*/)
 {
+    // The style sheet of buttons has colored the widget's own palette.
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const bool isLit = underMouse() || hasFocus();
     const QRectF frame = QRectF(rect()).adjusted(1, 1, -1, -1);
     QPainterPath shape;
     shape.addRoundedRect(frame, roundness, roundness);
-    painter.fillPath(shape, palette().color(isDown() ? QPalette::Button : QPalette::Base));
+    painter.fillPath(shape, QApplication::palette().color(isDown() ? QPalette::Button : QPalette::Base));
     painter.save();
     painter.setClipPath(shape);
     drawPicture(painter, QRect(QPoint(0, 0), pictureSize));
     painter.restore();
-    painter.strokePath(shape, QPen(palette().color(isLit ? QPalette::Highlight : QPalette::Mid), isLit ? 2 : 1));
+    painter.strokePath(shape,
+                       QPen(QApplication::palette().color(isLit ? QPalette::Highlight : QPalette::Mid), isLit ? 2 : 1));
 
     const QRect words = rect().adjusted(10, pictureSize.height() + 5, -10, -5);
     QFont bold = font();
     bold.setWeight(QFont::DemiBold);
     painter.setFont(bold);
-    painter.setPen(palette().color(QPalette::Text));
+    painter.setPen(QApplication::palette().color(QPalette::Text));
     painter.drawText(words, Qt::AlignTop | Qt::AlignLeft,
                      painter.fontMetrics().elidedText(text(), Qt::ElideMiddle, words.width()));
     painter.setFont(font());
-    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.setPen(QApplication::palette().color(QPalette::PlaceholderText));
     painter.drawText(words, Qt::AlignBottom | Qt::AlignLeft,
                      painter.fontMetrics().elidedText(m_about, Qt::ElideMiddle, words.width()));
 }
@@ -65,7 +68,7 @@ void PictureCard::drawPicture(QPainter& painter, const QRect& place)
         painter.drawImage(place, m_picture);
         return;
     }
-    painter.fillRect(place, palette().color(QPalette::AlternateBase));
+    painter.fillRect(place, QApplication::palette().color(QPalette::AlternateBase));
     const QSize sign(40, 40);
     knead::icon("part").paint(&painter, QRect(place.center() - QPoint(20, 20), sign), Qt::AlignCenter, QIcon::Disabled);
 }

@@ -9,7 +9,7 @@ namespace knead {
 class PictureCard final : public QPushButton {
     Q_OBJECT
 public:
-    static constexpr QSize pictureSize{176, 110};
+    static constexpr QSize pictureSize{146, 92};
 
     /// @param picture of thumbnails' shape; null: a sign in its place
     PictureCard(const QImage& picture, const QString& name, const QString& about, QWidget* parent = nullptr);

@@ -19,6 +19,7 @@ namespace knead {
 namespace {
 
 constexpr int usualWidth = 620;
+constexpr int gap = 10;
 constexpr int rowHeight = 34;
 constexpr int mostRows = 11;
 constexpr int fromTop = 64; // of the window [pixels]
@@ -39,7 +40,11 @@ public:
         const QPalette& palette = option.palette;
         const QColor text = !why.isEmpty() ? palette.color(QPalette::Disabled, QPalette::Text)
                                            : palette.color(isChosen ? QPalette::HighlightedText : QPalette::Text);
-        const QColor aside = isChosen && why.isEmpty() ? text : palette.color(QPalette::PlaceholderText);
+        QColor aside = palette.color(QPalette::PlaceholderText);
+        if (isChosen && why.isEmpty()) {
+            aside = text;
+            aside.setAlphaF(0.75F);
+        }
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);
         if (isChosen) {
@@ -144,8 +149,8 @@ CommandPalette::CommandPalette(QMainWindow& window, std::function<QString(const 
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setMouseTracking(true);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(10, 10, 10, 10);
-    column->setSpacing(8);
+    column->setContentsMargins(gap, gap, gap, gap);
+    column->setSpacing(gap);
     column->addWidget(m_field);
     column->addWidget(m_list);
     m_field->installEventFilter(this);
@@ -192,6 +197,7 @@ void CommandPalette::list(const QString& wanted)
     for (const Ranked& ranked : found)
         addRow(*ranked.one, ranked.hits);
     m_list->setCurrentRow(0);
+    place();
     if (found.empty()) {
         auto* none = new QListWidgetItem(tr("Nothing is called like that: try fewer letters."), m_list);
         none->setFlags(Qt::NoItemFlags);
@@ -220,7 +226,8 @@ void CommandPalette::place()
 {
     const int rows = std::clamp(static_cast<int>(m_shown.size()), 1, mostRows);
     m_list->setFixedHeight(rows * rowHeight + 2 * m_list->frameWidth() + 2);
-    const QSize size(std::min(usualWidth, m_window.width() - 40), sizeHint().height());
+    const int height = m_field->minimumHeight() + m_list->height() + 3 * gap;
+    const QSize size(std::min(usualWidth, m_window.width() - 40), height);
     setGeometry(QRect(QPoint((m_window.width() - size.width()) / 2, std::min(fromTop, m_window.height() / 8)), size));
 }
 

@@ -23,7 +23,7 @@ namespace knead {
 
 namespace {
 
-constexpr int indexWidth = 150;
+constexpr int indexMargin = 24; // beside its words [pixels]
 
 } // namespace
 
@@ -37,7 +37,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& now, Shortcuts& shortcut
     setObjectName("preferencesDialog");
     setWindowTitle(tr("Preferences"));
     m_index->setObjectName("preferencesIndex");
-    m_index->setFixedWidth(indexWidth);
+    m_index->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_pages->setObjectName("preferencesPages");
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 12);
@@ -57,6 +57,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& now, Shortcuts& shortcut
     connect(m_index, &QListWidget::currentRowChanged, m_pages, &QStackedWidget::setCurrentIndex);
     m_index->setCurrentRow(0);
     setPreferences(now);
+    m_index->setFixedWidth(m_index->sizeHintForColumn(0) + indexMargin);
     resize(760, 520);
 }
 
@@ -277,6 +278,7 @@ void PreferencesDialog::changeEvent(QEvent* event)
         const QStringList titles{tr("General"), tr("Memory and safety"), tr("Files"), tr("3D view"), tr("Keys")};
         for (int i = 0; i < m_index->count(); ++i)
             m_index->item(i)->setText(titles[i]);
+        m_index->setFixedWidth(m_index->sizeHintForColumn(0) + indexMargin);
     }
     QDialog::changeEvent(event);
 }

@@ -29,6 +29,14 @@ QString keysOf(const QAction* action)
     return QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText);
 }
 
+/// Texts begin where others do.
+QIcon blank()
+{
+    QPixmap pixmap(16, 16);
+    pixmap.fill(Qt::transparent);
+    return pixmap;
+}
+
 QAction* actionOf(const QTreeWidgetItem* item)
 {
     return item == nullptr ? nullptr : static_cast<QAction*>(item->data(TextColumn, Qt::UserRole).value<QObject*>());
@@ -128,7 +136,7 @@ void ShortcutsPage::fill()
             menu->setExpanded(true);
         }
         auto* item = new QTreeWidgetItem(menu, {one.text});
-        item->setIcon(TextColumn, one.action->icon());
+        item->setIcon(TextColumn, one.action->icon().isNull() ? blank() : one.action->icon());
         item->setData(TextColumn, Qt::UserRole, QVariant::fromValue<QObject*>(one.action));
         showKeys(one.action);
     }
