@@ -19,7 +19,7 @@ bool Contacts::mayBeInContact(const ContactObject& a, const ContactObject& b) co
     return !bothGlue && (a.ref.body != b.ref.body || !areNeighbors(a, b));
 }
 
-std::vector<Contacts::ContactPair> Contacts::findPairs(double margin)
+std::vector<Contacts::ContactPair> Contacts::findPairs(Vicinity& vicinity, double margin) const
 {
     std::vector<VicinitySphere> spheres;
     std::vector<std::uint32_t> indices;
@@ -37,7 +37,7 @@ std::vector<Contacts::ContactPair> Contacts::findPairs(double margin)
         spheres.push_back(sphere);
     }
     std::vector<VicinityPair> objects;
-    for (const PairBlock& block : m_vicinity->findPairs(spheres, margin).blocks())
+    for (const PairBlock& block : vicinity.findPairs(spheres, margin).blocks())
         for (const VicinityPair& found : block.pairs())
             if (mayBeInContact(m_objects[indices[found.first]], m_objects[indices[found.second]]))
                 objects.push_back({indices[found.first], indices[found.second]});
@@ -51,18 +51,14 @@ std::vector<Contacts::ContactPair> Contacts::findPairs(double margin)
             {.objects = pair, .nominalLength = first.radius + second.radius, .parameters = between(first, second)});
         noteJoint(pairs.back());
     }
-    m_statistics = m_vicinity->statistics();
     return pairs;
 }
 
-void Contacts::listPairs()
+/// @param pairs sorted
+void Contacts::takeOverLengths(std::vector<ContactPair>& pairs) const
 {
-    connectionsBroke(); // or pairs that may touch since then would begin with an overlap
-    std::vector<ContactPair> before = std::move(m_pairs);
-    m_pairs = findPairs(m_margin + m_ahead);
-    auto old = before.begin();
     auto kept = m_keptDistances.begin();
-    for (ContactPair& pair : m_pairs) { // all lists are sorted
+    for (ContactPair& pair : pairs) {
         while (kept != m_keptDistances.end() && kept->objects < pair.objects)
             ++kept;
         // Radii may have become smaller since: what is apart now meets again where its spheres do.
@@ -70,6 +66,18 @@ void Contacts::listPairs()
             pair.nominalLength = lengthOf(pair) < pair.nominalLength
                                      ? kept->nominalLength
                                      : std::min(kept->nominalLength, pair.nominalLength);
+    }
+}
+
+void Contacts::listPairs()
+{
+    connectionsBroke(); // or pairs that may touch since then would begin with an overlap
+    std::vector<ContactPair> before = std::move(m_pairs);
+    m_pairs = findPairs(*m_vicinity, m_margin + m_ahead);
+    m_statistics = m_vicinity->statistics();
+    takeOverLengths(m_pairs);
+    auto old = before.begin();
+    for (ContactPair& pair : m_pairs) { // all lists are sorted
         while (old != before.end() && old->objects < pair.objects)
             ++old;
         if (old != before.end() && old->objects == pair.objects)

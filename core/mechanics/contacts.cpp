@@ -207,7 +207,8 @@ double Contacts::lengthOf(const ContactPair& pair) const
 /// distance.
 void Contacts::keepDistances()
 {
-    std::vector<ContactPair> overlapping = findPairs(0);
+    std::vector<ContactPair> overlapping = findPairs(*m_vicinity, 0);
+    m_statistics = m_vicinity->statistics();
     for (ContactPair& pair : overlapping) {
         const double distance = lengthOf(pair);
         const auto known = findPair(m_pairs, pair.objects);

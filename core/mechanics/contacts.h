@@ -122,6 +122,11 @@ public:
     /// Adds contact and joint forces to the states of the bodies; makes and ends joints, but not in a trial.
     Report computeForces(std::span<const RigidSurface> surfaces, const ContactStep& step);
 
+    /// What presses on the objects now: the springs of contacts with surfaces and with other objects, without dampers,
+    /// friction and joints. Changes nothing. Per body and object [N]
+    std::vector<std::vector<Vec3>> pressingForces(std::span<const RigidSurface> surfaces,
+                                                  const ContactStep& step) const;
+
     /// Stiffness that contacts and joints add to the objects of a body [N/m].
     /// @param crowding contacts at a time that one object may have
     std::vector<double> addedStiffness(std::uint32_t body, double crowding) const;
@@ -162,7 +167,8 @@ private:
     void listPairs();
     void listNearSurfaces(std::span<const RigidSurface> surfaces);
     double travelTowardsOthers() const;
-    std::vector<ContactPair> findPairs(double margin);
+    std::vector<ContactPair> findPairs(Vicinity& vicinity, double margin) const;
+    void takeOverLengths(std::vector<ContactPair>& pairs) const;
     bool areNeighbors(const ContactObject& a, const ContactObject& b) const;
     bool mayBeInContact(const ContactObject& a,
                         const ContactObject& b) const; ///< glue with glue and neighbors never are

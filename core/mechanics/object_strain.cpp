@@ -159,6 +159,7 @@ std::vector<ObjectStrain> objectStrains(const Aggregate& aggregate, std::span<co
             if (relaxed.hasFlowed()) {
                 const Mat3 metric = relaxedMetric(surroundings, relaxed, aggregate.lattice.spacing, object);
                 elastic = halfLogarithm(gradient * metric.inverse() * gradient.transpose());
+                strains[i].flow = halfLogarithm(metric);
             }
             strains[i].stress = cauchyStress(elastic, relaxed.materials.of(object));
         }

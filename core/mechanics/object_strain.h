@@ -26,6 +26,8 @@ struct RelaxedState {
 struct ObjectStrain {
     Mat3 strain = Mat3::Zero(); ///< Hencky, ln sqrt(F F^T), plastic flow included; in world axes
     Mat3 stress = Mat3::Zero(); ///< Cauchy [Pa], of what is elastic in it
+    /// Hencky, ln sqrt(C): how the relaxed material differs from that at the start; in the axes at rest.
+    Mat3 flow = Mat3::Zero();
 };
 
 /// Strain and stress at all objects.

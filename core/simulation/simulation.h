@@ -51,6 +51,9 @@ public:
     const Health& health() const;
     const std::string& integratorReason() const; ///< a sentence on which integrator is in use and why
 
+    /// Whether snapshots tell what presses on each object, which takes time. Changes nothing else.
+    void showPressing(bool on);
+
     /// A copy of the state for other threads. Forces on tools are means since the previous snapshot.
     std::shared_ptr<Snapshot> snapshot();
 

@@ -144,6 +144,19 @@ EnergyLedger Simulation::State::storedEnergy()
     return stored;
 }
 
+void Simulation::showPressing(bool on)
+{
+    m_state->showsPressing = on;
+}
+
+void Simulation::State::addPressing(Snapshot& shot) const
+{
+    const ContactStep now{.duration = timeStep, .stickSpeed = isImplicit() ? 1.0 : 0.0}; // friction does not count
+    std::vector<std::vector<Vec3>> forces = contacts->pressingForces(surfaces(), now);
+    for (std::size_t b = 0; b < forces.size(); ++b)
+        shot.bodies[b].pressing = std::make_shared<const std::vector<Vec3>>(std::move(forces[b]));
+}
+
 std::shared_ptr<Snapshot> Simulation::snapshot()
 {
     State& state = *m_state;
@@ -183,6 +196,8 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
         }
         allMass += mass;
     }
+    if (state.showsPressing)
+        state.addPressing(*shot);
     shot->addedMass = allMass > 0 ? state.addedMass / allMass : 0;
     for (ToolId id = 0; id < state.tools.size(); ++id)
         if (state.tools[id])

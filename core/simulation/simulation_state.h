@@ -71,6 +71,7 @@ struct Simulation::State {
     std::vector<RigidSurface> surfaces() const;
     EnergyLedger storedEnergy();
     std::vector<Contacts::BodyView> contactBodies();
+    void addPressing(Snapshot& shot) const;
     void lookAhead();
     Moment moment() const;
     bool isOfThisScene(const Moment& moment) const;
@@ -128,8 +129,9 @@ struct Simulation::State {
     std::uint64_t componentsVersion = ~std::uint64_t{0};
     Health health;
     StageClock clock;
-    std::string notice;     ///< about the last command, empty when it was carried out
-    MomentPointer lastGood; ///< to go back to in trouble; never null
+    bool showsPressing = false; ///< in snapshots
+    std::string notice;         ///< about the last command, empty when it was carried out
+    MomentPointer lastGood;     ///< to go back to in trouble; never null
 };
 
 /// Why a body cannot be simulated; empty when it can.

@@ -257,6 +257,11 @@ void SimulationThread::setSpeed(double ratio)
     m_worker->ask([speed = std::clamp(ratio, 0.01, 10.0)](Worker& worker) { worker.speed = speed; });
 }
 
+void SimulationThread::showPressing(bool on)
+{
+    m_worker->ask([on](Worker& worker) { worker.simulation.showPressing(on); });
+}
+
 void SimulationThread::post(Command command)
 {
     m_worker->ask([command = std::move(command)](Worker& worker) { worker.simulation.post(command); });

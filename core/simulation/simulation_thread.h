@@ -26,6 +26,7 @@ public:
     void stepOnce();             ///< one step, while paused; none at the end of the agenda, as play() stops there
     void reset();                ///< pauses and carries out Reset
     void setSpeed(double ratio); ///< wanted ratio of simulated to wall time, 0.01 .. 10; 1 at first
+    void showPressing(bool on);  ///< see Simulation::showPressing(); a new snapshot comes at once
     void post(Command command);  ///< takes effect at the next step, at once while paused
 
     /// Ends a gesture at the present step, be it playing or not: what was posted before belongs to it, what is posted from

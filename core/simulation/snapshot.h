@@ -86,6 +86,9 @@ struct Snapshot {
         /// those of a simulation.
         std::shared_ptr<const RelaxedState> relaxed = nullptr;
 
+        /// What presses on each object [N], see Contacts::pressingForces(). Null unless Simulation::showPressing() asked for it.
+        std::shared_ptr<const std::vector<Vec3>> pressing = nullptr;
+
         /// From rest [m].
         Vec3 displacement(ObjectIndex object) const;
 
