@@ -1,6 +1,7 @@
 #include "ui/main_window.h"
 
 #include "ui/actions.h"
+#include "ui/display.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/home_page.h"
 #include "ui/panels/import_panel.h"
@@ -46,6 +47,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     resize(1280, 800);
     makeCenter();
     makeDocks();
+    makeDisplay();
     makeMenus();
     makeToolBar();
     makeStatusBar();
@@ -154,6 +156,7 @@ void MainWindow::restoreSettings()
     applyLook();
     restoreGeometry(settings.value("geometry").toByteArray());
     restoreState(settings.value("docks").toByteArray(), layoutVersion);
+    m_display->restore();
 }
 
 bool MainWindow::isBusy()

@@ -23,6 +23,7 @@ namespace knead {
 
 struct Actions;
 class Banner;
+class Display;
 class ExportPanel;
 class HomePage;
 class ImportPanel;
@@ -85,6 +86,7 @@ private:
 
     void makeCenter();
     void makeDocks();
+    void makeDisplay();
     void makeMenus();
     void makeToolBar();
     void makeStatusBar();
@@ -172,6 +174,7 @@ private:
     QStackedWidget* m_pages = nullptr;
     HomePage* m_home = nullptr;
     ViewportWidget* m_viewport = nullptr;
+    Display* m_display = nullptr;
     ModelTree* m_tree = nullptr;
     QStackedWidget* m_properties = nullptr;
     MaterialPanel* m_material = nullptr;

@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include "ui/actions.h"
+#include "ui/display.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/export_panel.h"
 #include "ui/panels/fixture_panel.h"
@@ -20,6 +21,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMenu>
 #include <QMenuBar>
 #include <QPainter>
 #include <QScrollArea>
@@ -211,6 +213,7 @@ void MainWindow::makeMenus()
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addActions({a.fit, a.isometric, a.front, a.back, a.right, a.left, a.top, a.bottom});
     view->addSeparator();
+    view->addMenu(m_display->menu());
     view->addActions({a.perspective, a.edges, a.openEdges, a.grid, a.objects, a.allObjects, a.hide});
     view->addSeparator();
     view->addMenu(tr("Theme"))->addActions({a.lightTheme, a.darkTheme, a.systemTheme});
@@ -242,7 +245,9 @@ void MainWindow::makeToolBar()
     bar->addSeparator();
     bar->addActions({a.gravity, a.floor, a.renormalize});
     bar->addSeparator();
-    bar->addActions({a.objects, a.fit});
+    bar->addActions({m_display->menu()->menuAction(), a.fit});
+    qobject_cast<QToolButton*>(bar->widgetForAction(m_display->menu()->menuAction()))
+        ->setPopupMode(QToolButton::InstantPopup);
 }
 
 void MainWindow::makeStatusBar()

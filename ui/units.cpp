@@ -33,6 +33,7 @@ constexpr Unit volumes[] = {
     {"mm³", 1e-9, true}, {"cm³", 1e-6, true}, {"m³", 1, false}, {"in³", 0.0254 * 0.0254 * 0.0254, false}};
 constexpr Unit times[] = {
     {"µs", 1e-6, true}, {"us", 1e-6, false}, {"ms", 1e-3, true}, {"s", 1, true}, {"min", 60, false}};
+constexpr Unit strains[] = {{"%", 1e-2, true}, {"‰", 1e-3, false}};
 constexpr Unit numbers[] = {{"", 1, true}};
 
 std::span<const Unit> unitsOf(Quantity quantity)
@@ -54,6 +55,8 @@ std::span<const Unit> unitsOf(Quantity quantity)
         return volumes;
     case Quantity::Time:
         return times;
+    case Quantity::Strain:
+        return strains;
     case Quantity::Number:
         break;
     }
@@ -177,6 +180,12 @@ QStringList unitsFor(Quantity quantity)
         symbols << QString::fromUtf8(unit.symbol);
     }
     return symbols;
+}
+
+ShownUnit shownUnit(double value, Quantity quantity)
+{
+    const Unit& unit = displayUnit(value, quantity);
+    return {QString::fromUtf8(unit.symbol), unit.scale};
 }
 
 QString formatReading(double value, Quantity quantity)

@@ -9,7 +9,7 @@
 namespace knead {
 
 /// What a number measures. Inside everything is SI; people see millimetres, megapascals and the like.
-enum class Quantity { Number, Length, Pressure, Density, Rate, Speed, Force, Volume, Time };
+enum class Quantity { Number, Length, Pressure, Density, Rate, Speed, Force, Volume, Time, Strain };
 
 /// The quantity measured in an SI unit as MaterialField spells it: "Pa", "kg/m^3", "1/s"; Number for anything else.
 Quantity quantityOfUnit(const std::string& unit);
@@ -26,6 +26,13 @@ QString formatReading(double value, Quantity quantity);
 
 /// The units in which a quantity may be typed, each once: "mm", "m", "cm", "µm", "in".
 QStringList unitsFor(Quantity quantity);
+
+/// The unit in which a number is shown, for several numbers that share one, as on an axis.
+struct ShownUnit {
+    QString symbol;   ///< empty for pure numbers
+    double scale = 1; ///< SI value of one unit
+};
+ShownUnit shownUnit(double value, Quantity quantity);
 
 /// Reads a number with or without a unit: "1,2 MPa", "1.2e6 Pa", "2 000". Point and comma both are decimal separators.
 /// A bare number takes the unit in which `shown` is displayed, since that is what the person sees in the field.

@@ -173,6 +173,8 @@ void Document::start(Simulation simulation, std::shared_ptr<const Content> conte
     m_frame = std::move(frame);
     m_hasAgenda = agenda != nullptr;
     m_simulation = std::make_unique<SimulationThread>(std::move(simulation), std::move(agenda));
+    if (m_showsPressing)
+        m_simulation->showPressing(true);
     m_seen = m_simulation->latest();
     m_arrivals = 0;
     m_agendaEnds = m_fixtureRequest = 0;
@@ -237,6 +239,12 @@ void Document::setDisplayInterval(double seconds)
     const int interval = static_cast<int>(1000 * std::clamp(seconds, fastestDisplay, slowestDisplay));
     if (interval != m_timer->interval())
         m_timer->setInterval(interval);
+}
+
+void Document::showPressing(bool on)
+{
+    if (std::exchange(m_showsPressing, on) != on && m_simulation)
+        m_simulation->showPressing(on);
 }
 
 void Document::select(const Selection& selection)

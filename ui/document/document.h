@@ -144,6 +144,9 @@ public:
     /// Looks at the gesture under way, see SimulationThread::lookAtGesture().
     void lookAtGesture(std::function<void(std::vector<RecordedCommand> commands, std::uint64_t step)> told);
 
+    /// Whether frames tell what presses on each object, see Simulation::showPressing().
+    void showPressing(bool on);
+
     /// Frames come no faster than this: drawing must leave time for computing [s].
     void setDisplayInterval(double seconds);
 
@@ -256,7 +259,8 @@ private:
     std::uint64_t m_agendaEnds = 0;                 ///< that were told
     std::uint64_t m_fixtureRequest = 0;             ///< the last one of a fixture
     std::vector<std::function<void()>> m_whenKnown; ///< when a frame has seen that
-    std::uint64_t m_generation = 0;                 ///< of the content; frames of an earlier one are dropped
+    bool m_showsPressing = false;
+    std::uint64_t m_generation = 0; ///< of the content; frames of an earlier one are dropped
     SnapshotPointer m_seen;
     FramePointer m_frame;
     QTimer* m_timer;

@@ -33,8 +33,11 @@ FilmFramePointer filmFrameOf(const Snapshot& snapshot)
     frame->time = snapshot.time;
     frame->tools = snapshot.tools;
     frame->floorHeight = snapshot.floorHeight;
-    for (const Snapshot::BodyState& body : snapshot.bodies)
+    for (const Snapshot::BodyState& body : snapshot.bodies) {
         frame->objects.push_back(floatsOf(body.positions));
+        frame->broken.push_back(body.broken);
+        frame->relaxed.push_back(body.relaxed && !body.relaxed->hasFlowed() ? body.relaxed : nullptr);
+    }
     return frame;
 }
 
@@ -45,6 +48,8 @@ std::size_t FilmFrame::memory() const
     std::size_t floats = 0;
     for (const std::vector<float>& list : objects)
         floats += list.size();
+    for (const auto& list : broken) // mostly shared with other frames: rather too much than too little
+        floats += list ? list->size() * sizeof(ConnectionId) / sizeof(float) : 0;
     return sizeof(FilmFrame) + floats * sizeof(float) + tools.size() * sizeof(ToolState);
 }
 
@@ -182,7 +187,10 @@ FramePointer drawable(const FilmFrame& frame, const ContentBodies& bodies)
     snapshot->tools = frame.tools;
     snapshot->floorHeight = frame.floorHeight;
     for (std::size_t b = 0; b < bodies.size(); ++b)
-        snapshot->bodies.push_back({.positions = placesOf(frame.objects[b]), .aggregate = bodies[b]->aggregate});
+        snapshot->bodies.push_back({.positions = placesOf(frame.objects[b]),
+                                    .aggregate = bodies[b]->aggregate,
+                                    .broken = frame.broken.empty() ? nullptr : frame.broken[b],
+                                    .relaxed = frame.relaxed.empty() ? nullptr : frame.relaxed[b]});
     return prepareFrame(bodies, std::move(snapshot), nullptr);
 }
 

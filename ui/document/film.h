@@ -19,6 +19,10 @@ struct FilmFrame {
     std::vector<std::vector<float>> objects; ///< per body: x y z per object [m]
     std::vector<ToolState> tools;
     std::optional<double> floorHeight; ///< [m]
+    /// Per body, shared with the snapshots: broken connections, and what stress is relative to as long as nothing has flowed; of
+    /// material that has, that is not kept.
+    std::vector<std::shared_ptr<const std::vector<ConnectionId>>> broken;
+    std::vector<std::shared_ptr<const RelaxedState>> relaxed;
 
     std::size_t memory() const; ///< [bytes]
 };
@@ -73,8 +77,8 @@ private:
 /// Between two frames of one run, 0 <= share <= 1, in straight lines.
 FilmFrame between(const FilmFrame& before, const FilmFrame& after, double share);
 
-/// A frame of the film as the view draws it. Its snapshot has places, tools and floor, and nothing else. Any thread, for as
-/// long as a skin takes.
+/// A frame of the film as the view draws it. Its snapshot has places, tools, floor, what was broken, and what
+/// stress is relative to where that is kept; nothing else. Any thread, for as long as a skin takes.
 /// @pre the frame is one of these bodies
 FramePointer drawable(const FilmFrame& frame, const ContentBodies& bodies);
 

@@ -2,6 +2,7 @@
 
 #include "ui/document/entry_names.h"
 #include "ui/units.h"
+#include "ui/viewport/color_legend.h"
 #include "ui/viewport/viewport_bridge.h"
 
 #include <vtkCallbackCommand.h>
@@ -97,6 +98,7 @@ std::shared_ptr<Studio> Studio::make(SceneLook look, const QSize& size)
 Studio::Studio(SceneLook look, const QSize& size)
     : m_look(std::move(look))
     , m_size(size)
+    , m_sights(m_look.content.bodies)
     , m_room(std::make_unique<Room>(size))
     , m_scene(std::make_unique<SceneView>(m_room->window))
 {
@@ -117,10 +119,11 @@ Studio::~Studio()
     m_scene.reset();
 }
 
-QImage Studio::draw(const FramePointer& frame)
+QImage Studio::draw(const FramePointer& frame, const SightPointer& sight)
 {
     m_room->context.makeCurrent(&m_room->surface);
     m_scene->showFrame(frame);
+    m_scene->setSight(sight);
     m_scene->setCamera(m_look.camera);
     m_room->window->Render();
     vtkNew<vtkUnsignedCharArray> pixels;
@@ -132,17 +135,39 @@ QImage Studio::draw(const FramePointer& frame)
         throw std::runtime_error("The picture could not be read back from the graphics card. Choose a smaller size.");
     const QImage upsideDown(pixels->GetPointer(0), m_size.width(), m_size.height(), 3 * m_size.width(),
                             QImage::Format_RGB888);
-    return upsideDown.mirrored();
+    QImage picture = upsideDown.mirrored();
+    drawLegend(picture);
+    return picture;
+}
+
+/// In the lower right corner, as in the view.
+void Studio::drawLegend(QImage& picture) const
+{
+    const std::optional<ColorScale> scale = m_scene->scale();
+    if (!scale || !scale->isKnown)
+        return;
+    QPainter painter(&picture);
+    QFont font;
+    font.setPixelSize(std::max(9, static_cast<int>(textShare * m_size.height())));
+    painter.setFont(font);
+    const ScaleText text = textOf(*scale);
+    const int inset = painter.fontMetrics().height();
+    QRect place(QPoint(), legendSize(painter.fontMetrics(), text, {}));
+    place.moveBottomRight(QPoint(m_size.width() - inset, m_size.height() - inset));
+    paintLegend(painter, place, *scale, text, {},
+                {QColor(255, 255, 255, 215), QColor(30, 34, 38), QColor(150, 156, 162)});
 }
 
 QImage Studio::drawFor(const std::shared_ptr<Studio>& studio, const FramePointer& frame, std::optional<double> at,
                        TaskControl& control)
 {
+    const SightWish wish = wishOf(studio->m_look.options);
+    const SightPointer sight = wish.isEmpty() ? nullptr : studio->m_sights.make(frame, wish);
     auto promise = std::make_shared<std::promise<QImage>>();
     std::future<QImage> drawn = promise->get_future();
-    const auto work = [studio, promise, frame, at] {
+    const auto work = [studio, promise, frame, sight, at] {
         try {
-            QImage picture = studio->draw(frame);
+            QImage picture = studio->draw(frame, sight);
             if (at)
                 studio->writeReadings(picture, *at);
             promise->set_value(std::move(picture));

@@ -21,7 +21,8 @@ public:
     static std::shared_ptr<Studio> make(SceneLook look, const QSize& size);
     ~Studio() override;
 
-    QImage draw(const FramePointer& frame);
+    /// @param sight what was found out about the frame, when the look asks for it; null: nothing
+    QImage draw(const FramePointer& frame, const SightPointer& sight = nullptr);
     /// From a task thread, which waits for the window's.
     /// @param at written into the picture with the forces on tools [s]; none: neither
     /// @throws as draw(); Cancelled
@@ -32,9 +33,11 @@ private:
     struct Room;
     Studio(SceneLook look, const QSize& size);
     void writeReadings(QImage& picture, double at) const;
+    void drawLegend(QImage& picture) const;
 
     SceneLook m_look;
     QSize m_size;
+    SightMaker m_sights; ///< of the one task thread that asks for pictures
     std::unique_ptr<Room> m_room;
     std::unique_ptr<SceneView> m_scene;
 };

@@ -4,6 +4,7 @@
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkOpenGLSphereMapper.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
@@ -59,6 +60,11 @@ void ObjectActor::show(std::span<const Vec3> positions, std::span<const std::uin
     }
     m_parts->points->Modified();
     m_parts->data->Modified();
+}
+
+void ObjectActor::setClipping(vtkPlaneCollection* planes)
+{
+    m_parts->mapper->SetClippingPlanes(planes);
 }
 
 } // namespace knead

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+class vtkPlaneCollection;
 class vtkRenderer;
 
 namespace knead {
@@ -19,6 +20,7 @@ public:
 
     /// @param chosen which of the positions are drawn; all when empty
     void show(std::span<const Vec3> positions, std::span<const std::uint32_t> chosen);
+    void setClipping(vtkPlaneCollection* planes); ///< keeps what is on the positive sides; the list may change later
 
 private:
     struct Parts;

@@ -3,6 +3,7 @@
 #include "ui/viewport/grid_actor.h"
 #include "ui/viewport/object_actor.h"
 #include "ui/viewport/open_edges_actor.h"
+#include "ui/viewport/sight_actors.h"
 #include "ui/viewport/skin_actor.h"
 #include "ui/viewport/tool_actor.h"
 #include "ui/viewport/view_cube.h"
@@ -22,6 +23,7 @@ namespace {
 
 constexpr double arrowLength = 0.28; // of the largest force, in sizes of the part
 constexpr double objectRadius = 0.5; // in spacings
+constexpr double glassOpacity = 0.3; // of a skin through which one sees what is inside
 constexpr double tint = 0.65;        // share of a mark in the color of a face
 
 Color mix(const Color& a, const Color& b, double share)
@@ -39,6 +41,7 @@ struct SceneView::Parts {
     std::vector<std::unique_ptr<SkinActor>> skins;
     std::vector<std::unique_ptr<SkinActor>> surfaces;
     std::unique_ptr<OpenEdgesActor> openEdges;
+    std::unique_ptr<SightActors> sight;
     std::vector<std::unique_ptr<ObjectActor>> objects; ///< empty while they are not shown
     std::map<ToolId, std::unique_ptr<ToolActor>> tools;
 };
@@ -55,6 +58,7 @@ SceneView::SceneView(vtkRenderWindow* window)
     m_parts->grid = std::make_unique<GridActor>(m_parts->renderer);
     m_parts->grid->setVisible(false);
     m_parts->openEdges = std::make_unique<OpenEdgesActor>(m_parts->renderer);
+    m_parts->sight = std::make_unique<SightActors>(m_parts->renderer);
     setStyle(m_style);
 }
 
@@ -85,6 +89,9 @@ void SceneView::setContent(const Content& content)
     m_restBox = content.box;
     m_frame = nullptr;
     m_marks = {};
+    m_sight = nullptr;
+    m_scale.reset();
+    m_parts->sight->setContent(content);
     m_parts->skins.clear();
     m_parts->surfaces.clear();
     m_parts->objects.clear();
@@ -95,6 +102,9 @@ void SceneView::setContent(const Content& content)
         m_parts->surfaces.push_back(std::make_unique<SkinActor>(surface->body, m_parts->renderer));
         m_parts->surfaces.back()->show(surface->frame);
     }
+    for (const auto& skins : {&m_parts->skins, &m_parts->surfaces})
+        for (const auto& skin : *skins)
+            skin->setClipping(m_parts->sight->clipping());
     m_gridHeight = m_restBox.min().z();
     layGrid();
     colorBodies();
@@ -110,6 +120,7 @@ void SceneView::showFrame(const FramePointer& frame)
             m_parts->skins[b]->show(*frame->bodies[b]);
         showObjects();
     }
+    m_parts->sight->showFrame(frame);
     showTools();
     const double height = frame->snapshot->floorHeight.value_or(m_restBox.min().z());
     if (height != m_gridHeight) {
@@ -125,6 +136,7 @@ void SceneView::setStyle(const SceneStyle& style)
     m_parts->renderer->SetBackground2(style.top.r, style.top.g, style.top.b);
     m_parts->cube->setStyle(style);
     m_parts->openEdges->setColor(style.openEdge);
+    m_parts->sight->setStyle(style);
     layGrid();
     colorBodies();
     if (m_frame)
@@ -134,12 +146,16 @@ void SceneView::setStyle(const SceneStyle& style)
 void SceneView::setOptions(const SceneOptions& options)
 {
     const bool otherObjects = options.objects != m_options.objects || options.hiddenParts != m_options.hiddenParts;
+    const bool otherColors = options.colors != m_options.colors || options.hiddenParts != m_options.hiddenParts;
     m_options = options;
     if (otherObjects)
         m_parts->objects.clear();
+    m_parts->sight->setOptions(options);
     showBodies();
     showObjects();
     layGrid();
+    if (otherColors)
+        setSight(m_sight);
 }
 
 void SceneView::setMarks(const SceneMarks& marks)
@@ -150,11 +166,46 @@ void SceneView::setMarks(const SceneMarks& marks)
         showTools();
 }
 
+void SceneView::setSight(const SightPointer& sight)
+{
+    if (!sight && !m_sight)
+        return;
+    m_sight = sight;
+    m_scale.reset();
+    if (sight && sight->wish.quantity && sight->wish.quantity == m_options.colors.quantity)
+        m_scale = colorScale(*sight, m_options.colors, [this](std::size_t body) {
+            return !m_options.hiddenParts.contains(m_bodies[body]->part);
+        });
+    m_parts->sight->setSight(sight);
+    colorBodies();
+}
+
+std::optional<ColorScale> SceneView::scale() const
+{
+    return m_scale;
+}
+
+/// @return false: its faces have the colors of the part
+bool SceneView::colorByValues(BodyId body)
+{
+    if (!m_scale || body >= m_sight->values.size())
+        return false;
+    m_parts->skins[body]->setValues(m_sight->values[body], *m_scale);
+    return true;
+}
+
+bool SceneView::isGlass() const
+{
+    return m_options.objects != ObjectDisplay::Off || m_options.connections;
+}
+
 void SceneView::colorBodies()
 {
     for (BodyId b = 0; b < m_parts->skins.size(); ++b) {
         const bool isSelected = m_marks.selectedBody == b;
         m_parts->skins[b]->setEdges(isSelected ? m_style.selectedEdge : m_style.edge, isSelected ? 1.8F : 1.2F);
+        if (colorByValues(b))
+            continue;
         const Part& part = m_model->parts[m_bodies[b]->part];
         m_parts->skins[b]->setColors([&](std::uint32_t face) {
             const SceneMarks::Face mark{b, face};
@@ -175,8 +226,8 @@ void SceneView::showBodies()
 {
     for (BodyId b = 0; b < m_parts->skins.size(); ++b) {
         const bool isVisible = !m_options.hiddenParts.contains(m_bodies[b]->part);
-        const bool isSkin = m_options.objects == ObjectDisplay::Off;
-        m_parts->skins[b]->setVisible(isVisible && isSkin, isVisible && isSkin && m_options.edges);
+        m_parts->skins[b]->setVisible(isVisible && m_options.skin, isVisible && m_options.skin && m_options.edges);
+        m_parts->skins[b]->setOpacity(isGlass() ? glassOpacity : 1);
     }
     for (std::size_t s = 0; s < m_surfaces.size(); ++s) {
         const bool isVisible = !m_options.hiddenParts.contains(m_surfaces[s]->body->part);
@@ -200,6 +251,8 @@ void SceneView::showObjects()
         for (const auto& body : m_bodies)
             m_parts->objects.push_back(std::make_unique<ObjectActor>(m_parts->renderer, body->color,
                                                                      objectRadius * body->aggregate->lattice.spacing));
+    for (const auto& objects : m_parts->objects)
+        objects->setClipping(m_parts->sight->clipping());
     for (BodyId b = 0; b < m_bodies.size(); ++b) {
         if (m_options.hiddenParts.contains(m_bodies[b]->part))
             continue;
@@ -241,6 +294,8 @@ void SceneView::setCamera(const Camera& camera)
     eye->SetParallelProjection(!camera.perspective);
     eye->SetParallelScale(camera.viewHeight() / 2);
     m_parts->cube->setCamera(camera);
+    const int* size = m_parts->renderer->GetRenderWindow()->GetSize();
+    m_parts->sight->setCamera(camera, static_cast<double>(size[0]) / std::max(1, size[1]));
     clipToScene();
 }
 
@@ -258,6 +313,13 @@ void SceneView::clipToScene()
     // A parallel view has nothing behind the eye to protect.
     const double nearest = m_camera.perspective ? std::max(depth - radius, 0.01 * m_camera.distance) : depth - radius;
     m_parts->renderer->GetActiveCamera()->SetClippingRange(nearest, depth + radius);
+}
+
+SightWish wishOf(const SceneOptions& options)
+{
+    return {.quantity = options.colors.quantity,
+            .section = options.section.plane,
+            .capsOriginal = options.section.plane && options.divider};
 }
 
 ViewCube& SceneView::cube()

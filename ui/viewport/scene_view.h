@@ -2,6 +2,7 @@
 
 #include "ui/document/frame.h"
 #include "ui/viewport/camera.h"
+#include "ui/viewport/color_scale.h"
 #include "ui/viewport/scene_style.h"
 
 #include <functional>
@@ -20,8 +21,25 @@ class ViewCube;
 /// Which objects are drawn as balls.
 enum class ObjectDisplay { Off, Surface, All };
 
+/// How a part is cut open to be looked into.
+struct SectionOptions {
+    std::optional<CutPlane> plane; ///< none: whole
+    bool isHatched = true;         ///< the faces of the cut
+    bool hasFrame = true;          ///< a rectangle shows where the plane lies
+
+    friend bool operator==(const SectionOptions&, const SectionOptions&) = default;
+};
+
 /// What a person chose to see.
 struct SceneOptions {
+    bool skin = true;         ///< as through glass when objects or connections are shown too
+    bool connections = false; ///< of the objects that are drawn, or would be
+    bool original = false;    ///< the shape at rest, translucent
+    bool breaks = false;      ///< marks where connections broke
+    ColorOptions colors;
+    SectionOptions section;
+    /// Left of it the original shape is drawn, right of it that of now; 0 .. 1 of the width.
+    std::optional<double> divider;
     ObjectDisplay objects = ObjectDisplay::Off;
     bool edges = true;
     bool grid = true;
@@ -72,11 +90,14 @@ public:
     void setStyle(const SceneStyle& style);
     void setOptions(const SceneOptions& options);
     void setMarks(const SceneMarks& marks);
+    /// What was found out about the frame that is shown, or one shortly before. Null: nothing.
+    void setSight(const SightPointer& sight);
     void setCamera(const Camera& camera);
     ViewCube& cube();
 
     /// Box of all that is drawn except the ground [m].
     Box box() const;
+    std::optional<ColorScale> scale() const; ///< that the skin is colored by; none: by parts
     std::vector<SceneLabel> labels() const;
 
 private:
@@ -84,6 +105,8 @@ private:
 
     void addLights();
     void colorBodies();
+    bool colorByValues(BodyId body);
+    bool isGlass() const;
     void showObjects();
     void showTools();
     void layGrid();
@@ -100,8 +123,13 @@ private:
     SceneStyle m_style;
     SceneOptions m_options;
     SceneMarks m_marks;
+    SightPointer m_sight;
+    std::optional<ColorScale> m_scale;
     Camera m_camera;
     double m_gridHeight = 0;
 };
+
+/// What has to be found out for options.
+SightWish wishOf(const SceneOptions& options);
 
 } // namespace knead

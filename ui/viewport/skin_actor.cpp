@@ -4,6 +4,7 @@
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -14,6 +15,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 namespace knead {
@@ -140,6 +142,31 @@ void SkinActor::setColors(const std::function<Color(std::uint32_t face)>& colorO
     }
     m_parts->colors->Modified();
     m_parts->faces->Modified();
+}
+
+void SkinActor::setValues(std::span<const float> values, const ColorScale& scale)
+{
+    const ColorTable& table = colorTable(scale.map);
+    unsigned char* out = m_parts->colors->GetPointer(0);
+    for (const std::uint32_t vertex : m_body->render.source) {
+        const double share = std::clamp(scale.shareOf(static_cast<double>(values[vertex])), 0.0, 1.0);
+        const auto& color = table[static_cast<std::size_t>(std::lround(share * (table.size() - 1)))];
+        out = std::copy(color.begin(), color.end(), out);
+    }
+    m_parts->colors->Modified();
+    m_parts->faces->Modified();
+}
+
+void SkinActor::setOpacity(double opacity)
+{
+    m_parts->faceActor->GetProperty()->SetOpacity(opacity);
+    m_parts->faceActor->GetProperty()->SetBackfaceCulling(opacity < 1);
+}
+
+void SkinActor::setClipping(vtkPlaneCollection* planes)
+{
+    m_parts->faceMapper->SetClippingPlanes(planes);
+    m_parts->edgeMapper->SetClippingPlanes(planes);
 }
 
 } // namespace knead

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "ui/document/frame.h"
+#include "ui/viewport/color_scale.h"
 #include "ui/viewport/scene_style.h"
 
 #include <functional>
 #include <memory>
+#include <span>
 
+class vtkPlaneCollection;
 class vtkRenderer;
 
 namespace knead {
@@ -23,6 +26,10 @@ public:
     void setEdges(const Color& color, float width);
     /// Colors the surface face by face.
     void setColors(const std::function<Color(std::uint32_t face)>& colorOf);
+    /// Colors the surface by numbers at the vertices of ContentBody::mesh.
+    void setValues(std::span<const float> values, const ColorScale& scale);
+    void setOpacity(double opacity);              ///< 0 .. 1; below 1 only what faces the eye is drawn
+    void setClipping(vtkPlaneCollection* planes); ///< keeps what is on the positive sides; the list may change later
 
 private:
     struct Parts;

@@ -1,6 +1,8 @@
 #include "ui/viewport/viewport_widget.h"
 
 #include "ui/units.h"
+#include "ui/viewport/sight_overlay.h"
+#include "ui/viewport/sight_preparer.h"
 #include "ui/viewport/view_cube.h"
 
 #include <QLabel>
@@ -33,6 +35,8 @@ ViewportWidget::ViewportWidget(Document& document, QWidget* parent)
     , m_document(document)
     , m_manipulation(new Manipulation(document, this))
     , m_scene(std::make_unique<SceneView>(renderWindow()))
+    , m_sights(new SightPreparer(this))
+    , m_overlay(new SightOverlay(*this))
     , m_turning(new QVariantAnimation(this))
     , m_caption(new QLabel(this))
 {
@@ -53,6 +57,11 @@ ViewportWidget::ViewportWidget(Document& document, QWidget* parent)
             [this](const QVariant& s) { setCamera(blend(m_turnStart, m_turnEnd, s.toDouble())); });
     connect(&document, &Document::changed, this, &ViewportWidget::documentChanged);
     connect(m_manipulation, &Manipulation::hoverChanged, this, &ViewportWidget::updateMarks);
+    connect(m_sights, &SightPreparer::made, this, [this](const SightPointer& sight) {
+        if (!wishOf(m_options).isEmpty())
+            m_scene->setSight(sight);
+        requestRender();
+    });
 }
 
 ViewportWidget::~ViewportWidget() = default;
@@ -61,7 +70,37 @@ void ViewportWidget::setOptions(const SceneOptions& options)
 {
     m_options = options;
     m_scene->setOptions(options);
+    askForSight();
     requestRender();
+    emit optionsChanged();
+}
+
+/// What belongs to a place in another part is given up; the same part filled anew is looked at as before.
+void ViewportWidget::beginContent()
+{
+    const Box& box = m_document.content().box;
+    if (!m_restBox.isApprox(box)) {
+        m_options.section.plane.reset();
+        m_options.divider.reset();
+    }
+    m_restBox = box;
+    m_options.hiddenParts = m_document.content().hiddenAtFirst();
+    m_sights->begin(m_document.content().bodies);
+    m_scene->setContent(m_document.content());
+    m_scene->setOptions(m_options);
+    m_scene->showFrame(m_document.frame());
+    emit optionsChanged();
+}
+
+/// Colors and caps come when they are found, for the moment that is shown.
+void ViewportWidget::askForSight()
+{
+    const SightWish wish = wishOf(m_options);
+    m_document.showPressing(wish.quantity == SurfaceQuantity::contactForce);
+    if (wish.isEmpty())
+        m_scene->setSight(nullptr);
+    else if (const FramePointer& shown = m_past ? m_past : m_document.frame())
+        m_sights->ask(shown, wish);
 }
 
 void ViewportWidget::setStyle(const SceneStyle& style)
@@ -88,10 +127,7 @@ void ViewportWidget::documentChanged(Document::Change what)
     case Document::Change::Content:
         m_past = nullptr;
         m_caption->hide();
-        m_options.hiddenParts = m_document.content().hiddenAtFirst();
-        m_scene->setContent(m_document.content());
-        m_scene->setOptions(m_options);
-        m_scene->showFrame(m_document.frame());
+        beginContent();
         break;
     case Document::Change::Frame:
         if (m_past)
@@ -107,6 +143,7 @@ void ViewportWidget::documentChanged(Document::Change what)
     }
     if (what != Document::Change::Frame)
         updateMarks();
+    askForSight();
     requestRender();
 }
 
@@ -118,6 +155,8 @@ void ViewportWidget::lookBack(const FramePointer& frame, const QString& caption)
     m_caption->setVisible(m_past != nullptr);
     if (const FramePointer& shown = m_past ? m_past : m_document.frame())
         m_scene->showFrame(shown);
+    m_overlay->setPast(m_past != nullptr);
+    askForSight();
     requestRender();
 }
 
@@ -151,7 +190,9 @@ std::vector<SceneMarks::Face> ViewportWidget::fixedFaces() const
 
 SceneLook ViewportWidget::look() const
 {
-    return {m_document.content(), m_options, {.fixed = fixedFaces()}, m_style, m_camera};
+    SceneOptions options = m_options;
+    options.section.hasFrame = false; // a handle of the view
+    return {m_document.content(), options, {.fixed = fixedFaces()}, m_style, m_camera};
 }
 
 WindowSize ViewportWidget::window() const
@@ -219,6 +260,7 @@ void ViewportWidget::aboutToRender()
     m_document.setDisplayInterval(renderSeconds() / drawingShare);
     m_scene->cube().setWindow(window());
     m_scene->setCamera(m_camera);
+    m_overlay->place(m_scene->scale(), m_restBox);
     placeLabels();
 }
 

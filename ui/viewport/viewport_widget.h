@@ -12,6 +12,9 @@ class QVariantAnimation;
 
 namespace knead {
 
+class SightOverlay;
+class SightPreparer;
+
 /// The view of a document: draws it, navigates, and passes the left button and the arrow keys on to the material.
 class ViewportWidget final : public ViewportBridge {
     Q_OBJECT
@@ -40,6 +43,11 @@ public:
 
     /// Where a place is seen, in this widget's coordinates; for tests and labels.
     std::optional<QPointF> widgetPosition(const Vec3& place) const;
+    std::optional<ColorScale> scale() const { return m_scene->scale(); } ///< see SceneView::scale()
+    Ray rayAt(const QPointF& position) const;                            ///< what lies under a place of this widget
+
+signals:
+    void optionsChanged();
 
 protected:
     void aboutToRender() override;
@@ -61,11 +69,15 @@ private:
     void turnTo(const Camera& camera);
     void placeLabels();
     WindowSize window() const;
-    Ray rayAt(const QPointF& position) const;
+    void beginContent();
+    void askForSight();
 
     Document& m_document;
     Manipulation* m_manipulation;
     std::unique_ptr<SceneView> m_scene;
+    SightPreparer* m_sights;
+    SightOverlay* m_overlay;
+    Box m_restBox; ///< of the content [m]
     SceneOptions m_options;
     SceneStyle m_style;
     Camera m_camera;

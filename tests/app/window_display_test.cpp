@@ -1,0 +1,501 @@
+#include "support/window_on_test.h"
+#include "ui/panels/quantity_field.h"
+#include "ui/panels/timeline_axis.h"
+#include "ui/run_window.h"
+#include "ui/viewport/color_legend.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QScrollArea>
+#include <QSlider>
+#include <QToolButton>
+#include <QtTest>
+
+#include <cmath>
+
+using namespace knead;
+
+/// What is seen of the material: what is shown, colors with their legend, the section plane, before and after.
+class WindowDisplayTest : public QObject, WindowOnTest {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        if (!hasDisplay())
+            QSKIP("The view needs a display: run this test under xvfb-run.");
+        prepare();
+    }
+
+    void init()
+    {
+        QSettings().clear();
+        show(m_services);
+    }
+
+    void cleanup() { m_window.reset(); }
+
+    void colorsOfAStretchedBarAreThoseOfTheLegend()
+    {
+        stretchBar();
+        choose("colorQuantity", "Displacement");
+        QTRY_VERIFY(legend()->isVisible());
+        QCOMPARE(legend()->text().title, QString("Displacement [mm]"));
+        QCOMPARE(legend()->text().ticks.front().text, QString("0"));
+        QVERIFY(legend()->text().ticks.size() >= 4);
+        const ColorScale scale = *view().scale();
+        const double most = document().frame()->bodies[0]->places[farthestVertex()].x() - 0.16;
+        QCOMPARE(scale.least, 0.0);
+        QVERIFY(scale.most >= most && scale.most < 1.36 * most);
+        const QImage seen = shot();
+        for (const double x : {0.02, 0.08, 0.14}) {
+            const auto [place, moved] = onTop(x);
+            QVERIFY(std::abs(moved - x / 0.16 * most) < 0.1 * most); // it stretches evenly
+            verifyColor(seen, place, scale, moved);
+        }
+        bothThemes("displacement");
+
+        choose("colorQuantity", "Strain");
+        QTRY_COMPARE(legend()->text().title, QString("Strain [%]"));
+        const double strain = std::log(1 + most / 0.16) / (1 + 1.0 / 3); // about; between free and held sides
+        QTRY_VERIFY(view().scale() && view().scale()->quantity == SurfaceQuantity::strain);
+        QVERIFY(view().scale()->most > strain);
+        choose("colorQuantity", "Von Mises stress");
+        QTRY_VERIFY(legend()->text().title.contains("Pa]"));
+        choose("colorQuantity", "Distance to the original");
+        QTRY_VERIFY(view().scale() && view().scale()->quantity == SurfaceQuantity::distance);
+        QCOMPARE(view().scale()->least, -view().scale()->most);
+        QCOMPARE(view().scale()->map, ColorMap::diverging);
+        QVERIFY(!find<QComboBox>("colorMap")->isVisible());
+        bothThemes("distance");
+        choose("colorQuantity", "Part colors");
+        QTRY_VERIFY(!legend()->isVisible());
+    }
+
+    void aTypedRangeStaysAndHasUnits()
+    {
+        stretchBar();
+        choose("colorQuantity", "Displacement");
+        QTRY_VERIFY(view().scale());
+        auto* automatic = find<QCheckBox>("automaticRange");
+        QVERIFY(automatic->isChecked());
+        click(automatic);
+        QVERIFY(view().options().colors.range.has_value());
+        type("rangeMost", "4 cm");
+        QCOMPARE(view().options().colors.range->second, 0.04);
+        QTRY_COMPARE(legend()->text().ticks.back().text, QString("40"));
+        type("rangeLeast", "5 cm"); // beyond the other end
+        QVERIFY(find<QuantityField>("rangeLeast")->hasProblem());
+        QTest::keyClick(find<QuantityField>("rangeLeast"), Qt::Key_Escape);
+        QCOMPARE(view().options().colors.range->first, 0.0);
+        type("rangeLeast", "0,01 m");
+        QCOMPARE(view().options().colors.range->first, 0.01);
+        QTRY_COMPARE(legend()->text().ticks.front().text, QString("10"));
+        choose("colorMap", "Cividis");
+        QTRY_COMPARE(view().scale()->map, ColorMap::cividis);
+        verifyColor(shot(), onTop(0.14).first, *view().scale(), onTop(0.14).second);
+        click(automatic);
+        QTRY_COMPARE(view().scale()->least, 0.0);
+    }
+
+    void contactForceShowsWhereTheFloorPresses()
+    {
+        openExample("bar.step");
+        choose("colorQuantity", "Contact force");
+        document().post(SetGravity{Vec3(0, 0, -9.81)});
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.2, patience);
+        QVERIFY(snapshot().bodies[0].pressing);
+        QTRY_VERIFY(view().scale() && view().scale()->isKnown);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing && document().isSettled());
+        QVERIFY(view().scale()->isKnown && legend()->remark().isEmpty());
+        QVERIFY(legend()->text().title.startsWith("Contact force [") && view().scale()->most > 1e-4);
+        choose("colorQuantity", "Part colors");
+        QTRY_VERIFY(!snapshot().bodies[0].pressing); // nobody asks for it any more
+    }
+
+    void lookingBackHasColorsOrSaysWhyNot()
+    {
+        stretchBar();
+        choose("colorQuantity", "Von Mises stress");
+        QTRY_VERIFY(view().scale());
+        const double now = view().scale()->most;
+        lookBack(0.3);
+        QTRY_VERIFY(view().scale() && view().scale()->most < now); // of elastic material it is known
+        QVERIFY(legend()->remark().isEmpty());
+        choose("colorQuantity", "Contact force");
+        QTRY_VERIFY(view().scale() && !view().scale()->isKnown);
+        QTRY_VERIFY(legend()->remark().contains("return to the present"));
+        picture("display-not-kept");
+        choose("colorQuantity", "Strain");
+        QTRY_VERIFY(view().scale() && view().scale()->isKnown);
+        QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        choose("colorQuantity", "Contact force");
+        QTRY_VERIFY(legend()->remark().isEmpty() && view().scale()->isKnown);
+    }
+
+    void skinObjectsAndConnectionsGoTogether()
+    {
+        openExample("bar.step");
+        m_window->setFocus();
+        QTest::keyClick(m_window.get(), Qt::Key_O);
+        QVERIFY(!action("skin")->isChecked() && !view().options().skin);
+        QCOMPARE(view().options().objects, ObjectDisplay::Surface);
+        QTest::keyClick(m_window.get(), Qt::Key_K, Qt::ShiftModifier);
+        QVERIFY(view().options().skin);
+        QTest::qWait(100);
+        picture("display-glass");
+        QTest::keyClick(m_window.get(), Qt::Key_O);
+        QTest::keyClick(m_window.get(), Qt::Key_C, Qt::ShiftModifier);
+        QVERIFY(view().options().connections && !view().options().skin);
+        QTest::qWait(100);
+        bothThemes("connections");
+        QTest::keyClick(m_window.get(), Qt::Key_C, Qt::ShiftModifier);
+        QVERIFY(view().options().skin && action("skin")->isChecked());
+    }
+
+    void whatIsShownIsRemembered()
+    {
+        openExample("bar.step");
+        raisePanel();
+        click(find<QCheckBox>("originalBox"));
+        click(find<QCheckBox>("connectionsBox"));
+        click(find<QCheckBox>("gridBox"));
+        QVERIFY(action("original")->isChecked() && !action("grid")->isChecked() && !action("skin")->isChecked());
+        choose("colorQuantity", "Strain");
+        m_window.reset();
+        show(m_services);
+        QVERIFY(action("original")->isChecked() && action("connections")->isChecked());
+        QVERIFY(!action("grid")->isChecked() && !action("skin")->isChecked() && action("edges")->isChecked());
+        openExample("bar.step");
+        QVERIFY(view().options().original && view().options().connections && !view().options().grid);
+        QTRY_VERIFY(view().scale() && view().scale()->quantity == SurfaceQuantity::strain);
+    }
+
+    void theOriginalIsSeenAroundWhatBecameOfIt()
+    {
+        stretchBar();
+        const QImage without = shot();
+        raisePanel();
+        click(find<QCheckBox>("originalBox"));
+        QTest::qWait(100);
+        QVERIFY(difference(without, shot()) > 0.002);
+        bothThemes("original");
+    }
+
+    void brokenConnectionsAreMarked()
+    {
+        openExample("bar.step");
+        document().post(SetGravity{Vec3(0, 0, -9.81)});
+        document().post(SetMaterial{0, {.youngsModulus = 1e4, .tensileStrength = 1}});
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().broken > 20, patience);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing && document().isSettled());
+        const QImage without = shot();
+        QTest::keyClick(m_window.get(), Qt::Key_B, Qt::ShiftModifier);
+        QTest::qWait(100);
+        QVERIFY(difference(without, shot()) > 0.0005);
+        bothThemes("breaks");
+    }
+
+    void aSectionIsCappedAndItsAreaIsRight()
+    {
+        openExample("bracket.step", 24);
+        QTest::keyClick(m_window.get(), Qt::Key_7);
+        QTest::keyClick(m_window.get(), Qt::Key_5);
+        QTest::keyClick(m_window.get(), Qt::Key_E); // no edges
+        QTest::qWait(500);
+        raisePanel();
+        click(find<QCheckBox>("sectionBox"));
+        choose("sectionAxis", "Z");
+        click(find<QCheckBox>("sectionHatched"));
+        QVERIFY(!view().options().section.isHatched);
+        const Box box = document().content().box;
+        QCOMPARE(view().options().section.plane->normal, Vec3(Vec3::UnitZ()));
+        QVERIFY(std::abs(view().options().section.plane->offset - box.center().z()) < 1e-12);
+        QTest::qWait(300);
+        const auto& body = *document().content().bodies[0];
+        const PlaneSection section =
+            planeSection(body.mesh.vertices, body.mesh.triangles, *view().options().section.plane);
+        QVERIFY(section.area() > 0);
+        const auto& t = section.triangles[largest(section)];
+        const Vec3 middle = (section.points[t[0]] + section.points[t[1]] + section.points[t[2]]) / 3;
+        const QImage seen = shot();
+        const QColor cap = seen.pixelColor(view().widgetPosition(middle)->toPoint());
+        int count = 0;
+        for (int y = 0; y < seen.height(); ++y)
+            for (int x = 0; x < seen.width(); ++x)
+                count += std::abs(seen.pixelColor(x, y).lightness() - cap.lightness()) < 6 &&
+                                 std::abs(seen.pixelColor(x, y).hue() - cap.hue()) < 6
+                             ? 1
+                             : 0;
+        const double pixel = view().camera().viewHeight() / view().height();
+        qInfo("area %.1f mm2, drawn %.1f mm2", 1e6 * section.area(), 1e6 * count * pixel * pixel);
+        QVERIFY(std::abs(count * pixel * pixel / section.area() - 1) < 0.05);
+        QTest::keyClick(m_window.get(), Qt::Key_E);
+        click(find<QCheckBox>("sectionHatched"));
+        QTest::keyClick(m_window.get(), Qt::Key_0);
+        QTest::qWait(500);
+        bothThemes("section");
+    }
+
+    void theSectionPlaneIsDraggedTypedAndFlipped()
+    {
+        openExample("bracket.step", 24);
+        QTest::keyClick(m_window.get(), Qt::Key_X, Qt::ShiftModifier);
+        raisePanel();
+        auto* knob = find<QWidget>("sectionKnob");
+        QTRY_VERIFY(knob->isVisible());
+        const double before = view().options().section.plane->offset;
+        const Vec3 normal = view().options().section.plane->normal;
+        const QPoint center = knob->rect().center();
+        const QPointF way = *view().widgetPosition(0.02 * normal) - *view().widgetPosition(Vec3::Zero());
+        QTest::mousePress(knob, Qt::LeftButton, {}, center);
+        QTest::mouseMove(knob, center + (way / 2).toPoint());
+        QTest::qWait(50);
+        QTest::mouseRelease(knob, Qt::LeftButton, {}, center);
+        const double after = view().options().section.plane->offset;
+        QVERIFY2(after - before > 0.004 && after - before < 0.02, qPrintable(QString::number(after - before)));
+        QCOMPARE(find<QuantityField>("sectionOffset")->text(), formatQuantity(after, Quantity::Length));
+        type("sectionOffset", "2 cm");
+        QCOMPARE(view().options().section.plane->offset, 0.02);
+        type("sectionOffset", "3 m");
+        QVERIFY(find<QuantityField>("sectionOffset")->hasProblem());
+        QTest::keyClick(find<QuantityField>("sectionOffset"), Qt::Key_Escape);
+        click(find<QCheckBox>("flipSectionBox"));
+        QCOMPARE(view().options().section.plane->normal, Vec3(-normal));
+        QCOMPARE(view().options().section.plane->offset, -0.02);
+        QCOMPARE(find<QuantityField>("sectionOffset")->text(), QString("20 mm"));
+        knob->setFocus();
+        QTest::keyClick(knob, Qt::Key_Up);
+        QVERIFY(view().options().section.plane->offset > -0.02);
+        choose("sectionAxis", "Towards the eye");
+        QVERIFY((view().options().section.plane->normal + view().camera().towardsEye()).norm() < 1e-9); // still flipped
+        QTest::keyClick(m_window.get(), Qt::Key_X, Qt::ShiftModifier);
+        QVERIFY(!view().options().section.plane && !find<QCheckBox>("sectionBox")->isChecked());
+        QTRY_VERIFY(!knob->isVisible());
+    }
+
+    void theDividerHasTheOriginalLeftAndThePresentRight()
+    {
+        stretchBar();
+        QTest::keyClick(m_window.get(), Qt::Key_1);
+        QTest::qWait(400);
+        const auto added = view().widgetPosition(Vec3(0.17, 0, 0.01))->toPoint(); // where only the stretched bar is
+        const QColor material = shot().pixelColor(added);
+        QTest::keyClick(m_window.get(), Qt::Key_V, Qt::ShiftModifier);
+        auto* divider = find<QWidget>("dividerHandle");
+        QTRY_VERIFY(divider->isVisible());
+        QVERIFY(view().options().divider == 0.5);
+        QTest::qWait(100);
+        QCOMPARE(shot().pixelColor(added), material);
+        const auto dragTo = [&](int x) {
+            QTest::mousePress(divider, Qt::LeftButton, {}, divider->rect().center());
+            QTest::mouseMove(divider, divider->mapFrom(&view(), QPoint(x, view().height() / 2)));
+            QTest::qWait(50);
+            QTest::mouseRelease(divider, Qt::LeftButton, {}, divider->rect().center());
+            QTest::qWait(100);
+        };
+        bothThemes("compare");
+        dragTo(added.x() + 15);
+        QVERIFY(std::abs(*view().options().divider * view().width() - added.x() - 15) < 3);
+        const QImage original = shot();
+        QVERIFY(original.pixelColor(added).lightness() != material.lightness());
+        QVERIFY(std::abs(original.pixelColor(added).lightness() -
+                         original.pixelColor(added - QPoint(0, 60)).lightness()) < 25); // the ground
+        dragTo(added.x() - 30);
+        QCOMPARE(shot().pixelColor(added), material);
+        divider->setFocus();
+        const double share = *view().options().divider;
+        QTest::keyClick(divider, Qt::Key_Right);
+        QVERIFY(*view().options().divider > share);
+        QTest::keyClick(m_window.get(), Qt::Key_V, Qt::ShiftModifier);
+        QVERIFY(!view().options().divider);
+    }
+
+    void aSectionAndADividerAndColorsGoTogether()
+    {
+        openExample("bracket.step", 24);
+        QTest::keyClick(m_window.get(), Qt::Key_B);
+        QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
+        document().post(SetManipulatorMotion{0, DriveAt{Vec3(0, 0, -0.05)}});
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.4, patience);
+        choose("colorQuantity", "Von Mises stress");
+        QTest::keyClick(m_window.get(), Qt::Key_X, Qt::ShiftModifier);
+        choose("sectionAxis", "Y");
+        QTest::keyClick(m_window.get(), Qt::Key_V, Qt::ShiftModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.6, patience);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing && document().isSettled());
+        QTest::qWait(300);
+        QVERIFY(view().scale());
+        bothThemes("all");
+        m_window->resize(1920, 1080);
+        QTest::qWait(300);
+        picture("display-all-large");
+    }
+
+private:
+    ViewportWidget& view() { return m_window->viewport(); }
+    ColorLegend* legend() { return find<ColorLegend>("colorLegend"); }
+
+    /// What is drawn now, without what lies over it.
+    QImage shot()
+    {
+        QTest::qWait(100);
+        return view().grabFramebuffer();
+    }
+
+    /// A bar that is held at one end and pulled at the other.
+    void stretchBar()
+    {
+        openExample("bar.step", 32);
+        const Aggregate& aggregate = *document().content().bodies[0]->aggregate;
+        const auto grip = [&](const char* name, double from, double to, const Vec3& velocity) {
+            document().post(
+                AddFixture{{name, 0, objectsInBox(aggregate, Box(Vec3(from, -1, -1), Vec3(to, 1, 1))), velocity}});
+        };
+        grip("held", -1, 0.006, Vec3::Zero());
+        grip("pulled", 0.154, 1, Vec3(0.08, 0, 0));
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.3, patience);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing && document().isSettled());
+        QTest::keyClick(m_window.get(), Qt::Key_F);
+        QTest::qWait(400);
+        raisePanel();
+    }
+
+    std::size_t farthestVertex()
+    {
+        const auto& vertices = document().content().bodies[0]->mesh.vertices;
+        return static_cast<std::size_t>(std::max_element(vertices.begin(), vertices.end(),
+                                                         [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); }) -
+                                        vertices.begin());
+    }
+
+    /// A vertex on the middle of the top of the bar: where it is now, and how far it came [m].
+    std::pair<Vec3, double> onTop(double x)
+    {
+        const auto& vertices = document().content().bodies[0]->mesh.vertices;
+        const Vec3 wanted(x, 0.01, 0.02);
+        const auto nearest = std::min_element(vertices.begin(), vertices.end(), [&](const Vec3& a, const Vec3& b) {
+            return (a - wanted).norm() < (b - wanted).norm();
+        });
+        const Vec3 place = document().frame()->bodies[0]->places[static_cast<std::size_t>(nearest - vertices.begin())];
+        return {place, (place - *nearest).norm()};
+    }
+
+    /// Light changes how bright a color is, and hardly its hue and saturation.
+    void verifyColor(const QImage& seen, const Vec3& place, const ColorScale& scale, double value)
+    {
+        const QColor color = seen.pixelColor(view().widgetPosition(place)->toPoint());
+        const Color wanted = colorAt(scale.map, scale.shareOf(value));
+        const QColor pure = QColor::fromRgbF(wanted.r, wanted.g, wanted.b);
+        const int apart = std::abs(color.hue() - pure.hue());
+        QVERIFY2(std::min(apart, 360 - apart) < 20 || pure.saturation() < 40,
+                 qPrintable(QStringLiteral("%1 instead of %2 for %3").arg(color.name(), pure.name()).arg(value)));
+    }
+
+    static std::size_t largest(const PlaneSection& section)
+    {
+        const auto area = [&](const auto& t) {
+            return (section.points[t[1]] - section.points[t[0]])
+                .cross(section.points[t[2]] - section.points[t[0]])
+                .norm();
+        };
+        return static_cast<std::size_t>(
+            std::max_element(section.triangles.begin(), section.triangles.end(),
+                             [&](const auto& a, const auto& b) { return area(a) < area(b); }) -
+            section.triangles.begin());
+    }
+
+    /// Share of pixels that differ visibly.
+    static double difference(const QImage& a, const QImage& b)
+    {
+        int count = 0;
+        for (int y = 0; y < a.height(); ++y)
+            for (int x = 0; x < a.width(); ++x)
+                count += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > 12 ? 1 : 0;
+        return static_cast<double>(count) / a.width() / a.height();
+    }
+
+    /// Brings the panel to the front.
+    void raisePanel()
+    {
+        auto* dock = find<QDockWidget>("displayDock");
+        dock->show();
+        dock->raise();
+        QTRY_VERIFY(dock->isVisible() && find<QWidget>("displayPanel")->isVisible());
+    }
+
+    void reveal(QWidget* widget)
+    {
+        raisePanel();
+        for (QWidget* parent = widget->parentWidget(); parent != nullptr; parent = parent->parentWidget())
+            if (auto* area = qobject_cast<QScrollArea*>(parent))
+                area->ensureWidgetVisible(widget);
+        QVERIFY(widget->isVisible());
+    }
+
+    using WindowOnTest::click;
+    void click(QCheckBox* box)
+    {
+        reveal(box);
+        QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(10, box->height() / 2));
+    }
+
+    void choose(const char* name, const QString& text)
+    {
+        auto* box = find<QComboBox>(name);
+        reveal(box);
+        box->setFocus();
+        box->setCurrentText(text);
+        QCOMPARE(box->currentText(), text);
+        emit box->activated(box->currentIndex());
+        view().setFocus();
+    }
+
+    void type(const char* name, const QString& text)
+    {
+        auto* field = find<QuantityField>(name);
+        reveal(field);
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+
+    void lookBack(double share)
+    {
+        auto* axis = find<TimelineAxis>("timelineAxis");
+        QTRY_VERIFY(axis->timeline().pictures.size() > 3);
+        const Timeline line = axis->timeline();
+        QTest::mousePress(axis, Qt::LeftButton, {}, axis->placeOf(line.present));
+        QTest::mouseMove(axis, axis->placeOf(0.6 * line.end));
+        QTest::mouseMove(axis, axis->placeOf(share * line.end));
+        QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(share * line.end));
+    }
+
+    void bothThemes(const char* name)
+    {
+        for (const Theme theme : {Theme::Dark, Theme::Light}) {
+            m_window->setTheme(theme);
+            QTest::qWait(200);
+            picture(qPrintable(QStringLiteral("display-%1-%2").arg(name, theme == Theme::Dark ? "dark" : "light")));
+        }
+    }
+};
+
+int main(int argc, char** argv)
+{
+    prepareGraphics();
+    QApplication application(argc, argv);
+    WindowDisplayTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "window_display_test.moc"

@@ -1,0 +1,142 @@
+#include "ui/viewport/color_scale.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace knead;
+
+namespace {
+
+/// Lightness in CIELAB, of an sRGB color under daylight.
+double lightness(const Color& color)
+{
+    const auto linear = [](float channel) {
+        const auto c = static_cast<double>(channel);
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    const double y = 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
+    return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
+}
+
+QStringList texts(const ColorScale& scale)
+{
+    QStringList all;
+    for (const ScaleText::Tick& tick : textOf(scale).ticks)
+        all << tick.text;
+    return all;
+}
+
+Sight sightOf(SurfaceQuantity quantity, std::vector<std::vector<float>> values)
+{
+    Sight sight;
+    sight.wish.quantity = quantity;
+    sight.values = std::move(values);
+    return sight;
+}
+
+bool all(std::size_t /*body*/)
+{
+    return true;
+}
+
+} // namespace
+
+class ColorScaleTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// Equal steps along the map are equal steps of lightness, within what ten places of a table can do.
+    void lightnessRisesEvenly()
+    {
+        for (const ColorMap map : {ColorMap::viridis, ColorMap::cividis, ColorMap::gray}) {
+            const double low = lightness(colorAt(map, 0));
+            const double high = lightness(colorAt(map, 1));
+            QVERIFY(high - low > 70);
+            for (int i = 0; i < 100; ++i)
+                QVERIFY(lightness(colorAt(map, (i + 1) / 100.0)) > lightness(colorAt(map, i / 100.0)));
+            for (int i = 0; i <= 100; ++i)
+                QVERIFY(std::abs(lightness(colorAt(map, i / 100.0)) - low - (high - low) * i / 100.0) < 5);
+        }
+    }
+
+    void signsAreEquallyFarFromTheMiddle()
+    {
+        for (int i = 0; i <= 50; ++i) {
+            const double below = lightness(colorAt(ColorMap::diverging, 0.5 - i / 100.0));
+            const double above = lightness(colorAt(ColorMap::diverging, 0.5 + i / 100.0));
+            QVERIFY(std::abs(below - above) < 4);
+            QVERIFY(std::abs(below - (95 - 57 * i / 50.0)) < 4);
+        }
+        QVERIFY(colorAt(ColorMap::diverging, 0).b > 0.5F && colorAt(ColorMap::diverging, 1).b < 0.1F);
+    }
+
+    void tablesEndAsTheMapsDo()
+    {
+        const ColorTable& table = colorTable(ColorMap::viridis);
+        QCOMPARE(int(table[0][0]), 0x44);
+        QCOMPARE(int(table[255][0]), 0xfd);
+        QCOMPARE(colorAt(ColorMap::viridis, 7).r, colorAt(ColorMap::viridis, 1).r);
+    }
+
+    void automaticRangesEndAtRoundNumbers()
+    {
+        QCOMPARE(roundedUp(0.0), 0.0);
+        QVERIFY(std::abs(roundedUp(0.0137) - 0.015) < 1e-12);
+        QVERIFY(std::abs(roundedUp(6.1) - 8) < 1e-12);
+        QVERIFY(std::abs(roundedUp(9.2e6) - 1e7) < 1e-3);
+        const Sight sight = sightOf(SurfaceQuantity::displacement, {{0, 0.004F, 0.0137F}, {0.5F}});
+        const ColorScale first =
+            colorScale(sight, {}, [](std::size_t body) { return body == 0; }); // the other is hidden
+        QCOMPARE(first.least, 0.0);
+        QVERIFY(std::abs(first.most - 0.015) < 1e-9);
+        QVERIFY(std::abs(first.shareOf(0.0075) - 0.5) < 1e-6);
+        QVERIFY(colorScale(sight, {}, all).most > 0.49);
+    }
+
+    void distancesHaveZeroInTheMiddle()
+    {
+        const ColorScale scale = colorScale(sightOf(SurfaceQuantity::distance, {{-0.003F, 0.001F}}), {}, all);
+        QCOMPARE(scale.map, ColorMap::diverging);
+        QCOMPARE(scale.least, -scale.most);
+        QVERIFY(std::abs(scale.most - 0.003) < 1e-9);
+        QVERIFY(std::abs(scale.shareOf(0) - 0.5) < 1e-12);
+        QVERIFY(texts(scale).contains("0") && texts(scale).contains("-1") && texts(scale).contains("1"));
+    }
+
+    void nothingToSeeHasARangeToo()
+    {
+        for (std::size_t i = 0; i < surfaceQuantityCount; ++i) {
+            const ColorScale scale = colorScale(sightOf(static_cast<SurfaceQuantity>(i), {{0, 0}}), {}, all);
+            QVERIFY(scale.most > scale.least);
+            QVERIFY(textOf(scale).ticks.size() >= 4);
+        }
+    }
+
+    void legendsHaveUnitsThatKeepNumbersShort()
+    {
+        ColorScale scale{.quantity = SurfaceQuantity::vonMisesStress, .least = 0, .most = 2.5e6};
+        QCOMPARE(textOf(scale).title, QString("Von Mises stress [MPa]"));
+        QCOMPARE(texts(scale), (QStringList{"0", "0.5", "1", "1.5", "2", "2.5"}));
+        scale.most = 800;
+        QCOMPARE(textOf(scale).title, QString("Von Mises stress [Pa]"));
+        QCOMPARE(texts(scale), (QStringList{"0", "200", "400", "600", "800"}));
+        scale = {.quantity = SurfaceQuantity::strain, .least = 0, .most = 0.12};
+        QCOMPARE(textOf(scale).title, QString("Strain [%]"));
+        QCOMPARE(texts(scale), (QStringList{"0", "2", "4", "6", "8", "10", "12"}));
+        scale = {.quantity = SurfaceQuantity::displacement, .least = 0.0013, .most = 0.0021}; // as typed
+        QCOMPARE(textOf(scale).title, QString("Displacement [mm]"));
+        QCOMPARE(texts(scale), (QStringList{"1.4", "1.6", "1.8", "2"}));
+        QVERIFY(std::abs(textOf(scale).ticks.front().share - 0.125) < 1e-9);
+    }
+
+    void strainsAreTypedInPercent()
+    {
+        QCOMPARE(parseQuantity("12", Quantity::Strain, 0.05).value_or(0), 0.12);
+        QCOMPARE(parseQuantity("1,5 %", Quantity::Strain).value_or(0), 0.015);
+        QCOMPARE(formatQuantity(0.125, Quantity::Strain), QString("12.5 %"));
+    }
+};
+
+QTEST_APPLESS_MAIN(ColorScaleTest)
+#include "color_scale_test.moc"

@@ -1,0 +1,285 @@
+#include "ui/display.h"
+
+#include "ui/actions.h"
+#include "ui/document/document.h"
+#include "ui/theme.h"
+#include "ui/viewport/sight_overlay.h"
+#include "ui/viewport/viewport_widget.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+#include <QSettings>
+
+#include <algorithm>
+#include <vector>
+
+namespace knead {
+
+namespace {
+
+constexpr const char* quantityNames[surfaceQuantityCount] = {"displacement",  "strain",       "vonMisesStress",
+                                                             "plasticStrain", "contactForce", "distance"};
+
+QString settingOf(const QAction* action)
+{
+    return "display/" + action->objectName();
+}
+
+/// -1: the colors of the parts.
+int numberOf(const std::optional<SurfaceQuantity>& quantity)
+{
+    return quantity ? static_cast<int>(*quantity) : -1;
+}
+
+} // namespace
+
+Display::Display(const Document& document, ViewportWidget& view, const Actions& actions, QWidget* window)
+    : QObject(window)
+    , m_document(document)
+    , m_view(view)
+    , m_window(window)
+{
+    setObjectName("display");
+    makeActions(actions);
+    makeColors();
+    makeMenu(actions);
+    contentChanged();
+    connect(&view, &ViewportWidget::optionsChanged, this, &Display::follow);
+    connect(&document, &Document::changed, this, [this](Document::Change what) {
+        if (what == Document::Change::Content)
+            contentChanged();
+    });
+}
+
+QAction* Display::make(const char* name, const QString& text, const char* picture, const QString& keys,
+                       const QString& tip)
+{
+    auto* action = new QAction(text, m_window);
+    action->setObjectName(name);
+    action->setCheckable(true);
+    if (picture != nullptr)
+        action->setIcon(icon(picture));
+    action->setShortcut(QKeySequence(keys));
+    const QString shown = QKeySequence(keys).toString(QKeySequence::NativeText);
+    action->setToolTip(shown.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shown));
+    m_window->addAction(action);
+    return action;
+}
+
+void Display::makeActions(const Actions& actions)
+{
+    m_skin = make("skin", tr("Skin"), "skin", "Shift+K",
+                  tr("Show the surface of the part; as through glass when what is inside is shown too"));
+    m_skin->setChecked(true);
+    m_objects = actions.objects;
+    m_connections = make("connections", tr("Connections"), "connections", "Shift+C",
+                         tr("Show the connections between objects as lines"));
+    m_original = make("original", tr("Original shape"), "original", "Shift+R",
+                      tr("Show the shape at rest, translucent, around what became of it"));
+    m_breaks = make("breaks", tr("Broken connections"), "breaks", "Shift+B", tr("Mark where connections broke"));
+    m_section = make("section", tr("Section plane"), "section", "Shift+X",
+                     tr("Cut the part open to look inside; drag the knob to move the plane"));
+    m_flip = make("flipSection", tr("Flip section"), nullptr, "Ctrl+Shift+X", tr("Cut off the other side"));
+    m_compare = make("compare", tr("Before and after"), "compare", "Shift+V",
+                     tr("Divide the view: the original on the left, the part as it is on the right"));
+    m_shown = {m_skin,   m_objects,     actions.allObjects, m_connections, m_original,
+               m_breaks, actions.edges, actions.openEdges,  actions.grid};
+    for (QAction* action : m_shown)
+        connect(action, &QAction::toggled, this, &Display::apply);
+    for (QAction* action : {m_objects, m_connections})
+        connect(action, &QAction::toggled, this, &Display::insideToggled);
+    connect(m_section, &QAction::toggled, this, &Display::switchSection);
+    connect(m_compare, &QAction::toggled, this, &Display::switchCompare);
+    connect(m_flip, &QAction::toggled, this, [this](bool on) {
+        m_plane.isFlipped = on;
+        applySection();
+    });
+}
+
+void Display::makeColors()
+{
+    m_colors = new QActionGroup(this);
+    const auto add = [this](const QString& name, const QString& text, int number, const QString& tip) {
+        QAction* action = make(name.toLatin1(), text, nullptr, {}, tip);
+        action->setData(number);
+        m_colors->addAction(action);
+        return action;
+    };
+    add("colorParts", tr("Part colors"), -1, tr("Faces have the colors of the part"))->setChecked(true);
+    for (std::size_t i = 0; i < surfaceQuantityCount; ++i) {
+        const QString text = nameOf(static_cast<SurfaceQuantity>(i));
+        add("color-" + QString(quantityNames[i]), text, static_cast<int>(i), tr("Color the skin by: %1").arg(text));
+    }
+    connect(m_colors, &QActionGroup::triggered, this, [this](const QAction* action) {
+        const int number = action->data().toInt();
+        setQuantity(number < 0 ? std::nullopt : std::optional(static_cast<SurfaceQuantity>(number)));
+    });
+}
+
+void Display::makeMenu(const Actions& actions)
+{
+    m_menu = new QMenu(tr("Display"), m_window);
+    m_menu->setObjectName("displayMenu");
+    m_menu->setIcon(icon("display"));
+    m_menu->setToolTipsVisible(true);
+    m_menu->menuAction()->setToolTip(tr("What is shown of the material, and how"));
+    m_menu->addActions({m_skin, actions.objects, actions.allObjects, m_connections, m_original, m_breaks});
+    m_menu->addSeparator();
+    QMenu* colors = m_menu->addMenu(icon("colors"), tr("Colors"));
+    colors->setObjectName("colorsMenu");
+    colors->addActions(m_colors->actions());
+    m_menu->addSeparator();
+    m_menu->addActions({m_section, m_flip, m_compare});
+}
+
+void Display::restore()
+{
+    const QSettings settings;
+    std::vector<std::pair<QAction*, bool>> states; // all are read before switching writes them
+    for (QAction* action : m_shown)
+        states.emplace_back(action, settings.value(settingOf(action), action->isChecked()).toBool());
+    for (const auto& [action, isOn] : states)
+        action->setChecked(isOn);
+    m_skin->setChecked(states.front().second); // what is inside may have switched it
+    SceneOptions options = m_view.options();
+    const QString quantity = settings.value("display/quantity").toString();
+    for (std::size_t i = 0; i < surfaceQuantityCount; ++i)
+        if (quantity == quantityNames[i])
+            options.colors.quantity = static_cast<SurfaceQuantity>(i);
+    options.colors.map = static_cast<ColorMap>(std::clamp(settings.value("display/map", 0).toInt(), 0, 2));
+    options.section.isHatched = settings.value("display/hatched", true).toBool();
+    m_view.setOptions(options);
+}
+
+/// What is inside is worth nothing behind an opaque skin: the skin goes with it, and may be called back as glass.
+void Display::insideToggled()
+{
+    m_skin->setChecked(!m_objects->isChecked() && !m_connections->isChecked());
+}
+
+void Display::apply()
+{
+    QSettings settings;
+    for (const QAction* action : m_shown)
+        settings.setValue(settingOf(action), action->isChecked());
+    SceneOptions options = m_view.options();
+    options.skin = m_skin->isChecked();
+    options.connections = m_connections->isChecked();
+    options.original = m_original->isChecked();
+    options.breaks = m_breaks->isChecked();
+    m_view.setOptions(options);
+}
+
+void Display::setQuantity(std::optional<SurfaceQuantity> quantity)
+{
+    SceneOptions options = m_view.options();
+    if (options.colors.quantity != quantity)
+        options.colors.range.reset(); // it was of another quantity
+    options.colors.quantity = quantity;
+    QSettings().setValue("display/quantity", quantity ? quantityNames[static_cast<std::size_t>(*quantity)] : "");
+    m_view.setOptions(options);
+}
+
+void Display::setMap(ColorMap map)
+{
+    SceneOptions options = m_view.options();
+    options.colors.map = map;
+    QSettings().setValue("display/map", static_cast<int>(map));
+    m_view.setOptions(options);
+}
+
+void Display::setRange(const std::optional<std::pair<double, double>>& range)
+{
+    SceneOptions options = m_view.options();
+    options.colors.range = range;
+    m_view.setOptions(options);
+}
+
+std::pair<double, double> Display::sectionReach() const
+{
+    return reachAlong(m_plane.direction, m_document.content().box);
+}
+
+void Display::setSectionAxis(Section::Axis axis)
+{
+    m_plane.axis = axis;
+    m_plane.direction =
+        axis == Section::Axis::eye ? m_view.camera().towardsEye() : Vec3(Vec3::Unit(static_cast<Eigen::Index>(axis)));
+    m_plane.offset = m_plane.direction.dot(m_document.content().box.center());
+    m_isFollowing = true;
+    m_section->setChecked(true);
+    m_isFollowing = false;
+    applySection();
+}
+
+void Display::setSectionOffset(double offset)
+{
+    m_plane.offset = offset;
+    applySection();
+}
+
+void Display::switchSection(bool on)
+{
+    if (m_isFollowing)
+        return;
+    if (on)
+        setSectionAxis(m_plane.axis);
+    else
+        applySection();
+}
+
+void Display::switchCompare(bool on)
+{
+    if (m_isFollowing)
+        return;
+    SceneOptions options = m_view.options();
+    options.divider = on ? std::optional(0.5) : std::nullopt;
+    m_view.setOptions(options);
+}
+
+void Display::setHatched(bool on)
+{
+    SceneOptions options = m_view.options();
+    options.section.isHatched = on;
+    QSettings().setValue("display/hatched", on);
+    m_view.setOptions(options);
+}
+
+void Display::applySection()
+{
+    SceneOptions options = m_view.options();
+    const double way = m_plane.isFlipped ? -1 : 1;
+    if (m_section->isChecked())
+        options.section.plane = CutPlane{way * m_plane.direction, way * m_plane.offset};
+    else
+        options.section.plane.reset();
+    m_view.setOptions(options);
+}
+
+/// The view has other options: from here, from its knobs, or because it shows another part.
+void Display::follow()
+{
+    const SceneOptions& options = m_view.options();
+    m_isFollowing = true;
+    m_section->setChecked(options.section.plane.has_value());
+    m_compare->setChecked(options.divider.has_value());
+    m_isFollowing = false;
+    if (options.section.plane)
+        m_plane.offset = (m_plane.isFlipped ? -1 : 1) * options.section.plane->offset;
+    for (QAction* action : m_colors->actions())
+        if (action->data().toInt() == numberOf(options.colors.quantity))
+            action->setChecked(true);
+    emit changed();
+}
+
+void Display::contentChanged()
+{
+    const bool isSimulated = !m_document.content().bodies.empty();
+    for (QAction* action : {m_skin, m_connections, m_original, m_breaks, m_section, m_flip, m_compare})
+        action->setEnabled(isSimulated);
+    m_colors->setEnabled(isSimulated);
+    emit changed();
+}
+
+} // namespace knead

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "ui/viewport/scene_view.h"
+
+#include <QList>
+#include <QObject>
+
+class QAction;
+class QActionGroup;
+class QMenu;
+
+namespace knead {
+
+struct Actions;
+class Document;
+class ViewportWidget;
+
+/// What a person chose to see, between the actions, the panel and the view: each of them may change it, all of them show it.
+/// What is switched on or off is remembered from one start of the program to the next.
+class Display final : public QObject {
+    Q_OBJECT
+public:
+    /// @param window that gets the actions; they work wherever the keyboard is in it
+    /// @param actions those for objects and edges
+    Display(const Document& document, ViewportWidget& view, const Actions& actions, QWidget* window);
+
+    QMenu* menu() const { return m_menu; }
+    const QList<QAction*>& shown() const { return m_shown; } ///< that switch something on or off, in order
+    QAction* section() const { return m_section; }
+    QAction* flip() const { return m_flip; }
+    QAction* compare() const { return m_compare; }
+    QActionGroup* colors() const { return m_colors; }
+    ViewportWidget& view() const { return m_view; }
+
+    /// As it was when the program ended.
+    void restore();
+
+    void setQuantity(std::optional<SurfaceQuantity> quantity);
+    void setMap(ColorMap map);
+    /// @param range from, to in SI; none: as needed
+    void setRange(const std::optional<std::pair<double, double>>& range);
+
+    /// The section plane as a person thinks of it: across an axis, at a place along it.
+    struct Section {
+        enum class Axis { x, y, z, eye };
+        Axis axis = Axis::x;
+        bool isFlipped = false; ///< the other side is cut off
+        Vec3 direction = Vec3::UnitX();
+        double offset = 0; ///< along the direction, from the origin [m]
+    };
+    const Section& sectionPlane() const { return m_plane; }
+    std::pair<double, double> sectionReach() const; ///< offsets that cut the part [m]
+    void setSectionAxis(Section::Axis axis);        ///< through the middle of the part
+    void setSectionOffset(double offset);
+    void setHatched(bool on);
+
+signals:
+    void changed();
+
+private:
+    QAction* make(const char* name, const QString& text, const char* icon, const QString& keys, const QString& tip);
+    void makeActions(const Actions& actions);
+    void makeColors();
+    void makeMenu(const Actions& actions);
+    void insideToggled();
+    void apply();
+    void applySection();
+    void switchSection(bool on);
+    void switchCompare(bool on);
+    void follow();
+    void contentChanged();
+
+    const Document& m_document;
+    ViewportWidget& m_view;
+    QWidget* m_window;
+    QAction* m_skin = nullptr;
+    QAction* m_objects = nullptr;
+    QAction* m_connections = nullptr;
+    QAction* m_original = nullptr;
+    QAction* m_breaks = nullptr;
+    QAction* m_section = nullptr;
+    QAction* m_flip = nullptr;
+    QAction* m_compare = nullptr;
+    QActionGroup* m_colors = nullptr;
+    QList<QAction*> m_shown;
+    QMenu* m_menu = nullptr;
+    Section m_plane;
+    bool m_isFollowing = false; ///< actions only show what the view has
+};
+
+} // namespace knead

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "ui/viewport/color_scale.h"
+
+#include <QWidget>
+
+class QPainter;
+
+namespace knead {
+
+/// The bar beside the view that says which color stands for which number.
+class ColorLegend final : public QWidget {
+    Q_OBJECT
+public:
+    explicit ColorLegend(QWidget* parent);
+
+    /// @param isPast whether the moment is one that is looked back at: then a quantity may not be known
+    void show(const ColorScale& scale, bool isPast);
+
+    /// What a person reads, for tests.
+    const ScaleText& text() const { return m_text; }
+    QString remark() const { return m_remark; } ///< why there are no colors; empty when there are
+    QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    ColorScale m_scale;
+    ScaleText m_text;
+    QString m_remark;
+};
+
+/// Draws it anywhere. The font of the painter decides the size.
+struct LegendColors {
+    QColor ground;
+    QColor text;
+    QColor line;
+};
+QSize legendSize(const QFontMetrics& metrics, const ScaleText& text, const QString& remark);
+void paintLegend(QPainter& painter, const QRect& place, const ColorScale& scale, const ScaleText& text,
+                 const QString& remark, const LegendColors& colors);
+
+} // namespace knead

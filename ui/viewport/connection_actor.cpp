@@ -1,0 +1,176 @@
+#include "ui/viewport/connection_actor.h"
+
+#include "core/aggregate/pieces.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPlaneCollection.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace knead {
+
+namespace {
+
+constexpr float dotSize = 7;          // [pixels]
+constexpr double beforeAll = -66000;  // units of depth: in front of everything
+constexpr std::size_t crowded = 3000; // so many dots are drawn smaller
+constexpr float crowdedDotSize = 4;
+
+void setPoints(vtkPoints* points, std::span<const Vec3> places)
+{
+    points->SetNumberOfPoints(static_cast<vtkIdType>(places.size()));
+    auto* out = static_cast<float*>(points->GetVoidPointer(0));
+    for (const Vec3& place : places)
+        for (const double coordinate : place)
+            *out++ = static_cast<float>(coordinate);
+    points->GetData()->Modified();
+    points->Modified();
+}
+
+} // namespace
+
+struct ConnectionActor::Parts {
+    vtkSmartPointer<vtkRenderer> renderer;
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkPolyData> data;
+    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<vtkActor> actor;
+};
+
+ConnectionActor::ConnectionActor(vtkRenderer* renderer, const Color& color)
+    : m_parts(std::make_unique<Parts>())
+{
+    m_parts->renderer = renderer;
+    m_parts->points->SetDataTypeToFloat();
+    m_parts->data->SetPoints(m_parts->points);
+    m_parts->mapper->SetInputData(m_parts->data);
+    m_parts->actor->SetMapper(m_parts->mapper);
+    m_parts->actor->GetProperty()->SetColor(color.r, color.g, color.b);
+    m_parts->actor->GetProperty()->LightingOff();
+    m_parts->actor->GetProperty()->SetLineWidth(1.2F);
+    renderer->AddActor(m_parts->actor);
+}
+
+ConnectionActor::~ConnectionActor()
+{
+    m_parts->renderer->RemoveActor(m_parts->actor);
+}
+
+void ConnectionActor::setConnections(const Aggregate& aggregate, std::span<const ConnectionId> broken,
+                                     std::span<const ObjectIndex> chosen)
+{
+    const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
+    std::vector<bool> isChosen(aggregate.size(), chosen.empty());
+    for (const ObjectIndex object : chosen)
+        isChosen[object] = true;
+    vtkNew<vtkCellArray> lines;
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+        for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
+            for (ObjectIndex i = segment.begin; i < segment.end; ++i) {
+                const ObjectIndex other = i + static_cast<ObjectIndex>(segment.offset);
+                if (!isChosen[i] || !isChosen[other] || !(aggregate.weight[d][i] > 0) || (isBroken[i] >> d & 1U) != 0)
+                    continue;
+                const vtkIdType ends[] = {i, other};
+                lines->InsertNextCell(2, ends);
+            }
+    m_parts->data->SetLines(lines);
+    m_parts->data->Modified();
+}
+
+void ConnectionActor::show(std::span<const Vec3> positions)
+{
+    setPoints(m_parts->points, positions);
+    m_parts->data->Modified();
+}
+
+void ConnectionActor::setClipping(vtkPlaneCollection* planes)
+{
+    m_parts->mapper->SetClippingPlanes(planes);
+}
+
+struct BreakActor::Parts {
+    vtkSmartPointer<vtkRenderer> renderer;
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkPolyData> data;
+    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<vtkActor> actor;
+};
+
+BreakActor::BreakActor(vtkRenderer* renderer)
+    : m_parts(std::make_unique<Parts>())
+{
+    m_parts->renderer = renderer;
+    m_parts->points->SetDataTypeToFloat();
+    m_parts->data->SetPoints(m_parts->points);
+    m_parts->mapper->SetInputData(m_parts->data);
+    m_parts->mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    m_parts->mapper->SetRelativeCoincidentTopologyPointOffsetParameter(beforeAll);
+    m_parts->actor->SetMapper(m_parts->mapper);
+    m_parts->actor->GetProperty()->LightingOff();
+    m_parts->actor->GetProperty()->RenderPointsAsSpheresOn();
+    renderer->AddActor(m_parts->actor);
+}
+
+BreakActor::~BreakActor()
+{
+    m_parts->renderer->RemoveActor(m_parts->actor);
+}
+
+void BreakActor::show(const std::vector<Vec3>& marks)
+{
+    if (static_cast<std::size_t>(m_parts->points->GetNumberOfPoints()) != marks.size()) {
+        std::vector<vtkIdType> ids(marks.size());
+        std::iota(ids.begin(), ids.end(), 0);
+        vtkNew<vtkCellArray> vertices;
+        if (!ids.empty())
+            vertices->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+        m_parts->data->SetVerts(vertices);
+    }
+    setPoints(m_parts->points, marks);
+    m_parts->data->Modified();
+    m_parts->actor->SetVisibility(!marks.empty());
+    m_parts->actor->GetProperty()->SetPointSize(marks.size() > crowded ? crowdedDotSize : dotSize);
+}
+
+void BreakActor::setColor(const Color& color)
+{
+    m_parts->actor->GetProperty()->SetColor(color.r, color.g, color.b);
+}
+
+void BreakActor::setClipping(vtkPlaneCollection* planes)
+{
+    m_parts->mapper->SetClippingPlanes(planes);
+}
+
+std::vector<Vec3> breakMarks(const Aggregate& aggregate, std::span<const Vec3> positions,
+                             std::span<const ConnectionId> broken)
+{
+    std::vector<Vec3> marks;
+    marks.reserve(2 * broken.size());
+    for (const ConnectionId& connection : broken) {
+        Lattice::Node node = aggregate.lattice.nodes[connection.lower];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            node[axis] += Lattice::directions[connection.direction][axis];
+        const ObjectIndex other = aggregate.lattice.find(node);
+        if (other >= aggregate.size())
+            continue;
+        const Vec3 way = positions[other] - positions[connection.lower];
+        const double length = way.norm();
+        const double half = 0.5 * aggregate.lattice.direction(static_cast<int>(connection.direction)).norm();
+        const Vec3 step = length > 0 ? Vec3(way * (half / length)) : Vec3(Vec3::Zero());
+        marks.emplace_back(positions[connection.lower] + step);
+        marks.emplace_back(positions[other] - step);
+    }
+    return marks;
+}
+
+} // namespace knead

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/geometry/plane_section.h"
+#include "core/skin/surface_values.h"
+#include "ui/document/frame.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace knead {
+
+/// What of the material a person wants to see beyond its shape, and what takes time to find out.
+struct SightWish {
+    std::optional<SurfaceQuantity> quantity; ///< on the skin
+    std::optional<CutPlane> section;         ///< that gets caps
+    bool capsOriginal = false;               ///< those of the original shape too
+
+    bool isEmpty() const { return !quantity && !section; }
+    friend bool operator==(const SightWish&, const SightWish&) = default;
+};
+
+/// What was found out for one frame. Immutable, shared by pointer.
+struct Sight {
+    FramePointer frame;
+    SightWish wish;
+    bool isKnown = true; ///< false: the frame does not tell the quantity
+    /// Per body: at the vertices of ContentBody::mesh, in SI; empty without a quantity, or when it is not known.
+    std::vector<std::vector<float>> values;
+    std::vector<PlaneSection> caps;         ///< per body; empty without a section
+    std::vector<PlaneSection> originalCaps; ///< per body
+};
+using SightPointer = std::shared_ptr<const Sight>;
+
+/// Finds out what is wished. Remembers what is the same from frame to frame. One thread at a time; uses several.
+class SightMaker {
+public:
+    explicit SightMaker(ContentBodies bodies);
+    ~SightMaker();
+    SightMaker(const SightMaker&) = delete;
+    SightMaker& operator=(const SightMaker&) = delete;
+
+    /// @pre the frame is one of these bodies
+    SightPointer make(const FramePointer& frame, const SightWish& wish);
+
+private:
+    void findValues(Sight& sight);
+    void findCaps(Sight& sight);
+
+    ContentBodies m_bodies;
+    std::vector<std::unique_ptr<SurfaceDistance>> m_originals; ///< made when first wanted
+    SightPointer m_last;
+};
+
+} // namespace knead

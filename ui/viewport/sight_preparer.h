@@ -1,0 +1,42 @@
+#pragma once
+
+#include "ui/tasks/ordered_worker.h"
+#include "ui/viewport/sight.h"
+
+#include <QObject>
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+namespace knead {
+
+/// Makes sights on a thread of its own, always of what was asked for last, so that the window never waits for them. Window
+/// thread.
+class SightPreparer final : public QObject {
+    Q_OBJECT
+public:
+    using QObject::QObject;
+
+    /// Other bodies: what was asked for before is dropped.
+    void begin(ContentBodies bodies);
+    void ask(const FramePointer& frame, const SightWish& wish);
+
+signals:
+    void made(knead::SightPointer sight);
+
+private:
+    using Request = std::pair<FramePointer, SightWish>;
+
+    void work();
+    void take(const SightPointer& sight, std::uint64_t generation);
+
+    std::shared_ptr<SightMaker> m_maker; ///< used by the worker alone
+    Request m_asked;
+    Request m_begun; ///< asked for last of what the worker has or had
+    std::uint64_t m_generation = 0;
+    bool m_isBusy = false;
+    OrderedWorker m_worker; // last: it ends first
+};
+
+} // namespace knead
