@@ -12,6 +12,7 @@
 #include "ui/panels/status_readings.h"
 #include "ui/panels/timeline_panel.h"
 #include "ui/project/project_keeper.h"
+#include "ui/selection_actions.h"
 #include "ui/units.h"
 #include "ui/viewport/viewport_widget.h"
 
@@ -51,6 +52,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     makeMenus();
     makeToolBar();
     makeStatusBar();
+    makeSelection();
     makeProjects();
     connectFileActions();
     connectSimulationActions();
@@ -322,7 +324,7 @@ void MainWindow::cancel()
         m_timeline->stopLooking();
     else if (m_actions->fixFaces->isChecked())
         m_actions->fixFaces->setChecked(false);
-    else
+    else if (!m_viewport->regions().cancel())
         m_document.select({});
 }
 

@@ -32,6 +32,8 @@ class PerformancePanel;
 class ProjectKeeper;
 class MaterialPanel;
 class ModelTree;
+struct SelectionActions;
+class SelectionPanel;
 class StatusReadings;
 class TaskReading;
 class TimelinePanel;
@@ -96,6 +98,18 @@ private:
     void connectViewActions();
     void connectTasks();
     void restoreSettings();
+
+    // Selecting, and the lines of the model tree (main_window_selection.cpp)
+    void makeSelection();
+    void makeSelectionMenus();
+    void makeSelectionBar();
+    void connectSelection();
+    void connectTree();
+    void fillTreeMenu(QMenu& menu, int type) const;
+    void showLevel();
+    void showSelected();
+    void selectAll();
+    void selectWithin(double distance);
 
     void makeProjects();
     void showTitle();
@@ -170,6 +184,10 @@ private:
     TaskRunner m_tasks;
     Document m_document;
     std::unique_ptr<Actions> m_actions;
+    std::unique_ptr<SelectionActions> m_selection;
+    SelectionPanel* m_selectionPanel = nullptr;
+    QLabel* m_selectionReading = nullptr;
+    bool m_showsObjects = false; ///< only for the sake of selecting them
     Banner* m_banner = nullptr;
     QStackedWidget* m_pages = nullptr;
     HomePage* m_home = nullptr;

@@ -72,9 +72,7 @@ void MainWindow::askForExport()
     if (m_document.isEmpty())
         return;
     const Selection& selection = m_document.selection();
-    const QString selected = selection.kind == Selection::Kind::Body
-                                 ? QString::fromStdString(m_document.content().bodies[selection.id]->name)
-                                 : QString();
+    const QString selected = selection.kind == Selection::Kind::Body ? m_document.nameOfBody(selection.id) : QString();
     auto* dialog =
         new ExportDialog(m_services.exportFormats, selected, !m_viewport->options().hiddenParts.empty(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -116,7 +114,9 @@ void MainWindow::showControls()
            "<tr><td><b>B, X, Del</b></td><td>add a block, fix faces, remove</td></tr>"
            "<tr><td><b>G, N</b></td><td>gravity, re-normalize</td></tr>"
            "<tr><td><b>O, H, E</b></td><td>objects, hide body, edges</td></tr>"
-           "<tr><td><b>1, 3, 7, 0</b></td><td>front, right, top, isometric; Ctrl: from the other side</td></tr>"
+           "<tr><td><b>7, 0, numeric pad 1, 3</b></td><td>top, isometric, front, right; Ctrl: from the other "
+           "side</td></tr>"
+           "<tr><td><b>1, 2, 3, 4</b></td><td>clicks select parts, faces, edges, objects; Ctrl adds</td></tr>"
            "<tr><td><b>5, F</b></td><td>perspective or parallel, fit</td></tr>"
            "<tr><td><b>Ctrl+S</b></td><td>save the project; Ctrl+Shift+S under another name</td></tr>"
            "<tr><td><b>Ctrl+K</b></td><td>find any command; F11: full screen</td></tr>"

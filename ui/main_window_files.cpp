@@ -11,6 +11,7 @@
 #include "ui/units.h"
 #include "ui/viewport/viewport_widget.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QDockWidget>
 #include <QDropEvent>
@@ -144,7 +145,7 @@ std::vector<MainWindow::PlannedFile> MainWindow::planFiles(const QString& path, 
         if (!keep[p])
             continue;
         static const QRegularExpression unwanted("[/\\\\:*?\"<>|\\x00-\\x1f]");
-        const QString name = QString::fromStdString(model.parts[p].name).replace(unwanted, "_").left(100);
+        const QString name = m_document.nameOfPart(p).replace(unwanted, "_").left(100);
         const QString stem = info.completeBaseName() + "-" + name;
         QString unique = stem;
         for (int number = 2; used.contains(unique); ++number)
@@ -177,6 +178,7 @@ void MainWindow::showExport(const std::vector<ExportReport>& reports)
     dock->show();
     dock->raise();
     for (const ExportReport& report : reports) {
+        m_document.notes().noteExport(report.file, static_cast<double>(QDateTime::currentSecsSinceEpoch()));
         const auto parts = report.parts.size();
         m_log->add((parts == 1 ? tr("Exported 1 part to %1.") : tr("Exported %2 parts to %1.").arg(parts))
                        .arg(QFile::decodeName(report.file.c_str())));

@@ -11,6 +11,7 @@
 #include "ui/panels/import_panel.h"
 #include "ui/panels/log_panel.h"
 #include "ui/panels/material_panel.h"
+#include "ui/panels/model_panel.h"
 #include "ui/panels/model_tree.h"
 #include "ui/panels/performance_panel.h"
 #include "ui/panels/status_readings.h"
@@ -138,7 +139,7 @@ void MainWindow::makeDocks()
     m_export = new ExportPanel(this);
     m_performance = new PerformancePanel(this);
 
-    QDockWidget* tree = makeDock(this, tr("Model"), "modelDock", m_tree, Qt::LeftDockWidgetArea);
+    QDockWidget* tree = makeDock(this, tr("Model"), "modelDock", new ModelPanel(m_tree), Qt::LeftDockWidgetArea);
     QDockWidget* history =
         makeDock(this, tr("History"), "historyDock", new HistoryPanel(m_document), Qt::LeftDockWidgetArea);
     makeDock(this, tr("Properties"), "propertiesDock", m_properties, Qt::LeftDockWidgetArea);

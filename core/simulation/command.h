@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <variant>
 
 namespace knead {
@@ -84,9 +85,28 @@ struct Reset {};
 /// rest is found again. That changes rounding, and so is a command: whoever repeats the run must do it at the same step.
 struct KeepMoment {};
 
-using Command = std::variant<SetMaterial, SetBodyKind, Renormalize, SetGravity, SetFloor, AddManipulator,
-                             RemoveManipulator, SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, AddFixture,
-                             RemoveFixture, MoveFixture, SetIntegrator, Reset, KeepMoment>;
+/// What a part is called and how it is colored from now on, on the screen and in files that are written. For people only: the
+/// simulation takes no notice of it.
+struct SetPartLook {
+    std::uint32_t part = 0; ///< index into Model::parts
+    std::string name;       ///< empty: as in its file
+    std::string color;      ///< sRGB as "#rrggbb"; empty: as in its file
+};
+
+/// Names are for people, too: nothing else of the tool or the fixture changes.
+struct RenameManipulator {
+    ToolId tool = 0;
+    std::string name;
+};
+struct RenameFixture {
+    FixtureId fixture = 0;
+    std::string name;
+};
+
+using Command =
+    std::variant<SetMaterial, SetBodyKind, Renormalize, SetGravity, SetFloor, AddManipulator, RemoveManipulator,
+                 SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, AddFixture, RemoveFixture, MoveFixture,
+                 SetIntegrator, Reset, KeepMoment, SetPartLook, RenameManipulator, RenameFixture>;
 
 /// A command and the step before which it took effect. Steps count on from the Reset before.
 struct RecordedCommand {

@@ -161,6 +161,18 @@ public:
         ++m_state.resets;
     }
     void operator()(const KeepMoment&) const { m_state.keepMoment(); }
+    void operator()(const SetPartLook&) const {}
+    void operator()(const RenameManipulator& command) const
+    {
+        tool(command.tool).manipulator.name = command.name;
+        tool(command.tool).start.name = command.name;
+    }
+    void operator()(const RenameFixture& command) const
+    {
+        if (command.fixture >= m_state.fixtures.size() || !m_state.fixtures[command.fixture])
+            throw std::runtime_error("There is no fixture number " + std::to_string(command.fixture) + ".");
+        m_state.fixtures[command.fixture]->name = command.name;
+    }
 
 private:
     // An annealing takes this many times its relaxation time, so that little is left to do at once at its end.
@@ -204,6 +216,13 @@ private:
     Simulation::State& m_state;
 };
 
+/// Words for people, of which the run takes no notice.
+bool isOfWords(const Command& command)
+{
+    return std::holds_alternative<SetPartLook>(command) || std::holds_alternative<RenameManipulator>(command) ||
+           std::holds_alternative<RenameFixture>(command);
+}
+
 } // namespace
 
 void Simulation::State::setKind(BodyId body, BodyKind kind)
@@ -225,7 +244,8 @@ void Simulation::State::carryOut(const Command& command)
 {
     const std::uint64_t before = step;
     std::visit(Executor(*this), command);
-    implicit.reset(); // bodies may be others
+    if (!isOfWords(command))
+        implicit.reset(); // bodies may be others
     recording.push_back({before, command});
 }
 

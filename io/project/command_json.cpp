@@ -138,6 +138,34 @@ inline constexpr const char* wordOf<Reset> = "reset";
 template <>
 inline constexpr const char* wordOf<KeepMoment> = "keep-moment";
 
+template <>
+inline constexpr const char* wordOf<SetPartLook> = "set-part-look";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, SetPartLook> command)
+{
+    fields("part", command.part);
+    fields("name", command.name);
+    fields("color", command.color);
+}
+
+template <>
+inline constexpr const char* wordOf<RenameManipulator> = "rename-manipulator";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, RenameManipulator> command)
+{
+    fields("tool", command.tool);
+    fields("name", command.name);
+}
+
+template <>
+inline constexpr const char* wordOf<RenameFixture> = "rename-fixture";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, RenameFixture> command)
+{
+    fields("fixture", command.fixture);
+    fields("name", command.name);
+}
+
 template <class Fields>
 void describe(Fields& fields, Field<Fields, RecordedCommand> recorded)
 {

@@ -173,6 +173,10 @@ public:
         finish(event().put("integrator", wordFor(command.integrator, integratorWords())));
     }
     void operator()(const Reset&) { finish(event().put("reset", "true")); }
+    // Names and colors of parts are those of the file, and tools and fixtures keep the names that they begin with.
+    void operator()(const SetPartLook&) {}
+    void operator()(const RenameManipulator&) {}
+    void operator()(const RenameFixture&) {}
     void operator()(const KeepMoment&) { finish(event().text("keep_moment", m_isLast ? m_name : std::string())); }
 
 private:

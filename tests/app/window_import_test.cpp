@@ -1,5 +1,6 @@
 #include "support/window_on_test.h"
 #include "ui/dialogs/import_dialog.h"
+#include "ui/panels/model_tree_delegate.h"
 #include "ui/run_window.h"
 
 #include <QCheckBox>
@@ -249,7 +250,7 @@ private slots:
         QVERIFY(unchecked != nullptr);
         tree->scrollToItem(unchecked);
         const QRect place = tree->visualItemRect(unchecked);
-        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, {place.left() + 8, place.center().y()});
+        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, ModelTreeDelegate::eyeRect(place).center());
         QVERIFY(m_window->viewport().options().hiddenParts.empty());
     }
 

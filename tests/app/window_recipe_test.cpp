@@ -173,7 +173,7 @@ private slots:
     void gesturesComeOnTopOfIt()
     {
         open(m_recipe);
-        key(Qt::Key_1);
+        key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
         QTest::qWait(500);
         key(Qt::Key_B);

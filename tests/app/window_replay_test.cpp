@@ -131,7 +131,7 @@ private:
         key(Qt::Key_X);
         key(Qt::Key_B);
         QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
-        key(Qt::Key_1);
+        key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
         QTest::qWait(500);
         key(Qt::Key_Space);

@@ -188,8 +188,8 @@ private slots:
         Services slow = m_services;
         std::atomic<bool> isSlow = false;
         std::atomic<bool> wasTold = false;
-        slow.import = [&, import = m_services.import](const std::vector<std::string>& paths, const ImportOptions& options,
-                                                       TaskControl& control) {
+        slow.import = [&, import = m_services.import](const std::vector<std::string>& paths,
+                                                      const ImportOptions& options, TaskControl& control) {
             while (isSlow) {
                 control.report(0.5, "reading faces");
                 wasTold = control.isCancelled();
@@ -265,7 +265,7 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_O);
         QTest::qWait(200);
         picture("objects");
-        QTest::keyClick(m_window.get(), Qt::Key_1);
+        QTest::keyClick(m_window.get(), Qt::Key_1, Qt::KeypadModifier);
         QTRY_VERIFY((m_window->viewport().camera().towardsEye() + Vec3::UnitY()).norm() < 1e-6);
     }
 

@@ -153,6 +153,21 @@ inline auto members(const MoveFixture& v)
     const auto& [a, b] = v;
     return std::tie(a, b);
 }
+inline auto members(const RenameManipulator& v)
+{
+    const auto& [a, b] = v;
+    return std::tie(a, b);
+}
+inline auto members(const RenameFixture& v)
+{
+    const auto& [a, b] = v;
+    return std::tie(a, b);
+}
+inline auto members(const SetPartLook& v)
+{
+    const auto& [a, b, c] = v;
+    return std::tie(a, b, c);
+}
 inline auto members(const SetIntegrator& v)
 {
     const auto& [a] = v;

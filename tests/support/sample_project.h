@@ -142,6 +142,9 @@ inline std::vector<RecordedCommand> commands(const std::shared_ptr<const ToolPar
         MoveFixture{2, Vec3(0, third, 0)},
         Reset{},
         KeepMoment{},
+        RenameManipulator{2, "left jaw"},
+        RenameFixture{1, "Fuß"},
+        SetPartLook{1, "Grüße \"2\"", "#12ab00"},
     };
     std::vector<RecordedCommand> recorded;
     for (const Command& command : all)

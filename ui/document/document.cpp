@@ -3,6 +3,7 @@
 #include "core/model/part_tree.h"
 #include "core/simulation/moment.h"
 #include "ui/document/tool_kinds.h"
+#include "ui/selection/selection_model.h"
 #include "ui/tasks/task_runner.h"
 #include "ui/units.h"
 
@@ -26,6 +27,7 @@ constexpr double crossingTime = 1.5;     // a tool crosses the part in this time
 // A new tool stalls at this strain of the stiffest material under its face: enough to bend and dent, not to crush.
 constexpr double stallStrain = 0.25;
 constexpr const char* fixturesPanel = "fixtures"; // in Project::panels
+constexpr const char* notesPanel = "notes";
 
 /// A project tells only those that lead to what is shown. The others have other spacings.
 ImportChoices choicesFor(const ProjectStart& start, const ImportChoices& ofAnother)
@@ -42,6 +44,8 @@ ImportChoices choicesFor(const ProjectStart& start, const ImportChoices& ofAnoth
 Document::Document(QObject* parent)
     : QObject(parent)
     , m_content(std::make_shared<const Content>())
+    , m_notes(new ModelNotes(this))
+    , m_selected(new SelectionModel(*this))
     , m_ending(new QTimer(this))
     , m_timer(new QTimer(this))
 {
@@ -56,8 +60,10 @@ Document::Document(QObject* parent)
         if (record.start != m_history.tree().record(record.parent).start)
             m_film.dropUnderWay();
         m_film.append(entry, record.time, resetsIn(record.commands));
+        followLooks(record.commands);
     });
     connect(&m_history, &DocumentHistory::settled, this, &Document::tellSettled);
+    connect(m_notes, &ModelNotes::edited, &m_history, &DocumentHistory::noteEdit);
     connect(&m_history, &DocumentHistory::changed, this, [this] { emit changed(Change::History); });
 }
 
@@ -88,6 +94,8 @@ void Document::open(PreparedContent prepared)
                     std::move(prepared.first),
                     prepared.name.empty() ? tr("Import %1").arg(file) : QString::fromStdString(prepared.name));
     m_start = 0;
+    m_notes->remember({});
+    m_looks = {};
     showStart();
 }
 
@@ -130,6 +138,8 @@ void Document::open(PreparedProject prepared)
     m_shown = project.current;
     m_fixtures.clear();
     m_fixtures.remember(project.panels[fixturesPanel]);
+    m_notes->remember(project.panels[notesPanel]);
+    m_looks = PartLooks::at(m_history.tree(), project.current);
     follow(*arrival.moment);
     showStart();
 }
@@ -151,7 +161,7 @@ Project Document::project() const
 
 std::map<std::string, std::string> Document::panels() const
 {
-    return {{fixturesPanel, m_fixtures.memory()}};
+    return {{fixturesPanel, m_fixtures.memory()}, {notesPanel, m_notes->memory()}};
 }
 
 void Document::showStart()
@@ -169,6 +179,7 @@ void Document::start(Simulation simulation, std::shared_ptr<const Content> conte
                      std::unique_ptr<Agenda> agenda)
 {
     retire();
+    m_selected->forget();
     m_content = std::move(content);
     m_frame = std::move(frame);
     m_hasAgenda = agenda != nullptr;
@@ -289,6 +300,10 @@ void Document::renormalize()
 {
     if (later([this] { renormalize(); }))
         return;
+    if (m_selection.kind == Selection::Kind::Region) {
+        renormalizeRegion(m_selected->region());
+        return;
+    }
     for (BodyId body = 0; body < m_content->bodies.size(); ++body) {
         const bool isMeant = m_selection.kind != Selection::Kind::Body || m_selection.id == body;
         if (isMeant && m_frame->snapshot->bodies[body].kind == BodyKind::deformable)
@@ -356,13 +371,13 @@ ExportJob Document::exportJob(const std::vector<bool>& keep) const
 {
     const Model& model = *m_content->model;
     ExportJob job;
-    job.tree = prunedTree(model.tree, keep);
+    job.tree = prunedTree(m_looks.dressed(model.tree), keep);
     job.options.unit = canBeWrittenIn(model.unit) ? model.unit : std::string();
     const Snapshot& snapshot = *m_frame->snapshot;
     for (std::size_t p = 0; p < model.parts.size(); ++p) {
         if (!keep[p])
             continue;
-        PartToExport& part = job.parts.emplace_back(PartToExport{.part = model.parts[p]});
+        PartToExport& part = job.parts.emplace_back(PartToExport{.part = m_looks.dressed(model, p)});
         for (std::size_t b = 0; b < m_content->bodies.size(); ++b)
             if (m_content->bodies[b]->part == p) {
                 part.aggregate = m_content->bodies[b]->aggregate;

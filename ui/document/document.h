@@ -6,8 +6,11 @@
 #include "ui/document/face_fixtures.h"
 #include "ui/document/film.h"
 #include "ui/document/frame.h"
+#include "ui/document/model_notes.h"
+#include "ui/document/part_looks.h"
 #include "ui/document/timeline.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 
 #include <functional>
@@ -22,14 +25,16 @@ class QTimer;
 
 namespace knead {
 
+class SelectionModel;
 class TaskRunner;
 struct ToolKindLook;
+struct Region;
 
 /// What panels and view point at together.
 struct Selection {
-    enum class Kind { None, Body, Tool, Fixture };
+    enum class Kind { None, Body, Tool, Fixture, Region };
     Kind kind = Kind::None;
-    std::uint32_t id = 0; ///< BodyId, ToolId or FaceFixture::key
+    std::uint32_t id = 0; ///< BodyId, ToolId or FaceFixture::key; of a region, which SelectionModel has: 0
     friend bool operator==(const Selection&, const Selection&) = default;
 };
 
@@ -151,6 +156,39 @@ public:
     void setDisplayInterval(double seconds);
 
     void select(const Selection& selection);
+    /// Down to faces and objects.
+    SelectionModel& selected() const { return *m_selected; }
+
+    // ---- What is done to a region (document_regions.cpp). Each is one entry of the history, and runs as soon as it can. ----
+
+    /// Holds faces, or the objects of anything else, in place: a fixture per body. Selects the last one.
+    void fixRegion(const Region& region);
+    /// Gives the objects of a region a material of their own; whole parts take it for theirs.
+    /// @param name of the material, for the history
+    void setMaterialOf(const Region& region, const Material& material, const QString& name);
+    void renormalizeRegion(const Region& region);
+    void setKindOf(const Region& region, BodyKind kind); ///< of the bodies that it is of
+    /// What a selection set names, in the content of now. Says why where it cannot be told any more.
+    Region regionOf(const SelectionSet& set);
+    /// Keeps a region under a name, in place of the one that had it. @return whether it could
+    bool keepSet(const QString& name, const Region& region);
+
+    // ---- What a person calls and groups (document_looks.cpp) ----
+
+    const PartLooks& looks() const { return m_looks; }
+    QString nameOfPart(std::size_t part) const; ///< by index into Model::parts
+    QString nameOfBody(BodyId body) const;      ///< the same; told apart where the file has it twice
+    /// @param name empty: as in its file
+    void renamePart(std::size_t part, const QString& name);
+    void renameTool(ToolId tool, const QString& name);
+    void renameFixture(std::uint32_t key, const QString& name);
+    void colorPart(std::size_t part, const std::optional<Color>& color);
+    ModelNotes& notes() { return *m_notes; }
+    const ModelNotes& notes() const { return *m_notes; }
+    /// By the keys of ModelNotes.
+    bool isLocked(const Selection& selection) const;
+    void setLocked(const Selection& selection, bool on);
+
     /// Removes the selected tool or fixture.
     void removeSelected();
 
@@ -172,6 +210,7 @@ public:
 signals:
     void changed(knead::Document::Change what);
     void notice(const QString& sentence);      ///< something the person should know, for the log
+    void looksChanged();                       ///< what parts are called, and their colors
     void stopping();                           ///< time is about to stand still: who drives a tool lets go of it
     void recipeEnded(const QString& sentence); ///< at its end, or where it cannot go on
 
@@ -205,6 +244,13 @@ private:
     void noticeRecipeEnd();
     void beginFixtures(const PreparedContent& prepared);
     void postAll(std::vector<Command> commands, const QString& name);
+    void followLooks();
+    void followLooks(const std::vector<RecordedCommand>& commands);
+    void postLook(std::size_t part, const std::string& name, const std::optional<Color>& color, const QString& entry);
+    std::optional<Selection> targetOf(const Command& command) const;
+    bool refuseLocked(const Selection& target);
+    bool refuseName(const QString& name, bool isTaken);
+    std::string lockKeyOf(const Selection& selection) const;
     void noticeEmptyFixtures();
 
     void openGesture(const QString& key);
@@ -235,6 +281,9 @@ private:
     std::shared_ptr<const Content> m_content;
     std::uint32_t m_start = 0; ///< of the history's, that the content belongs to
     FaceFixtures m_fixtures;
+    PartLooks m_looks;
+    ModelNotes* m_notes;
+    SelectionModel* m_selected;
     DocumentHistory m_history;
     Film m_film;
     Gesture m_gesture;
@@ -255,6 +304,8 @@ private:
     std::map<ToolKind, int> m_toolCount; ///< added so far, for their names
     std::string m_toolToSelect;          ///< posted, not yet in a snapshot
     Selection m_selection;
+    QString m_refused; ///< what was locked; said once in a while
+    QElapsedTimer m_sinceRefusal;
     bool m_hasAgenda = false;                       ///< the simulation does more than what is posted
     std::uint64_t m_agendaEnds = 0;                 ///< that were told
     std::uint64_t m_fixtureRequest = 0;             ///< the last one of a fixture

@@ -57,6 +57,8 @@ void Document::removeSelected()
 {
     if (later([this] { removeSelected(); }) || whenFixturesAreKnown([this] { removeSelected(); }))
         return;
+    if (refuseLocked(m_selection))
+        return;
     if (m_selection.kind == Selection::Kind::Tool) {
         post(RemoveManipulator{m_selection.id});
     } else if (const FaceFixture* fixture = m_fixtures.find(m_selection.id);
@@ -75,9 +77,12 @@ void Document::toggleFace(BodyId body, std::uint32_t face)
         return;
     if (m_content->model->parts[m_content->bodies[body]->part].faces.empty()) {
         emit notice(tr("\"%1\" is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.")
-                        .arg(QString::fromStdString(m_content->bodies[body]->name)));
+                        .arg(nameOfBody(body)));
         return;
     }
+    const bool isOfFixture = m_selection.kind == Selection::Kind::Fixture;
+    if (refuseLocked({Selection::Kind::Body, body}) || (isOfFixture && refuseLocked(m_selection)))
+        return;
     const std::uint32_t active = m_selection.kind == Selection::Kind::Fixture ? m_selection.id : 0;
     FaceFixtures::Edit edit = m_fixtures.toggle(*m_content, body, face, active);
     postAll(std::move(edit.commands), edit.key != 0 ? tr("Fix face") : tr("Free face"));

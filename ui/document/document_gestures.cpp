@@ -74,6 +74,8 @@ void Document::post(Command command, const QString& name)
 {
     if (!m_simulation || later([this, command, name] { post(command, name); }))
         return;
+    if (const std::optional<Selection> target = targetOf(command); target && refuseLocked(*target))
+        return;
     const QString key = mergeKeyOf(command);
     if (!m_gesture.isHeld || !m_gesture.isEdited)
         openGesture(m_gesture.isHeld ? m_gesture.key : key);
@@ -84,6 +86,10 @@ void Document::post(Command command, const QString& name)
     const bool isOfFixture =
         std::holds_alternative<AddFixture>(command) || std::holds_alternative<RemoveFixture>(command);
     m_fixtures.posted(command);
+    if (std::holds_alternative<SetPartLook>(command)) {
+        m_looks.follow(command);
+        emit looksChanged();
+    }
     m_simulation->post(std::move(command));
     if (isOfFixture)
         m_fixtureRequest = m_simulation->requests();

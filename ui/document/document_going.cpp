@@ -296,6 +296,7 @@ void Document::endJourney()
         setOut();
         return;
     }
+    followLooks();
     emit changed(Change::Moment);
     const auto actions = std::exchange(m_afterwards, {});
     for (const auto& action : actions)

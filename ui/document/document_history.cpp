@@ -179,7 +179,15 @@ void DocumentHistory::goTo(Entry entry)
     emit changed();
 }
 
-void DocumentHistory::noteEdit(Entry entry)
+void DocumentHistory::noteEdit()
+{
+    if (isEmpty())
+        return;
+    ++m_revision;
+    emit changed();
+}
+
+void DocumentHistory::tellEdit(Entry entry)
 {
     emit edited(entry);
     emit changed();
@@ -189,20 +197,20 @@ void DocumentHistory::rename(Entry entry, const QString& name)
 {
     m_tree->rename(entry, name.toStdString());
     ++m_revision;
-    noteEdit(entry);
+    tellEdit(entry);
 }
 
 void DocumentHistory::setKey(Entry entry, bool isKey)
 {
     m_tree->setKey(entry, isKey);
     ++m_revision;
-    noteEdit(entry);
+    tellEdit(entry);
 }
 
 void DocumentHistory::keep(Entry entry, std::shared_ptr<const Bytes> moment)
 {
     m_tree->keep(entry, std::move(moment));
-    noteEdit(entry);
+    tellEdit(entry);
 }
 
 void DocumentHistory::setMemory(std::size_t most)

@@ -74,7 +74,10 @@ public:
     void setMemory(std::size_t most); ///< what moments and commands may take [bytes], also in documents to come
     std::size_t memoryLimit() const { return m_memory; }
 
-    /// Goes up with every entry, name, mark and going: equal to that at the last saving when nothing is unsaved.
+    /// Something was noted that belongs to the document and is no entry: it is unsaved.
+    void noteEdit();
+
+    /// Goes up with every entry, name, mark, note and going: equal to that at the last saving when nothing is unsaved.
     std::uint64_t revision() const { return m_revision; }
 
     /// Does work on the thread that packs, after all that it was given before. @param work must not throw
@@ -102,7 +105,7 @@ private:
     void arrive(const Ticket& ticket, HistoryRecord record);
     void append(HistoryRecord record, std::optional<std::uint32_t> start);
     void forget();
-    void noteEdit(Entry entry);
+    void tellEdit(Entry entry);
 
     Packing m_packing;
     std::size_t m_memory = History::defaultMemory;

@@ -73,6 +73,18 @@ public:
     }
     QString operator()(const Reset&) const { return tr("Reset"); }
     QString operator()(const KeepMoment&) const { return {}; }
+    QString operator()(const SetPartLook& command) const
+    {
+        return command.name.empty() ? tr("Look of a part") : tr("Look of %1").arg(QString::fromStdString(command.name));
+    }
+    QString operator()(const RenameManipulator& command) const
+    {
+        return tr("Rename to %1").arg(QString::fromStdString(command.name));
+    }
+    QString operator()(const RenameFixture& command) const
+    {
+        return tr("Rename to %1").arg(QString::fromStdString(command.name));
+    }
 
 private:
     QString body(BodyId id) const
@@ -126,11 +138,15 @@ std::optional<EntryKind> kindOf(const Command& command)
         return EntryKind::Fixture;
     case 14:
         return EntryKind::Reset;
+    case 16:
+    case 17:
+    case 18:
+        return EntryKind::Look;
     default:
         return {};
     }
 }
-static_assert(std::variant_size_v<Command> == 16);
+static_assert(std::variant_size_v<Command> == 19);
 
 } // namespace
 
@@ -167,6 +183,8 @@ const char* iconOf(EntryKind kind)
         return "renormalize";
     case EntryKind::Reset:
         return "reset";
+    case EntryKind::Look:
+        return "rename";
     case EntryKind::Scene:
         break;
     }

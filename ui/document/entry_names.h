@@ -20,7 +20,8 @@ enum class EntryKind {
     Fixture,
     Renormalize,
     Reset,
-    Scene
+    Scene,
+    Look
 };
 
 /// Of the first command that tells.

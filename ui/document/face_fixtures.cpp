@@ -32,6 +32,16 @@ std::uint32_t freeKey(const std::vector<FaceFixture>& fixtures)
     return key;
 }
 
+/// No other fixture has it, also not one of a recipe.
+std::string freeName(const std::vector<FaceFixture>& fixtures, std::uint32_t number)
+{
+    for (;; ++number) {
+        const std::string name = "Fixture " + std::to_string(number);
+        if (std::none_of(fixtures.begin(), fixtures.end(), [&](const FaceFixture& f) { return f.name == name; }))
+            return name;
+    }
+}
+
 } // namespace
 
 const FaceFixture* FaceFixtures::find(std::uint32_t key) const
@@ -57,6 +67,18 @@ std::vector<Command> FaceFixtures::remove(std::uint32_t key)
     return commands;
 }
 
+std::vector<Command> FaceFixtures::rename(std::uint32_t key, const std::string& name)
+{
+    const auto fixture =
+        std::find_if(m_list.begin(), m_list.end(), [key](const FaceFixture& other) { return other.key == key; });
+    if (fixture == m_list.end())
+        return {};
+    fixture->name = name;
+    if (!fixture->faces.empty())
+        keepInMind(*fixture);
+    return fixture->id ? std::vector<Command>{RenameFixture{*fixture->id, name}} : std::vector<Command>{};
+}
+
 FaceFixtures::Edit FaceFixtures::toggle(const Content& content, BodyId body, std::uint32_t face, std::uint32_t active)
 {
     const auto holding =
@@ -77,6 +99,20 @@ FaceFixtures::Edit FaceFixtures::toggle(const Content& content, BodyId body, std
     const std::uint32_t key = freeKey(m_list);
     m_list.push_back({.key = key, .name = "Fixture " + std::to_string(key), .body = body, .faces = {face}, .id = {}});
     return {key, hold(content, m_list.back())};
+}
+
+FaceFixtures::Edit FaceFixtures::add(const Content& content, BodyId body, std::vector<std::uint32_t> faces)
+{
+    const std::uint32_t key = freeKey(m_list);
+    m_list.push_back({.key = key, .name = freeName(m_list, key), .body = body, .faces = std::move(faces), .id = {}});
+    return {key, hold(content, m_list.back())};
+}
+
+FaceFixtures::Edit FaceFixtures::addObjects(BodyId body, std::vector<ObjectIndex> objects)
+{
+    const std::uint32_t key = freeKey(m_list);
+    m_list.push_back({.key = key, .name = freeName(m_list, key), .body = body, .faces = {}, .id = m_nextId});
+    return {key, {AddFixture{{m_list.back().name, body, std::move(objects)}}}};
 }
 
 /// Other faces: the simulation gets another fixture in place of the one it has.

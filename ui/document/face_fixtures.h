@@ -30,7 +30,11 @@ public:
     };
     /// Fixes a face, in the fixture `active` when that belongs to the same body, in a new one otherwise; or frees it.
     Edit toggle(const Content& content, BodyId body, std::uint32_t face, std::uint32_t active);
+    /// A new fixture of faces of a body, or of objects that no faces are known of.
+    Edit add(const Content& content, BodyId body, std::vector<std::uint32_t> faces);
+    Edit addObjects(BodyId body, std::vector<ObjectIndex> objects);
     std::vector<Command> remove(std::uint32_t key);
+    std::vector<Command> rename(std::uint32_t key, const std::string& name);
 
     /// A command goes to the simulation.
     void posted(const Command& command);

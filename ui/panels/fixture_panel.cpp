@@ -45,7 +45,7 @@ void FixturePanel::showFixture()
         if (held.name == fixture->name)
             objects = held.objects.size();
     m_name->setText(QString::fromStdString(fixture->name));
-    m_body->setText(QString::fromStdString(m_document.content().bodies[fixture->body]->name));
+    m_body->setText(m_document.nameOfBody(fixture->body));
     m_faces->setText(formatCount(fixture->faces.size()));
     m_objects->setText(formatCount(objects));
 }

@@ -52,6 +52,10 @@ MaterialPanel::MaterialPanel(Document& document, std::vector<MaterialPreset> pre
     makeFillingRows();
     makeStepRows();
     connect(&document, &Document::changed, this, &MaterialPanel::documentChanged);
+    connect(&document, &Document::looksChanged, this, [this] {
+        if (m_body < m_document.content().bodies.size())
+            m_name->setText(m_document.nameOfBody(m_body));
+    });
 }
 
 void MaterialPanel::makeBodyRows()
@@ -192,7 +196,7 @@ void MaterialPanel::showBody()
     m_postedKind.reset();
     m_postedIntegrator.reset();
     const ContentBody& body = *m_document.content().bodies[m_body];
-    m_name->setText(QString::fromStdString(body.name));
+    m_name->setText(m_document.nameOfBody(m_body));
     m_facts->setText(tr("%1 objects, %2 connections\n%3 of material")
                          .arg(formatCount(body.aggregate->size()), formatCount(body.aggregate->connectionCount()),
                               formatQuantity(body.aggregate->meshVolume, Quantity::Volume)));

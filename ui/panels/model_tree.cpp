@@ -1,11 +1,14 @@
 #include "ui/panels/model_tree.h"
 
-#include "ui/document/tool_kinds.h"
+#include "ui/panels/model_tree_delegate.h"
+#include "ui/selection/selection_model.h"
 #include "ui/theme.h"
 
-#include <QFileInfo>
-#include <QPainter>
+#include <QColorDialog>
+#include <QDropEvent>
+#include <QHeaderView>
 #include <QScopedValueRollback>
+#include <QTimer>
 
 #include <algorithm>
 
@@ -13,50 +16,29 @@ namespace knead {
 
 namespace {
 
-constexpr int kindRole = Qt::UserRole;
-constexpr int idRole = Qt::UserRole + 1;
-constexpr int partRole = Qt::UserRole + 2; ///< index into Model::parts
-
-Selection selectionOf(const QTreeWidgetItem* item)
+Color colorOf(const QColor& color)
 {
-    if (item == nullptr || !item->data(0, kindRole).isValid())
-        return {};
-    return {static_cast<Selection::Kind>(item->data(0, kindRole).toInt()), item->data(0, idRole).toUInt()};
-}
-
-void markItem(QTreeWidgetItem* item, const Selection& selection)
-{
-    item->setData(0, kindRole, static_cast<int>(selection.kind));
-    item->setData(0, idRole, selection.id);
-}
-
-/// A swatch in the color of the part.
-QIcon swatch(const Color& color)
-{
-    constexpr int side = 32;
-    QPixmap pixmap(side, side);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(QColor(0, 0, 0, 110), 2));
-    painter.setBrush(QColor::fromRgbF(color.r, color.g, color.b));
-    painter.drawRoundedRect(3, 3, side - 6, side - 6, 6, 6);
-    return QIcon(pixmap);
-}
-
-QTreeWidgetItem* makeItem(QTreeWidgetItem* parent, const QString& text, const QIcon& image)
-{
-    auto* item = new QTreeWidgetItem(parent, {text});
-    item->setIcon(0, image);
-    return item;
-}
-
-void clearChildren(QTreeWidgetItem* item)
-{
-    qDeleteAll(item->takeChildren());
+    return {static_cast<float>(color.redF()), static_cast<float>(color.greenF()), static_cast<float>(color.blueF())};
 }
 
 } // namespace
+
+TreeItem typeOf(const QTreeWidgetItem* item)
+{
+    return static_cast<TreeItem>(item->data(0, tree_roles::type).toInt());
+}
+
+Selection selectionOf(const QTreeWidgetItem* item)
+{
+    if (item == nullptr || !item->data(0, tree_roles::id).isValid())
+        return {};
+    const TreeItem type = typeOf(item);
+    const Selection::Kind kind = type == TreeItem::Part      ? Selection::Kind::Body
+                                 : type == TreeItem::Tool    ? Selection::Kind::Tool
+                                 : type == TreeItem::Fixture ? Selection::Kind::Fixture
+                                                             : Selection::Kind::None;
+    return {kind, item->data(0, tree_roles::id).toUInt()};
+}
 
 ModelTree::ModelTree(Document& document, QWidget* parent)
     : QTreeWidget(parent)
@@ -67,179 +49,447 @@ ModelTree::ModelTree(Document& document, QWidget* parent)
     setIndentation(16);
     setIconSize({16, 16});
     setUniformRowHeights(true);
+    setMouseTracking(true);
+    setSelectionMode(QAbstractItemView::ExtendedSelection);
+    setEditTriggers(QAbstractItemView::EditKeyPressed);
+    setDragDropMode(QAbstractItemView::InternalMove);
+    setTextElideMode(Qt::ElideMiddle);
+    auto* delegate = new ModelTreeDelegate(this);
+    setItemDelegate(delegate);
+    connect(delegate, &ModelTreeDelegate::renamed, this,
+            [this](const QModelIndex& index, const QString& name) { rename(itemFromIndex(index), name); });
     connect(&document, &Document::changed, this, &ModelTree::documentChanged);
-    connect(this, &QTreeWidget::currentItemChanged, this, &ModelTree::currentChanged);
-    connect(this, &QTreeWidget::itemChanged, this, &ModelTree::itemChecked);
+    connect(&document, &Document::looksChanged, this, &ModelTree::looksChanged);
+    connect(&document.notes(), &ModelNotes::changed, this, &ModelTree::notesChanged);
+    connect(&document.selected(), &SelectionModel::changed, this, &ModelTree::showSelection);
+    connect(this, &QTreeWidget::itemSelectionChanged, this, &ModelTree::selectionChanged);
+    connect(this, &QTreeWidget::itemChanged, this, &ModelTree::itemEdited);
 }
 
 void ModelTree::documentChanged(Document::Change what)
 {
-    const QScopedValueRollback updating(m_isUpdating, true);
-    switch (what) {
-    case Document::Change::Content:
-        build();
-        break;
-    case Document::Change::Frame:
-        listTools();
-        break;
-    case Document::Change::Fixtures:
-        listFixtures();
-        break;
-    case Document::Change::Selection:
-    case Document::Change::History:
-    case Document::Change::Moment:
-        break;
+    {
+        const QScopedValueRollback updating(m_isUpdating, true);
+        switch (what) {
+        case Document::Change::Content:
+            m_hiddenParts = m_document.content().hiddenAtFirst();
+            m_hiddenBefore.reset();
+            build();
+            break;
+        case Document::Change::Frame:
+            listTools();
+            return;
+        case Document::Change::Fixtures:
+            listFixtures();
+            break;
+        case Document::Change::Moment:
+            listFixtures();
+            showLocks();
+            break;
+        case Document::Change::Selection:
+            break;
+        case Document::Change::History:
+            return;
+        }
     }
-    if (what != Document::Change::Frame)
-        showSelection();
-}
-
-void ModelTree::build()
-{
-    clear();
-    m_listedTools.clear();
-    const Model& model = *m_document.content().model;
-    auto* root = new QTreeWidgetItem(this, {QFileInfo(QString::fromStdString(model.file)).fileName()});
-    root->setIcon(0, icon("assembly"));
-    root->setToolTip(0, QString::fromStdString(model.file));
-    if (model.tree.part)
-        addParts(model.tree, root);
-    for (const PartNode& child : model.tree.children)
-        addParts(child, root);
-    m_tools = new QTreeWidgetItem(this, {tr("Tools")});
-    m_tools->setIcon(0, icon("block"));
-    m_fixtures = new QTreeWidgetItem(this, {tr("Fixtures")});
-    m_fixtures->setIcon(0, icon("fix"));
-    for (QTreeWidgetItem* group : {root, m_tools, m_fixtures})
-        group->setFlags(Qt::ItemIsEnabled);
-    expandAll();
-    listTools();
-    listFixtures();
-}
-
-void ModelTree::addParts(const PartNode& node, QTreeWidgetItem* parent)
-{
-    const QString name = QString::fromStdString(node.name);
-    if (node.part && node.children.empty()) {
-        addPart(*node.part, name, parent);
-        return;
-    }
-    QTreeWidgetItem* group = makeItem(parent, name.isEmpty() ? tr("Assembly") : name, icon("assembly"));
-    group->setFlags(Qt::ItemIsEnabled);
-    if (node.part)
-        addPart(*node.part, name, group);
-    for (const PartNode& child : node.children)
-        addParts(child, group);
-}
-
-void ModelTree::addPart(std::size_t part, const QString& name, QTreeWidgetItem* parent)
-{
-    const auto& bodies = m_document.content().bodies;
-    const auto body = std::find_if(bodies.begin(), bodies.end(), [part](const auto& b) { return b->part == part; });
-    if (body == bodies.end()) {
-        QTreeWidgetItem* item = makeItem(parent, name, icon("surface"));
-        const bool isShown = !m_document.content().model->parts[part].mesh.empty();
-        item->setFlags(isShown ? Qt::ItemIsEnabled | Qt::ItemIsUserCheckable : Qt::NoItemFlags);
-        item->setToolTip(0, tr("Not a closed solid: it is not simulated."));
-        if (isShown)
-            markVisible(item, part);
-        return;
-    }
-    QTreeWidgetItem* item = makeItem(parent, QString::fromStdString((*body)->name), swatch((*body)->color));
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-    markVisible(item, part);
-    markItem(item, {Selection::Kind::Body, static_cast<std::uint32_t>(body - bodies.begin())});
-}
-
-/// Gives an item the check box that hides its part.
-void ModelTree::markVisible(QTreeWidgetItem* item, std::size_t part)
-{
-    item->setData(0, partRole, static_cast<qulonglong>(part));
-    item->setCheckState(0, m_document.content().model->parts[part].visible ? Qt::Checked : Qt::Unchecked);
-}
-
-void ModelTree::listTools()
-{
-    std::vector<ListedTool> tools;
-    for (const ToolState& tool : m_document.frame()->snapshot->tools)
-        tools.push_back({tool.id, tool.name, tool.kind});
-    m_tools->setHidden(tools.empty());
-    if (tools == m_listedTools)
-        return;
-    m_listedTools = tools;
-    clearChildren(m_tools);
-    for (const ListedTool& tool : tools)
-        markItem(makeItem(m_tools, QString::fromStdString(tool.name), icon(lookOf(tool.kind).icon)),
-                 {Selection::Kind::Tool, tool.id});
-    m_tools->setExpanded(true);
     showSelection();
 }
 
-void ModelTree::listFixtures()
+/// Groups change which lines there are; the rest only how they look.
+void ModelTree::notesChanged()
 {
-    clearChildren(m_fixtures);
-    for (const FaceFixture& fixture : m_document.fixtures().list()) {
-        const QString faces = fixture.faces.empty()       ? tr("objects")
-                              : fixture.faces.size() == 1 ? tr("1 face")
-                                                          : tr("%1 faces").arg(fixture.faces.size());
-        const QString text = QStringLiteral("%1 (%2)").arg(QString::fromStdString(fixture.name), faces);
-        markItem(makeItem(m_fixtures, text, icon("fix")), {Selection::Kind::Fixture, fixture.key});
+    if (m_document.isEmpty() || topLevelItemCount() == 0)
+        return;
+    const QScopedValueRollback updating(m_isUpdating, true);
+    std::vector<std::pair<std::string, std::set<std::size_t>>> groups;
+    for (const ModelNotes::Group& group : m_document.notes().groups())
+        groups.emplace_back(group.name, group.parts);
+    if (groups != m_shownGroups)
+        build();
+    else {
+        listSets();
+        listExports();
+        showLocks();
     }
-    m_fixtures->setHidden(m_fixtures->childCount() == 0);
-    m_fixtures->setExpanded(true);
+    showSelection();
+}
+
+void ModelTree::looksChanged()
+{
+    const QScopedValueRollback updating(m_isUpdating, true);
+    for (QTreeWidgetItem* item : all())
+        dress(item);
+}
+
+std::vector<QTreeWidgetItem*> ModelTree::all() const
+{
+    std::vector<QTreeWidgetItem*> items;
+    for (QTreeWidgetItemIterator it(const_cast<ModelTree*>(this)); *it != nullptr; ++it)
+        items.push_back(*it);
+    return items;
 }
 
 QTreeWidgetItem* ModelTree::find(const Selection& selection) const
 {
-    for (QTreeWidgetItemIterator it(const_cast<ModelTree*>(this)); *it != nullptr; ++it)
-        if (selection.kind != Selection::Kind::None && selectionOf(*it) == selection)
-            return *it;
+    if (selection.kind == Selection::Kind::None)
+        return nullptr;
+    for (QTreeWidgetItem* item : all())
+        if (selectionOf(item) == selection)
+            return item;
     return nullptr;
 }
 
+// --- selecting ------------------------------------------------------------------------------------------------------------
+
+/// Lines of what is selected: of faces and objects the parts that they belong to, or the set that has them.
 void ModelTree::showSelection()
 {
     const QScopedValueRollback updating(m_isUpdating, true);
-    QTreeWidgetItem* item = find(m_document.selection());
-    setCurrentItem(item);
-    if (item == nullptr)
-        clearSelection();
+    std::vector<QTreeWidgetItem*> lines;
+    const Selection& selection = m_document.selection();
+    if (selection.kind == Selection::Kind::Tool || selection.kind == Selection::Kind::Fixture) {
+        if (QTreeWidgetItem* item = find(selection))
+            lines.push_back(item);
+    } else {
+        for (const auto& [body, items] : m_document.selected().region().items)
+            if (QTreeWidgetItem* item = find({Selection::Kind::Body, body}))
+                lines.push_back(item);
+    }
+    const QTreeWidgetItem* current = currentItem();
+    const bool isAtSet = current != nullptr && typeOf(current) == TreeItem::Set && current->isSelected();
+    if (isAtSet && selection.kind == Selection::Kind::Region)
+        return;
+    if (std::find(lines.begin(), lines.end(), current) == lines.end())
+        setCurrentItem(lines.empty() ? nullptr : lines.front(), 0, QItemSelectionModel::NoUpdate);
+    clearSelection();
+    for (QTreeWidgetItem* item : lines)
+        item->setSelected(true);
 }
 
-void ModelTree::currentChanged()
-{
-    const Selection selection = selectionOf(currentItem());
-    if (!m_isUpdating && selection.kind != Selection::Kind::None)
-        m_document.select(selection);
-}
-
-void ModelTree::itemChecked(QTreeWidgetItem* /*item*/)
+void ModelTree::selectionChanged()
 {
     if (m_isUpdating)
         return;
-    std::set<std::size_t> hiddenParts;
-    for (QTreeWidgetItemIterator it(this); *it != nullptr; ++it)
-        if ((*it)->data(0, partRole).isValid() && (*it)->checkState(0) == Qt::Unchecked)
-            hiddenParts.insert((*it)->data(0, partRole).toULongLong());
-    emit hiddenChanged(hiddenParts);
+    const QScopedValueRollback updating(m_isUpdating, true); // the lines are as the person wants them
+    Region parts;
+    for (QTreeWidgetItem* item : selectedItems()) {
+        const Selection selection = selectionOf(item);
+        if (typeOf(item) == TreeItem::Set) {
+            if (const SelectionSet* set =
+                    m_document.notes().set(item->data(0, tree_roles::name).toString().toStdString()))
+                m_document.selected().select(m_document.regionOf(*set));
+            return;
+        }
+        if (selection.kind == Selection::Kind::Tool || selection.kind == Selection::Kind::Fixture) {
+            m_document.select(selection);
+            return;
+        }
+        if (selection.kind == Selection::Kind::Body)
+            parts.add(selection.id, 0);
+    }
+    if (!parts.isEmpty())
+        m_document.selected().select(parts);
+}
+
+/// Eyes and locks are clicked without selecting their lines.
+bool ModelTree::pressedButton(const QMouseEvent& event)
+{
+    QTreeWidgetItem* item = itemAt(event.position().toPoint());
+    if (item == nullptr || event.button() != Qt::LeftButton)
+        return false;
+    using Button = ModelTreeDelegate::Button;
+    const QModelIndex index = indexFromItem(item);
+    const Button button = ModelTreeDelegate::buttonAt(index, visualRect(index), event.position().toPoint());
+    if (button == Button::Eye)
+        item->setCheckState(0, item->checkState(0) == Qt::Unchecked ? Qt::Checked : Qt::Unchecked);
+    else if (button == Button::Lock)
+        m_document.setLocked(selectionOf(item), !item->data(0, tree_roles::lock).toBool());
+    return button != Button::None;
+}
+
+void ModelTree::mousePressEvent(QMouseEvent* event)
+{
+    m_isOnButton = pressedButton(*event);
+    if (!m_isOnButton)
+        QTreeWidget::mousePressEvent(event);
+}
+
+void ModelTree::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (!std::exchange(m_isOnButton, false))
+        QTreeWidget::mouseReleaseEvent(event);
+}
+
+void ModelTree::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    m_isOnButton = pressedButton(*event);
+    if (m_isOnButton)
+        return;
+    QTreeWidget::mouseDoubleClickEvent(event);
+    renameCurrent();
+}
+
+// --- hiding ---------------------------------------------------------------------------------------------------------------
+
+/// A check box was clicked. Lines above and below follow by themselves.
+void ModelTree::itemEdited(QTreeWidgetItem* /*item*/)
+{
+    if (!m_isUpdating)
+        tellHidden();
+}
+
+void ModelTree::tellHidden()
+{
+    std::set<std::size_t> hidden;
+    for (const QTreeWidgetItem* item : all())
+        if (item->data(0, tree_roles::part).isValid() && item->checkState(0) == Qt::Unchecked)
+            hidden.insert(item->data(0, tree_roles::part).toULongLong());
+    if (hidden == m_hiddenParts)
+        return;
+    m_hiddenParts = hidden;
+    emit hiddenChanged(m_hiddenParts);
 }
 
 void ModelTree::hideParts(const std::set<std::size_t>& parts)
 {
     {
         const QScopedValueRollback updating(m_isUpdating, true);
-        for (QTreeWidgetItemIterator it(this); *it != nullptr; ++it)
-            if (const QVariant part = (*it)->data(0, partRole); part.isValid())
-                (*it)->setCheckState(0, parts.contains(part.toULongLong()) ? Qt::Unchecked : Qt::Checked);
+        for (QTreeWidgetItem* item : all())
+            if (const QVariant part = item->data(0, tree_roles::part); part.isValid())
+                item->setCheckState(0, parts.contains(part.toULongLong()) ? Qt::Unchecked : Qt::Checked);
     }
+    m_hiddenParts = parts;
     emit hiddenChanged(parts);
 }
 
 void ModelTree::toggleSelectedBody()
 {
-    QTreeWidgetItem* item = find(m_document.selection());
-    if (item != nullptr && selectionOf(item).kind == Selection::Kind::Body)
-        item->setCheckState(0, item->checkState(0) == Qt::Checked ? Qt::Unchecked : Qt::Checked);
+    std::set<std::size_t> hidden = m_hiddenParts;
+    const std::set<std::size_t> parts = chosenParts();
+    const bool areHidden =
+        std::all_of(parts.begin(), parts.end(), [&](std::size_t part) { return hidden.contains(part); });
+    for (const std::size_t part : parts) {
+        if (areHidden)
+            hidden.erase(part);
+        else
+            hidden.insert(part);
+    }
+    if (hidden != m_hiddenParts)
+        hideParts(hidden);
+}
+
+void ModelTree::isolateSelected()
+{
+    if (m_hiddenBefore) {
+        hideParts(*std::exchange(m_hiddenBefore, std::nullopt));
+        return;
+    }
+    const std::set<std::size_t> parts = chosenParts();
+    if (parts.empty())
+        return;
+    std::set<std::size_t> hidden;
+    for (const QTreeWidgetItem* item : all())
+        if (const QVariant part = item->data(0, tree_roles::part);
+            part.isValid() && !parts.contains(part.toULongLong()))
+            hidden.insert(part.toULongLong());
+    const std::set<std::size_t> before = m_hiddenParts;
+    hideParts(hidden);
+    m_hiddenBefore = before;
+}
+
+void ModelTree::showAll()
+{
+    m_hiddenBefore.reset();
+    hideParts({});
+}
+
+// --- what is done to the selected lines -----------------------------------------------------------------------------------
+
+std::vector<QTreeWidgetItem*> ModelTree::chosen() const
+{
+    const QList<QTreeWidgetItem*> items = selectedItems();
+    std::vector<QTreeWidgetItem*> result(items.begin(), items.end());
+    if (result.empty() && currentItem() != nullptr)
+        result.push_back(currentItem());
+    return result;
+}
+
+std::set<std::size_t> ModelTree::partsBelow(QTreeWidgetItem* item) const
+{
+    std::set<std::size_t> parts;
+    if (const QVariant part = item->data(0, tree_roles::part); part.isValid())
+        parts.insert(part.toULongLong());
+    for (int i = 0; i < item->childCount(); ++i)
+        parts.merge(partsBelow(item->child(i)));
+    return parts;
+}
+
+std::set<std::size_t> ModelTree::chosenParts() const
+{
+    std::set<std::size_t> parts;
+    for (QTreeWidgetItem* item : chosen())
+        parts.merge(partsBelow(item));
+    return parts;
+}
+
+void ModelTree::renameCurrent()
+{
+    QTreeWidgetItem* item = currentItem() != nullptr ? currentItem() : find(m_document.selection());
+    if (item == nullptr || !item->data(0, tree_roles::name).isValid())
+        return;
+    window()->activateWindow();
+    setFocus();
+    scrollToItem(item);
+    editItem(item);
+}
+
+void ModelTree::rename(QTreeWidgetItem* item, const QString& name)
+{
+    const QString before = item->data(0, tree_roles::name).toString();
+    const QString wanted = name.trimmed();
+    if (wanted == before)
+        return;
+    const TreeItem type = typeOf(item);
+    // The line may be another one afterwards, and the editor is still open.
+    const auto later = [this](std::function<void()> action) { QTimer::singleShot(0, this, std::move(action)); };
+    if (type == TreeItem::Part || type == TreeItem::Surface) {
+        const auto part = static_cast<std::size_t>(item->data(0, tree_roles::part).toULongLong());
+        later([this, part, wanted] { m_document.renamePart(part, wanted); });
+    } else if (type == TreeItem::Tool) {
+        later([this, id = selectionOf(item).id, wanted] { m_document.renameTool(id, wanted); });
+    } else if (type == TreeItem::Fixture) {
+        later([this, key = selectionOf(item).id, wanted] { m_document.renameFixture(key, wanted); });
+    } else if (type == TreeItem::Group) {
+        later([this, before, wanted] { m_document.notes().renameGroup(before.toStdString(), wanted.toStdString()); });
+    } else if (type == TreeItem::Set) {
+        later([this, before, wanted] {
+            if (!m_document.notes().renameSet(before.toStdString(), wanted.toStdString()) && !wanted.isEmpty())
+                emit problem(tr("There is a selection called \"%1\" already: choose another name.").arg(wanted));
+        });
+    }
+}
+
+void ModelTree::colorSelected()
+{
+    const std::set<std::size_t> parts = chosenParts();
+    if (parts.empty())
+        return;
+    const Color now = m_document.looks().partColor(*m_document.content().model, *parts.begin());
+    auto* dialog = new QColorDialog(QColor::fromRgbF(now.r, now.g, now.b), window());
+    dialog->setObjectName("partColorDialog");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setOption(QColorDialog::DontUseNativeDialog);
+    dialog->setWindowTitle(parts.size() == 1 ? tr("Color of the part") : tr("Color of %1 parts").arg(parts.size()));
+    connect(dialog, &QColorDialog::colorSelected, this, [this, parts](const QColor& color) {
+        for (const std::size_t part : parts)
+            m_document.colorPart(part, colorOf(color));
+    });
+    dialog->open();
+}
+
+void ModelTree::uncolorSelected()
+{
+    for (const std::size_t part : chosenParts())
+        m_document.colorPart(part, std::nullopt);
+}
+
+void ModelTree::lockSelected()
+{
+    std::vector<Selection> lockable;
+    for (QTreeWidgetItem* item : all()) {
+        const auto lines = chosen();
+        const auto isBelow = [&] {
+            for (const QTreeWidgetItem* above = item; above != nullptr; above = above->parent())
+                if (std::find(lines.begin(), lines.end(), above) != lines.end())
+                    return true;
+            return false;
+        };
+        if (item->data(0, tree_roles::lock).isValid() && isBelow())
+            lockable.push_back(selectionOf(item));
+    }
+    const bool areLocked =
+        std::all_of(lockable.begin(), lockable.end(), [this](const Selection& s) { return m_document.isLocked(s); });
+    for (const Selection& selection : lockable)
+        m_document.setLocked(selection, !areLocked);
+}
+
+void ModelTree::groupSelected()
+{
+    const std::set<std::size_t> parts = chosenParts();
+    if (parts.empty())
+        return;
+    const std::string name = m_document.notes().freeGroupName();
+    m_document.notes().addGroup(name, parts);
+    for (QTreeWidgetItem* item : all())
+        if (typeOf(item) == TreeItem::Group && item->data(0, tree_roles::name).toString().toStdString() == name) {
+            setCurrentItem(item, 0, QItemSelectionModel::NoUpdate);
+            editItem(item);
+        }
+}
+
+void ModelTree::ungroupSelected()
+{
+    for (QTreeWidgetItem* item : chosen())
+        if (typeOf(item) == TreeItem::Group) {
+            m_document.notes().removeGroup(item->data(0, tree_roles::name).toString().toStdString());
+            return; // the lines are others now
+        }
+    if (const std::set<std::size_t> parts = chosenParts(); !parts.empty())
+        m_document.notes().takeOutOfGroup(parts);
+}
+
+// --- dragging -------------------------------------------------------------------------------------------------------------
+
+void ModelTree::dragMoveEvent(QDragMoveEvent* event)
+{
+    QTreeWidget::dragMoveEvent(event);
+    const QTreeWidgetItem* target = itemAt(event->position().toPoint());
+    const bool canDrop = target != nullptr && (typeOf(target) == TreeItem::Group || typeOf(target) == TreeItem::File ||
+                                               typeOf(target) == TreeItem::Assembly);
+    event->setAccepted(canDrop);
+}
+
+/// Onto a group: into it; onto anything else above: out of the one they are in.
+void ModelTree::dropEvent(QDropEvent* event)
+{
+    const QTreeWidgetItem* target = itemAt(event->position().toPoint());
+    const std::set<std::size_t> parts = chosenParts();
+    event->setDropAction(Qt::CopyAction); // else the view takes the dragged lines away
+    event->accept();
+    if (target == nullptr || parts.empty())
+        return;
+    const bool isGroup = typeOf(target) == TreeItem::Group;
+    const std::string name = target->data(0, tree_roles::name).toString().toStdString();
+    QTimer::singleShot(0, this, [this, isGroup, name, parts] { // the view is in the middle of the dragging
+        if (isGroup)
+            m_document.notes().addGroup(name, parts);
+        else
+            m_document.notes().takeOutOfGroup(parts);
+    });
+}
+
+// --- searching ------------------------------------------------------------------------------------------------------------
+
+void ModelTree::filter(const QString& text)
+{
+    m_filter = text.trimmed();
+    const QScopedValueRollback updating(m_isUpdating, true);
+    for (int i = 0; i < topLevelItemCount(); ++i)
+        filterBelow(topLevelItem(i), m_filter, false);
+}
+
+/// @return whether the line or one below it is shown
+bool ModelTree::filterBelow(QTreeWidgetItem* item, const QString& text, bool isAboveShown)
+{
+    const bool isFound = isAboveShown || text.isEmpty() || item->text(0).contains(text, Qt::CaseInsensitive);
+    bool isShown = isFound;
+    for (int i = 0; i < item->childCount(); ++i)
+        isShown = filterBelow(item->child(i), text, isFound && !text.isEmpty()) || isShown;
+    const bool isHeading = item->parent() == nullptr && typeOf(item) != TreeItem::File;
+    item->setHidden(!isShown || (isHeading && item->childCount() == 0));
+    if (!text.isEmpty() && isShown)
+        item->setExpanded(true);
+    return isShown;
 }
 
 } // namespace knead

@@ -106,6 +106,7 @@ Studio::Studio(SceneLook look, const QSize& size)
     m_scene->setContent(m_look.content);
     m_scene->setOptions(m_look.options);
     m_scene->setMarks(m_look.marks);
+    m_scene->setLooks(m_look.looks);
     vtkRendererCollection* renderers = m_room->window->GetRenderers();
     renderers->InitTraversal();
     while (vtkRenderer* renderer = renderers->GetNextItem())

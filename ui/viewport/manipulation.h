@@ -19,6 +19,8 @@ public:
     void setFixing(bool on);
     bool isFixing() const { return m_isFixing; }
 
+    ScenePicker& picker() { return m_picker; }
+
     /// What is highlighted under the cursor.
     const PickHit& hovered() const { return m_hovered; }
     Qt::CursorShape cursor() const;

@@ -1,5 +1,7 @@
 #include "ui/viewport/render_mesh.h"
 
+#include "ui/viewport/edge_chains.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -128,6 +130,9 @@ RenderMesh renderMesh(const TriangleMesh& mesh)
         const auto& triangle = result.triangles[seam.triangle];
         result.edges.push_back({triangle[seam.corner], triangle[(seam.corner + 1U) % 3]});
     }
+    result.chainOfEdge = chainsOf(mesh, result);
+    for (const std::uint32_t chain : result.chainOfEdge)
+        result.chains = std::max(result.chains, chain + 1);
     return result;
 }
 

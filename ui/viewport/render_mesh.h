@@ -18,6 +18,8 @@ struct RenderMesh {
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< of render vertices, in the order of the mesh
     std::vector<std::uint32_t> faceOfTriangle;           ///< CAD face; all 0 for plain meshes
     std::vector<std::array<std::uint32_t, 2>> edges;     ///< feature edges, of render vertices
+    std::vector<std::uint32_t> chainOfEdge;              ///< which belong together, see chainsOf()
+    std::uint32_t chains = 0;                            ///< how many there are
 };
 
 RenderMesh renderMesh(const TriangleMesh& mesh);

@@ -35,7 +35,8 @@ PickHit ScenePicker::pick(const Ray& ray, bool skipsTools)
     follow();
     double nearest = std::numeric_limits<double>::max();
     for (std::uint32_t b = 0; b < m_pickers.size(); ++b)
-        if (const auto found = m_pickers[b]->pick(ray); found && found->distance < nearest) {
+        if (const auto found = m_hiddenParts.contains(m_bodies[b]->part) ? std::nullopt : m_pickers[b]->pick(ray);
+            found && found->distance < nearest) {
             nearest = found->distance;
             hit = {PickHit::Kind::Body, b, found->triangle, found->face, ray.origin + nearest * ray.direction};
         }

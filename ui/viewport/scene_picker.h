@@ -4,6 +4,7 @@
 #include "ui/viewport/picker.h"
 
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace knead {
@@ -29,6 +30,8 @@ public:
 
     /// The document shows another content.
     void forget();
+    /// Parts that nobody sees, by index into Model::parts, are not picked.
+    void hide(const std::set<std::size_t>& parts) { m_hiddenParts = parts; }
 
     /// The nearest thing. @param skipsTools looks through tools at the bodies
     PickHit pick(const Ray& ray, bool skipsTools = false);
@@ -39,6 +42,7 @@ private:
     const Document& m_document;
     FramePointer m_frame; ///< the trees fit to this one
     ContentBodies m_bodies;
+    std::set<std::size_t> m_hiddenParts;
     std::vector<std::unique_ptr<SurfacePicker>> m_pickers;
 };
 

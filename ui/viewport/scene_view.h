@@ -1,6 +1,8 @@
 #pragma once
 
 #include "ui/document/frame.h"
+#include "ui/document/part_looks.h"
+#include "ui/selection/region.h"
 #include "ui/viewport/camera.h"
 #include "ui/viewport/color_scale.h"
 #include "ui/viewport/scene_style.h"
@@ -59,6 +61,8 @@ struct SceneMarks {
     std::optional<BodyId> selectedBody;
     std::optional<ToolId> selectedTool;
     std::optional<ToolId> hoveredTool;
+    Region selected; ///< a single part of a document with only one is not shown as selected
+    Region hovered;
 };
 
 /// What a view shows and how.
@@ -68,6 +72,7 @@ struct SceneLook {
     SceneMarks marks;
     SceneStyle style;
     Camera camera;
+    PartLooks looks = {};
 };
 
 /// A number that belongs beside a place in the scene.
@@ -92,6 +97,7 @@ public:
     void setMarks(const SceneMarks& marks);
     /// What was found out about the frame that is shown, or one shortly before. Null: nothing.
     void setSight(const SightPointer& sight);
+    void setLooks(const PartLooks& looks);
     void setCamera(const Camera& camera);
     ViewCube& cube();
 
@@ -107,6 +113,7 @@ private:
     void colorBodies();
     bool colorByValues(BodyId body);
     bool isGlass() const;
+    void showRegions();
     void showObjects();
     void showTools();
     void layGrid();
@@ -125,6 +132,7 @@ private:
     SceneMarks m_marks;
     SightPointer m_sight;
     std::optional<ColorScale> m_scale;
+    PartLooks m_looks;
     Camera m_camera;
     double m_gridHeight = 0;
 };

@@ -114,9 +114,9 @@ ViewCube::ViewCube(vtkRenderWindow* window)
         side.actor->GetProperty()->SetDiffuse(0.4);
         m_parts->renderer->AddActor(side.actor);
     }
-    m_parts->renderer->SetLayer(1);
+    m_parts->renderer->SetLayer(2);
     m_parts->renderer->InteractiveOff();
-    window->SetNumberOfLayers(2);
+    window->SetNumberOfLayers(3);
     window->AddRenderer(m_parts->renderer);
     setCamera(m_camera);
 }

@@ -1,6 +1,7 @@
 #include "ui/viewport/viewport_widget.h"
 
 #include "ui/units.h"
+#include "ui/viewport/region_overlay.h"
 #include "ui/viewport/sight_overlay.h"
 #include "ui/viewport/sight_preparer.h"
 #include "ui/viewport/view_cube.h"
@@ -34,6 +35,8 @@ ViewportWidget::ViewportWidget(Document& document, QWidget* parent)
     : ViewportBridge(parent)
     , m_document(document)
     , m_manipulation(new Manipulation(document, this))
+    , m_regions(new RegionTool(document, m_manipulation->picker(), this))
+    , m_regionOverlay(new RegionOverlay(*m_regions, this))
     , m_scene(std::make_unique<SceneView>(renderWindow()))
     , m_sights(new SightPreparer(this))
     , m_overlay(new SightOverlay(*this))
@@ -62,6 +65,12 @@ ViewportWidget::ViewportWidget(Document& document, QWidget* parent)
             m_scene->setSight(sight);
         requestRender();
     });
+    connect(m_regions, &RegionTool::hoverChanged, this, &ViewportWidget::updateMarks);
+    connect(&document.selected(), &SelectionModel::changed, this, &ViewportWidget::updateMarks);
+    connect(&document, &Document::looksChanged, this, [this] {
+        m_scene->setLooks(m_document.looks());
+        requestRender();
+    });
 }
 
 ViewportWidget::~ViewportWidget() = default;
@@ -69,6 +78,8 @@ ViewportWidget::~ViewportWidget() = default;
 void ViewportWidget::setOptions(const SceneOptions& options)
 {
     m_options = options;
+    m_manipulation->picker().hide(options.hiddenParts);
+    m_regions->sight().hide(options.hiddenParts);
     m_scene->setOptions(options);
     askForSight();
     requestRender();
@@ -87,9 +98,9 @@ void ViewportWidget::beginContent()
     m_options.hiddenParts = m_document.content().hiddenAtFirst();
     m_sights->begin(m_document.content().bodies);
     m_scene->setContent(m_document.content());
-    m_scene->setOptions(m_options);
+    m_scene->setLooks(m_document.looks());
+    setOptions(m_options);
     m_scene->showFrame(m_document.frame());
-    emit optionsChanged();
 }
 
 /// Colors and caps come when they are found, for the moment that is shown.
@@ -173,6 +184,11 @@ void ViewportWidget::updateMarks()
         marks.hoveredTool = hovered.id;
     if (hovered.kind == PickHit::Kind::Body && m_manipulation->isFixing())
         marks.highlighted = SceneMarks::Face{hovered.id, hovered.face};
+    const bool isOnly = m_document.content().bodies.size() == 1; // nothing else could be meant
+    if (const Region& selected = m_document.selected().region(); selected.level != Level::Part || !isOnly)
+        marks.selected = selected;
+    if (const Region& under = m_regions->hovered(); under.level != Level::Part || !isOnly)
+        marks.hovered = under;
     marks.fixed = fixedFaces();
     m_scene->setMarks(marks);
     setCursor(m_manipulation->cursor());
@@ -192,7 +208,7 @@ SceneLook ViewportWidget::look() const
 {
     SceneOptions options = m_options;
     options.section.hasFrame = false; // a handle of the view
-    return {m_document.content(), options, {.fixed = fixedFaces()}, m_style, m_camera};
+    return {m_document.content(), options, {.fixed = fixedFaces()}, m_style, m_camera, m_document.looks()};
 }
 
 WindowSize ViewportWidget::window() const
@@ -297,6 +313,7 @@ void ViewportWidget::placeLabels()
 void ViewportWidget::resizeEvent(QResizeEvent* event)
 {
     ViewportBridge::resizeEvent(event);
+    m_regionOverlay->resize(size());
     requestRender();
 }
 
@@ -317,8 +334,28 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event)
     }
     if (m_past)
         return;
-    m_manipulation->press(rayAt(event->position()));
+    if (isForTools(event->position()))
+        m_manipulation->press(rayAt(event->position()));
+    else
+        m_regions->press(pixelOf(event->position()), event->modifiers());
     setCursor(m_manipulation->cursor());
+}
+
+/// The rest of the view is for selecting.
+bool ViewportWidget::isForTools(const QPointF& position)
+{
+    m_regions->sight().look(m_camera, window());
+    return m_manipulation->isFixing() || m_manipulation->picker().pick(rayAt(position)).kind == PickHit::Kind::Tool;
+}
+
+void ViewportWidget::hover(const QPointF& position)
+{
+    m_manipulation->hover(rayAt(position));
+    m_regions->sight().look(m_camera, window());
+    if (m_manipulation->isFixing() || m_manipulation->hovered().kind == PickHit::Kind::Tool)
+        m_regions->leave();
+    else
+        m_regions->hover(pixelOf(position));
 }
 
 void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
@@ -332,10 +369,13 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
         else
             camera.orbit(step.x(), step.y());
         setCamera(camera);
+    } else if (m_regions->isPressed()) {
+        m_regions->sight().look(m_camera, window());
+        m_regions->drag(pixelOf(event->position()));
     } else if (event->buttons() & Qt::LeftButton) {
         m_manipulation->drag(rayAt(event->position()), m_camera);
     } else if (!m_past) {
-        m_manipulation->hover(rayAt(event->position()));
+        hover(event->position());
     }
 }
 
@@ -345,6 +385,8 @@ void ViewportWidget::mouseReleaseEvent(QMouseEvent* event)
         m_isNavigating = false;
         setCursor(m_manipulation->cursor());
     } else if (event->button() == Qt::LeftButton) {
+        if (m_regions->isPressed())
+            m_regions->release();
         m_manipulation->release();
     }
 }
@@ -352,6 +394,7 @@ void ViewportWidget::mouseReleaseEvent(QMouseEvent* event)
 void ViewportWidget::leaveEvent(QEvent* event)
 {
     m_manipulation->leave();
+    m_regions->leave();
     ViewportBridge::leaveEvent(event);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/viewport/manipulation.h"
+#include "ui/viewport/region_tool.h"
 #include "ui/viewport/scene_view.h"
 #include "ui/viewport/viewport_bridge.h"
 
@@ -27,6 +28,7 @@ public:
     void setOptions(const SceneOptions& options);
     void setStyle(const SceneStyle& style);
     void setFixing(bool on);
+    RegionTool& regions() { return *m_regions; } ///< how the left button selects
     /// What is shown and how, without what is selected or under the mouse.
     SceneLook look() const;
 
@@ -64,6 +66,8 @@ protected:
 private:
     void documentChanged(Document::Change what);
     void updateMarks();
+    void hover(const QPointF& position);
+    bool isForTools(const QPointF& position);
     std::vector<SceneMarks::Face> fixedFaces() const;
     void setCamera(const Camera& camera);
     void turnTo(const Camera& camera);
@@ -74,6 +78,8 @@ private:
 
     Document& m_document;
     Manipulation* m_manipulation;
+    RegionTool* m_regions;
+    QWidget* m_regionOverlay;
     std::unique_ptr<SceneView> m_scene;
     SightPreparer* m_sights;
     SightOverlay* m_overlay;

@@ -1,0 +1,375 @@
+#include "io/importer.h"
+#include "support/projects_on_test.h"
+#include "ui/panels/model_tree.h"
+#include "ui/panels/model_tree_delegate.h"
+#include "ui/run_window.h"
+#include "ui/selection/selection_model.h"
+
+#include <QColorDialog>
+#include <QDropEvent>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
+#include <QStackedWidget>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <algorithm>
+
+using namespace knead;
+
+/// The model tree as a person uses it.
+class WindowTreeTest : public QObject, ProjectsOnTest {
+    Q_OBJECT
+
+    ModelTree* tree() { return m_window->findChild<ModelTree*>(); }
+    QTreeWidgetItem* line(const QString& text)
+    {
+        const auto found = tree()->findItems(text, Qt::MatchExactly | Qt::MatchRecursive);
+        return found.isEmpty() ? nullptr : found.front();
+    }
+    QTreeWidgetItem* partLine(std::size_t part)
+    {
+        for (QTreeWidgetItemIterator it(tree()); *it != nullptr; ++it)
+            if ((*it)->data(0, tree_roles::part).isValid() && (*it)->data(0, tree_roles::part).toULongLong() == part)
+                return *it;
+        return nullptr;
+    }
+    QString nameOf(std::size_t part) { return QString::fromStdString(document().content().model->parts[part].name); }
+    void clickLine(QTreeWidgetItem* item, Qt::KeyboardModifiers modifiers = {})
+    {
+        tree()->scrollToItem(item);
+        QTest::mouseClick(tree()->viewport(), Qt::LeftButton, modifiers,
+                          tree()->visualItemRect(item).topLeft() + QPoint(30, 8));
+    }
+    void clickEye(QTreeWidgetItem* item)
+    {
+        tree()->scrollToItem(item);
+        QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {},
+                          ModelTreeDelegate::eyeRect(tree()->visualItemRect(item)).center());
+    }
+    void clickLock(QTreeWidgetItem* item)
+    {
+        tree()->scrollToItem(item);
+        QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {},
+                          ModelTreeDelegate::lockRect(tree()->visualItemRect(item)).center());
+    }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(m_window.get(), key, modifiers); }
+
+    /// F2, the name, Enter.
+    void rename(QTreeWidgetItem* item, const QString& name)
+    {
+        clickLine(item);
+        tree()->setFocus();
+        QTest::keyClick(tree(), Qt::Key_F2);
+        QTRY_VERIFY(tree()->viewport()->findChild<QLineEdit*>() != nullptr);
+        auto* editor = tree()->viewport()->findChild<QLineEdit*>();
+        QCOMPARE(editor->text(), item->data(0, tree_roles::name).toString());
+        editor->selectAll();
+        QTest::keyClicks(editor, name);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_VERIFY(tree()->viewport()->findChild<QLineEdit*>() == nullptr);
+    }
+    const std::set<std::size_t>& hidden() { return m_window->viewport().options().hiddenParts; }
+
+private slots:
+    void initTestCase()
+    {
+        if (!hasDisplay())
+            QSKIP("The view needs a display: run this test under xvfb-run.");
+        prepare();
+    }
+
+    void init() { begin(); }
+
+    void cleanup() { m_window.reset(); }
+
+    void aNameIsUndoneSavedAndOpened()
+    {
+        openExample("bracket.step", 10);
+        const QString before = nameOf(0);
+        rename(partLine(0), "Consolé 7");
+        QTRY_COMPARE(partLine(0)->text(0), QString("Consolé 7"));
+        QCOMPARE(document().nameOfBody(0), QString("Consolé 7"));
+        wait();
+        QTRY_COMPARE(document().undoName().value_or(QString()), QString("Rename to Consolé 7"));
+        picture("tree-renamed");
+        m_window->viewport().setFocus();
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(partLine(0)->text(0), before);
+        wait();
+        key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_COMPARE(partLine(0)->text(0), QString("Consolé 7"));
+        wait();
+        saveTo(file("named.knead"));
+        newWindow(m_services);
+        openProject(file("named.knead"));
+        QCOMPARE(partLine(0)->text(0), QString("Consolé 7"));
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(partLine(0)->text(0), before);
+    }
+
+    void namesAndColorsGoIntoFiles()
+    {
+        openExample("bracket.step", 10);
+        document().renamePart(0, "Shelf");
+        document().colorPart(0, Color{1.0F, 0.5F, 0.0F});
+        waitForGesture();
+        const QString path = file("out.step");
+        m_window->exportTo(path);
+        wait();
+        QVERIFY2(QFileInfo::exists(path), qPrintable(m_window->banner().sentence()));
+        const Model written = importFile(bytesOf(path));
+        const auto shelf = std::find_if(written.parts.begin(), written.parts.end(),
+                                        [](const Part& part) { return part.name == "Shelf"; });
+        QVERIFY(shelf != written.parts.end());
+        const Color color = faceColor(*shelf, 0);
+        QVERIFY(std::abs(color.r - 1.0F) < 0.01F && std::abs(color.g - 0.5F) < 0.01F && color.b < 0.01F);
+        QTRY_VERIFY(line("out.step") != nullptr); // among the exports
+        picture("tree-exports");
+    }
+
+    void aColorIsChosenInADialogAndUndone()
+    {
+        openExample("bracket.step", 10);
+        clickLine(partLine(1));
+        action("partColor")->trigger();
+        auto* dialog = find<QColorDialog>("partColorDialog");
+        QVERIFY(dialog != nullptr);
+        dialog->setCurrentColor(QColor(10, 200, 30));
+        picture("tree-color");
+        dialog->accept();
+        QTRY_VERIFY(document().looks().chosenColor(1).has_value());
+        QCOMPARE(textOf(*document().looks().chosenColor(1)), std::string("#0ac81e"));
+        wait();
+        QTest::qWait(100);
+        picture("tree-colored");
+        m_window->activateWindow();
+        action("fileColor")->trigger();
+        QTRY_VERIFY(!document().looks().chosenColor(1).has_value());
+        waitForGesture();
+        action("undo")->trigger();
+        QTRY_VERIFY(document().looks().chosenColor(1).has_value());
+        wait();
+        action("undo")->trigger();
+        QTRY_VERIFY(!document().looks().chosenColor(1).has_value());
+    }
+
+    void toolsAndFixturesGetOtherNames()
+    {
+        openExample("bracket.step", 10);
+        document().toggleFace(0, 0);
+        QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
+        rename(tree()->findItems("Fixture 1", Qt::MatchStartsWith | Qt::MatchRecursive).front(), "Foot");
+        QTRY_COMPARE(snapshot().fixtures[0].name, std::string("Foot"));
+        key(Qt::Key_B);
+        QTRY_VERIFY(line("Block 1") != nullptr);
+        waitForGesture();
+        rename(line("Block 1"), "Left jaw");
+        QTRY_COMPARE(snapshot().tools[0].name, std::string("Left jaw"));
+        QTRY_VERIFY(line("Left jaw") != nullptr);
+        waitForGesture();
+        QCOMPARE(document().fixtures().list().front().faces.size(), std::size_t{1});
+        action("undo")->trigger();
+        QTRY_VERIFY(line("Block 1") != nullptr);
+        wait();
+        QCOMPARE(document().fixtures().list().front().faces.size(), std::size_t{1});
+        document().renameTool(snapshot().tools[0].id, "");
+        QTest::qWait(50);
+        QCOMPARE(snapshot().tools[0].name, std::string("Block 1"));
+    }
+
+    void theEyeHidesWithoutSelecting()
+    {
+        openExample("bracket.step", 10);
+        clickLine(partLine(0));
+        clickEye(partLine(1));
+        QCOMPARE(hidden(), std::set<std::size_t>{1});
+        QCOMPARE(document().selection(), (Selection{Selection::Kind::Body, 0}));
+        picture("tree-hidden");
+        clickEye(partLine(1));
+        QVERIFY(hidden().empty());
+    }
+
+    void hiddenPartsAreNotPicked()
+    {
+        openExample("bracket.step", 10);
+        key(Qt::Key_A, Qt::ControlModifier);
+        key(Qt::Key_H);
+        QCOMPARE(hidden().size(), std::size_t{2});
+        key(Qt::Key_Escape);
+        click(document().content().box.center());
+        QVERIFY(document().selected().region().isEmpty());
+    }
+
+    void isolatingShowsOnePartAndThenAllAgain()
+    {
+        openExample("bracket.step", 10);
+        clickLine(partLine(1));
+        key(Qt::Key_H, Qt::ShiftModifier);
+        QCOMPARE(hidden(), std::set<std::size_t>{0});
+        picture("tree-isolated");
+        key(Qt::Key_H, Qt::ShiftModifier);
+        QVERIFY(hidden().empty());
+        key(Qt::Key_H, Qt::ShiftModifier);
+        saveTo(file("isolated.knead"));
+        newWindow(m_services);
+        openProject(file("isolated.knead"));
+        QCOMPARE(hidden(), std::set<std::size_t>{0});
+        key(Qt::Key_H, Qt::AltModifier);
+        QVERIFY(hidden().empty());
+    }
+
+    void whatIsLockedStaysAsItIs()
+    {
+        openExample("bracket.step", 10);
+        clickLock(partLine(0));
+        QVERIFY(document().isLocked({Selection::Kind::Body, 0}));
+        clickLine(partLine(0));
+        QVERIFY(!find<QStackedWidget>("properties")->currentWidget()->isEnabled());
+        const Material before = snapshot().materials[0];
+        document().post(SetMaterial{0, {.youngsModulus = 7e7}});
+        QTRY_VERIFY(m_window->banner().sentence().contains("is locked"));
+        picture("tree-locked");
+        document().renamePart(0, "Other");
+        document().toggleFace(0, 0);
+        document().fixRegion(document().selected().region());
+        QTest::qWait(100);
+        QVERIFY(snapshot().materials[0] == before && snapshot().fixtures.empty());
+        QVERIFY(document().looks().chosenName(0).empty());
+        saveTo(file("locked.knead"));
+        newWindow(m_services);
+        openProject(file("locked.knead"));
+        QVERIFY(document().isLocked({Selection::Kind::Body, 0}));
+        clickLine(partLine(0));
+        key(Qt::Key_L);
+        QVERIFY(!document().isLocked({Selection::Kind::Body, 0}));
+        document().post(SetMaterial{0, {.youngsModulus = 7e7}});
+        QTRY_COMPARE(snapshot().materials[0].youngsModulus, 7e7);
+    }
+
+    void aLockedToolIsNotDragged()
+    {
+        openExample("bar.step", 10);
+        key(Qt::Key_B);
+        QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
+        key(Qt::Key_F);
+        QTest::qWait(500);
+        document().setLocked({Selection::Kind::Tool, 0}, true);
+        ViewportWidget& view = m_window->viewport();
+        const Vec3 start = snapshot().tools[0].pose.position;
+        const QPoint from = view.widgetPosition(start)->toPoint();
+        QTest::mousePress(&view, Qt::LeftButton, {}, from);
+        QTest::mouseMove(&view, from + QPoint(60, 0));
+        QTest::mouseMove(&view, from + QPoint(90, 0));
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(90, 0));
+        key(Qt::Key_Delete);
+        QTest::qWait(100);
+        QCOMPARE(snapshot().tools.size(), std::size_t{1});
+        QCOMPARE(snapshot().tools[0].pose.position, start);
+        QVERIFY(m_window->banner().sentence().contains("Block 1"));
+    }
+
+    void partsAreDraggedIntoGroupsWhichAreKept()
+    {
+        openExample("bracket.step", 10);
+        clickLine(partLine(1));
+        key(Qt::Key_G, Qt::ControlModifier);
+        QTRY_VERIFY(tree()->viewport()->findChild<QLineEdit*>() != nullptr); // its name is asked for
+        auto* editor = tree()->viewport()->findChild<QLineEdit*>();
+        editor->selectAll();
+        QTest::keyClicks(editor, "Fasteners");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_VERIFY(line("Fasteners") != nullptr);
+        QCOMPARE(partLine(1)->parent(), line("Fasteners"));
+        // The other one by dragging.
+        clickLine(partLine(0));
+        const std::unique_ptr<QMimeData> data(tree()->model()->mimeData(tree()->selectionModel()->selectedIndexes()));
+        const QPoint place = tree()->visualItemRect(line("Fasteners")).center();
+        QDropEvent drop(place, Qt::MoveAction, data.get(), Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(tree()->viewport(), &drop);
+        QTRY_COMPARE(partLine(0)->parent(), line("Fasteners"));
+        QCOMPARE(line("Fasteners")->childCount(), 2);
+        picture("tree-groups");
+        clickEye(line("Fasteners")); // hides both
+        QCOMPARE(hidden().size(), std::size_t{2});
+        clickEye(line("Fasteners"));
+        QVERIFY(hidden().empty());
+        QVERIFY2(m_window->isWindowModified(), "groups are worth saving");
+        saveTo(file("grouped.knead"));
+        newWindow(m_services);
+        openProject(file("grouped.knead"));
+        QVERIFY(line("Fasteners") != nullptr);
+        QCOMPARE(line("Fasteners")->childCount(), 2);
+        clickLine(line("Fasteners"));
+        key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_VERIFY(line("Fasteners") == nullptr);
+        QVERIFY(partLine(0) != nullptr && partLine(1) != nullptr);
+    }
+
+    void aSearchShowsWhatItFinds()
+    {
+        openExample("bracket.step", 10);
+        key(Qt::Key_B);
+        QTRY_VERIFY(line("Block 1") != nullptr);
+        key(Qt::Key_F, Qt::ControlModifier);
+        auto* search = find<QLineEdit>("modelSearch");
+        QTRY_VERIFY(search->hasFocus());
+        QTest::keyClicks(search, nameOf(1).left(4).toLower());
+        QVERIFY(!partLine(1)->isHidden());
+        QVERIFY(partLine(0)->isHidden());
+        QVERIFY(line("Tools")->isHidden());
+        picture("tree-search");
+        QTest::keyClick(search, Qt::Key_Escape);
+        QVERIFY(search->text().isEmpty());
+        QVERIFY(!partLine(0)->isHidden() && !line("Block 1")->isHidden());
+    }
+
+    void everyLineHasAMenu()
+    {
+        openExample("bracket.step", 10);
+        document().keepSet("all", document().selected().region());
+        tree()->scrollToItem(partLine(0));
+        const auto menuOf = [&](QTreeWidgetItem* item) {
+            QContextMenuEvent event(QContextMenuEvent::Mouse, tree()->visualItemRect(item).center(),
+                                    tree()->viewport()->mapToGlobal(tree()->visualItemRect(item).center()));
+            QApplication::sendEvent(tree()->viewport(), &event);
+            return qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        };
+        for (QTreeWidgetItem* item : {partLine(0), line("all")}) {
+            QMenu* menu = menuOf(item);
+            QVERIFY(menu != nullptr);
+            QVERIFY(menu->actions().size() > 5);
+            menu->close();
+            QTRY_VERIFY(QApplication::activePopupWidget() == nullptr);
+        }
+    }
+
+    void treeLooksGoodInTheDark()
+    {
+        m_window->setTheme(Theme::Dark);
+        openExample("bracket.step", 10);
+        document().notes().addGroup("Fasteners", {1});
+        document().setLocked({Selection::Kind::Body, 0}, true);
+        document().keepSet("Whole bracket", document().selected().region());
+        document().notes().noteExport("/tmp/bracket-deformed.step", 1.79e9);
+        document().toggleFace(1, 0);
+        key(Qt::Key_B);
+        QTRY_VERIFY(line("Block 1") != nullptr);
+        m_window->resize(1280, 1000);
+        QTest::qWait(300);
+        picture("tree-dark");
+        m_window->setTheme(Theme::Light);
+        QTest::qWait(100);
+        picture("tree-light");
+    }
+};
+
+int main(int argc, char** argv)
+{
+    prepareGraphics();
+    QApplication application(argc, argv);
+    WindowTreeTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "window_tree_test.moc"

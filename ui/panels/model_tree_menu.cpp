@@ -1,0 +1,65 @@
+// What the model tree offers for a line.
+#include "ui/panels/model_tree.h"
+
+#include "ui/selection/selection_model.h"
+#include "ui/theme.h"
+
+#include <QContextMenuEvent>
+#include <QDesktopServices>
+#include <QFileInfo>
+#include <QMenu>
+#include <QUrl>
+
+namespace knead {
+
+void ModelTree::contextMenuEvent(QContextMenuEvent* event)
+{
+    QTreeWidgetItem* item = itemAt(event->pos());
+    if (m_document.isEmpty() || item == nullptr)
+        return;
+    if (!item->isSelected())
+        setCurrentItem(item);
+    auto* menu = new QMenu(this);
+    menu->setObjectName("modelMenu");
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
+    const TreeItem type = typeOf(item);
+    if (type == TreeItem::Set)
+        fillSetMenu(*menu, item->data(0, tree_roles::name).toString().toStdString());
+    if (type == TreeItem::Export)
+        fillExportMenu(*menu, item->data(0, tree_roles::file).toString());
+    if (m_fillMenu)
+        m_fillMenu(*menu, type);
+    if (menu->isEmpty())
+        delete menu;
+    else
+        menu->popup(event->globalPos());
+}
+
+void ModelTree::fillSetMenu(QMenu& menu, const std::string& name)
+{
+    const auto select = [this, name] {
+        if (const SelectionSet* set = m_document.notes().set(name))
+            m_document.selected().select(m_document.regionOf(*set));
+    };
+    connect(menu.addAction(icon("selection"), tr("Select")), &QAction::triggered, this, select);
+    QAction* replace = menu.addAction(tr("Keep the present selection here"));
+    replace->setEnabled(!m_document.selected().region().isEmpty());
+    connect(replace, &QAction::triggered, this,
+            [this, name] { m_document.keepSet(QString::fromStdString(name), m_document.selected().region()); });
+    connect(menu.addAction(icon("delete"), tr("Delete")), &QAction::triggered, this,
+            [this, name] { m_document.notes().removeSet(name); });
+}
+
+void ModelTree::fillExportMenu(QMenu& menu, const QString& file)
+{
+    const QString folder = QFileInfo(file).absolutePath();
+    connect(menu.addAction(icon("open"), tr("Show in its folder")), &QAction::triggered, this, [this, folder] {
+        if (!QFileInfo::exists(folder) || !QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
+            emit problem(tr("The folder %1 cannot be shown: look for it with your file manager.").arg(folder));
+    });
+    connect(menu.addAction(icon("delete"), tr("Take off the list")), &QAction::triggered, this,
+            [this, file] { m_document.notes().forgetExport(QFile::encodeName(file).toStdString()); });
+}
+
+} // namespace knead

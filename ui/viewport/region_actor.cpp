@@ -1,0 +1,147 @@
+#include "ui/viewport/region_actor.h"
+
+#include "ui/selection/region_contents.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkOpenGLSphereMapper.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace knead {
+
+namespace {
+
+constexpr float lineWidth = 4.5F;    // [pixels]
+constexpr double objectRadius = 0.5; // [a]
+
+} // namespace
+
+struct RegionActor::Parts {
+    vtkSmartPointer<vtkRenderer> renderer;
+    vtkNew<vtkPoints> linePoints;
+    vtkNew<vtkPolyData> lines;
+    vtkNew<vtkPolyDataMapper> lineMapper;
+    vtkNew<vtkActor> lineActor;
+    vtkNew<vtkPoints> objectPoints;
+    vtkNew<vtkPolyData> objects;
+    vtkNew<vtkOpenGLSphereMapper> objectMapper;
+    vtkNew<vtkActor> objectActor;
+};
+
+RegionActor::RegionActor(vtkRenderer* renderer)
+    : m_parts(std::make_unique<Parts>())
+{
+    m_parts->renderer = renderer;
+    m_parts->linePoints->SetDataTypeToFloat();
+    m_parts->objectPoints->SetDataTypeToFloat();
+    m_parts->lines->SetPoints(m_parts->linePoints);
+    m_parts->objects->SetPoints(m_parts->objectPoints);
+    m_parts->lineMapper->SetInputData(m_parts->lines);
+    m_parts->objectMapper->SetInputData(m_parts->objects);
+    m_parts->lineActor->SetMapper(m_parts->lineMapper);
+    m_parts->objectActor->SetMapper(m_parts->objectMapper);
+    m_parts->lineActor->GetProperty()->SetLineWidth(lineWidth);
+    m_parts->lineActor->GetProperty()->LightingOff();
+    m_parts->objectActor->GetProperty()->SetAmbient(0.3);
+    for (vtkActor* actor : {m_parts->lineActor.Get(), m_parts->objectActor.Get()}) {
+        actor->VisibilityOff();
+        renderer->AddActor(actor);
+    }
+}
+
+RegionActor::~RegionActor()
+{
+    m_parts->renderer->RemoveActor(m_parts->lineActor);
+    m_parts->renderer->RemoveActor(m_parts->objectActor);
+}
+
+void RegionActor::setColor(const Color& color)
+{
+    m_parts->lineActor->GetProperty()->SetColor(color.r, color.g, color.b);
+    m_parts->objectActor->GetProperty()->SetColor(color.r, color.g, color.b);
+}
+
+void RegionActor::hide()
+{
+    m_parts->lineActor->VisibilityOff();
+    m_parts->objectActor->VisibilityOff();
+}
+
+bool RegionActor::isShown() const
+{
+    return m_parts->lineActor->GetVisibility() != 0 || m_parts->objectActor->GetVisibility() != 0;
+}
+
+void RegionActor::show(const Region& region, const ContentBodies& bodies, const Frame& frame, double scale)
+{
+    hide();
+    if (region.isEmpty())
+        return;
+    if (region.level == Level::Edge || region.level == Level::Connection)
+        addLines(region, bodies, frame);
+    else if (region.level == Level::Object)
+        addObjects(region, bodies, frame, scale);
+}
+
+void RegionActor::addLines(const Region& region, const ContentBodies& bodies, const Frame& frame)
+{
+    vtkNew<vtkCellArray> cells;
+    m_parts->linePoints->Reset();
+    const auto add = [&](const Vec3& a, const Vec3& b) {
+        const vtkIdType ends[] = {m_parts->linePoints->InsertNextPoint(a.data()),
+                                  m_parts->linePoints->InsertNextPoint(b.data())};
+        cells->InsertNextCell(2, ends);
+    };
+    for (const auto& [id, items] : region.items) {
+        const ContentBody& body = *bodies[id];
+        const std::vector<Vec3>& skin = frame.bodies[id]->places;
+        const std::vector<Vec3>& objects = frame.snapshot->bodies[id].positions;
+        if (region.level == Level::Edge) {
+            for (std::size_t e = 0; e < body.render.edges.size(); ++e)
+                if (std::binary_search(items.begin(), items.end(), body.render.chainOfEdge[e]))
+                    add(skin[body.render.source[body.render.edges[e][0]]],
+                        skin[body.render.source[body.render.edges[e][1]]]);
+            continue;
+        }
+        for (const Region::Item item : items) {
+            const auto [lower, upper] = endsOf(*body.aggregate, connectionOf(item));
+            add(objects[lower], objects[upper]);
+        }
+    }
+    m_parts->linePoints->Modified();
+    m_parts->lines->SetLines(cells);
+    m_parts->lines->Modified();
+    m_parts->lineActor->VisibilityOn();
+}
+
+void RegionActor::addObjects(const Region& region, const ContentBodies& bodies, const Frame& frame, double scale)
+{
+    m_parts->objectPoints->Reset();
+    double spacing = 0;
+    for (const auto& [id, items] : region.items) {
+        spacing = bodies[id]->aggregate->lattice.spacing;
+        for (const Region::Item object : items)
+            m_parts->objectPoints->InsertNextPoint(frame.snapshot->bodies[id].positions[object].data());
+    }
+    std::vector<vtkIdType> ids(static_cast<std::size_t>(m_parts->objectPoints->GetNumberOfPoints()));
+    std::iota(ids.begin(), ids.end(), 0);
+    vtkNew<vtkCellArray> vertices;
+    vertices->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    m_parts->objectPoints->Modified();
+    m_parts->objects->SetVerts(vertices);
+    m_parts->objects->Modified();
+    m_parts->objectMapper->SetRadius(static_cast<float>(scale * objectRadius * spacing));
+    m_parts->objectActor->VisibilityOn();
+}
+
+} // namespace knead

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "ui/selection/region.h"
+#include "ui/viewport/projector.h"
+#include "ui/viewport/scene_picker.h"
+
+#include <set>
+#include <vector>
+
+namespace knead {
+
+/// A closed line on the screen: a box, a lasso, the disk of a brush.
+using ScreenShape = std::vector<Pixel>;
+
+ScreenShape boxShape(const Pixel& a, const Pixel& b);
+ScreenShape diskShape(const Pixel& center, double radius);
+bool contains(const ScreenShape& shape, const Pixel& pixel);
+
+/// Finds what is seen at a place of the screen, or within a shape on it. Window thread; some ms for 100,000 triangles.
+class RegionSight {
+public:
+    RegionSight(const Document& document, ScenePicker& picker)
+        : m_document(document)
+        , m_picker(picker)
+    {
+    }
+
+    void look(const Camera& camera, const WindowSize& window)
+    {
+        m_camera = camera;
+        m_window = window;
+    }
+    /// Parts that cannot be selected, since nobody sees them.
+    void hide(const std::set<std::size_t>& parts) { m_hiddenParts = parts; }
+    void forget() { m_connections.clear(); }
+
+    /// The one thing under a pixel, or nothing.
+    Region at(Level level, const Pixel& pixel);
+
+    struct Query {
+        Level level = Level::Part;
+        bool isWhole = false;   ///< only what lies in the shape with all of it
+        bool isThrough = false; ///< also what is hidden behind the skin
+    };
+    Region within(const ScreenShape& shape, const Query& query);
+
+private:
+    bool isShown(BodyId body) const;
+    Projector projector() const;
+    bool isSeen(const Vec3& place, double tolerance);
+    double tolerance() const;
+    bool isWithin(const Vec3& place, const ScreenShape& shape) const;
+    std::vector<bool> verticesWithin(BodyId body, const ScreenShape& shape) const;
+    const std::vector<ConnectionId>& connectionsOf(BodyId body);
+
+    Region edgeAt(const Pixel& pixel);
+    Region objectAt(const Pixel& pixel) const;
+    Region connectionAt(const Pixel& pixel);
+
+    Region::Items partWithin(BodyId body, const ScreenShape& shape, const Query& query) const;
+    Region::Items facesWithin(BodyId body, const ScreenShape& shape, const Query& query);
+    Region::Items edgesWithin(BodyId body, const ScreenShape& shape, const Query& query);
+    Region::Items objectsWithin(BodyId body, const ScreenShape& shape, const Query& query);
+    Region::Items connectionsWithin(BodyId body, const ScreenShape& shape, const Query& query);
+    bool isFaceSeen(BodyId body, std::uint32_t face, const std::vector<std::uint32_t>& triangles);
+    Region facesUnder(const ScreenShape& shape);
+
+    const Document& m_document;
+    ScenePicker& m_picker;
+    Camera m_camera;
+    WindowSize m_window;
+    std::set<std::size_t> m_hiddenParts;
+    std::map<BodyId, std::vector<ConnectionId>> m_connections; ///< of the surface; found when asked for
+};
+
+} // namespace knead

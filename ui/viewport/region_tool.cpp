@@ -1,0 +1,192 @@
+#include "ui/viewport/region_tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+constexpr double dragDistance = 5;   // before a click becomes a shape [pixels]
+constexpr double lassoStep = 3;      // [pixels]
+constexpr double smallestBrush = 4;  // [pixels]
+constexpr double largestBrush = 200; // [pixels]
+
+double distance(const Pixel& a, const Pixel& b)
+{
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+} // namespace
+
+RegionTool::RegionTool(Document& document, ScenePicker& picker, QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+    , m_sight(document, picker)
+{
+    connect(&document, &Document::changed, this, [this](Document::Change what) {
+        if (what != Document::Change::Content)
+            return;
+        m_sight.forget();
+        cancel();
+        setHovered({});
+    });
+    connect(&document.selected(), &SelectionModel::levelChanged, this, [this] { setHovered({}); });
+}
+
+void RegionTool::setShape(RegionShape shape)
+{
+    m_shape = shape;
+    emit drawnChanged();
+}
+
+void RegionTool::setBrushRadius(double radius)
+{
+    m_brushRadius = std::clamp(radius, smallestBrush, largestBrush);
+    emit drawnChanged();
+}
+
+void RegionTool::press(const Pixel& pixel, Qt::KeyboardModifiers modifiers)
+{
+    const SelectionModel& selected = m_document.selected();
+    m_press = Press{.start = pixel, .last = pixel, .modifiers = modifiers, .before = selected.region()};
+    // On a part a drag may mean to move it.
+    m_press->canDraw = selected.level() != Level::Part || m_sight.at(Level::Part, pixel).isEmpty();
+    if (m_shape == RegionShape::Brush && selected.level() != Level::Part) {
+        m_press->isDrawing = true;
+        m_cursor = pixel;
+        setHovered({});
+        if (!(modifiers & (Qt::ControlModifier | Qt::ShiftModifier)))
+            m_document.selected().clear();
+        paint(pixel);
+    }
+}
+
+void RegionTool::drag(const Pixel& pixel)
+{
+    if (!m_press)
+        return;
+    m_cursor = pixel;
+    if (m_shape == RegionShape::Brush && m_press->isDrawing) {
+        // As far as the radius at a time, so that a fast stroke has no gaps.
+        const double length = distance(m_press->last, pixel);
+        const int steps = std::max(1, static_cast<int>(std::ceil(length / m_brushRadius)));
+        const Pixel from = m_press->last;
+        for (int i = 1; i <= steps; ++i)
+            paint({from.x + (pixel.x - from.x) * i / steps, from.y + (pixel.y - from.y) * i / steps});
+        m_press->last = pixel;
+        emit drawnChanged();
+        return;
+    }
+    if (!m_press->canDraw || (!m_press->isDrawing && distance(m_press->start, pixel) < dragDistance))
+        return;
+    if (!std::exchange(m_press->isDrawing, true)) {
+        setHovered({});
+        m_drawn = {m_press->start};
+    }
+    m_press->last = pixel;
+    if (m_shape != RegionShape::Lasso)
+        m_drawn = boxShape(m_press->start, pixel);
+    else if (distance(m_drawn.back(), pixel) >= lassoStep)
+        m_drawn.push_back(pixel);
+    emit drawnChanged();
+}
+
+void RegionTool::release()
+{
+    if (!m_press)
+        return;
+    if (m_shape == RegionShape::Brush && m_press->isDrawing) {
+        m_press.reset();
+        emit drawnChanged();
+        return;
+    }
+    if (m_press->isDrawing) {
+        const ScreenShape shape = std::exchange(m_drawn, {});
+        select(m_sight.within(shape, query()));
+    } else {
+        select(m_sight.at(m_document.selected().level(), m_press->start));
+    }
+    m_press.reset();
+    emit drawnChanged();
+    emit hoverChanged();
+}
+
+bool RegionTool::cancel()
+{
+    if (!m_press)
+        return false;
+    const bool wasDrawing = m_press->isDrawing;
+    if (wasDrawing && m_shape == RegionShape::Brush)
+        m_document.selected().select(m_press->before);
+    m_press.reset();
+    m_drawn.clear();
+    emit drawnChanged();
+    return wasDrawing;
+}
+
+/// A stroke of the brush adds, or takes away, as it goes.
+void RegionTool::paint(const Pixel& pixel)
+{
+    using How = SelectionModel::How;
+    const Region found = m_sight.within(diskShape(pixel, m_brushRadius), query());
+    if (!found.isEmpty())
+        m_document.selected().select(found, m_press->modifiers & Qt::ShiftModifier ? How::Remove : How::Add);
+}
+
+void RegionTool::select(const Region& region)
+{
+    using How = SelectionModel::How;
+    const bool isClick = !m_press->isDrawing;
+    const How how = m_press->modifiers & Qt::ShiftModifier     ? How::Remove
+                    : m_press->modifiers & Qt::ControlModifier ? (isClick ? How::Toggle : How::Add)
+                                                               : How::Replace;
+    if (!region.isEmpty() || how == How::Replace)
+        m_document.selected().select(region, how);
+}
+
+RegionSight::Query RegionTool::query() const
+{
+    const SelectionModel& selected = m_document.selected();
+    return {.level = selected.level(),
+            .isWhole = m_shape == RegionShape::Rectangle && m_press && !isTouching(),
+            .isThrough = selected.isThrough()};
+}
+
+bool RegionTool::isTouching() const
+{
+    return m_press && m_press->last.x < m_press->start.x;
+}
+
+void RegionTool::hover(const Pixel& pixel)
+{
+    m_cursor = pixel;
+    if (brush())
+        emit drawnChanged();
+    setHovered(brush() ? Region{} : m_sight.at(m_document.selected().level(), pixel));
+}
+
+void RegionTool::leave()
+{
+    m_cursor.reset();
+    setHovered({});
+    emit drawnChanged();
+}
+
+void RegionTool::setHovered(Region region)
+{
+    if (region.isEmpty())
+        region = {};
+    if (region == m_hovered)
+        return;
+    m_hovered = std::move(region);
+    emit hoverChanged();
+}
+
+std::optional<Pixel> RegionTool::brush() const
+{
+    return m_shape == RegionShape::Brush && m_document.selected().level() != Level::Part ? m_cursor : std::nullopt;
+}
+
+} // namespace knead

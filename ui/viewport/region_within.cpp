@@ -1,0 +1,216 @@
+// What lies within a shape on the screen.
+#include "ui/selection/region_contents.h"
+#include "ui/viewport/region_sight.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+constexpr double objectTolerance = 1.2; // [a]: objects this deep under the skin are seen
+constexpr std::size_t seenSamples = 16; // places at which a face or an edge is looked for
+constexpr double probesAcross = 24;     // rays along the longer side of a shape
+
+Vec3 pointAt(const BodyFrame& frame, std::uint32_t vertex)
+{
+    return Eigen::Map<const Eigen::Vector3f>(frame.points.data() + std::size_t{3} * vertex).cast<double>();
+}
+
+/// A few of many, evenly.
+template <class Item>
+std::vector<Item> someOf(const std::vector<Item>& all)
+{
+    std::vector<Item> some;
+    const std::size_t count = std::min(all.size(), seenSamples);
+    for (std::size_t i = 0; i < count; ++i)
+        some.push_back(all[i * all.size() / count]);
+    return some;
+}
+
+/// How many pieces of something there are, and how many lie within a shape.
+struct Tally {
+    std::uint32_t all = 0;
+    std::uint32_t within = 0;
+    bool isChosen(bool isWhole) const { return within > 0 && (!isWhole || within == all); }
+};
+
+} // namespace
+
+Region RegionSight::within(const ScreenShape& shape, const Query& query)
+{
+    Region region;
+    region.level = query.level;
+    for (BodyId b = 0; b < m_document.content().bodies.size(); ++b) {
+        if (!isShown(b))
+            continue;
+        Region::Items items = query.level == Level::Part     ? partWithin(b, shape, query)
+                              : query.level == Level::Face   ? facesWithin(b, shape, query)
+                              : query.level == Level::Edge   ? edgesWithin(b, shape, query)
+                              : query.level == Level::Object ? objectsWithin(b, shape, query)
+                                                             : connectionsWithin(b, shape, query);
+        region = united(region, regionOf(query.level, b, std::move(items)));
+    }
+    return query.level == Level::Face && !query.isWhole ? united(region, facesUnder(shape)) : region;
+}
+
+bool RegionSight::isWithin(const Vec3& place, const ScreenShape& shape) const
+{
+    const std::optional<Pixel> pixel = projector()(place);
+    return pixel && contains(shape, *pixel);
+}
+
+/// Per render vertex.
+std::vector<bool> RegionSight::verticesWithin(BodyId body, const ScreenShape& shape) const
+{
+    const BodyFrame& frame = *m_document.frame()->bodies[body];
+    const Projector project = projector();
+    std::vector<bool> result(frame.points.size() / 3);
+    for (std::uint32_t v = 0; v < result.size(); ++v)
+        if (const std::optional<Pixel> pixel = project(pointAt(frame, v)))
+            result[v] = contains(shape, *pixel);
+    return result;
+}
+
+Region::Items RegionSight::partWithin(BodyId body, const ScreenShape& shape, const Query& query) const
+{
+    const std::vector<bool> within = verticesWithin(body, shape);
+    const auto isIn = [](bool is) { return is; };
+    const bool isChosen = query.isWhole ? std::all_of(within.begin(), within.end(), isIn)
+                                        : std::any_of(within.begin(), within.end(), isIn);
+    return isChosen ? Region::Items{0} : Region::Items{};
+}
+
+Region::Items RegionSight::facesWithin(BodyId body, const ScreenShape& shape, const Query& query)
+{
+    if (!hasFaces(m_document.content(), body))
+        return {};
+    const RenderMesh& mesh = m_document.content().bodies[body]->render;
+    const std::vector<bool> within = verticesWithin(body, shape);
+    std::map<std::uint32_t, Tally> tallies;
+    for (std::size_t v = 0; v < within.size(); ++v) {
+        Tally& tally = tallies[mesh.face[v]];
+        ++tally.all;
+        tally.within += within[v] ? 1 : 0;
+    }
+    std::map<std::uint32_t, std::vector<std::uint32_t>> chosen; // with the triangles at which they are looked for
+    for (const auto& [face, tally] : tallies)
+        if (tally.isChosen(query.isWhole))
+            chosen[face];
+    if (!query.isThrough)
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+            if (const auto found = chosen.find(mesh.faceOfTriangle[t]);
+                found != chosen.end() && within[mesh.triangles[t][0]])
+                found->second.push_back(t);
+    Region::Items faces;
+    for (const auto& [face, triangles] : chosen)
+        if (query.isThrough || isFaceSeen(body, face, triangles))
+            faces.push_back(face);
+    return faces;
+}
+
+bool RegionSight::isFaceSeen(BodyId body, std::uint32_t face, const std::vector<std::uint32_t>& triangles)
+{
+    const RenderMesh& mesh = m_document.content().bodies[body]->render;
+    const BodyFrame& frame = *m_document.frame()->bodies[body];
+    const std::vector<std::uint32_t> some = someOf(triangles);
+    return std::any_of(some.begin(), some.end(), [&](std::uint32_t triangle) {
+        const auto& t = mesh.triangles[triangle];
+        const Vec3 center = (pointAt(frame, t[0]) + pointAt(frame, t[1]) + pointAt(frame, t[2])) / 3;
+        const std::optional<Pixel> pixel = projector()(center);
+        if (!pixel)
+            return false;
+        const PickHit hit = m_picker.pick(m_camera.ray(*pixel, m_window), true);
+        return hit.kind == PickHit::Kind::Body && hit.id == body && hit.face == face;
+    });
+}
+
+/// What rays through the shape meet first: a small shape on a large face has none of its vertices in it.
+Region RegionSight::facesUnder(const ScreenShape& shape)
+{
+    Eigen::AlignedBox2d box;
+    for (const Pixel& corner : shape)
+        box.extend(Eigen::Vector2d(corner.x, corner.y));
+    const double step = std::max(2.0, box.sizes().maxCoeff() / probesAcross);
+    Region region;
+    region.level = Level::Face;
+    for (double x = box.min().x() + step / 2; x < box.max().x(); x += step)
+        for (double y = box.min().y() + step / 2; y < box.max().y(); y += step)
+            if (contains(shape, {x, y}))
+                for (const auto& [body, items] : at(Level::Face, {x, y}).items)
+                    region.add(body, items.front());
+    return region;
+}
+
+Region::Items RegionSight::edgesWithin(BodyId body, const ScreenShape& shape, const Query& query)
+{
+    const RenderMesh& mesh = m_document.content().bodies[body]->render;
+    const BodyFrame& frame = *m_document.frame()->bodies[body];
+    const std::vector<bool> within = verticesWithin(body, shape);
+    std::vector<Tally> tallies(mesh.chains);
+    std::vector<std::vector<std::uint32_t>> places(mesh.chains);
+    for (std::size_t e = 0; e < mesh.edges.size(); ++e)
+        for (const std::uint32_t end : mesh.edges[e]) {
+            const std::uint32_t chain = mesh.chainOfEdge[e];
+            ++tallies[chain].all;
+            if (!within[end])
+                continue;
+            ++tallies[chain].within;
+            places[chain].push_back(end);
+        }
+    Region::Items edges;
+    for (std::uint32_t chain = 0; chain < mesh.chains; ++chain) {
+        if (!tallies[chain].isChosen(query.isWhole))
+            continue;
+        const auto some = someOf(places[chain]);
+        if (query.isThrough || std::any_of(some.begin(), some.end(), [&](std::uint32_t vertex) {
+                return isSeen(pointAt(frame, vertex), tolerance());
+            }))
+            edges.push_back(chain);
+    }
+    return edges;
+}
+
+Region::Items RegionSight::objectsWithin(BodyId body, const ScreenShape& shape, const Query& query)
+{
+    const ContentBody& content = *m_document.content().bodies[body];
+    const std::vector<Vec3>& places = m_document.frame()->snapshot->bodies[body].positions;
+    const Projector project = projector();
+    Region::Items objects;
+    const auto addIfWithin = [&](ObjectIndex object) {
+        const std::optional<Pixel> pixel = project(places[object]);
+        if (pixel && contains(shape, *pixel) &&
+            (query.isThrough || isSeen(places[object], objectTolerance * content.aggregate->lattice.spacing)))
+            objects.push_back(object);
+    };
+    if (query.isThrough)
+        for (ObjectIndex object = 0; object < places.size(); ++object)
+            addIfWithin(object);
+    else
+        for (const ObjectIndex object : content.surfaceObjects)
+            addIfWithin(object);
+    return objects;
+}
+
+/// By their middles, or by both ends. Those inside are no more than clutter when one looks at the skin.
+Region::Items RegionSight::connectionsWithin(BodyId body, const ScreenShape& shape, const Query& query)
+{
+    const Aggregate& aggregate = *m_document.content().bodies[body]->aggregate;
+    const std::vector<Vec3>& places = m_document.frame()->snapshot->bodies[body].positions;
+    std::vector<bool> within(places.size());
+    for (ObjectIndex object = 0; object < places.size(); ++object)
+        within[object] = isWithin(places[object], shape);
+    const auto addFrom = [&](const std::vector<ConnectionId>& all) {
+        Region::Items connections;
+        for (const ConnectionId& connection : all) {
+            const auto [lower, upper] = endsOf(aggregate, connection);
+            if (query.isWhole ? within[lower] && within[upper] : isWithin((places[lower] + places[upper]) / 2, shape))
+                connections.push_back(connectionItem(connection));
+        }
+        return connections;
+    };
+    return addFrom(query.isThrough ? allConnections(aggregate) : connectionsOf(body));
+}
+
+} // namespace knead
