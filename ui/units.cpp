@@ -27,13 +27,21 @@ constexpr Unit pressures[] = {{"Pa", 1, true},    {"kPa", 1e3, true},    {"MPa",
 constexpr Unit densities[] = {{"kg/m³", 1, true},    {"kg/m3", 1, false},   {"kg/m^3", 1, false},
                               {"g/cm³", 1e3, false}, {"g/cm3", 1e3, false}, {"g/cm^3", 1e3, false}};
 constexpr Unit rates[] = {{"1/s", 1, true}, {"Hz", 1, false}};
-constexpr Unit speeds[] = {{"mm/s", 1e-3, true}, {"m/s", 1, false}, {"cm/s", 1e-2, false}, {"in/s", 0.0254, false}};
+constexpr Unit speeds[] = {{"mm/s", 1e-3, true}, {"m/s", 1, true}, {"cm/s", 1e-2, false}, {"in/s", 0.0254, false}};
 constexpr Unit forces[] = {{"mN", 1e-3, true}, {"N", 1, true}, {"kN", 1e3, true}, {"MN", 1e6, true}};
 constexpr Unit volumes[] = {
     {"mm³", 1e-9, true}, {"cm³", 1e-6, true}, {"m³", 1, false}, {"in³", 0.0254 * 0.0254 * 0.0254, false}};
 constexpr Unit times[] = {
     {"µs", 1e-6, true}, {"us", 1e-6, false}, {"ms", 1e-3, true}, {"s", 1, true}, {"min", 60, false}};
 constexpr Unit strains[] = {{"%", 1e-2, true}, {"‰", 1e-3, false}};
+constexpr Unit areas[] = {
+    {"mm²", 1e-6, true}, {"mm2", 1e-6, false},           {"cm²", 1e-4, true}, {"cm2", 1e-4, false}, {"m²", 1, false},
+    {"m2", 1, false},    {"in²", 0.0254 * 0.0254, false}};
+constexpr double radiansPerDegree = 0.017453292519943295;
+constexpr Unit angles[] = {{"°", radiansPerDegree, true}, {"deg", radiansPerDegree, false}, {"rad", 1, false}};
+constexpr Unit masses[] = {{"mg", 1e-6, true}, {"g", 1e-3, true}, {"kg", 1, true}, {"t", 1e3, false}};
+constexpr Unit accelerations[] = {{"m/s²", 1, true},      {"m/s2", 1, false},     {"m/s^2", 1, false},
+                                  {"mm/s²", 1e-3, false}, {"mm/s2", 1e-3, false}, {"g", 9.80665, false}};
 constexpr Unit numbers[] = {{"", 1, true}};
 
 std::span<const Unit> unitsOf(Quantity quantity)
@@ -57,6 +65,14 @@ std::span<const Unit> unitsOf(Quantity quantity)
         return times;
     case Quantity::Strain:
         return strains;
+    case Quantity::Area:
+        return areas;
+    case Quantity::Angle:
+        return angles;
+    case Quantity::Mass:
+        return masses;
+    case Quantity::Acceleration:
+        return accelerations;
     case Quantity::Number:
         break;
     }
@@ -67,11 +83,14 @@ std::span<const Unit> unitsOf(Quantity quantity)
 struct LengthSystem {
     const char* length;
     const char* speed;
+    const char* area;
     const char* volume;
 };
 
-constexpr LengthSystem systems[] = {
-    {"mm", nullptr, nullptr}, {"cm", "cm/s", "cm³"}, {"m", "m/s", "m³"}, {"in", "in/s", "in³"}};
+constexpr LengthSystem systems[] = {{"mm", nullptr, nullptr, nullptr},
+                                    {"cm", "cm/s", "cm²", "cm³"},
+                                    {"m", "m/s", "m²", "m³"},
+                                    {"in", "in/s", "in²", "in³"}};
 std::atomic<const LengthSystem*> lengthSystem = systems; // tasks write numbers, too
 
 /// The unit that was chosen for a quantity; null: none.
@@ -80,6 +99,7 @@ const Unit* chosenUnit(Quantity quantity)
     const LengthSystem& system = *lengthSystem.load();
     const char* symbol = quantity == Quantity::Length   ? (&system == systems ? nullptr : system.length)
                          : quantity == Quantity::Speed  ? system.speed
+                         : quantity == Quantity::Area   ? system.area
                          : quantity == Quantity::Volume ? system.volume
                                                         : nullptr;
     if (symbol == nullptr)
@@ -93,6 +113,8 @@ const Unit& unitOfZero(Quantity quantity)
 {
     const std::span<const Unit> units = unitsOf(quantity);
     const bool startsSmall = quantity == Quantity::Force || quantity == Quantity::Time;
+    if (quantity == Quantity::Mass)
+        return units[1];
     return startsSmall ? *std::ranges::find(units, 1.0, &Unit::scale) : units.front();
 }
 
@@ -166,7 +188,8 @@ QString formatQuantity(double value, Quantity quantity)
     const Unit& unit = displayUnit(value, quantity);
     const QString number = QLocale::c().toString(value / unit.scale, 'g', 5);
     const QString symbol = QString::fromUtf8(unit.symbol);
-    return symbol.isEmpty() ? number : number + ' ' + symbol;
+    const bool isClose = symbol.isEmpty() || symbol == QString::fromUtf8("°");
+    return isClose ? number + symbol : number + ' ' + symbol;
 }
 
 QStringList unitsFor(Quantity quantity)

@@ -9,7 +9,22 @@
 namespace knead {
 
 /// What a number measures. Inside everything is SI; people see millimetres, megapascals and the like.
-enum class Quantity { Number, Length, Pressure, Density, Rate, Speed, Force, Volume, Time, Strain };
+enum class Quantity {
+    Number,
+    Length,
+    Pressure,
+    Density,
+    Rate,
+    Speed,
+    Force,
+    Volume,
+    Time,
+    Strain,
+    Area,
+    Angle,
+    Mass,
+    Acceleration
+};
 
 /// The quantity measured in an SI unit as MaterialField spells it: "Pa", "kg/m^3", "1/s"; Number for anything else.
 Quantity quantityOfUnit(const std::string& unit);

@@ -31,6 +31,13 @@ private slots:
         row(0.05, Quantity::Time, "50 ms");
         row(70.6e-6, Quantity::Time, "70.6 µs");
         row(0, Quantity::Time, "0 s");
+        row(1.5707963267948966, Quantity::Angle, "90°");
+        row(2.5e-6, Quantity::Area, "2.5 mm²");
+        row(0.0268, Quantity::Mass, "26.8 g");
+        row(2.5, Quantity::Mass, "2.5 kg");
+        row(0, Quantity::Mass, "0 g");
+        row(-9.81, Quantity::Acceleration, "-9.81 m/s²");
+        row(5173, Quantity::Speed, "5173 m/s");
         row(90, Quantity::Time, "90 s");
     }
 
