@@ -1,10 +1,16 @@
 #include "io/material_library.h"
 
 #include "io/json_reader.h"
+#include "io/json_text.h"
+#include "io/safe_file.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 
 namespace knead {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -46,6 +52,37 @@ std::vector<MaterialPreset> readMaterials(const std::string& path)
         presets.push_back(std::move(preset));
     }
     return presets;
+}
+
+std::string ownMaterialsFile()
+{
+    const char* config = std::getenv("XDG_CONFIG_HOME");
+    const char* home = std::getenv("HOME");
+    const fs::path folder = config != nullptr && fs::path(config).is_absolute()
+                                ? fs::path(config)
+                                : fs::path(home != nullptr ? home : "/tmp") / ".config";
+    return (folder / "knead" / "materials.json").string();
+}
+
+std::vector<MaterialPreset> readOwnMaterials(const std::string& path)
+{
+    std::error_code error;
+    return fs::exists(path, error) ? readMaterials(path) : std::vector<MaterialPreset>{};
+}
+
+void writeMaterials(const std::string& path, const std::vector<MaterialPreset>& presets)
+{
+    std::error_code error; // told by the writing
+    fs::create_directories(fs::path(path).parent_path(), error);
+    std::string text = "{\n  \"version\": 1,\n  \"materials\": [";
+    for (const MaterialPreset& preset : presets) {
+        ObjectText object;
+        object.text("id", preset.id).text("name", preset.name).text("source", preset.source);
+        for (const MaterialField& field : materialFields())
+            object.number(field.key, preset.material.*field.value);
+        text += (&preset == presets.data() ? "\n    " : ",\n    ") + object.take();
+    }
+    writeFileSafely(path, text + "\n  ]\n}\n");
 }
 
 } // namespace knead

@@ -110,6 +110,26 @@ private slots:
         }
     }
 
+    void ownMaterialsAreReadAsTheyWereWritten()
+    {
+        const QTemporaryDir folder;
+        const std::string path = folder.filePath("new/materials.json").toStdString();
+        QVERIFY(readOwnMaterials(path).empty());
+        std::vector<MaterialPreset> presets = readMaterials(KNEAD_RESOURCES "/materials/materials.json");
+        presets[0].material.youngsModulus = 1.0 / 3 * 1e6; // all digits count
+        presets[0].name = "\"Clay\", \u00e0 la main";
+        writeMaterials(path, presets);
+        const std::vector<MaterialPreset> read = readOwnMaterials(path);
+        QCOMPARE(read.size(), presets.size());
+        for (std::size_t i = 0; i < read.size(); ++i) {
+            QCOMPARE(read[i].name, presets[i].name);
+            QCOMPARE(read[i].material, presets[i].material);
+        }
+        writeMaterials(path, {});
+        QVERIFY(readOwnMaterials(path).empty());
+        QVERIFY_EXCEPTION_THROWN(writeMaterials("/proc/none/materials.json", presets), std::runtime_error);
+    }
+
     void numbersAreTakenAsWritten()
     {
         const QTemporaryDir folder;
