@@ -27,7 +27,7 @@ constexpr double stableStepTolerance = 1.25;
 
 } // namespace
 
-void Simulation::State::stop(const std::string& cause)
+void Simulation::State::stop(const std::string& cause, Trouble trouble)
 {
     std::ostringstream text;
     text << "The simulation was stopped at " << time << " s: " << cause << " It went back to " << lastGood->time
@@ -35,7 +35,7 @@ void Simulation::State::stop(const std::string& cause)
     const std::uint64_t reached = step;
     restore(*lastGood);
     step = reached; // steps are what commands are counted by: what comes now comes after this one
-    health = {false, text.str()};
+    health = {false, text.str(), trouble};
 }
 
 /// Two looks in a row must agree, since a sharp tool may turn a spot inside out for a moment.
@@ -60,16 +60,20 @@ void Simulation::State::checkHealth()
             }));
     const double speed = largestTravel / lastStep;
     std::ostringstream cause;
+    Trouble trouble = Trouble::none;
     if (!std::isfinite(speed)) {
+        trouble = Trouble::notANumber;
         cause << "a position is no longer a number. Make the tools slower or the material softer, then reset.";
     } else if (speed > limit) {
+        trouble = Trouble::runaway;
         cause << "objects moved at " << speed << " m/s. Make the tools slower, raise the damping ratio, then reset.";
     } else if (step % (isImplicit() ? implicitCheckpointInterval : checkpointInterval) == 0) {
-        if (const std::string name = squashedBody(); !name.empty())
+        if (const std::string name = squashedBody(); !name.empty()) {
+            trouble = Trouble::squashed;
             cause << "material of " << name
                   << " was squashed flat or turned inside out. Press less far, raise Poisson's ratio or the yield "
                      "stress, or fill the part with a smaller spacing, then reset.";
-        else if (!wasSquashed)
+        } else if (!wasSquashed)
             lastGood = std::make_shared<const Moment>(moment());
     }
     if (cause.str().empty() && !isImplicit()) {
@@ -78,12 +82,14 @@ void Simulation::State::checkHealth()
             crowding = crowdingReserve * contactReport.crowding;
         if (crowded || step % timeStepInterval == 0)
             updateTimeStep();
-        if (wantedTimeStep && *wantedTimeStep > stableStepTolerance * stableStep)
+        if (wantedTimeStep && *wantedTimeStep > stableStepTolerance * stableStep) {
+            trouble = Trouble::longStep;
             cause << "the chosen time step of " << *wantedTimeStep << " s is longer than the stable one of "
                   << stableStep << " s. Choose a shorter one, or a softer or more damped material.";
+        }
     }
     if (!cause.str().empty())
-        stop(cause.str());
+        stop(cause.str(), trouble);
 }
 
 std::size_t Simulation::State::components()

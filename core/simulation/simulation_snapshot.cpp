@@ -165,6 +165,7 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
     shot->step = state.step;
     shot->time = state.time;
     shot->timeStep = state.timeStep;
+    shot->stableStep = state.stableStep;
     shot->integrator = state.integrator;
     shot->wantedIntegrator = state.wantedIntegrator;
     shot->integratorReason = state.integratorReason;

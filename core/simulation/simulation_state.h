@@ -80,7 +80,7 @@ struct Simulation::State {
     void restoreContacts(const Moment& moment);
     void keepMoment();
     void goTo(MomentPointer moment);
-    void stop(const std::string& cause);
+    void stop(const std::string& cause, Trouble trouble);
     std::string squashedBody();
     std::size_t components();
 

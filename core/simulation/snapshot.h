@@ -49,10 +49,20 @@ inline constexpr std::size_t stageCount = 7;
 /// Wall time per stage [s].
 using StageSeconds = std::array<double, stageCount>;
 
+/// Why a simulation was stopped.
+enum class Trouble : std::uint8_t {
+    none,
+    notANumber, ///< a position is none
+    runaway,    ///< objects faster than anything sensible
+    squashed,   ///< material flat or inside out
+    longStep    ///< a chosen time step is longer than the stable one
+};
+
 /// Numerical trouble, with its remedy.
 struct Health {
     bool ok = true;
-    std::string message; ///< a sentence naming the cause and the remedy; empty when ok
+    std::string message;             ///< a sentence naming the cause and the remedy; empty when ok
+    Trouble trouble = Trouble::none; ///< for buttons; files keep the message only, and have none
 };
 
 /// What a tool feels.
@@ -101,6 +111,7 @@ struct Snapshot {
     std::uint64_t step = 0;
     double time = 0;                                             ///< simulated [s]
     double timeStep = 0;                                         ///< [s]
+    double stableStep = 0;                                       ///< longest that an explicit scheme could take [s]
     Integrator integrator = Integrator::semiImplicitEuler;       ///< in use; never automatic
     Integrator wantedIntegrator = Integrator::semiImplicitEuler; ///< as chosen
     std::string integratorReason;                                ///< a sentence on which one is in use and why
