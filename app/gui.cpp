@@ -46,6 +46,14 @@ Services fileServices()
         write(file.pathForNow());
         file.keep();
     };
+    services.limitThreads = [limit = std::make_shared<std::unique_ptr<ThreadLimit>>()](unsigned threads) {
+        limit->reset(); // the least of several would hold
+        *limit = std::make_unique<ThreadLimit>(threads);
+    };
+    services.readOwnMaterials = [] { return readOwnMaterials(ownMaterialsFile()); };
+    services.writeOwnMaterials = [](const std::vector<MaterialPreset>& materials) {
+        writeMaterials(ownMaterialsFile(), materials);
+    };
     services.packing = zstandardPacking();
     services.importFormats = formats(importFormats());
     services.exportFormats = formats(allExportFormats());

@@ -2,6 +2,7 @@
 
 #include "ui/actions.h"
 #include "ui/display.h"
+#include "ui/measuring/measuring.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/home_page.h"
 #include "ui/panels/import_panel.h"
@@ -9,6 +10,7 @@
 #include "ui/panels/material_panel.h"
 #include "ui/panels/model_tree.h"
 #include "ui/panels/performance_panel.h"
+#include "ui/panels/simulation_panel.h"
 #include "ui/panels/status_readings.h"
 #include "ui/panels/timeline_panel.h"
 #include "ui/project/project_keeper.h"
@@ -27,12 +29,6 @@
 
 namespace knead {
 
-namespace {
-
-constexpr double standardGravity = 9.81; // [m/s^2]
-
-} // namespace
-
 MainWindow::MainWindow(Services services, QWidget* parent)
     : QMainWindow(parent)
     , m_services(std::move(services))
@@ -47,8 +43,12 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     setDockNestingEnabled(true);
     resize(1280, 800);
     makeCenter();
+    makeMaterials();
     makeDocks();
     makeDisplay();
+    makeSimulation();
+    makeMeasuring();
+    makeProbes();
     makeMenus();
     makeToolBar();
     makeStatusBar();
@@ -254,18 +254,6 @@ void MainWindow::frameChanged()
     showHealth(snapshot.health);
 }
 
-void MainWindow::showHealth(const Health& health)
-{
-    if (health.message == m_shownHealth)
-        return;
-    m_shownHealth = health.message;
-    if (health.message.empty())
-        m_banner->hide();
-    else
-        showProblem(QString::fromStdString(health.message), health.ok ? QString() : tr("Reset"),
-                    [this] { m_document.reset(); });
-}
-
 void MainWindow::showProblem(const QString& sentence, const QString& remedyText, std::function<void()> remedy)
 {
     m_remedy = std::move(remedy);
@@ -283,7 +271,9 @@ void MainWindow::selectionChanged()
 
 void MainWindow::showHint()
 {
-    if (m_actions->fixFaces->isChecked())
+    if (m_measuring->tool().isPicking())
+        m_hint->setText(m_measuring->tool().prompt());
+    else if (m_actions->fixFaces->isChecked())
         m_hint->setText(tr("Click faces to hold or free them   Esc: done"));
     else if (m_document.selection().kind == Selection::Kind::Tool)
         m_hint->setText(tr("Arrows, PgUp, PgDn: drive   Shift: slower   Middle: orbit"));
@@ -304,7 +294,7 @@ void MainWindow::optionsChanged()
 
 void MainWindow::setGravity(bool on)
 {
-    m_document.post(SetGravity{Vec3(0, 0, on ? -standardGravity : 0)});
+    m_document.post(SetGravity{on ? m_simulation->wantedGravity() : Vec3(Vec3::Zero())});
 }
 
 void MainWindow::setFloor(bool on)
@@ -322,6 +312,8 @@ void MainWindow::cancel()
         m_tasks.cancel();
     else if (m_timeline->isLookingBack())
         m_timeline->stopLooking();
+    else if (m_measuring->tool().isPicking())
+        m_measuring->tool().stop();
     else if (m_actions->fixFaces->isChecked())
         m_actions->fixFaces->setChecked(false);
     else if (!m_viewport->regions().cancel())

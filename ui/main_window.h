@@ -22,18 +22,24 @@ class QStackedWidget;
 namespace knead {
 
 struct Actions;
+struct Comparison;
+struct OverlayMark;
 class Banner;
 class Display;
 class ExportPanel;
 class HomePage;
 class ImportPanel;
 class LogPanel;
+class Measuring;
 class PerformancePanel;
+class ProbeSet;
 class ProjectKeeper;
 class MaterialPanel;
+class MaterialStore;
 class ModelTree;
 struct SelectionActions;
 class SelectionPanel;
+class SimulationPanel;
 class StatusReadings;
 class TaskReading;
 class TimelinePanel;
@@ -71,10 +77,19 @@ public:
     /// @param path of the file, or of the folder of the pictures
     void record(const QString& path, const Recording& recording);
 
+    /// Writes what was measured as a table in the background.
+    void writeMeasurements(const QString& path);
+    /// Writes what probes read over time as a table in the background.
+    void writeProbes(const QString& path);
+    /// Writes a report as PDF or HTML in the background; the ending decides.
+    void writeComparison(const QString& path, const Comparison& comparison);
+
     Document& document() { return m_document; }
     TaskRunner& tasks() { return m_tasks; }
     ProjectKeeper& projects() { return *m_projects; }
     ViewportWidget& viewport() { return *m_viewport; }
+    Measuring& measuring() { return *m_measuring; }
+    ProbeSet& probes() { return *m_probes; }
     Banner& banner() { return *m_banner; }
 
 protected:
@@ -89,6 +104,11 @@ private:
     void makeCenter();
     void makeDocks();
     void makeDisplay();
+    void makeMaterials();
+    void makeSimulation();
+    void makeMeasuring();
+    void makeProbes();
+    std::vector<OverlayMark> probeMarks() const;
     void makeMenus();
     void makeToolBar();
     void makeStatusBar();
@@ -133,6 +153,8 @@ private:
     void showHealth(const Health& health);
     /// @param remedy what a click on the banner's button does
     void showProblem(const QString& sentence, const QString& remedyText = {}, std::function<void()> remedy = {});
+    /// The same with a second button, which goes back to the start.
+    void showTrouble(const QString& sentence, const QString& remedyText, std::function<void()> remedy);
     void showImport();
     void optionsChanged();
     void setGravity(bool on);
@@ -155,6 +177,11 @@ private:
     std::vector<PlannedFile> planFiles(const QString& path, const ExportRequest& request) const;
     std::vector<bool> partsFor(ExportRequest::Which which) const;
     void showExport(const std::vector<ExportReport>& reports);
+    QString askForTextFile(const QString& title, const QString& ending, const QString& filters);
+    void writeTextFile(const QString& path, const QString& text);
+    void askForMeasurementFile();
+    void compareWithOriginal();
+    void showComparison(const Comparison& comparison);
     void cancel();
     void showControls();
     bool isBusy();
@@ -195,12 +222,16 @@ private:
     Display* m_display = nullptr;
     ModelTree* m_tree = nullptr;
     QStackedWidget* m_properties = nullptr;
+    MaterialStore* m_materials = nullptr;
     MaterialPanel* m_material = nullptr;
     LogPanel* m_log = nullptr;
     ImportPanel* m_import = nullptr;
     ExportPanel* m_export = nullptr;
     PerformancePanel* m_performance = nullptr;
     TimelinePanel* m_timeline = nullptr;
+    SimulationPanel* m_simulation = nullptr;
+    Measuring* m_measuring = nullptr;
+    ProbeSet* m_probes = nullptr;
     QMenu* m_addTool = nullptr;
     QMenu* m_recent = nullptr;
     QLabel* m_hint = nullptr;

@@ -3,6 +3,7 @@
 
 #include "ui/actions.h"
 #include "ui/display.h"
+#include "ui/measuring/measuring.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/export_panel.h"
 #include "ui/panels/fixture_panel.h"
@@ -129,7 +130,7 @@ void MainWindow::makeDocks()
     nothing->setProperty("role", "dimmed");
     nothing->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     nothing->setMargin(12);
-    m_material = new MaterialPanel(m_document, m_services.materials);
+    m_material = new MaterialPanel(m_document, *m_materials);
     m_properties->addWidget(nothing); // in the order of Selection::Kind
     m_properties->addWidget(scrolled(m_material));
     m_properties->addWidget(scrolled(new ToolPanel(m_document)));
@@ -211,6 +212,8 @@ void MainWindow::makeMenus()
     m_addTool->menuAction()->setToolTip(tr("Put a tool above the part to push it with"));
     tools->addActions({a.fixFaces, a.remove});
 
+    m_measuring->fillMenu(menuBar()->addMenu(tr("&Measure")));
+
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addActions({a.fit, a.isometric, a.front, a.back, a.right, a.left, a.top, a.bottom});
     view->addSeparator();
@@ -247,8 +250,16 @@ void MainWindow::makeToolBar()
     bar->addActions({a.gravity, a.floor, a.renormalize});
     bar->addSeparator();
     bar->addActions({m_display->menu()->menuAction(), a.fit});
-    qobject_cast<QToolButton*>(bar->widgetForAction(m_display->menu()->menuAction()))
-        ->setPopupMode(QToolButton::InstantPopup);
+    const auto buttonOf = [bar](QAction* action) { return qobject_cast<QToolButton*>(bar->widgetForAction(action)); };
+    buttonOf(m_display->menu()->menuAction())->setPopupMode(QToolButton::InstantPopup);
+    buttonOf(a.fit)->setToolButtonStyle(Qt::ToolButtonIconOnly); // there must be room for all in a narrow window
+    auto* measure = new QToolButton(bar);
+    measure->setObjectName("measureButton");
+    measure->setIcon(icon("measure"));
+    measure->setToolTip(tr("Measure the part"));
+    measure->setPopupMode(QToolButton::InstantPopup);
+    measure->setMenu(menuBar()->findChild<QMenu*>("measureMenu"));
+    bar->addWidget(measure);
 }
 
 void MainWindow::makeStatusBar()

@@ -31,6 +31,14 @@ struct Services {
     std::function<void(const std::string& path, const std::function<void(const std::string& pathForNow)>& write)>
         writeSafely;
 
+    /// How many threads compute from now on; 0: as many as the machine has. May be null.
+    std::function<void(unsigned threads)> limitThreads;
+
+    /// Materials that the person saved. None while there is no file yet. @throws std::runtime_error with a sentence
+    std::function<std::vector<MaterialPreset>()> readOwnMaterials;
+    /// Keeps them instead of those there were, whole or not at all. @throws std::runtime_error with a sentence
+    std::function<void(const std::vector<MaterialPreset>&)> writeOwnMaterials;
+
     Packing packing; ///< of the moments in the history
 
     struct Format {

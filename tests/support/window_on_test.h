@@ -93,6 +93,7 @@ protected:
         QStandardPaths::setTestModeEnabled(true);
         static const QTemporaryDir state;
         qputenv("XDG_STATE_HOME", state.path().toUtf8());
+        qputenv("XDG_CONFIG_HOME", state.path().toUtf8());
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, state.path());
         QApplication::setOrganizationName("knead-test");
         QApplication::setApplicationName("window-test");

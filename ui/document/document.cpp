@@ -186,6 +186,7 @@ void Document::start(Simulation simulation, std::shared_ptr<const Content> conte
     m_simulation = std::make_unique<SimulationThread>(std::move(simulation), std::move(agenda));
     if (m_showsPressing)
         m_simulation->showPressing(true);
+    m_simulation->setSpeed(m_speed);
     m_seen = m_simulation->latest();
     m_arrivals = 0;
     m_agendaEnds = m_fixtureRequest = 0;
@@ -243,6 +244,13 @@ void Document::accept(const FramePointer& frame, std::uint64_t generation)
     emit changed(Change::Frame);
     if (m_journey == JourneyState::arriving)
         endJourney();
+}
+
+void Document::setSpeed(double ratio)
+{
+    m_speed = ratio;
+    if (m_simulation)
+        m_simulation->setSpeed(ratio);
 }
 
 void Document::setDisplayInterval(double seconds)

@@ -100,6 +100,9 @@ public:
     bool isPlaying() const { return m_isPlaying; } ///< as asked for; a frame that shows it may be on its way
     void stepOnce();
     void reset();
+    /// Wanted ratio of simulated to wall time, 0.01 .. 10; 1 at first. Of the window, not of the history.
+    void setSpeed(double ratio);
+    double speed() const { return m_speed; }
     /// @param name for the history; empty: what the command says itself
     void post(Command command, const QString& name = {});
 
@@ -289,6 +292,7 @@ private:
     Gesture m_gesture;
     QTimer* m_ending; ///< until a gesture that may be gone on with ends
     bool m_isPlaying = false;
+    double m_speed = 1;
     std::uint64_t m_playRequest = 0; ///< snapshots that count as many requests have heard of it
 
     JourneyState m_journey = JourneyState::none;

@@ -14,6 +14,7 @@ Banner::Banner(QWidget* parent)
     , m_sign(new QLabel(this))
     , m_sentence(new QLabel(this))
     , m_remedy(new QToolButton(this))
+    , m_other(new QToolButton(this))
 {
     setObjectName("banner");
     auto* row = new QHBoxLayout(this);
@@ -23,6 +24,7 @@ Banner::Banner(QWidget* parent)
     m_sentence->setWordWrap(true);
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_remedy->setObjectName("bannerRemedy");
+    m_other->setObjectName("bannerOther");
     auto* close = new QToolButton(this);
     close->setObjectName("bannerClose");
     close->setIcon(icon("close"));
@@ -31,9 +33,11 @@ Banner::Banner(QWidget* parent)
     row->addWidget(m_sign);
     row->addWidget(m_sentence, 1);
     row->addWidget(m_remedy);
+    row->addWidget(m_other);
     row->addWidget(close);
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
     connect(m_remedy, &QToolButton::clicked, this, &Banner::remedyClicked);
+    connect(m_other, &QToolButton::clicked, this, &Banner::otherClicked);
     hide();
 }
 
@@ -49,11 +53,13 @@ void Banner::changeEvent(QEvent* event)
     QFrame::changeEvent(event);
 }
 
-void Banner::show(const QString& sentence, const QString& remedy)
+void Banner::show(const QString& sentence, const QString& remedy, const QString& other)
 {
     m_sentence->setText(sentence);
     m_remedy->setText(remedy);
     m_remedy->setVisible(!remedy.isEmpty());
+    m_other->setText(other);
+    m_other->setVisible(!other.isEmpty());
     QFrame::show();
 }
 

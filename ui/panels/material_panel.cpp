@@ -1,17 +1,30 @@
 #include "ui/panels/material_panel.h"
 
+#include "ui/materials/material_facts.h"
+#include "ui/materials/material_store.h"
 #include "ui/panels/form.h"
 #include "ui/theme.h"
 
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 
 #include <algorithm>
+#include <numeric>
 
 namespace knead {
 
 namespace {
+
+void setRole(QLabel* label, const char* role)
+{
+    if (label->property("role").toString() == role)
+        return;
+    label->setProperty("role", role);
+    label->style()->unpolish(label);
+    label->style()->polish(label);
+}
 
 /// Numbers of a material that belong together.
 struct Group {
@@ -40,17 +53,18 @@ const MaterialField& fieldOf(double Material::*value)
 
 } // namespace
 
-MaterialPanel::MaterialPanel(Document& document, std::vector<MaterialPreset> presets, QWidget* parent)
+MaterialPanel::MaterialPanel(Document& document, MaterialStore& store, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
-    , m_presets(std::move(presets))
+    , m_store(store)
 {
     setObjectName("materialPanel");
     makeForm(this);
     makeBodyRows();
+    makePresetRows();
+    makeFactRows();
     makeMaterialRows();
     makeFillingRows();
-    makeStepRows();
     connect(&document, &Document::changed, this, &MaterialPanel::documentChanged);
     connect(&document, &Document::looksChanged, this, [this] {
         if (m_body < m_document.content().bodies.size())
@@ -77,27 +91,37 @@ void MaterialPanel::makeBodyRows()
     form->addRow(tr("Body"), m_kind);
 }
 
+void MaterialPanel::makeFactRows()
+{
+    auto* form = qobject_cast<QFormLayout*>(layout());
+    form->addRow(makeHeading(tr("What follows"), this));
+    const auto add = [&](const char* name, const QString& label, const QString& tip) {
+        QLabel* reading = makeReading(name, this);
+        reading->setToolTip(tip);
+        form->addRow(label, reading);
+        return reading;
+    };
+    m_soundSpeed = add("soundSpeed", tr("Speed of sound"), tr("Of a thin bar: the root of stiffness by density"));
+    m_stableStep = add("stableStep", tr("Stable time step"),
+                       tr("Longest step of an explicit scheme, for all bodies together; shorter for stiff, light and "
+                          "finely filled ones"));
+    m_ratio = add("expectedRatio", tr("Expected speed"),
+                  tr("Simulated by wall time on this machine: measured while time ran, else by a rule"));
+    m_wallCells =
+        add("wallCells", tr("Cells across walls"),
+            tr("Across the thinnest wall: with fewer than %1 its bending is mostly wrong").arg(fewestCellsAcrossWall));
+}
+
 void MaterialPanel::makeMaterialRows()
 {
     auto* form = qobject_cast<QFormLayout*>(layout());
-    m_preset = makeChoice("materialPreset", this);
-    m_preset->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_preset->setMinimumContentsLength(10);
-    m_preset->setMaxVisibleItems(20);
-    m_preset->setPlaceholderText(tr("Own numbers"));
-    for (const MaterialPreset& preset : m_presets) {
-        m_preset->addItem(QString::fromStdString(preset.name));
-        m_preset->setItemData(m_preset->count() - 1, QString::fromStdString(preset.source), Qt::ToolTipRole);
-    }
-    connect(m_preset, &QComboBox::activated, this, &MaterialPanel::choosePreset);
-    form->addRow(tr("Material"), m_preset);
-
     for (const Group& group : groups()) {
         form->addRow(makeHeading(tr(group.name), this));
         for (double Material::*value : group.values) {
             const MaterialField& row = fieldOf(value);
             QuantityField* field = makeField(quantityOfUnit(row.unit), QString::fromLatin1(row.key), this);
             field->setRange(row.minimum, row.maximum);
+            field->setTip(tr("%1 to %2, with any unit; 1.2e6 and 1,2 are taken too"));
             if (*row.zero != '\0')
                 field->setZeroText(tr(row.zero));
             connect(field, &QuantityField::committed, this, [this, value](double number) { commit(value, number); });
@@ -126,27 +150,6 @@ void MaterialPanel::makeFillingRows()
     form->addRow(tr("Spacing"), m_spacing);
     form->addRow(tr("Cells across"), m_cells);
     form->addRow(QString(), m_refill);
-}
-
-void MaterialPanel::makeStepRows()
-{
-    auto* form = qobject_cast<QFormLayout*>(layout());
-    form->addRow(makeHeading(tr("Steps"), this));
-    m_integrator = makeChoice("integrator", this);
-    // In the order of Integrator.
-    m_integrator->addItems({tr("Semi-implicit Euler"), tr("Forward Euler"), tr("Implicit Euler"), tr("Automatic")});
-    m_integrator->setItemData(0, tr("Keeps vibrations; stiff materials take small steps"), Qt::ToolTipRole);
-    m_integrator->setItemData(1, tr("As published; needs damping"), Qt::ToolTipRole);
-    m_integrator->setItemData(2, tr("A step per frame for any stiffness; fast vibrations die out"), Qt::ToolTipRole);
-    m_integrator->setItemData(3, tr("Implicit where the semi-implicit scheme would be slower than real time"),
-                              Qt::ToolTipRole);
-    connect(m_integrator, &QComboBox::activated, this, &MaterialPanel::chooseIntegrator);
-    form->addRow(tr("Integrator"), m_integrator);
-    m_integratorReason = new QLabel(this);
-    m_integratorReason->setObjectName("integratorReason");
-    m_integratorReason->setProperty("role", "dimmed");
-    m_integratorReason->setWordWrap(true);
-    form->addRow(m_integratorReason);
 }
 
 double MaterialPanel::cellsAcross(double spacing) const
@@ -194,7 +197,6 @@ void MaterialPanel::showBody()
     m_body = selection.kind == Selection::Kind::Body ? selection.id : 0;
     m_isPosted = false;
     m_postedKind.reset();
-    m_postedIntegrator.reset();
     const ContentBody& body = *m_document.content().bodies[m_body];
     m_name->setText(m_document.nameOfBody(m_body));
     m_facts->setText(tr("%1 objects, %2 connections\n%3 of material")
@@ -214,42 +216,52 @@ void MaterialPanel::showMaterial()
         m_postedKind.reset();
         m_kind->setCurrentIndex(static_cast<int>(kind));
     }
-    if (!m_postedIntegrator || *m_postedIntegrator == now.wantedIntegrator || !now.notice.empty()) {
-        m_postedIntegrator.reset();
-        m_integrator->setCurrentIndex(static_cast<int>(now.wantedIntegrator));
-    }
-    m_integratorReason->setText(QString::fromStdString(now.integratorReason));
     const Material& material = now.materials[m_body];
+    if (material != m_material)
+        m_stepSeconds = 0;
+    measureSteps(now);
+    showFacts();
     if (m_isPosted && material != m_material && now.health.ok)
         return;
     m_isPosted = false;
     m_material = material;
     for (const auto& [value, field] : m_fields)
         field->setValue(material.*value);
-    const auto preset = std::find_if(m_presets.begin(), m_presets.end(),
-                                     [&](const MaterialPreset& p) { return p.material == material; });
-    m_preset->setCurrentIndex(preset == m_presets.end() ? -1 : static_cast<int>(preset - m_presets.begin()));
+    showPreset();
 }
 
-void MaterialPanel::choosePreset(int index)
+/// Stages of a step, as they were measured while time ran with these numbers.
+void MaterialPanel::measureSteps(const Snapshot& now)
 {
-    const MaterialPreset& preset = m_presets[static_cast<std::size_t>(index)];
-    m_material = preset.material;
-    for (const auto& [value, field] : m_fields)
-        field->restore();
-    post(tr("Material of %1 → %2").arg(m_name->text(), QString::fromStdString(preset.name)));
+    constexpr double smoothing = 0.1;
+    if (now.integrator != m_measuredIntegrator)
+        m_stepSeconds = 0;
+    m_measuredIntegrator = now.integrator;
+    const double seconds = std::accumulate(now.stages.begin(), now.stages.end(), 0.0);
+    if (now.playing && seconds > 0)
+        m_stepSeconds = m_stepSeconds == 0 ? seconds : m_stepSeconds + smoothing * (seconds - m_stepSeconds);
+}
+
+void MaterialPanel::showFacts()
+{
+    constexpr double keepsUp = 0.95;
+    const MaterialFacts facts = factsOf(m_document.content(), *m_document.frame()->snapshot, m_body, m_stepSeconds);
+    m_soundSpeed->setText(formatReading(facts.soundSpeed, Quantity::Speed));
+    m_stableStep->setText(formatReading(facts.stableStep, Quantity::Time));
+    const QString ratio = QString::number(facts.ratio, 'g', 2);
+    const QString about = facts.isMeasured ? ratio : tr("about %1").arg(ratio);
+    m_ratio->setText(facts.ratio >= keepsUp ? tr("keeps up with real time") : tr("%1 of real time").arg(about));
+    m_wallCells->setText(facts.cellsAcrossWall > 0 ? QString::number(facts.cellsAcrossWall, 'g', 2)
+                                                   : tr("not measured"));
+    const bool isCoarse = facts.cellsAcrossWall > 0 && facts.cellsAcrossWall < fewestCellsAcrossWall;
+    setRole(m_wallCells, isCoarse ? "slow" : "");
+    setRole(m_ratio, facts.ratio < keepsUp ? "slow" : "");
 }
 
 void MaterialPanel::chooseKind(int index)
 {
     m_postedKind = static_cast<BodyKind>(index);
     m_document.post(SetBodyKind{m_body, *m_postedKind});
-}
-
-void MaterialPanel::chooseIntegrator(int index)
-{
-    m_postedIntegrator = static_cast<Integrator>(index);
-    m_document.post(SetIntegrator{*m_postedIntegrator});
 }
 
 void MaterialPanel::commit(double Material::*value, double number)
@@ -264,6 +276,7 @@ void MaterialPanel::commit(double Material::*value, double number)
 void MaterialPanel::post(const QString& what)
 {
     m_isPosted = true;
+    m_stepSeconds = 0;
     m_document.post(SetMaterial{m_body, m_material}, what);
 }
 

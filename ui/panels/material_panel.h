@@ -11,17 +11,20 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace knead {
 
+class MaterialStore;
 class QuantityField;
 
-/// What the selected body is made of, how densely it is filled, and how steps are taken. A change reaches the simulation at once, also while
+/// What the selected body is made of, what follows from it, and how densely it is filled. A change reaches the simulation at once, also while
 /// it runs.
 class MaterialPanel final : public QWidget {
     Q_OBJECT
 public:
-    MaterialPanel(Document& document, std::vector<MaterialPreset> presets, QWidget* parent = nullptr);
+    /// @param store outlives the panel
+    MaterialPanel(Document& document, MaterialStore& store, QWidget* parent = nullptr);
 
 signals:
     /// The person wants the document filled with another spacing [m].
@@ -29,22 +32,30 @@ signals:
 
 private:
     void makeBodyRows();
+    void makePresetRows();
+    void makeFactRows();
     void makeMaterialRows();
     void makeFillingRows();
-    void makeStepRows();
     void documentChanged(Document::Change what);
     void showBody();
     void showMaterial();
+    void showPreset();
+    void showFacts();
+    void listPresets();
+    void measureSteps(const Snapshot& now);
+    void askForName(const QString& title, const QString& proposed, std::optional<std::size_t> renamed);
+    void compare();
+    std::optional<std::size_t> ownPreset() const;
     void showSpacing(double spacing);
     void choosePreset(int index);
     void chooseKind(int index);
-    void chooseIntegrator(int index);
     void commit(double Material::*value, double number);
     void post(const QString& what);
     double cellsAcross(double spacing) const;
 
     Document& m_document;
-    std::vector<MaterialPreset> m_presets;
+    MaterialStore& m_store;
+    QString m_chosenName; ///< of a preset, for when several have the same numbers
     BodyId m_body = 0;
     Material m_material;     ///< as posted last
     bool m_isPosted = false; ///< until a snapshot shows it
@@ -53,13 +64,19 @@ private:
     QComboBox* m_kind = nullptr;
     std::optional<BodyKind> m_postedKind; ///< until a snapshot shows it
     QComboBox* m_preset = nullptr;
+    QToolButton* m_rename = nullptr;
+    QToolButton* m_delete = nullptr;
+    QLabel* m_source = nullptr;
+    QLabel* m_soundSpeed = nullptr;
+    QLabel* m_stableStep = nullptr;
+    QLabel* m_ratio = nullptr;
+    QLabel* m_wallCells = nullptr;
+    double m_stepSeconds = 0; ///< wall time of a step, smoothed; 0: not measured with these numbers
+    Integrator m_measuredIntegrator = Integrator::automatic; ///< that it was measured with
     std::vector<std::pair<double Material::*, QuantityField*>> m_fields;
     QuantityField* m_spacing = nullptr;
     QuantityField* m_cells = nullptr;
     QPushButton* m_refill = nullptr;
-    QComboBox* m_integrator = nullptr;
-    std::optional<Integrator> m_postedIntegrator; ///< until a snapshot shows it
-    QLabel* m_integratorReason = nullptr;
 };
 
 } // namespace knead

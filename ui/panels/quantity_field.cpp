@@ -24,6 +24,13 @@ void QuantityField::setRange(double minimum, double maximum)
     m_maximum = maximum;
 }
 
+void QuantityField::setTip(const QString& tip)
+{
+    m_tip = tip.arg(formatQuantity(m_minimum, m_quantity), formatQuantity(m_maximum, m_quantity));
+    if (!hasProblem())
+        setToolTip(m_tip);
+}
+
 void QuantityField::setZeroText(const QString& text)
 {
     m_zeroText = text;
@@ -154,7 +161,7 @@ void QuantityField::restore()
 void QuantityField::showProblem(const QString& problem)
 {
     m_problem = problem;
-    setToolTip(problem);
+    setToolTip(problem.isEmpty() ? m_tip : problem);
     setProperty("problem", hasProblem()); // the style sheet draws the mark
     style()->unpolish(this);
     style()->polish(this);

@@ -17,6 +17,8 @@ public:
     explicit QuantityField(Quantity quantity, QWidget* parent = nullptr);
 
     void setRange(double minimum, double maximum); ///< SI, both ends allowed
+    /// A tool tip for as long as there is no problem. @param tip in it %1 and %2 are the ends of the range
+    void setTip(const QString& tip);
     /// What 0 means, in words: shown in its place. An emptied field then is 0.
     void setZeroText(const QString& text);
     double value() const { return m_value; } ///< SI
@@ -54,6 +56,7 @@ private:
     double m_minimum = -std::numeric_limits<double>::infinity();
     double m_maximum = std::numeric_limits<double>::infinity();
     QString m_zeroText;
+    QString m_tip;
     QString m_problem;
     bool m_isBeingEdited = false;
 };

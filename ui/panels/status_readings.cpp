@@ -63,8 +63,11 @@ QLabel* StatusReadings::add(const QString& name, const QString& tip)
 
 void StatusReadings::show(const Snapshot& snapshot)
 {
-    m_ratio->setText(snapshot.playing ? ratioText(snapshot.ratio) : tr("Paused"));
-    setRole(m_ratio, snapshot.playing && snapshot.ratio < realTime ? "slow" : "heading");
+    const bool isSlow = snapshot.ratio < realTime * m_speed;
+    const QString chosen =
+        tr("%1x of %2x as chosen").arg(snapshot.ratio, 0, 'f', snapshot.ratio < 0.1 ? 3 : 2).arg(m_speed);
+    m_ratio->setText(!snapshot.playing ? tr("Paused") : m_speed == 1 ? ratioText(snapshot.ratio) : chosen);
+    setRole(m_ratio, snapshot.playing && isSlow ? "slow" : "heading");
     m_updates->setText(snapshot.playing ? tr("%1 Hz").arg(snapshot.updatesPerSecond, 0, 'f', 0) : QString());
     m_steps->setText(snapshot.playing ? (snapshot.stepsPerFrame == 1 ? tr("1 step/frame")
                                                                      : tr("%1 steps/frame").arg(snapshot.stepsPerFrame))

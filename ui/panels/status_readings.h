@@ -19,8 +19,11 @@ public:
     explicit StatusReadings(QWidget* parent = nullptr);
 
     void show(const Snapshot& snapshot);
+    /// The wanted ratio of simulated to wall time: slow motion is not slowness.
+    void setSpeed(double speed) { m_speed = speed; }
 
 private:
+    double m_speed = 1;
     QLabel* add(const QString& name, const QString& tip);
 
     QLabel* m_ratio;

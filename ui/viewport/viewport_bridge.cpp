@@ -79,6 +79,7 @@ void ViewportBridge::requestRender()
 {
     m_isDirty = true;
     update();
+    emit renderRequested();
 }
 
 void ViewportBridge::updateSize()

@@ -31,6 +31,9 @@ public:
     /// The surface format the application must set before it is created.
     static QSurfaceFormat surfaceFormat();
 
+signals:
+    void renderRequested(); ///< what is painted over the scene goes with it
+
 protected:
     void initializeGL() override;
     void paintGL() override;

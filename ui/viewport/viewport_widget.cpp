@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace knead {
 
@@ -132,6 +133,12 @@ void ViewportWidget::setFixing(bool on)
     updateMarks();
 }
 
+void ViewportWidget::setHighlight(const std::optional<SceneMarks::Face>& face)
+{
+    if (std::exchange(m_highlight, face) != face)
+        updateMarks();
+}
+
 void ViewportWidget::documentChanged(Document::Change what)
 {
     switch (what) {
@@ -189,6 +196,8 @@ void ViewportWidget::updateMarks()
         marks.selected = selected;
     if (const Region& under = m_regions->hovered(); under.level != Level::Part || !isOnly)
         marks.hovered = under;
+    if (m_highlight)
+        marks.highlighted = m_highlight;
     marks.fixed = fixedFaces();
     m_scene->setMarks(marks);
     setCursor(m_manipulation->cursor());
@@ -219,6 +228,11 @@ WindowSize ViewportWidget::window() const
 Ray ViewportWidget::rayAt(const QPointF& position) const
 {
     return m_camera.ray(pixelOf(position), window());
+}
+
+bool ViewportWidget::isOnCube(const QPointF& position) const
+{
+    return m_scene->cube().directionAt(pixelOf(position)).has_value();
 }
 
 std::optional<QPointF> ViewportWidget::widgetPosition(const Vec3& place) const

@@ -46,7 +46,14 @@ public:
     /// Where a place is seen, in this widget's coordinates; for tests and labels.
     std::optional<QPointF> widgetPosition(const Vec3& place) const;
     std::optional<ColorScale> scale() const { return m_scene->scale(); } ///< see SceneView::scale()
-    Ray rayAt(const QPointF& position) const;                            ///< what lies under a place of this widget
+    /// What lies under a position in this widget.
+    Ray rayAt(const QPointF& position) const;
+    /// Whether a click there turns the view.
+    bool isOnCube(const QPointF& position) const;
+    /// What is drawn: the present, or a frame of the past; null while nothing is open.
+    const FramePointer& shownFrame() const { return m_past ? m_past : m_document.frame(); }
+    /// Sets a face apart by color, as under the mouse.
+    void setHighlight(const std::optional<SceneMarks::Face>& face);
 
 signals:
     void optionsChanged();
@@ -90,6 +97,7 @@ private:
     QVariantAnimation* m_turning;
     Camera m_turnStart;
     Camera m_turnEnd;
+    std::optional<SceneMarks::Face> m_highlight;
     FramePointer m_past; ///< that is looked at; null: the present
     QLabel* m_caption;
     QPointF m_lastMouse;

@@ -1,0 +1,64 @@
+#include "ui/panels/plot_view.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <limits>
+
+using namespace knead;
+
+/// Lines over time.
+class PlotViewTest : public QObject {
+    Q_OBJECT
+
+    static int countOf(const QImage& image, const QColor& color)
+    {
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                count += image.pixelColor(x, y) == color ? 1 : 0;
+        return count;
+    }
+
+private slots:
+    void stepsAreRound()
+    {
+        const std::pair<double, double> steps[] = {{1, 1}, {1.1, 2}, {2.5, 5}, {6, 10}, {0.02, 0.02}, {0.03, 0.05}};
+        for (const auto& [least, step] : steps)
+            QVERIFY(std::abs(roundStep(least) / step - 1) < 1e-12);
+    }
+
+    void whatIsUnknownInterruptsALine()
+    {
+        const QColor red("#ff0000");
+        std::vector<QPointF> points;
+        for (int i = 0; i <= 100; ++i)
+            points.emplace_back(0.01 * i, 1.0);
+        PlotView plot;
+        plot.resize(400, 200);
+        plot.show({{"a", red, points}}, Quantity::Force, "Force");
+        const int whole = countOf(plot.grab().toImage(), red);
+        for (std::size_t i = 40; i < 60; ++i)
+            points[i].setY(std::numeric_limits<double>::quiet_NaN());
+        plot.show({{"a", red, points}}, Quantity::Force, "Force");
+        const int interrupted = countOf(plot.grab().toImage(), red);
+        QVERIFY(whole > 200);
+        QVERIFY(interrupted < 0.95 * whole && interrupted > 0.5 * whole);
+    }
+
+    void nothingAndOnePointAreDrawn()
+    {
+        PlotView plot;
+        plot.resize(300, 150);
+        plot.setHint("Nothing yet");
+        plot.grab();
+        plot.show({{"a", Qt::red, {{0, 0}}}, {"b", Qt::blue, {}}}, Quantity::Length, "Way");
+        plot.grab();
+        plot.show({{"a", Qt::red, {{0.5, -1e-12}, {0.5, 3e9}}}}, Quantity::Pressure, "Stress");
+        plot.grab();
+        QCOMPARE(plot.lines().size(), std::size_t{1});
+    }
+};
+
+QTEST_MAIN(PlotViewTest)
+#include "plot_view_test.moc"

@@ -1,0 +1,82 @@
+#include "ui/dialogs/comparison_dialog.h"
+
+#include "ui/theme.h"
+#include "ui/units.h"
+
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+constexpr QSize startSize(860, 300);
+
+QString lengthText(double length)
+{
+    return formatReading(length, Quantity::Length);
+}
+
+/// "+0.25 %"; no sign where rounding leaves nothing.
+QString shareText(double share)
+{
+    constexpr double least = 5e-5;
+    return std::abs(share) < least ? QStringLiteral("0 %") : QString::asprintf("%+.2f %%", 100 * share);
+}
+
+QTreeWidgetItem* rowOf(const BodyComparison& body)
+{
+    auto* row = new QTreeWidgetItem(
+        {QString::fromStdString(body.name), lengthText(body.largestDistance), lengthText(body.meanDistance),
+         lengthText(body.largestDisplacement), formatQuantity(body.rest.volume, Quantity::Volume),
+         formatQuantity(body.now.volume, Quantity::Volume), shareText(body.now.volume / body.rest.volume - 1),
+         formatQuantity(body.now.mass, Quantity::Mass)});
+    row->setIcon(0, icon("part"));
+    for (int column = 1; column < row->columnCount(); ++column)
+        row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    return row;
+}
+
+} // namespace
+
+ComparisonDialog::ComparisonDialog(const Comparison& comparison, QWidget* parent)
+    : QDialog(parent)
+{
+    setObjectName("comparisonDialog");
+    setWindowTitle(tr("Compare with original"));
+    resize(startSize);
+    auto* intro =
+        new QLabel(tr("How far the skin is from the nearest point of the original surface, at %1 of simulated "
+                      "time. The mean is by area.")
+                       .arg(formatReading(comparison.time, Quantity::Time)),
+                   this);
+    intro->setWordWrap(true);
+    auto* table = new QTreeWidget(this);
+    table->setObjectName("comparison");
+    table->setRootIsDecorated(false);
+    table->setHeaderLabels({tr("Part"), tr("Largest distance"), tr("Mean distance"), tr("Largest displacement"),
+                            tr("Volume at rest"), tr("Volume now"), tr("Change"), tr("Mass")});
+    for (const BodyComparison& body : comparison.bodies)
+        table->addTopLevelItem(rowOf(body));
+    for (int column = 0; column < table->columnCount(); ++column)
+        table->resizeColumnToContents(column);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    auto* report = buttons->addButton(tr("Write report..."), QDialogButtonBox::ActionRole);
+    report->setObjectName("writeReport");
+    report->setProperty("role", "primary");
+    report->setToolTip(tr("A page with these numbers, what was measured and a picture of the view, as PDF or HTML"));
+    connect(report, &QPushButton::clicked, this, &ComparisonDialog::reportWanted);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(intro);
+    column->addWidget(table, 1);
+    column->addWidget(buttons);
+}
+
+} // namespace knead

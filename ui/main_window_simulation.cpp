@@ -1,0 +1,112 @@
+// Materials and how time runs in the main window: the simulation dock, and what is offered when a simulation had to stop.
+#include "ui/main_window.h"
+
+#include "ui/materials/material_store.h"
+#include "ui/panels/banner.h"
+#include "ui/panels/simulation_panel.h"
+#include "ui/panels/status_readings.h"
+
+#include <QDockWidget>
+#include <QScrollArea>
+
+#include <algorithm>
+
+namespace knead {
+
+namespace {
+
+constexpr double slower = 0.5;         // speed limit of a tool by its old one
+constexpr double finer = 0.75;         // spacing by the old one
+constexpr double leastDamping = 0.1;   // damping ratio that is offered
+constexpr double largestDamping = 0.3; // that a material may have
+
+void slowToolsDown(Document& document)
+{
+    document.beginGesture();
+    for (const ToolState& tool : document.frame()->snapshot->tools)
+        document.post(ReshapeManipulator{tool.id, tool.size, tool.friction, slower * tool.speedLimit, tool.forceLimit,
+                                         tool.kind, tool.part},
+                      MainWindow::tr("Slower tools"));
+    document.endGesture();
+    document.reset();
+}
+
+void dampMore(Document& document)
+{
+    document.beginGesture();
+    const std::vector<Material> materials = document.frame()->snapshot->materials;
+    for (BodyId body = 0; body < materials.size(); ++body) {
+        Material material = materials[body];
+        material.dampingRatio = std::clamp(2 * material.dampingRatio, leastDamping, largestDamping);
+        document.post(SetMaterial{body, material}, MainWindow::tr("More damping"));
+    }
+    document.endGesture();
+    document.reset();
+}
+
+} // namespace
+
+void MainWindow::makeMaterials()
+{
+    m_materials = new MaterialStore(m_services, this);
+    connect(m_materials, &MaterialStore::failed, this, [this](const QString& sentence) { showProblem(sentence); });
+    if (!m_materials->damage().isEmpty()) // when there is a banner to show it
+        QMetaObject::invokeMethod(
+            this, [this] { showProblem(m_materials->damage()); }, Qt::QueuedConnection);
+}
+
+void MainWindow::makeSimulation()
+{
+    auto* panel = new SimulationPanel(m_document, m_services.limitThreads);
+    auto* area = new QScrollArea;
+    area->setWidget(panel);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* dock = new QDockWidget(tr("Simulation"), this);
+    dock->setObjectName("simulationDock");
+    dock->setWidget(area);
+    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+    addDockWidget(Qt::LeftDockWidgetArea, dock);
+    auto* model = findChild<QDockWidget*>("modelDock");
+    tabifyDockWidget(findChild<QDockWidget*>("historyDock"), dock);
+    model->raise();
+    m_simulation = panel;
+    connect(panel, &SimulationPanel::speedChanged, this, [this](double speed) {
+        m_readings->setSpeed(speed);
+        if (const FramePointer& frame = m_document.frame())
+            m_readings->show(*frame->snapshot);
+    });
+    connect(m_banner, &Banner::otherClicked, this, [this] { m_document.reset(); });
+}
+
+/// What the simulation advises, as a button; and back to the start as it is.
+void MainWindow::showHealth(const Health& health)
+{
+    if (health.message == m_shownHealth)
+        return;
+    m_shownHealth = health.message;
+    const QString sentence = QString::fromStdString(health.message);
+    const auto reset = [this] { m_document.reset(); };
+    if (health.message.empty())
+        return m_banner->hide();
+    if (health.ok)
+        return showProblem(sentence);
+    const bool hasTools = !m_document.frame()->snapshot->tools.empty();
+    if (health.trouble == Trouble::squashed)
+        showTrouble(sentence, tr("Fill finer"), [this] { refill(finer * m_document.content().spacing); });
+    else if (health.trouble == Trouble::none || health.trouble == Trouble::longStep)
+        showProblem(sentence, tr("Reset"), reset);
+    else if (hasTools)
+        showTrouble(sentence, tr("Slower tools"), [this] { slowToolsDown(m_document); });
+    else
+        showTrouble(sentence, tr("More damping"), [this] { dampMore(m_document); });
+}
+
+void MainWindow::showTrouble(const QString& sentence, const QString& remedyText, std::function<void()> remedy)
+{
+    showProblem(sentence, remedyText, std::move(remedy));
+    m_banner->show(sentence, remedyText, tr("Reset"));
+}
+
+} // namespace knead

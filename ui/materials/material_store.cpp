@@ -1,0 +1,122 @@
+#include "ui/materials/material_store.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace knead {
+
+namespace {
+
+/// An id that no other preset has.
+std::string newId(const std::vector<MaterialPreset>& all)
+{
+    for (int number = 1;; ++number) {
+        const std::string id = "own-" + std::to_string(number);
+        if (std::none_of(all.begin(), all.end(), [&](const MaterialPreset& preset) { return preset.id == id; }))
+            return id;
+    }
+}
+
+} // namespace
+
+MaterialStore::MaterialStore(const Services& services, QObject* parent)
+    : QObject(parent)
+    , m_services(services)
+    , m_all(services.materials)
+    , m_bundled(services.materials.size())
+{
+    if (!m_services.readOwnMaterials)
+        return;
+    try {
+        const std::vector<MaterialPreset> own = m_services.readOwnMaterials();
+        m_all.insert(m_all.end(), own.begin(), own.end());
+    } catch (const std::exception& error) {
+        m_damage = tr("Your own materials cannot be read: %1 Mend or remove the file; until then none can be saved.")
+                       .arg(QString::fromStdString(error.what()));
+    }
+}
+
+std::optional<std::size_t> MaterialStore::find(const Material& material, const QString& preferred) const
+{
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < m_all.size(); ++i)
+        if (m_all[i].material == material && (!found || QString::fromStdString(m_all[i].name) == preferred))
+            found = i;
+    return found;
+}
+
+std::optional<std::size_t> MaterialStore::named(const QString& name) const
+{
+    for (std::size_t i = 0; i < m_all.size(); ++i)
+        if (QString::fromStdString(m_all[i].name).compare(name.trimmed(), Qt::CaseInsensitive) == 0)
+            return i;
+    return std::nullopt;
+}
+
+QString MaterialStore::problemWith(const QString& name, std::optional<std::size_t> renamed) const
+{
+    if (name.trimmed().isEmpty())
+        return tr("A material needs a name: type one.");
+    const auto other = named(name);
+    if (other && other != renamed)
+        return tr("There is a material named \"%1\" already: choose another name.").arg(name.trimmed());
+    return {};
+}
+
+std::vector<MaterialPreset> MaterialStore::own() const
+{
+    return {m_all.begin() + static_cast<std::ptrdiff_t>(m_bundled), m_all.end()};
+}
+
+void MaterialStore::save(const QString& name, const Material& material)
+{
+    if (const QString problem = problemWith(name); !problem.isEmpty())
+        return emit failed(problem);
+    std::vector<MaterialPreset> presets = own();
+    presets.push_back({newId(presets), name.trimmed().toStdString(), tr("Saved by you").toStdString(), material});
+    write(std::move(presets));
+}
+
+void MaterialStore::rename(std::size_t index, const QString& name)
+{
+    if (const QString problem = problemWith(name, index); !problem.isEmpty())
+        return emit failed(problem);
+    std::vector<MaterialPreset> presets = own();
+    presets[index - m_bundled].name = name.trimmed().toStdString();
+    write(std::move(presets));
+}
+
+void MaterialStore::remove(std::size_t index)
+{
+    std::vector<MaterialPreset> presets = own();
+    presets.erase(presets.begin() + static_cast<std::ptrdiff_t>(index - m_bundled));
+    write(std::move(presets));
+}
+
+/// What is damaged is not written over: there may be work in it.
+void MaterialStore::write(std::vector<MaterialPreset> own)
+{
+    if (!m_damage.isEmpty())
+        return emit failed(m_damage);
+    m_writing.run([this, own = std::move(own), write = m_services.writeOwnMaterials] {
+        QString problem;
+        try {
+            write(own);
+        } catch (const std::exception& error) {
+            problem = QString::fromStdString(error.what());
+        }
+        QMetaObject::invokeMethod(
+            this, [this, own, problem] { written(own, problem); }, Qt::QueuedConnection);
+    });
+}
+
+void MaterialStore::written(const std::vector<MaterialPreset>& own, const QString& problem)
+{
+    if (!problem.isEmpty())
+        return emit failed(tr("The material was not saved: %1").arg(problem));
+    m_all.resize(m_bundled);
+    m_all.insert(m_all.end(), own.begin(), own.end());
+    emit changed();
+}
+
+} // namespace knead

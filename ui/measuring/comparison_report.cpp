@@ -1,0 +1,141 @@
+// The report of a comparison as a page, in HTML and PDF.
+#include "ui/measuring/comparison.h"
+#include "ui/units.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QFile>
+#include <QLocale>
+#include <QPageSize>
+#include <QPdfWriter>
+#include <QTextDocument>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace knead {
+
+namespace {
+
+constexpr int pictureWidth = 640; // [pixels] on the page
+constexpr int dotsPerInch = 150;
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("ComparisonReport", text);
+}
+
+QString changed(double rest, double now, Quantity quantity)
+{
+    constexpr double least = 0.005; // what two decimals show
+    const double share = rest != 0 && std::abs(100 * (now / rest - 1)) >= least ? 100 * (now / rest - 1) : 0;
+    return QStringLiteral("%1 → %2 (%3 %)")
+        .arg(formatQuantity(rest, quantity), formatQuantity(now, quantity),
+             share == 0 ? QStringLiteral("0") : QString::asprintf("%+.2f", share));
+}
+
+QString cell(const QString& text, const char* tag = "td")
+{
+    return QStringLiteral("<%1>%2</%1>").arg(QLatin1String(tag), text.toHtmlEscaped());
+}
+
+QString rowOf(const BodyComparison& body)
+{
+    const double moved = (body.now.center - body.rest.center).norm();
+    return "<tr>" + cell(QString::fromStdString(body.name)) +
+           cell(formatReading(body.largestDistance, Quantity::Length)) +
+           cell(formatReading(body.meanDistance, Quantity::Length)) +
+           cell(formatReading(body.largestDisplacement, Quantity::Length)) +
+           cell(changed(body.rest.volume, body.now.volume, Quantity::Volume)) +
+           cell(formatQuantity(body.now.mass, Quantity::Mass)) + cell(formatReading(moved, Quantity::Length)) + "</tr>";
+}
+
+QString tableOf(const Comparison& comparison)
+{
+    QString text = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"5\"><tr>";
+    for (const QString& heading : {tr("Part"), tr("Largest distance"), tr("Mean distance"), tr("Largest displacement"),
+                                   tr("Volume"), tr("Mass"), tr("Center of mass moved")})
+        text += cell(heading, "th");
+    text += "</tr>";
+    for (const BodyComparison& body : comparison.bodies)
+        text += rowOf(body);
+    return text + "</table>";
+}
+
+QString pictureOf(const QImage& image)
+{
+    if (image.isNull())
+        return {};
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return QStringLiteral("<p><img width=\"%1\" src=\"data:image/png;base64,%2\"></p>")
+        .arg(pictureWidth)
+        .arg(QString::fromLatin1(bytes.toBase64()));
+}
+
+void writeText(const QString& text, const std::string& path)
+{
+    QFile file(QFile::decodeName(path.c_str()));
+    const QByteArray bytes = text.toUtf8();
+    if (!file.open(QFile::WriteOnly) || file.write(bytes) != bytes.size() || !file.flush())
+        throw std::runtime_error(path + ": the report cannot be written (" + file.errorString().toStdString() +
+                                 "). Choose another folder, or make room on the disk.");
+}
+
+void writePdf(const ComparisonReport& report, const std::string& path)
+{
+    const QString name = QFile::decodeName(path.c_str());
+    {
+        QPdfWriter writer(name);
+        writer.setResolution(dotsPerInch);
+        writer.setPageSize(QPageSize(QPageSize::A4));
+        writer.setPageOrientation(QPageLayout::Landscape);
+        writer.setTitle(report.part);
+        writer.setCreator(QStringLiteral("Knead"));
+        QTextDocument page;
+        page.setDefaultFont(QFont("sans-serif", 9));
+        page.setHtml(htmlOf(report));
+        page.print(&writer);
+    }
+    if (QFile(name).size() == 0)
+        throw std::runtime_error(path +
+                                 ": the report cannot be written. Choose another folder, or make room on the disk.");
+}
+
+} // namespace
+
+QString htmlOf(const ComparisonReport& report)
+{
+    QString text = "<!DOCTYPE html><html><head><meta charset=\"utf-8\"><title>" + report.part.toHtmlEscaped() +
+                   "</title><style>body { font-family: sans-serif; color: #1d2126; } table { border-collapse: "
+                   "collapse; } th { background-color: #e9ecef; }</style></head><body>";
+    text += "<h2>" + tr("%1 beside its original").arg(report.part).toHtmlEscaped() + "</h2>";
+    text += "<p>" +
+            tr("At %1 of simulated time. Written by Knead on %2.")
+                .arg(formatReading(report.comparison.time, Quantity::Time),
+                     QLocale().toString(report.when, QLocale::ShortFormat))
+                .toHtmlEscaped() +
+            "</p>";
+    text += pictureOf(report.picture) + tableOf(report.comparison);
+    text +=
+        "<p><small>" +
+        tr("Distances are those of the deformed skin from the nearest point of the original surface; the mean is by "
+           "area. A displacement is the way of a point of the skin since rest.")
+            .toHtmlEscaped() +
+        "</small></p>";
+    if (!report.measurements.isEmpty())
+        text += "<h3>" + tr("Measurements").toHtmlEscaped() + "</h3>" + report.measurements;
+    return text + "</body></html>";
+}
+
+void writeReport(const ComparisonReport& report, const std::string& path, const QString& name)
+{
+    if (name.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive))
+        writePdf(report, path);
+    else
+        writeText(htmlOf(report), path);
+}
+
+} // namespace knead

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "ui/measuring/measurement.h"
+
+#include <QColor>
+#include <QWidget>
+
+#include <vector>
+
+class QPainter;
+
+namespace knead {
+
+class ViewportWidget;
+
+/// A mark in the view, and how it is painted.
+struct OverlayMark {
+    Mark mark;
+    bool isStrong = false; ///< selected, or being made
+    QColor color = {};     ///< invalid: that of the theme
+};
+
+/// Lines and numbers painted over the view, sharp at any scale. They are always in front: what is measured may lie inside.
+/// Lets all mouse events through.
+class MarksOverlay final : public QWidget {
+    Q_OBJECT
+public:
+    explicit MarksOverlay(ViewportWidget& view);
+
+    void show(std::vector<OverlayMark> marks);
+    const std::vector<OverlayMark>& marks() const { return m_marks; }
+    /// A sentence at the top; empty: none.
+    void setPrompt(const QString& prompt);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void paintMark(QPainter& painter, const OverlayMark& mark) const;
+    void paintText(QPainter& painter, const OverlayMark& mark, std::vector<QRectF>& taken) const;
+    void paintPrompt(QPainter& painter) const;
+    QColor colorOf(const OverlayMark& mark) const;
+
+    ViewportWidget& m_view;
+    std::vector<OverlayMark> m_marks;
+    QString m_prompt;
+};
+
+} // namespace knead

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/measuring/measurement.h"
+
+#include <QObject>
+
+#include <vector>
+
+namespace knead {
+
+/// What was measured in the open document. Bodies that are filled anew keep their measurements; another document has none.
+/// Window thread only.
+class MeasurementList final : public QObject {
+    Q_OBJECT
+public:
+    explicit MeasurementList(Document& document, QObject* parent = nullptr);
+
+    const std::vector<Measurement>& all() const { return m_all; }
+    void add(MeasureKind kind, std::vector<SkinPlace> places);
+    void remove(std::size_t index);
+    void clear();
+
+signals:
+    void changed();
+
+private:
+    void contentChanged();
+
+    Document& m_document;
+    std::vector<Measurement> m_all;
+    std::map<MeasureKind, int> m_count; ///< made so far, for their names
+    std::shared_ptr<const Model> m_model;
+    ContentBodies m_bodies; ///< that the places belong to
+};
+
+/// The same places on other bodies; what is no longer there is left out.
+std::vector<Measurement> carriedOver(const std::vector<Measurement>& measurements, const ContentBodies& before,
+                                     const ContentBodies& after);
+
+/// A table with a line per reading, units in columns of their own, so that numbers stay numbers: in mm, mm³, g and degrees.
+/// @param measurements in the same order as `results`
+QString csvOf(const std::vector<Measurement>& measurements, const std::vector<Measured>& results);
+
+} // namespace knead

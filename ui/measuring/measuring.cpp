@@ -1,0 +1,221 @@
+#include "ui/measuring/measuring.h"
+
+#include "ui/document/document.h"
+#include "ui/panels/measure_panel.h"
+#include "ui/theme.h"
+#include "ui/viewport/viewport_widget.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QTimer>
+
+#include <algorithm>
+
+namespace knead {
+
+namespace {
+
+constexpr int updateTime = 33;    // [ms]
+constexpr int restPerRefresh = 4; // times as long as a refresh takes, the window does something else
+constexpr const char* distanceKey = "M";
+
+QString text(const char* source)
+{
+    return QCoreApplication::translate("Measurement", source);
+}
+
+} // namespace
+
+Measuring::Measuring(Document& document, ViewportWidget& view, QWidget* window)
+    : QObject(window)
+    , m_document(document)
+    , m_view(view)
+    , m_list(new MeasurementList(document, this))
+    , m_tool(new PickTool(document, view, this))
+    , m_overlay(new MarksOverlay(view))
+    , m_soon(new QTimer(this))
+{
+    makeActions(window);
+    m_panel = new MeasurePanel(*m_list, m_actions, window); // only those that measure, as yet
+    m_soon->setSingleShot(true);
+    m_soon->setInterval(updateTime);
+    connect(m_soon, &QTimer::timeout, this, &Measuring::refresh);
+    connect(&document, &Document::changed, this, [this](Document::Change what) {
+        if (what == Document::Change::Content)
+            contentChanged();
+        soon();
+    });
+    connect(&view, &ViewportBridge::renderRequested, this, [this] {
+        if (m_view.shownFrame() != m_frame)
+            soon();
+    });
+    connect(m_list, &MeasurementList::changed, this, &Measuring::refresh);
+    connect(m_panel, &MeasurePanel::selectionChanged, this, &Measuring::showMarks);
+    connect(m_tool, &PickTool::refused, this, &Measuring::refused);
+    connect(m_tool, &PickTool::changed, this, [this] {
+        m_overlay->setPrompt(m_tool->prompt());
+        showMarks();
+        emit promptChanged();
+    });
+    connect(m_tool, &PickTool::stopped, this, [this] {
+        for (QAction* action : m_actions) {
+            const QSignalBlocker blocker(action);
+            action->setChecked(false);
+        }
+    });
+    contentChanged();
+}
+
+Measuring::~Measuring() = default;
+
+void Measuring::makeActions(QWidget* window)
+{
+    for (const MeasureLook& look : measureLooks()) {
+        auto* action = new QAction(icon(look.icon), text(look.text), window);
+        action->setObjectName(look.name);
+        action->setToolTip(text(look.tip));
+        if (look.kind == MeasureKind::distance) {
+            action->setShortcut(QKeySequence(distanceKey));
+            action->setToolTip(QStringLiteral("%1 (%2)").arg(text(look.tip), distanceKey));
+        }
+        window->addAction(action);
+        addPickAction(action, look.picks,
+                      [this, kind = look.kind](const std::vector<SkinPlace>& places) { m_list->add(kind, places); });
+    }
+    m_compare = new QAction(icon("compare-two"), tr("Compare with original..."), window);
+    m_compare->setObjectName("compareWithOriginal");
+    m_compare->setShortcut(QKeySequence("Shift+M"));
+    m_compare->setToolTip(tr("Largest and mean distance, volume and mass beside the original, and a report (Shift+M)"));
+    window->addAction(m_compare);
+}
+
+QAction* Measuring::action(MeasureKind kind) const
+{
+    return m_actions[static_cast<int>(kind)];
+}
+
+void Measuring::fillMenu(QMenu* menu) const
+{
+    menu->setObjectName("measureMenu");
+    menu->setToolTipsVisible(true);
+    for (QAction* action : m_actions) {
+        if (m_actions.indexOf(action) == static_cast<int>(measureLooks().size()))
+            menu->addSeparator(); // what others pick
+        menu->addAction(action);
+    }
+    menu->addSeparator();
+    menu->addAction(m_compare);
+}
+
+void Measuring::contentChanged()
+{
+    const bool isSimulated = !m_document.content().bodies.empty();
+    for (QAction* action : m_actions)
+        action->setEnabled(isSimulated);
+    m_compare->setEnabled(isSimulated);
+    m_frame = nullptr;
+}
+
+void Measuring::addPickAction(QAction* action, std::vector<PickWhat> picks, PickTool::Done done)
+{
+    action->setCheckable(true);
+    m_actions.append(action);
+    connect(action, &QAction::toggled, this, [this, action, picks = std::move(picks), done = std::move(done)](bool on) {
+        if (!on)
+            return m_tool->stop();
+        for (QAction* other : m_actions)
+            if (other != action) {
+                const QSignalBlocker blocker(other);
+                other->setChecked(false);
+            }
+        m_tool->begin(action->text(), picks, done);
+    });
+}
+
+void Measuring::setOtherMarks(std::vector<OverlayMark> marks)
+{
+    m_others = std::move(marks);
+    showMarks();
+}
+
+void Measuring::soon()
+{
+    if (!m_soon->isActive() && (!m_list->all().empty() || m_tool->isPicking()))
+        m_soon->start();
+}
+
+/// Leaves the window most of its time, however much there is to measure.
+void Measuring::refresh()
+{
+    QElapsedTimer clock;
+    clock.start();
+    m_frame = m_view.shownFrame();
+    std::vector<Measured> results;
+    if (m_frame)
+        for (const Measurement& measurement : m_list->all())
+            results.push_back(measured(measurement, m_document.content(), *m_frame, *m_document.frame()->snapshot));
+    m_panel->show(results);
+    showMarks();
+    m_soon->setInterval(std::max(updateTime, restPerRefresh * static_cast<int>(clock.elapsed())));
+}
+
+void Measuring::showMarks()
+{
+    std::vector<OverlayMark> marks = m_others;
+    const std::vector<std::size_t> selected = m_panel->selected();
+    const std::vector<Measured>& results = m_panel->results();
+    for (std::size_t i = 0; i < results.size(); ++i)
+        marks.push_back({results[i].mark, std::count(selected.begin(), selected.end(), i) > 0, {}});
+    if (m_tool->isPicking() && m_view.shownFrame())
+        marks.push_back(markInTheMaking());
+    m_overlay->show(std::move(marks));
+}
+
+/// What is picked already, with a line to the cursor.
+OverlayMark Measuring::markInTheMaking() const
+{
+    const Frame& frame = *m_view.shownFrame();
+    const auto placeNow = [&](const SkinPlace& place) {
+        return placeOf(place, *m_document.content().bodies[place.body], frame.bodies[place.body]->places);
+    };
+    OverlayMark making;
+    making.isStrong = true;
+    std::vector<Vec3> line;
+    for (const SkinPlace& place : m_tool->picked())
+        line.push_back(placeNow(place));
+    if (const auto& hovered = m_tool->hovered()) {
+        line.push_back(placeNow(hovered->place));
+        making.mark.label = line.back();
+        if (hovered->isCorner)
+            making.mark.text = tr("Corner");
+    }
+    making.mark.points = line;
+    making.mark.lines.push_back(std::move(line));
+    return making;
+}
+
+QString Measuring::html() const
+{
+    if (m_list->all().empty())
+        return {};
+    QString table = QStringLiteral("<table border=\"1\" cellspacing=\"0\" cellpadding=\"5\"><tr>");
+    for (const QString& heading : {tr("Measurement"), tr("Reading"), tr("Now"), tr("At rest")})
+        table += "<th>" + heading.toHtmlEscaped() + "</th>";
+    table += "</tr>";
+    const std::vector<Measured>& results = m_panel->results();
+    for (std::size_t i = 0; i < results.size(); ++i)
+        for (const Reading& reading : results[i].readings) {
+            table += "<tr>";
+            for (const QString& cell :
+                 {nameOf(m_list->all()[i]), reading.name, formatQuantity(reading.now, reading.quantity),
+                  formatQuantity(reading.rest, reading.quantity)})
+                table += "<td>" + cell.toHtmlEscaped() + "</td>";
+            table += "</tr>";
+        }
+    return table + "</table>";
+}
+
+} // namespace knead

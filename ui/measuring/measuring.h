@@ -1,0 +1,69 @@
+#pragma once
+
+#include "ui/measuring/marks_overlay.h"
+#include "ui/measuring/measurement_list.h"
+#include "ui/measuring/pick_tool.h"
+
+#include <QList>
+#include <QObject>
+
+class QAction;
+class QActionGroup;
+class QMenu;
+class QTimer;
+
+namespace knead {
+
+class MeasurePanel;
+
+/// Measuring in a document: what one clicks, what is listed and what the view shows of it belong together here.
+/// Nothing of it changes the document. Window thread only.
+class Measuring final : public QObject {
+    Q_OBJECT
+public:
+    Measuring(Document& document, ViewportWidget& view, QWidget* window);
+    ~Measuring() override;
+
+    MeasurementList& list() { return *m_list; }
+    PickTool& tool() { return *m_tool; }
+    MeasurePanel& panel() { return *m_panel; } ///< belongs to whoever puts it into a layout
+    MarksOverlay& overlay() { return *m_overlay; }
+    QAction* action(MeasureKind kind) const;
+    QAction* compareAction() const { return m_compare; }
+    void fillMenu(QMenu* menu) const;
+
+    /// An action with which something else is picked; one at a time is checked. It goes with those that measure.
+    void addPickAction(QAction* action, std::vector<PickWhat> picks, PickTool::Done done);
+
+    /// Marks of others, painted with those of what was measured.
+    void setOtherMarks(std::vector<OverlayMark> marks);
+
+    /// What was measured as a table in HTML; empty: nothing.
+    QString html() const;
+
+signals:
+    void refused(const QString& sentence);
+    void promptChanged();
+
+private:
+    void makeActions(QWidget* window);
+    void contentChanged();
+    void soon();
+    void refresh();
+    void showMarks();
+    OverlayMark markInTheMaking() const;
+
+    Document& m_document;
+    ViewportWidget& m_view;
+    MeasurementList* m_list;
+    PickTool* m_tool;
+    MarksOverlay* m_overlay;
+    MeasurePanel* m_panel;
+    QList<QAction*> m_actions; ///< in the order of MeasureKind
+    QAction* m_compare = nullptr;
+    QTimer* m_soon; ///< many changes are shown at once
+    FramePointer m_frame;
+    std::vector<OverlayMark> m_others;
+};
+
+} // namespace knead

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "ui/document/frame.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace knead {
+
+/// A place on the skin of a body, which goes along with it.
+struct SkinPlace {
+    BodyId body = 0;
+    std::uint32_t triangle = 0; ///< of ContentBody::mesh
+    Vec3 shares = {1, 0, 0};    ///< of its corners, 0 .. 1; they add up to 1
+};
+
+/// @param places of the body's vertices: BodyFrame::places, or those of the mesh at rest [m]
+Vec3 placeOf(const SkinPlace& place, const ContentBody& body, std::span<const Vec3> places);
+
+/// CAD face that the place lies on; none on plain meshes.
+std::optional<std::uint32_t> faceOf(const SkinPlace& place, const ContentBody& body);
+
+/// Triangles of the face that the place lies on; all of a plain mesh.
+std::vector<std::uint32_t> trianglesOfFace(const SkinPlace& place, const ContentBody& body);
+
+/// How many vertices of the body lie on the surface as imported: the first ones. The others are middles of split edges.
+std::size_t trueVertices(const Content& content, const ContentBody& body);
+
+/// The same place on bodies that were filled anew; none when its part is no longer among them.
+std::optional<SkinPlace> carriedOver(const SkinPlace& place, const ContentBodies& before, const ContentBodies& after);
+
+/// How much an object moves the place; they add up to 1.
+struct ObjectShare {
+    ObjectIndex object = 0;
+    double share = 0;
+};
+/// By object. @pre the body has a skin
+std::vector<ObjectShare> objectShares(const SkinPlace& place, const ContentBody& body);
+
+} // namespace knead

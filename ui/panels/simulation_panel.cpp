@@ -1,0 +1,249 @@
+#include "ui/panels/simulation_panel.h"
+
+#include "ui/panels/form.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QSettings>
+#include <QThread>
+
+#include <algorithm>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+constexpr std::array<double, 9> speeds{0.01, 0.05, 0.1, 0.25, 0.5, 1, 2, 4, 10};
+constexpr int realTime = 5; // index
+constexpr const char* threadsSetting = "threads";
+constexpr double largestGravity = 1e4; // [m/s^2]
+
+struct Planet {
+    const char* name;
+    double gravity; ///< downwards [m/s^2]
+};
+constexpr std::array<Planet, 5> planets{{{QT_TRANSLATE_NOOP("SimulationPanel", "None"), 0},
+                                         {QT_TRANSLATE_NOOP("SimulationPanel", "Earth"), 9.81},
+                                         {QT_TRANSLATE_NOOP("SimulationPanel", "Moon"), 1.62},
+                                         {QT_TRANSLATE_NOOP("SimulationPanel", "Mars"), 3.73},
+                                         {QT_TRANSLATE_NOOP("SimulationPanel", "Jupiter"), 24.79}}};
+
+QString speedText(double speed)
+{
+    if (speed == 1)
+        return SimulationPanel::tr("Real time");
+    return speed < 1 ? SimulationPanel::tr("1/%1 of real time").arg(1 / speed)
+                     : SimulationPanel::tr("%1 times real time").arg(speed);
+}
+
+/// What all materials have; none where they differ.
+std::optional<double> common(const std::vector<Material>& materials, double Material::*value)
+{
+    for (const Material& material : materials)
+        if (material.*value != materials.front().*value)
+            return std::nullopt;
+    return materials.front().*value;
+}
+
+} // namespace
+
+SimulationPanel::SimulationPanel(Document& document, std::function<void(unsigned)> limitThreads, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+{
+    setObjectName("simulationPanel");
+    QFormLayout* form = makeForm(this);
+    makeTimeRows(form);
+    makeGravityRows(form);
+    makeDampingRows(form);
+    makeStepRows(form);
+    if (limitThreads)
+        makeThreadRow(form, std::move(limitThreads));
+    connect(&document, &Document::changed, this, &SimulationPanel::documentChanged);
+    setEnabled(false);
+}
+
+void SimulationPanel::makeTimeRows(QFormLayout* form)
+{
+    form->addRow(makeHeading(tr("Time"), this));
+    m_speed = makeChoice("simulationSpeed", this);
+    for (const double speed : speeds)
+        m_speed->addItem(speedText(speed));
+    m_speed->setCurrentIndex(realTime);
+    m_speed->setToolTip(tr("How fast simulated time runs when the machine keeps up: slow motion shows what is quick"));
+    connect(m_speed, &QComboBox::activated, this, &SimulationPanel::chooseSpeed);
+    form->addRow(tr("Speed"), m_speed);
+    m_time = makeReading("simulatedTime", this);
+    m_step = makeReading("timeStepInUse", this);
+    m_step->setToolTip(tr("Simulated time of one step; the largest stable one with a margin"));
+    form->addRow(tr("Simulated"), m_time);
+    form->addRow(tr("Time step"), m_step);
+}
+
+void SimulationPanel::makeGravityRows(QFormLayout* form)
+{
+    form->addRow(makeHeading(tr("Gravity"), this));
+    m_planet = makeChoice("gravityPreset", this);
+    for (const Planet& planet : planets)
+        m_planet->addItem(tr(planet.name));
+    m_planet->setPlaceholderText(tr("Own numbers"));
+    connect(m_planet, &QComboBox::activated, this, &SimulationPanel::choosePlanet);
+    form->addRow(tr("As on"), m_planet);
+    constexpr const char* axes[] = {"X", "Y", "Z"};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        m_gravity[axis] = makeField(Quantity::Acceleration, QStringLiteral("gravity%1").arg(axes[axis]), this);
+        m_gravity[axis]->setRange(-largestGravity, largestGravity);
+        connect(m_gravity[axis], &QuantityField::committed, this, &SimulationPanel::commitGravity);
+        form->addRow(tr("Along %1").arg(axes[axis]), m_gravity[axis]);
+    }
+}
+
+void SimulationPanel::makeDampingRows(QFormLayout* form)
+{
+    form->addRow(makeHeading(tr("Damping of all bodies"), this));
+    const auto add = [&](double Material::*value, const char* name) {
+        const auto& fields = materialFields();
+        const auto field =
+            std::find_if(fields.begin(), fields.end(), [value](const auto& f) { return f.value == value; });
+        QuantityField* edit = makeField(quantityOfUnit(field->unit), name, this);
+        edit->setRange(field->minimum, field->maximum);
+        const QString label = tr(field->name);
+        connect(edit, &QuantityField::committed, this,
+                [this, value, label](double number) { commitDamping(value, number, label); });
+        form->addRow(label, edit);
+        return edit;
+    };
+    m_damping = add(&Material::dampingRatio, "allDampingRatio");
+    m_shapeDamping = add(&Material::shapeDamping, "allShapeDamping");
+}
+
+void SimulationPanel::makeStepRows(QFormLayout* form)
+{
+    form->addRow(makeHeading(tr("Steps"), this));
+    m_integrator = makeChoice("integrator", this);
+    // In the order of Integrator.
+    m_integrator->addItems({tr("Semi-implicit Euler"), tr("Forward Euler"), tr("Implicit Euler"), tr("Automatic")});
+    m_integrator->setItemData(0, tr("Keeps vibrations; stiff materials take small steps"), Qt::ToolTipRole);
+    m_integrator->setItemData(1, tr("As published; needs damping"), Qt::ToolTipRole);
+    m_integrator->setItemData(2, tr("A step per frame for any stiffness; fast vibrations die out"), Qt::ToolTipRole);
+    m_integrator->setItemData(3, tr("Implicit where the semi-implicit scheme would be slower than real time"),
+                              Qt::ToolTipRole);
+    connect(m_integrator, &QComboBox::activated, this, &SimulationPanel::chooseIntegrator);
+    form->addRow(tr("Integrator"), m_integrator);
+    m_integratorReason = new QLabel(this);
+    m_integratorReason->setObjectName("integratorReason");
+    m_integratorReason->setProperty("role", "dimmed");
+    m_integratorReason->setWordWrap(true);
+    form->addRow(m_integratorReason);
+}
+
+void SimulationPanel::makeThreadRow(QFormLayout* form, std::function<void(unsigned)> limitThreads)
+{
+    const int most = std::max(1, QThread::idealThreadCount());
+    QComboBox* choice = makeChoice("threads", this);
+    choice->addItem(tr("All %1").arg(most));
+    for (int threads = 1; threads < most; ++threads)
+        choice->addItem(QString::number(threads));
+    choice->setToolTip(tr("How many threads compute; the results are the same bits with any number"));
+    const int kept = QSettings().value(threadsSetting, 0).toInt();
+    choice->setCurrentIndex(kept < choice->count() ? kept : 0);
+    if (choice->currentIndex() > 0)
+        limitThreads(static_cast<unsigned>(choice->currentIndex()));
+    connect(choice, &QComboBox::activated, this, [limit = std::move(limitThreads)](int threads) {
+        QSettings().setValue(threadsSetting, threads);
+        limit(static_cast<unsigned>(threads));
+    });
+    form->addRow(tr("Threads"), choice);
+}
+
+void SimulationPanel::documentChanged(Document::Change what)
+{
+    const bool isSimulated = !m_document.content().bodies.empty();
+    setEnabled(isSimulated);
+    if (!isSimulated)
+        return;
+    if (what == Document::Change::Content || what == Document::Change::Moment)
+        m_postedIntegrator.reset(); // what was posted before is not to come
+    if (what != Document::Change::Selection && what != Document::Change::Fixtures && what != Document::Change::History)
+        showState();
+}
+
+/// Shows what the simulation has, unless a change of ours is still on its way to it.
+void SimulationPanel::showState()
+{
+    const Snapshot& now = *m_document.frame()->snapshot;
+    m_time->setText(formatReading(now.time, Quantity::Time));
+    m_step->setText(formatReading(now.timeStep, Quantity::Time));
+    showGravity(now.gravity);
+    showDamping(now);
+    if (!m_postedIntegrator || *m_postedIntegrator == now.wantedIntegrator || !now.notice.empty()) {
+        m_postedIntegrator.reset();
+        m_integrator->setCurrentIndex(static_cast<int>(now.wantedIntegrator));
+    }
+    m_integratorReason->setText(QString::fromStdString(now.integratorReason));
+}
+
+void SimulationPanel::showGravity(const Vec3& gravity)
+{
+    if (!gravity.isZero())
+        m_wantedGravity = gravity;
+    for (int axis = 0; axis < 3; ++axis)
+        m_gravity[static_cast<std::size_t>(axis)]->setValue(gravity[axis] == 0 ? 0 : gravity[axis]); // no "-0"
+    const auto planet = std::find_if(planets.begin(), planets.end(),
+                                     [&](const Planet& one) { return gravity == Vec3(0, 0, -one.gravity); });
+    m_planet->setCurrentIndex(planet == planets.end() ? -1 : static_cast<int>(planet - planets.begin()));
+}
+
+/// A field without a number where the bodies differ.
+void SimulationPanel::showDamping(const Snapshot& now)
+{
+    for (const auto& [field, value] :
+         {std::pair(m_damping, &Material::dampingRatio), std::pair(m_shapeDamping, &Material::shapeDamping)}) {
+        const auto all = common(now.materials, value);
+        field->setValue(all.value_or(0));
+        if (!all && !field->hasFocus() && !field->isModified()) {
+            field->setText({});
+            field->setPlaceholderText(tr("different"));
+        }
+    }
+}
+
+void SimulationPanel::chooseSpeed(int index)
+{
+    const double speed = speeds[static_cast<std::size_t>(index)];
+    m_document.setSpeed(speed);
+    emit speedChanged(speed);
+}
+
+void SimulationPanel::choosePlanet(int index)
+{
+    const Planet& planet = planets[static_cast<std::size_t>(index)];
+    m_document.post(SetGravity{Vec3(0, 0, planet.gravity == 0 ? 0 : -planet.gravity)});
+}
+
+void SimulationPanel::commitGravity()
+{
+    m_document.post(SetGravity{Vec3(m_gravity[0]->value(), m_gravity[1]->value(), m_gravity[2]->value())});
+}
+
+/// One entry of the history, however many bodies there are.
+void SimulationPanel::commitDamping(double Material::*value, double number, const QString& name)
+{
+    const std::vector<Material> materials = m_document.frame()->snapshot->materials;
+    m_document.beginGesture();
+    for (BodyId body = 0; body < materials.size(); ++body) {
+        Material material = materials[body];
+        material.*value = number;
+        m_document.post(SetMaterial{body, material}, tr("%1 of all bodies").arg(name));
+    }
+    m_document.endGesture();
+}
+
+void SimulationPanel::chooseIntegrator(int index)
+{
+    m_postedIntegrator = static_cast<Integrator>(index);
+    m_document.post(SetIntegrator{*m_postedIntegrator});
+}
+
+} // namespace knead

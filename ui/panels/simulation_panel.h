@@ -1,0 +1,62 @@
+#pragma once
+
+#include "ui/document/document.h"
+
+#include <QWidget>
+
+#include <array>
+#include <functional>
+#include <optional>
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+
+namespace knead {
+
+class QuantityField;
+
+/// How time runs and what acts on everything: speed, gravity, damping, the integrator, threads.
+class SimulationPanel final : public QWidget {
+    Q_OBJECT
+public:
+    /// @param limitThreads see Services::limitThreads; null: there is no such choice
+    SimulationPanel(Document& document, std::function<void(unsigned)> limitThreads, QWidget* parent = nullptr);
+
+    /// The gravity that its switch turns on: as it was last, else that of the earth, downwards [m/s^2].
+    Vec3 wantedGravity() const { return m_wantedGravity; }
+
+signals:
+    void speedChanged(double ratio);
+
+private:
+    void makeTimeRows(QFormLayout* form);
+    void makeGravityRows(QFormLayout* form);
+    void makeDampingRows(QFormLayout* form);
+    void makeStepRows(QFormLayout* form);
+    void makeThreadRow(QFormLayout* form, std::function<void(unsigned)> limitThreads);
+    void documentChanged(Document::Change what);
+    void showState();
+    void showGravity(const Vec3& gravity);
+    void showDamping(const Snapshot& now);
+    void chooseSpeed(int index);
+    void choosePlanet(int index);
+    void chooseIntegrator(int index);
+    void commitGravity();
+    void commitDamping(double Material::*value, double number, const QString& name);
+
+    Document& m_document;
+    Vec3 m_wantedGravity = {0, 0, -9.81};
+    QLabel* m_time = nullptr;
+    QLabel* m_step = nullptr;
+    QComboBox* m_speed = nullptr;
+    QComboBox* m_planet = nullptr;
+    std::array<QuantityField*, 3> m_gravity{};
+    QuantityField* m_damping = nullptr;
+    QuantityField* m_shapeDamping = nullptr;
+    QComboBox* m_integrator = nullptr;
+    QLabel* m_integratorReason = nullptr;
+    std::optional<Integrator> m_postedIntegrator; ///< until a snapshot shows it
+};
+
+} // namespace knead

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "ui/measuring/skin_place.h"
+
+#include <limits>
+#include <vector>
+
+namespace knead {
+
+/// What is read at a place of the skin.
+enum class ProbeQuantity { displacement, strain, stress, force };
+
+/// What a probe read at a moment. What is not known is not a number.
+struct ProbeSample {
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+    double time = 0;         ///< simulated [s]
+    double displacement = 0; ///< from rest [m]
+    double strain = unknown; ///< see equivalentStrain()
+    double stress = unknown; ///< von Mises [Pa]
+    double force = 0;        ///< of the material on all tools together, sum of their sizes [N]
+};
+
+/// Where a probe is, as its readings need it.
+struct ProbePlace {
+    std::shared_ptr<const ContentBody> body;
+    BodyId id = 0;
+    std::vector<ObjectShare> shares;
+};
+ProbePlace probePlace(const SkinPlace& place, const ContentBodies& bodies);
+
+/// One sample per probe. Any thread.
+/// @param withStrains strain and stress too, which takes the longer the more objects the bodies have
+std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const Snapshot& snapshot, bool withStrains);
+
+/// The same of a frame of the film, which knows of no stress, and of no connections that broke.
+struct FilmFrame;
+std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const FilmFrame& frame, bool withStrains);
+
+} // namespace knead

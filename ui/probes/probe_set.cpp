@@ -1,0 +1,232 @@
+#include "ui/probes/probe_set.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+constexpr std::size_t mostFilmFrames = 300; // that are read at a time
+// Distinct on light and dark ground, and for people who see few colors.
+constexpr std::array colors{"#3d8bfd", "#e6a23c", "#2fa56a", "#c9579b", "#8b6fd8", "#d9622b", "#5fc2c9", "#9aa5b1"};
+
+bool isEarlier(const ProbeSample& a, const ProbeSample& b)
+{
+    return a.time < b.time;
+}
+
+/// The film up to the present since the last reset, evenly thinned.
+std::vector<FilmFramePointer> framesSoFar(const Timeline& timeline)
+{
+    std::vector<FilmFramePointer> frames;
+    for (const Timeline::Picture& picture : timeline.pictures)
+        if (picture.at <= timeline.present)
+            frames.push_back(picture.frame);
+    if (frames.empty())
+        return frames;
+    const std::uint32_t run = frames.back()->run;
+    std::erase_if(frames, [run](const FilmFramePointer& frame) { return frame->run != run; });
+    const std::size_t stride = 1 + frames.size() / mostFilmFrames;
+    std::vector<FilmFramePointer> kept;
+    for (std::size_t i = 0; i < frames.size(); i += stride)
+        kept.push_back(frames[i]);
+    return kept;
+}
+
+/// What was read live knows more than the film.
+void merge(std::vector<ProbeSample>& live, const std::vector<ProbeSample>& film)
+{
+    constexpr double same = 1e-9; // [s]
+    std::vector<ProbeSample> added;
+    for (const ProbeSample& sample : film) {
+        const auto near =
+            std::lower_bound(live.begin(), live.end(), ProbeSample{.time = sample.time - same}, isEarlier);
+        if (near == live.end() || near->time > sample.time + same)
+            added.push_back(sample);
+        else if (!std::isfinite(near->strain))
+            near->strain = sample.strain;
+    }
+    live.insert(live.end(), added.begin(), added.end());
+    std::sort(live.begin(), live.end(), isEarlier);
+}
+
+QString number(double value)
+{
+    return std::isfinite(value) ? QLocale::c().toString(value, 'g', 8) : QString();
+}
+
+} // namespace
+
+ProbeSet::ProbeSet(Document& document, QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+{
+    connect(&document, &Document::changed, this, &ProbeSet::documentChanged);
+}
+
+void ProbeSet::documentChanged(Document::Change what)
+{
+    if (what == Document::Change::Content)
+        contentChanged();
+    else if (what == Document::Change::Frame)
+        read();
+    else if (what == Document::Change::Moment && !m_all.empty()) {
+        forgetAfter(m_document.frame()->snapshot->time);
+        readFilm();
+        read();
+    }
+}
+
+/// Bodies that are filled anew keep their probes, which begin again.
+void ProbeSet::contentChanged()
+{
+    const Content& content = m_document.content();
+    const bool isSame = std::exchange(m_model, content.model) == content.model;
+    const ContentBodies before = std::exchange(m_bodies, content.bodies);
+    if (!isSame)
+        return clear();
+    std::vector<Probe> kept;
+    for (const Probe& probe : m_all)
+        if (const auto place = carriedOver(probe.place, before, m_bodies))
+            kept.push_back({*place, probe.number, probe.color, {}});
+    m_all = std::move(kept);
+    placesChanged();
+}
+
+void ProbeSet::add(const SkinPlace& place)
+{
+    const QColor color(colors[static_cast<std::size_t>(m_count) % colors.size()]);
+    m_all.push_back({place, ++m_count, color, {}});
+    placesChanged();
+}
+
+void ProbeSet::remove(std::size_t index)
+{
+    m_all.erase(m_all.begin() + static_cast<std::ptrdiff_t>(index));
+    placesChanged();
+}
+
+void ProbeSet::clear()
+{
+    m_all.clear();
+    m_count = 0;
+    placesChanged();
+}
+
+void ProbeSet::setWithStrains(bool on)
+{
+    if (std::exchange(m_withStrains, on) == on || !on || m_all.empty())
+        return;
+    m_seen = nullptr; // the present once more
+    readFilm();
+    read();
+}
+
+void ProbeSet::placesChanged()
+{
+    ++m_generation;
+    m_isReading = false;
+    m_seen = nullptr;
+    m_places.clear();
+    for (const Probe& probe : m_all)
+        m_places.push_back(probePlace(probe.place, m_bodies));
+    if (!m_all.empty()) {
+        readFilm();
+        read();
+    }
+    emit changed();
+}
+
+void ProbeSet::forgetAfter(double time)
+{
+    for (Probe& probe : m_all)
+        std::erase_if(probe.samples, [time](const ProbeSample& sample) { return sample.time > time; });
+    m_seen = nullptr;
+}
+
+/// The newest frame, when the one before is done.
+void ProbeSet::read()
+{
+    if (m_all.empty() || m_isReading || m_document.frame()->snapshot == m_seen)
+        return;
+    m_isReading = true;
+    m_seen = m_document.frame()->snapshot;
+    m_reading.run([this, generation = m_generation, places = m_places, snapshot = m_seen, with = m_withStrains] {
+        const auto tell = [this, generation, samples = readProbes(places, *snapshot, with)] {
+            take(generation, samples);
+        };
+        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+    });
+}
+
+void ProbeSet::take(std::uint64_t generation, const std::vector<ProbeSample>& samples)
+{
+    if (generation != m_generation)
+        return;
+    m_isReading = false;
+    for (std::size_t i = 0; i < m_all.size(); ++i) {
+        auto& known = m_all[i].samples;
+        while (!known.empty() && known.back().time >= samples[i].time) // back after a reset, or the same moment again
+            known.pop_back();
+        known.push_back(samples[i]);
+    }
+    emit sampled();
+    read();
+}
+
+void ProbeSet::readFilm()
+{
+    const std::vector<FilmFramePointer> frames = framesSoFar(m_document.timeline());
+    if (frames.empty())
+        return;
+    m_reading.run([this, generation = m_generation, places = m_places, frames, with = m_withStrains] {
+        std::vector<std::vector<ProbeSample>> samples(places.size());
+        for (const FilmFramePointer& frame : frames) {
+            const std::vector<ProbeSample> read = readProbes(places, *frame, with);
+            for (std::size_t i = 0; i < read.size(); ++i)
+                samples[i].push_back(read[i]);
+        }
+        const auto tell = [this, generation, samples = std::move(samples)] { takeFilm(generation, samples); };
+        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+    });
+}
+
+void ProbeSet::takeFilm(std::uint64_t generation, const std::vector<std::vector<ProbeSample>>& samples)
+{
+    if (generation != m_generation)
+        return;
+    for (std::size_t i = 0; i < m_all.size(); ++i)
+        merge(m_all[i].samples, samples[i]);
+    emit sampled();
+}
+
+QString csvOf(const std::vector<Probe>& probes)
+{
+    QStringList header{QStringLiteral("time [s]")};
+    std::map<double, QStringList> lines; // by time
+    for (std::size_t p = 0; p < probes.size(); ++p) {
+        const QString name = ProbeSet::tr("Probe %1").arg(probes[p].number);
+        header << name + " displacement [mm]" << name + " equivalent strain [-]" << name + " von Mises stress [MPa]"
+               << name + " tool force [N]";
+        for (const ProbeSample& sample : probes[p].samples) {
+            QStringList& cells = lines[sample.time];
+            cells.resize(static_cast<qsizetype>(4 * p));
+            cells << number(1e3 * sample.displacement) << number(sample.strain) << number(1e-6 * sample.stress)
+                  << number(sample.force);
+        }
+    }
+    QString text = header.join(',') + '\n';
+    for (auto& [time, cells] : lines) {
+        cells.resize(static_cast<qsizetype>(4 * probes.size()));
+        text += number(time) + ',' + cells.join(',') + '\n';
+    }
+    return text;
+}
+
+} // namespace knead

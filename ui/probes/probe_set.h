@@ -1,0 +1,68 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/probes/probe_readings.h"
+#include "ui/tasks/ordered_worker.h"
+
+#include <QColor>
+#include <QObject>
+
+#include <vector>
+
+namespace knead {
+
+/// A place that is watched while time runs.
+struct Probe {
+    SkinPlace place;
+    int number = 1; ///< from 1
+    QColor color;
+    std::vector<ProbeSample> samples; ///< by ascending time, since the last reset
+};
+
+/// The probes of the open document. They read what time brings, and of what was before them what the film has kept. Where one
+/// goes back, they forget what came after. Readings are taken on a thread of their own, always of the newest frame.
+/// Window thread only.
+class ProbeSet final : public QObject {
+    Q_OBJECT
+public:
+    explicit ProbeSet(Document& document, QObject* parent = nullptr);
+
+    const std::vector<Probe>& all() const { return m_all; }
+    void add(const SkinPlace& place);
+    void remove(std::size_t index);
+    void clear();
+
+    /// Whether strain and stress are read, which takes longer the more objects there are.
+    void setWithStrains(bool on);
+
+signals:
+    void changed(); ///< which there are
+    void sampled();
+
+private:
+    void documentChanged(Document::Change what);
+    void contentChanged();
+    void placesChanged();
+    void forgetAfter(double time);
+    void read();
+    void readFilm();
+    void take(std::uint64_t generation, const std::vector<ProbeSample>& samples);
+    void takeFilm(std::uint64_t generation, const std::vector<std::vector<ProbeSample>>& samples);
+
+    Document& m_document;
+    std::vector<Probe> m_all;
+    int m_count = 0;
+    bool m_withStrains = false;
+    std::shared_ptr<const Model> m_model;
+    ContentBodies m_bodies;
+    std::vector<ProbePlace> m_places;
+    std::uint64_t m_generation = 0; ///< of the places; readings of earlier ones are dropped
+    bool m_isReading = false;
+    SnapshotPointer m_seen;  ///< that is read, or was last
+    OrderedWorker m_reading; // last: it ends first
+};
+
+/// A table with a line per moment: time, and per probe what it read, with units in the header.
+QString csvOf(const std::vector<Probe>& probes);
+
+} // namespace knead
