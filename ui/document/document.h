@@ -112,11 +112,15 @@ public:
     const DocumentHistory& history() const { return m_history; }
 
     enum class Ends { now, soon };
-    /// What is posted from now on belongs together, until endGesture().
+    /// What is posted from now on belongs together, until endGesture(). Two hands at a time do one gesture: it ends when both
+    /// have ended it.
     /// @param key of gestures that are one when they follow each other within a second; empty: never
     void beginGesture(const QString& key = {});
     /// @param ends soon: within a second, unless another gesture with the same key goes on with it
     void endGesture(Ends ends = Ends::now);
+    /// Ends the gesture as if it had not begun: no entry, nothing to redo. While time runs, or another hand is in it, what was
+    /// done stays, and it ends as with endGesture().
+    void takeBackGesture();
     /// Ends whatever is under way, be it playing (and goes on playing) or not: nothing is lost by what comes next.
     void finishGesture();
     bool isInGesture() const { return m_gesture.isHeld; }
@@ -222,6 +226,7 @@ private:
         bool isAny = false;    ///< anything was done
         bool isEdited = false; ///< a command was posted since it began
         bool isHeld = false;   ///< between beginGesture() and endGesture()
+        int hands = 0;         ///< that hold it
         QString name;
         QString key;
         double begin = 0; ///< simulated [s]
@@ -302,6 +307,7 @@ private:
     QString m_longTitle;          ///< of the task that does a long journey
     std::uint64_t m_arrivals = 0; ///< that frames must have seen
     std::vector<Wish> m_wishes;
+    bool m_isTakenBack = false;                      ///< the simulation is no longer where the history is
     std::vector<std::function<void()>> m_afterwards; ///< when the journey has ended
     std::vector<std::function<void()>> m_whenSettled;
 

@@ -110,6 +110,7 @@ void Document::noteGesture()
 void Document::openGesture(const QString& key)
 {
     const bool isHeld = m_gesture.isHeld;
+    const int hands = m_gesture.hands;
     const bool goesOn = m_ending->isActive() && m_gesture.key == key;
     const bool isWorthAnEntry = m_isPlaying && std::abs(m_frame->snapshot->time - m_gesture.begin) >= worthAnEntry;
     if (!goesOn && (m_ending->isActive() || isWorthAnEntry))
@@ -117,17 +118,23 @@ void Document::openGesture(const QString& key)
     m_ending->stop();
     m_gesture.key = key;
     m_gesture.isHeld = isHeld;
+    m_gesture.hands = hands;
 }
 
 void Document::beginGesture(const QString& key)
 {
     if (!m_simulation || later([this, key] { beginGesture(key); }))
         return;
+    if (m_gesture.isHeld) {
+        ++m_gesture.hands;
+        return;
+    }
     const bool goesOn = m_ending->isActive() && m_gesture.key == key && !key.isEmpty();
     if (m_ending->isActive() && !goesOn)
         finishGesture();
     m_ending->stop();
     m_gesture.isHeld = true;
+    m_gesture.hands = 1;
     m_gesture.isEdited = goesOn;
     m_gesture.key = key;
 }
@@ -136,6 +143,8 @@ void Document::endGesture(Ends ends)
 {
     if (!m_simulation || later([this, ends] { endGesture(ends); }))
         return;
+    if (m_gesture.isHeld && --m_gesture.hands > 0)
+        return;
     m_gesture.isHeld = false;
     if (!m_gesture.isEdited)
         return;
@@ -143,6 +152,20 @@ void Document::endGesture(Ends ends)
         m_ending->start(goingOnTime);
     else
         finishGesture();
+}
+
+void Document::takeBackGesture()
+{
+    if (!m_simulation || later([this] { takeBackGesture(); }))
+        return;
+    if (m_isPlaying || !m_gesture.isHeld || m_gesture.hands > 1 || !m_gesture.isEdited) {
+        endGesture();
+        return;
+    }
+    m_gesture = {.begin = m_frame->snapshot->time};
+    m_isTakenBack = true;
+    wish([](const History& tree) { return std::optional(tree.current()); });
+    emit changed(Change::History);
 }
 
 void Document::finishGesture()

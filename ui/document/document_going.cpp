@@ -94,7 +94,7 @@ void Document::takeWishes()
             m_history.goTo(*entry);
     if (m_journey != JourneyState::none)
         return; // goes on from there
-    if (m_history.tree().current() != m_shown)
+    if (std::exchange(m_isTakenBack, false) || m_history.tree().current() != m_shown)
         setOut();
     else if (!wishes.empty())
         endJourney();
@@ -309,6 +309,7 @@ void Document::forgetGoing()
     m_film.dropUnderWay();
     ++m_travels;
     m_journey = JourneyState::none;
+    m_isTakenBack = false;
     m_wishes.clear();
     m_afterwards.clear();
 }
