@@ -32,6 +32,8 @@ FilmFramePointer filmFrameOf(const Snapshot& snapshot)
     frame->step = snapshot.step;
     frame->time = snapshot.time;
     frame->tools = snapshot.tools;
+    for (std::size_t i = 0; i < snapshot.fixtures.size(); ++i)
+        frame->fixtures.push_back({snapshot.fixtureIds[i], snapshot.fixtures[i].name, snapshot.fixtureForces[i]});
     frame->floorHeight = snapshot.floorHeight;
     for (const Snapshot::BodyState& body : snapshot.bodies) {
         frame->objects.push_back(floatsOf(body.positions));
@@ -50,7 +52,8 @@ std::size_t FilmFrame::memory() const
         floats += list.size();
     for (const auto& list : broken) // mostly shared with other frames: rather too much than too little
         floats += list ? list->size() * sizeof(ConnectionId) / sizeof(float) : 0;
-    return sizeof(FilmFrame) + floats * sizeof(float) + tools.size() * sizeof(ToolState);
+    return sizeof(FilmFrame) + floats * sizeof(float) + tools.size() * sizeof(ToolState) +
+           fixtures.size() * sizeof(Held);
 }
 
 void Film::forget()

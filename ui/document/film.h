@@ -18,6 +18,12 @@ struct FilmFrame {
     double time = 0;                         ///< simulated [s]
     std::vector<std::vector<float>> objects; ///< per body: x y z per object [m]
     std::vector<ToolState> tools;
+    struct Held { ///< what a fixture bears
+        FixtureId id = 0;
+        std::string name;
+        Vec3 force = Vec3::Zero(); ///< of the material on it [N]
+    };
+    std::vector<Held> fixtures;
     std::optional<double> floorHeight; ///< [m]
     /// Per body, shared with the snapshots: broken connections, and what stress is relative to as long as nothing has flowed; of
     /// material that has, that is not kept.

@@ -208,6 +208,8 @@ void SceneView::setOptions(const SceneOptions& options)
     layGrid();
     if (otherColors)
         setSight(m_sight);
+    if (m_frame)
+        showTools();
 }
 
 void SceneView::setMarks(const SceneMarks& marks)
@@ -364,7 +366,7 @@ void SceneView::showTools()
         if (!actor)
             actor = std::make_unique<ToolActor>(m_parts->renderer);
         actor->setStyle(m_style, m_marks.selectedTool == tool.id, m_marks.hoveredTool == tool.id);
-        actor->show(tool, arrowLength * m_restBox.sizes().maxCoeff());
+        actor->show(tool, m_options.forces ? arrowLength * m_restBox.sizes().maxCoeff() : 0);
         kept[tool.id] = std::move(actor);
     }
     m_parts->tools = std::move(kept);
@@ -438,7 +440,7 @@ Box SceneView::box() const
 std::vector<SceneLabel> SceneView::labels() const
 {
     std::vector<SceneLabel> labels;
-    if (m_frame)
+    if (m_frame && m_options.forces)
         for (const ToolState& tool : m_frame->snapshot->tools)
             labels.push_back({m_parts->tools.at(tool.id)->labelPlace(), tool.id, tool.force.norm()});
     return labels;

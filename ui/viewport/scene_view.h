@@ -46,6 +46,7 @@ struct SceneOptions {
     bool edges = true;
     bool grid = true;
     bool openEdges = true;
+    bool forces = true;                ///< arrows and numbers on tools
     std::set<std::size_t> hiddenParts; ///< by index into Model::parts
 };
 

@@ -138,7 +138,7 @@ void ToolActor::show(const ToolState& tool, double longestArrow)
     place(m_parts->outlineActor, rotation, Vec3::Ones(), tool.pose.position);
 
     const double force = tool.force.norm();
-    const bool hasForce = force > smallestForceShown;
+    const bool hasForce = force > smallestForceShown && longestArrow > 0;
     m_parts->arrowActor->SetVisibility(hasForce);
     if (!hasForce) {
         m_parts->label = tool.pose.position + Vec3(0, 0, exitDistance(tool, Vec3::UnitZ()));

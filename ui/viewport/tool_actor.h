@@ -17,7 +17,7 @@ public:
     ToolActor(const ToolActor&) = delete;
     ToolActor& operator=(const ToolActor&) = delete;
 
-    /// @param longestArrow length of the arrow of the largest force so far [m]
+    /// @param longestArrow length of the arrow of the largest force so far [m]; 0: none is drawn
     void show(const ToolState& tool, double longestArrow);
     void setStyle(const SceneStyle& style, bool selected, bool hovered);
 
