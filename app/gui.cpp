@@ -5,6 +5,7 @@
 #include "app/project_services.h"
 #include "app/recipe_services.h"
 #include "app/resources.h"
+#include "app/space_mouse.h"
 #include "app/thread_limit.h"
 #include "io/export/export_formats.h"
 #include "io/importer.h"
@@ -65,6 +66,7 @@ Services fileServices()
         *limit = std::make_unique<ThreadLimit>(threads);
     };
     services.examplesFolder = resourcesFolder() + "/examples";
+    services.spaceMouse = listenToSpaceMouse;
     services.projects = projectServices();
     services.recipes = recipeServices();
     return services;

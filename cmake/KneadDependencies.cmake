@@ -37,6 +37,10 @@ add_library(knead_occt INTERFACE)
 target_include_directories(knead_occt SYSTEM INTERFACE ${OpenCASCADE_INCLUDE_DIR})
 target_link_libraries(knead_occt INTERFACE ${knead_occt_toolkits})
 
+# 3D mice, through spacenavd. It has no CMake package either.
+find_path(KNEAD_SPNAV_INCLUDE spnav.h REQUIRED)
+find_library(KNEAD_SPNAV spnav REQUIRED)
+
 # lib3mf has no CMake package in Debian. Its headers include each other from their own folder.
 find_path(KNEAD_LIB3MF_INCLUDE Model/COM/NMR_DLLInterfaces.h PATH_SUFFIXES lib3mf REQUIRED)
 find_library(KNEAD_LIB3MF 3MF REQUIRED)

@@ -2,6 +2,7 @@
 
 #include "ui/actions.h"
 #include "ui/display.h"
+#include "ui/hands/hands.h"
 #include "ui/measuring/measuring.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/home_page.h"
@@ -49,6 +50,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     makeSimulation();
     makeMeasuring();
     makeProbes();
+    makeHands();
     makeMenus();
     makeToolBar();
     makeStatusBar();
@@ -59,6 +61,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     connectViewActions();
     connectTasks();
     connectRecording();
+    connectHands();
     connect(&m_document, &Document::changed, this, &MainWindow::documentChanged);
     connect(&m_document, &Document::recipeEnded, this, [this](const QString& sentence) { m_log->add(sentence); });
     connect(&m_document, &Document::notice, this, [this](const QString& sentence) { showProblem(sentence); });
@@ -275,6 +278,8 @@ void MainWindow::showHint()
         m_hint->setText(m_measuring->tool().prompt());
     else if (m_actions->fixFaces->isChecked())
         m_hint->setText(tr("Click faces to hold or free them   Esc: done"));
+    else if (const QString hint = m_hands->hint(); !hint.isEmpty())
+        m_hint->setText(hint);
     else if (m_document.selection().kind == Selection::Kind::Tool)
         m_hint->setText(tr("Arrows, PgUp, PgDn: drive   Shift: slower   Middle: orbit"));
     else
@@ -316,7 +321,7 @@ void MainWindow::cancel()
         m_measuring->tool().stop();
     else if (m_actions->fixFaces->isChecked())
         m_actions->fixFaces->setChecked(false);
-    else if (!m_viewport->regions().cancel())
+    else if (!m_hands->leaveMode() && !m_viewport->regions().cancel())
         m_document.select({});
 }
 

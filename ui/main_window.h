@@ -27,6 +27,7 @@ struct OverlayMark;
 class Banner;
 class Display;
 class ExportPanel;
+class Hands;
 class HomePage;
 class ImportPanel;
 class LogPanel;
@@ -62,6 +63,8 @@ public:
     void exportTo(const QString& path, const ExportRequest& request = {});
     /// Writes the session as a recipe in the background.
     void exportRecipe(const QString& path);
+    /// Writes the forces over time as a table in the background.
+    void exportForces(const QString& path);
     /// Fills the bodies anew in the background. @param spacing [m]
     void refill(double spacing);
 
@@ -91,6 +94,7 @@ public:
     Measuring& measuring() { return *m_measuring; }
     ProbeSet& probes() { return *m_probes; }
     Banner& banner() { return *m_banner; }
+    Hands& hands() { return *m_hands; }
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -109,6 +113,9 @@ private:
     void makeMeasuring();
     void makeProbes();
     std::vector<OverlayMark> probeMarks() const;
+    void makeHands();
+    void connectHands();
+    void askForForces();
     void makeMenus();
     void makeToolBar();
     void makeStatusBar();
@@ -220,6 +227,7 @@ private:
     HomePage* m_home = nullptr;
     ViewportWidget* m_viewport = nullptr;
     Display* m_display = nullptr;
+    Hands* m_hands = nullptr;
     ModelTree* m_tree = nullptr;
     QStackedWidget* m_properties = nullptr;
     MaterialStore* m_materials = nullptr;

@@ -8,6 +8,7 @@
 #include "core/model/import_options.h"
 #include "core/model/part.h"
 #include "core/task/task_control.h"
+#include "ui/hands/space_motion.h"
 #include "ui/project/project_services.h"
 #include "ui/project/recipe_services.h"
 
@@ -59,6 +60,7 @@ struct Services {
     std::vector<Library> libraries;
     /// Has computations keep to a number of threads from now on. 0: all that the machine has. Window thread.
     std::function<void(unsigned threads)> limitThreads;
+    ListenToSpaceMouse spaceMouse; ///< may be empty
     ProjectServices projects;
     RecipeServices recipes;
 };

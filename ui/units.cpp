@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -37,11 +38,12 @@ constexpr Unit strains[] = {{"%", 1e-2, true}, {"‰", 1e-3, false}};
 constexpr Unit areas[] = {
     {"mm²", 1e-6, true}, {"mm2", 1e-6, false},           {"cm²", 1e-4, true}, {"cm2", 1e-4, false}, {"m²", 1, false},
     {"m2", 1, false},    {"in²", 0.0254 * 0.0254, false}};
-constexpr double radiansPerDegree = 0.017453292519943295;
-constexpr Unit angles[] = {{"°", radiansPerDegree, true}, {"deg", radiansPerDegree, false}, {"rad", 1, false}};
+constexpr Unit angles[] = {
+    {"°", std::numbers::pi / 180, true}, {"deg", std::numbers::pi / 180, false}, {"rad", 1, false}};
 constexpr Unit masses[] = {{"mg", 1e-6, true}, {"g", 1e-3, true}, {"kg", 1, true}, {"t", 1e3, false}};
 constexpr Unit accelerations[] = {{"m/s²", 1, true},      {"m/s2", 1, false},     {"m/s^2", 1, false},
                                   {"mm/s²", 1e-3, false}, {"mm/s2", 1e-3, false}, {"g", 9.80665, false}};
+constexpr Unit stiffnesses[] = {{"N/mm", 1e3, true}, {"N/m", 1, false}, {"kN/m", 1e3, false}};
 constexpr Unit numbers[] = {{"", 1, true}};
 
 std::span<const Unit> unitsOf(Quantity quantity)
@@ -73,6 +75,8 @@ std::span<const Unit> unitsOf(Quantity quantity)
         return masses;
     case Quantity::Acceleration:
         return accelerations;
+    case Quantity::Stiffness:
+        return stiffnesses;
     case Quantity::Number:
         break;
     }

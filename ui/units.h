@@ -23,7 +23,8 @@ enum class Quantity {
     Area,
     Angle,
     Mass,
-    Acceleration
+    Acceleration,
+    Stiffness
 };
 
 /// The quantity measured in an SI unit as MaterialField spells it: "Pa", "kg/m^3", "1/s"; Number for anything else.

@@ -25,6 +25,8 @@ public:
     const PickHit& hovered() const { return m_hovered; }
     Qt::CursorShape cursor() const;
 
+    /// What lies under the mouse, tools included.
+    PickHit pick(const Ray& ray) { return m_picker.pick(ray); }
     void hover(const Ray& ray);
     void leave();
     void press(const Ray& ray);

@@ -29,11 +29,15 @@ public:
     void setStyle(const SceneStyle& style);
     void setFixing(bool on);
     RegionTool& regions() { return *m_regions; } ///< how the left button selects
+    bool isFixing() const { return m_manipulation->isFixing(); }
+    /// The mouse is busy with something on top of the scene.
+    void forgetHover() { m_manipulation->leave(); }
     /// What is shown and how, without what is selected or under the mouse.
     SceneLook look() const;
 
     /// Shows a frame of the past with a caption, until null brings the present back. Tools cannot be moved meanwhile.
     void lookBack(const FramePointer& frame, const QString& caption);
+    bool isLookingBack() const { return m_past != nullptr; }
 
     void fit();
     /// Turns the view, smoothly, to look from a direction.
@@ -46,8 +50,10 @@ public:
     /// Where a place is seen, in this widget's coordinates; for tests and labels.
     std::optional<QPointF> widgetPosition(const Vec3& place) const;
     std::optional<ColorScale> scale() const { return m_scene->scale(); } ///< see SceneView::scale()
+    WindowSize window() const;
     /// What lies under a position in this widget.
     Ray rayAt(const QPointF& position) const;
+    PickHit hitAt(const QPointF& position) { return m_manipulation->pick(rayAt(position)); }
     /// Whether a click there turns the view.
     bool isOnCube(const QPointF& position) const;
     /// What is drawn: the present, or a frame of the past; null while nothing is open.
@@ -79,7 +85,6 @@ private:
     void setCamera(const Camera& camera);
     void turnTo(const Camera& camera);
     void placeLabels();
-    WindowSize window() const;
     void beginContent();
     void askForSight();
 

@@ -1,0 +1,563 @@
+// Tools and material by hand, with real events: handles, keys, pulling, the 3D mouse, and the forces that come of it.
+#include "support/history_on_test.h"
+#include "support/stand_in_spacenavd.h"
+#include "ui/hands/gizmo_hand.h"
+#include "ui/hands/hands.h"
+#include "ui/hands/key_hand.h"
+#include "ui/hands/pull_hand.h"
+#include "ui/panels/force_plot.h"
+#include "ui/panels/quantity_field.h"
+#include "ui/run_window.h"
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cmath>
+#include <numbers>
+
+using namespace knead;
+
+class WindowHandsTest : public QObject, HistoryOnTest {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        if (!hasDisplay())
+            QSKIP("The view needs a display: run this test under xvfb-run.");
+        qputenv("SPNAV_SOCKET", socketPath().c_str());
+        prepare();
+    }
+
+    void init() { QSettings().remove("hands"); }
+    void cleanup() { m_window.reset(); }
+
+    void anArrowMovesTheToolAlongItsAxis()
+    {
+        openWithBlock();
+        const Pose start = tool().pose;
+        const std::size_t entries = tree().records().size();
+        press(handle(GizmoPart::moveX));
+        drag(QPoint(70, 0));
+        QTRY_VERIFY((tool().pose.position - start.position).norm() > 0.002);
+        const Vec3 way = tool().pose.position - start.position;
+        QVERIFY(std::abs(way.y()) + std::abs(way.z()) < 1e-12);
+        QVERIFY2(gizmo().note().startsWith("X ") && gizmo().note().endsWith(" mm"), qPrintable(gizmo().note()));
+        pictures("gizmo-move");
+        release();
+        QVERIFY(gizmo().note().isEmpty());
+        settle();
+        QCOMPARE(tree().records().size(), entries + 1);
+        QCOMPARE(presentName(), QString("Move Block 1"));
+        undo();
+        settle();
+        QCOMPARE(tool().pose.position, start.position);
+    }
+
+    void aNumberIsTypedWhileDragging()
+    {
+        openWithBlock();
+        const Pose start = tool().pose;
+        press(handle(GizmoPart::moveZ));
+        drag(QPoint(0, -30));
+        QTest::keyClicks(&view(), "12,5");
+        QTRY_COMPARE(tool().pose.position.z(), start.position.z() + 0.0125);
+        QCOMPARE(gizmo().note(), QString("Z 12,5| = 12.5 mm"));
+        drag(QPoint(0, -90)); // the mouse has no say any more
+        QTest::keyClick(&view(), Qt::Key_Backspace);
+        QTest::keyClick(&view(), Qt::Key_Backspace);
+        QTRY_COMPARE(tool().pose.position.z(), start.position.z() + 0.012);
+        picture("gizmo-typed");
+        QTest::keyClick(&view(), Qt::Key_Return);
+        QVERIFY(!gizmo().isDragging());
+        release();
+        settle();
+        QCOMPARE(tool().pose.position, Vec3(start.position + Vec3(0, 0, 0.012)));
+        QCOMPARE(presentName(), QString("Move Block 1"));
+    }
+
+    void aPlaneTakesTwoNumbers()
+    {
+        openWithBlock();
+        const Pose start = tool().pose;
+        press(handle(GizmoPart::planeZ));
+        QTest::keyClicks(&view(), "3");
+        QTest::keyClick(&view(), Qt::Key_Tab);
+        QTest::keyClicks(&view(), "-4 mm");
+        QTest::keyClick(&view(), Qt::Key_Return);
+        release();
+        QTRY_VERIFY((tool().pose.position - start.position - Vec3(0.003, -0.004, 0)).norm() < 1e-12);
+    }
+
+    void aRingTurnsTheToolInStepsWithCtrl()
+    {
+        openWithBlock();
+        const Pose start = tool().pose;
+        press(handle(GizmoPart::turnZ));
+        drag(QPoint(31, 17));
+        QTest::keyPress(&view(), Qt::Key_Control);
+        QTRY_VERIFY(tool().pose.rotation.angularDistance(start.rotation) > 0.01);
+        QTest::qWait(100);
+        const double turned = tool().pose.rotation.angularDistance(start.rotation) * 180 / std::numbers::pi;
+        QVERIFY2(std::abs(turned - 5 * std::round(turned / 5)) < 1e-4, qPrintable(QString::number(turned)));
+        QVERIFY2(gizmo().note().endsWith(QString::fromUtf8(" °")), qPrintable(gizmo().note()));
+        picture("gizmo-turn");
+        QTest::keyRelease(&view(), Qt::Key_Control);
+        release();
+        settle();
+        QCOMPARE(tool().pose.position, start.position);
+        // Typed in degrees, along the tool's own axes.
+        HandChoices choices = m_window->hands().settings().choices();
+        choices.ownAxes = true;
+        m_window->hands().settings().set(choices);
+        const Quaternion before = tool().pose.rotation;
+        press(handle(GizmoPart::turnX));
+        QTest::keyClicks(&view(), "30");
+        QTest::keyClick(&view(), Qt::Key_Return);
+        release();
+        const Quaternion wanted = before * Quaternion(Eigen::AngleAxisd(std::numbers::pi / 6, Vec3::UnitX()));
+        QTRY_VERIFY(tool().pose.rotation.angularDistance(wanted) < 1e-9);
+    }
+
+    void escPutsTheToolBackAsIfNothingHadBeen()
+    {
+        openWithBlock();
+        settle();
+        const std::uint64_t before = digest();
+        const std::size_t entries = tree().records().size();
+        press(handle(GizmoPart::moveY));
+        drag(QPoint(40, 20));
+        QTRY_VERIFY(digestOf(snapshot()) != before);
+        QTest::keyClick(&view(), Qt::Key_Escape);
+        release();
+        QTRY_COMPARE(digestOf(snapshot()), before);
+        settle();
+        QCOMPARE(tree().records().size(), entries);
+        QVERIFY(!action("redo")->isEnabled());
+        QCOMPARE(action("undo")->text(), QString("Undo \"Add Block 1\""));
+        // And one can go on from there.
+        press(handle(GizmoPart::moveX));
+        drag(QPoint(40, 0));
+        release();
+        settle();
+        QCOMPARE(tree().records().size(), entries + 1);
+        verifyStraightRun();
+    }
+
+    void whileTimeRunsTheToolKeepsToItsLimits()
+    {
+        openWithBlock();
+        settle();
+        const double limit = tool().speedLimit;
+        const std::size_t entries = tree().records().size();
+        key(Qt::Key_Space);
+        QTRY_VERIFY(snapshot().playing && snapshot().time > 0.02);
+        const Vec3 start = tool().pose.position;
+        const double begin = snapshot().time;
+        press(handle(GizmoPart::moveZ));
+        QTest::keyClicks(&view(), "-200");
+        QTRY_VERIFY_WITH_TIMEOUT(tool().force.norm() > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > begin + 0.4, patience);
+        QVERIFY((tool().pose.position - start).norm() <= limit * (snapshot().time - begin) * 1.001 + 1e-9);
+        QVERIFY(tool().peakForce < 3 * tool().forceLimit);
+        pictures("gizmo-pressing");
+        QTest::keyClick(&view(), Qt::Key_Return);
+        release();
+        key(Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing);
+        settle();
+        QVERIFY(tree().records().size() <= entries + 3); // before, the push, after
+        verifyStraightRun();
+    }
+
+    void theHandlesGiveWayToWhatLiesElsewhere()
+    {
+        openWithBlock();
+        QVERIFY(gizmo().gizmo().has_value());
+        key(Qt::Key_F3);
+        QVERIFY(!gizmo().gizmo().has_value());
+        QVERIFY(!find<QWidget>("gizmo")->isVisible());
+        key(Qt::Key_F3);
+        QVERIFY(gizmo().gizmo().has_value());
+        key(Qt::Key_X); // faces are picked now
+        QVERIFY(!gizmo().gizmo().has_value());
+        key(Qt::Key_X);
+        document().select({});
+        QVERIFY(!gizmo().gizmo().has_value());
+    }
+
+    void eachToolHasKeysOfItsOwn()
+    {
+        openWithBlock();
+        addBlock();
+        addBlock();
+        place(0, Vec3(-0.03, 0, 0));
+        place(2, Vec3(0.03, 0, 0));
+        settle();
+        key(Qt::Key_F4);
+        QTRY_VERIFY(find<QWidget>("keyCards")->isVisible());
+        key(Qt::Key_1);
+        key(Qt::Key_F);
+        QTest::qWait(500);
+        // One step for a press while time stands still.
+        const std::array<Vec3, 3> start = places();
+        QTest::keyClick(&view(), Qt::Key_Right);
+        QTest::keyClick(&view(), Qt::Key_E);
+        QTest::keyClick(&view(), Qt::Key_L, Qt::ShiftModifier);
+        const double step = m_window->hands().settings().choices().keyStep;
+        QTRY_VERIFY((places()[0] - start[0] - Vec3(step, 0, 0)).norm() < 1e-12);
+        QTRY_VERIFY((places()[1] - start[1] - Vec3(0, 0, step)).norm() < 1e-12);
+        QTRY_VERIFY((places()[2] - start[2] - Vec3(step / 5, 0, 0)).norm() < 1e-12);
+        // So many steps per second while it runs, and all at a time.
+        settle();
+        key(Qt::Key_Space);
+        QTRY_VERIFY(snapshot().playing);
+        QTest::keyPress(&view(), Qt::Key_PageUp);
+        QTest::keyPress(&view(), Qt::Key_E);
+        QTest::keyPress(&view(), Qt::Key_O);
+        QCOMPARE(m_window->hands().keys().pressed().size(), std::size_t{3});
+        QTest::qWait(150);
+        const std::array<Vec3, 3> before = places();
+        const double begin = snapshot().time;
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > begin + 0.2, patience);
+        const double speed = m_window->hands().settings().choices().keySpeed();
+        const double passed = snapshot().time - begin;
+        for (std::size_t i = 0; i < 3; ++i)
+            QVERIFY(std::abs(places()[i].z() - before[i].z() - speed * passed) < 1e-6);
+        pictures("keys");
+        for (const Qt::Key pressed : {Qt::Key_PageUp, Qt::Key_E, Qt::Key_O})
+            QTest::keyRelease(&view(), pressed);
+        QVERIFY(m_window->hands().keys().pressed().empty());
+        QTest::qWait(200);
+        const std::array<Vec3, 3> end = places();
+        QTest::qWait(100);
+        QCOMPARE(places()[1], end[1]);
+        key(Qt::Key_Space);
+        settle();
+        verifyStraightRun();
+        QTest::keyClick(&view(), Qt::Key_Escape);
+        QVERIFY(!m_window->hands().keys().isOn());
+        QTRY_VERIFY(!find<QWidget>("keyCards")->isVisible());
+    }
+
+    void theKeyboardDrivesOneToolWhileTheMouseDragsAnother()
+    {
+        openWithBlock();
+        addBlock();
+        place(0, Vec3(-0.04, 0, 0.02));
+        place(1, Vec3(0.04, 0, 0.02));
+        settle();
+        key(Qt::Key_F4);
+        key(Qt::Key_1);
+        key(Qt::Key_F);
+        QTest::qWait(500);
+        document().select({Selection::Kind::Tool, snapshot().tools[1].id});
+        const std::array<Vec3, 3> start = places();
+        key(Qt::Key_Space);
+        QTRY_VERIFY(snapshot().playing && snapshot().time > 0.12);
+        QTRY_VERIFY(document().history().isSettled());
+        const std::size_t entries = tree().records().size();
+        QTest::keyPress(&view(), Qt::Key_Up); // the left hand
+        press(handle(GizmoPart::moveX));      // the right hand
+        for (int i = 1; i <= 10; ++i) {
+            drag(QPoint(-4 * i, 0));
+            QTest::qWait(30);
+        }
+        QTRY_VERIFY((places()[0] - start[0]).y() > 0.002);
+        QTRY_VERIFY((places()[1] - start[1]).x() < -0.002);
+        QTest::keyRelease(&view(), Qt::Key_Up);
+        drag(QPoint(-60, 0));
+        QVERIFY(document().isInGesture()); // the mouse still holds its tool
+        QTest::qWait(100);
+        picture("two-hands");
+        release();
+        QVERIFY(!document().isInGesture());
+        key(Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing);
+        settle();
+        QVERIFY(tree().records().size() <= entries + 3); // what ran before, both hands, what ran after
+        verifyStraightRun();
+    }
+
+    void materialIsPulledWithASpring()
+    {
+        openBar();
+        fixOneEnd();
+        key(Qt::Key_1);
+        key(Qt::Key_F);
+        QTest::qWait(500);
+        settle();
+        const std::uint64_t before = digest();
+        const std::size_t entries = tree().records().size();
+        key(Qt::Key_F6);
+        const Box box = document().content().box;
+        const Vec3 taken(box.max().x() - 0.1 * box.sizes().x(), box.min().y(), box.center().z());
+        press(view().widgetPosition(taken)->toPoint());
+        QVERIFY(m_window->hands().pull().isPulling());
+        QTRY_VERIFY(snapshot().fixtures.size() == 2);
+        for (int i = 1; i <= 12; ++i) {
+            drag(QPoint(0, -10 * i));
+            QTest::qWait(25);
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(largestRise() > 0.002, patience);
+        QVERIFY(m_window->hands().pull().force() > 0);
+        QTRY_VERIFY(find<QWidget>("pullSpring")->isVisible());
+        const double time = snapshot().time;
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > time + 0.5, patience);
+        pictures("pull");
+        release();
+        QTRY_VERIFY(!snapshot().playing); // it stood still before
+        QVERIFY(!m_window->hands().pull().isPulling());
+        QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
+        settle();
+        QCOMPARE(tree().records().size(), entries + 1);
+        verifyUndo(before, "Pull " + QString::fromStdString(document().content().bodies[0]->name));
+        verifyStraightRun();
+        key(Qt::Key_Escape);
+        QVERIFY(!m_window->hands().pull().isOn());
+    }
+
+    void whatCannotBePulledSaysWhy()
+    {
+        openBar();
+        key(Qt::Key_F6);
+        document().post(SetBodyKind{0, BodyKind::rigid});
+        QTRY_COMPARE(snapshot().bodies[0].kind, BodyKind::rigid);
+        const Box box = document().content().box;
+        press(view().widgetPosition(Vec3(box.center().x(), box.center().y(), box.max().z()))->toPoint());
+        QVERIFY(!m_window->hands().pull().isPulling());
+        QVERIFY2(m_window->banner().sentence().contains("make it deformable"),
+                 qPrintable(m_window->banner().sentence()));
+        release();
+        key(Qt::Key_X); // the other mode of the left button
+        QVERIFY(!m_window->hands().pull().isOn());
+    }
+
+    void stiffnessOfThePullIsTyped()
+    {
+        openBar();
+        find<QDockWidget>("handsDock")->raise();
+        auto* field = find<QuantityField>("pullStiffness");
+        QTRY_VERIFY(field->isVisible());
+        QCOMPARE(field->placeholderText(), QString("by the material"));
+        field->setFocus();
+        QTest::keyClicks(field, "2,5 N/mm");
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(m_window->hands().settings().choices().pullStiffness, 2500.0);
+        QCOMPARE(HandSettings().choices().pullStiffness, 2500.0); // in the next session too
+        auto* rate = find<QuantityField>("stepsPerSecond");
+        rate->setFocus();
+        rate->selectAll();
+        QTest::keyClicks(rate, "5000");
+        QTest::keyClick(rate, Qt::Key_Return);
+        QVERIFY(rate->hasProblem());
+        QCOMPARE(m_window->hands().settings().choices().stepsPerSecond, 20.0);
+        picture("hand-panel");
+    }
+
+    void forcesAreShownPlottedAndWritten()
+    {
+        openWithBlock();
+        fixOneEnd();
+        document().select({Selection::Kind::Tool, snapshot().tools[0].id});
+        key(Qt::Key_1);
+        key(Qt::Key_F);
+        QTest::qWait(500);
+        m_window->exportForces(m_folder.filePath("early.csv"));
+        QVERIFY(m_window->banner().sentence().contains("press Play"));
+        m_window->banner().hide();
+        key(Qt::Key_F9);
+        QTRY_VERIFY(find<ForcePlot>("forcePlot")->isVisible());
+        key(Qt::Key_Space);
+        QTest::keyPress(&view(), Qt::Key_PageDown);
+        QTRY_VERIFY_WITH_TIMEOUT(tool().force.norm() > 0, patience);
+        const double time = snapshot().time;
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > time + 0.6, patience);
+        QTest::keyRelease(&view(), Qt::Key_PageDown);
+        auto* label = find<QLabel>(qPrintable(QStringLiteral("forceLabel%1").arg(tool().id)));
+        QVERIFY(label != nullptr && label->text().endsWith('N'));
+        auto* plot = find<ForcePlot>("forcePlot");
+        QTRY_VERIFY(!plot->record().curves.empty());
+        QTest::mouseMove(plot, plot->rect().center() + QPoint(40, 0));
+        pictures("forces");
+        key(Qt::Key_F8); // arrows and numbers off
+        QTRY_VERIFY(find<QLabel>(qPrintable(QStringLiteral("forceLabel%1").arg(tool().id))) == nullptr);
+        key(Qt::Key_F8);
+        key(Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing);
+        settle();
+        QTest::qWait(200);
+        const ForceRecord& record = plot->record();
+        QCOMPARE(record.curves.size(), std::size_t{2}); // the block and the fixture
+        QCOMPARE(record.curves[0].name, std::string("Block 1"));
+        double largest = 0;
+        for (const std::optional<Vec3>& force : record.curves[0].forces)
+            largest = std::max(largest, force->norm());
+        QVERIFY(largest > 0 && largest <= tool().peakForce * 1.001);
+        QTest::mouseClick(plot, Qt::LeftButton, {}, plot->legendArea(1).center());
+        QVERIFY(plot->isHidden(1));
+
+        m_window->exportForces(m_folder.filePath("forces.csv"));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        QFile file(m_folder.filePath("forces.csv"));
+        QVERIFY(file.open(QFile::ReadOnly));
+        const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+        QVERIFY(lines[0].startsWith("time [s],Block 1 Fx [N],"));
+        QCOMPARE(static_cast<std::size_t>(lines.size()), record.times.size() + 1);
+        // Undo takes the plot back too.
+        undo();
+        settle();
+        m_window->exportForces(m_folder.filePath("missing/forces.csv"));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        QVERIFY(!m_window->banner().sentence().isEmpty());
+    }
+
+    void a3DMouseDrivesTheCameraOrTheSelectedTool()
+    {
+        StandInSpacenavd daemon(socketPath());
+        openWithBlock();
+        QTRY_VERIFY(daemon.hasClient());
+        QTRY_VERIFY(find<QLabel>("spaceMouseState")->text().startsWith("Connected"));
+        const Camera start = view().camera();
+        for (int i = 0; i < 10; ++i)
+            daemon.move({0, 0, 0}, {0, 200, 0}, 16);
+        QTRY_VERIFY(std::abs(view().camera().yaw - start.yaw) > 0.1);
+        daemon.move({350, 0, 0}, {0, 0, 0}, 16);
+        QTRY_VERIFY((view().camera().target - start.target).norm() > 0);
+        QCOMPARE(tool().pose.position, places()[0]);
+
+        daemon.pressAndRelease(1); // the tool now
+        QTRY_VERIFY(action("spaceMouseTool")->isChecked());
+        const Camera camera = view().camera();
+        settle();
+        const Vec3 before = tool().pose.position;
+        daemon.move({0, 350, 0}, {0, 0, 0}, 16);
+        QTRY_VERIFY((tool().pose.position - before).dot(camera.up()) > 0.5 * 0.016 * tool().speedLimit);
+        QCOMPARE(view().camera().yaw, camera.yaw);
+        settle();
+        key(Qt::Key_Space);
+        QTRY_VERIFY(snapshot().playing);
+        const Vec3 running = tool().pose.position;
+        daemon.move({175, 0, 0}, {0, 0, 0}, 16);
+        QTRY_VERIFY((tool().pose.position - running).dot(camera.right()) > 0.002);
+        daemon.hangUp(); // a cable is pulled: the tool stops
+        QTRY_VERIFY(find<QLabel>("spaceMouseState")->text().startsWith("None"));
+        QTest::qWait(200);
+        const Vec3 end = tool().pose.position;
+        QTest::qWait(150);
+        QCOMPARE(tool().pose.position, end);
+        key(Qt::Key_Space);
+        settle();
+        verifyStraightRun();
+    }
+
+private:
+    ViewportWidget& view() { return m_window->viewport(); }
+    const GizmoHand& gizmo() { return m_window->hands().gizmo(); }
+    const ToolState& tool() { return snapshot().tools.at(0); }
+    std::string socketPath() { return m_folder.filePath("spnav.sock").toStdString(); }
+
+    void openWithBlock()
+    {
+        openBar();
+        addBlock();
+        key(Qt::Key_F);
+        QTest::qWait(500);
+        settle();
+    }
+
+    std::array<Vec3, 3> places()
+    {
+        std::array<Vec3, 3> all{};
+        for (std::size_t i = 0; i < std::min<std::size_t>(3, snapshot().tools.size()); ++i)
+            all[i] = snapshot().tools[i].pose.position;
+        return all;
+    }
+
+    void place(std::size_t index, const Vec3& way)
+    {
+        const ToolState moved = snapshot().tools[index];
+        document().post(PlaceManipulator{moved.id, {moved.pose.position + way, moved.pose.rotation}});
+        QTRY_VERIFY((snapshot().tools[index].pose.position - moved.pose.position - way).norm() < 1e-12);
+    }
+
+    /// Where a handle of the gizmo can be taken.
+    QPoint handle(GizmoPart part)
+    {
+        const Gizmo handles = *gizmo().gizmo();
+        const int axis = axisOf(part);
+        Pixel pixel = handles.middlePixel();
+        if (motionOf(part) == GizmoMotion::move)
+            pixel = handles.pixelOf(0.85 * Gizmo::shaftEnd * Vec3::Unit(axis));
+        if (motionOf(part) == GizmoMotion::plane)
+            pixel = handles.pixelOf(35 * (Vec3::Ones() - Vec3::Unit(axis)));
+        if (motionOf(part) == GizmoMotion::turn) // where no other handle is near
+            for (const Pixel& point : handles.ringLine(axis))
+                if (handles.partAt({std::round(point.x), std::round(point.y)}) == part)
+                    pixel = point;
+        return {qRound(pixel.x), qRound(pixel.y)};
+    }
+
+    void press(const QPoint& place)
+    {
+        m_pressed = place;
+        QTest::mouseMove(&view(), place);
+        QTest::mousePress(&view(), Qt::LeftButton, {}, place);
+        m_now = place;
+    }
+    void drag(const QPoint& way)
+    {
+        m_now = m_pressed + way;
+        QTest::mouseMove(&view(), m_now);
+    }
+    void release() { QTest::mouseRelease(&view(), Qt::LeftButton, {}, m_now); }
+
+    void fixOneEnd()
+    {
+        const Box box = document().content().box;
+        document().toggleFace(0, faceAt(Vec3(box.min().x(), box.center().y(), box.center().z())));
+        QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
+    }
+
+    /// The CAD face with a vertex nearest to a place.
+    std::uint32_t faceAt(const Vec3& place)
+    {
+        const Part& part = document().content().model->parts[0];
+        std::uint32_t nearest = 0;
+        double least = 1e9;
+        for (std::size_t t = 0; t < part.mesh.triangles.size(); ++t) {
+            Vec3 center = Vec3::Zero();
+            for (const auto v : part.mesh.triangles[t])
+                center += part.mesh.vertices[v] / 3;
+            if (const double away = (center - place).norm(); away < least) {
+                least = away;
+                nearest = part.mesh.faceOfTriangle[t];
+            }
+        }
+        return nearest;
+    }
+
+    double largestRise()
+    {
+        double rise = 0;
+        for (const Vec3& way : snapshot().bodies[0].displacements())
+            rise = std::max(rise, way.z());
+        return rise;
+    }
+
+    QTemporaryDir m_folder;
+    QPoint m_pressed;
+    QPoint m_now;
+};
+
+int main(int argc, char** argv)
+{
+    prepareGraphics();
+    QApplication application(argc, argv);
+    WindowHandsTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "window_hands_test.moc"

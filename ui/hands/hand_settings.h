@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/geometry/vec3.h"
+
+#include <QObject>
+
+namespace knead {
+
+/// How hands move tools and pull material. A value; SI.
+struct HandChoices {
+    double moveStep = 0.001;     ///< to which moves snap with Ctrl [m], > 0
+    double turnStep = 0.0872665; ///< to which turns snap with Ctrl [rad], > 0
+    bool ownAxes = false;        ///< handles along the tool's own axes, not the world's
+
+    double keyStep = 0.001;     ///< that a key press moves a tool [m], > 0
+    double stepsPerSecond = 20; ///< while a key is held, > 0
+
+    double pullStiffness = 0; ///< of the spring between hand and material [N/m]; 0: goes by the material
+    double pullLimit = 0;     ///< the hand does not pull harder [N]; 0: goes by the material
+
+    bool spaceMouseDrivesTool = false; ///< else the camera
+    double spaceMouseRate = 1;         ///< of its speeds, 0.1 .. 10
+
+    double keySpeed() const { return keyStep * stepsPerSecond; } ///< [m/s]
+    friend bool operator==(const HandChoices&, const HandChoices&) = default;
+};
+
+/// The choices of the person, kept from session to session. Window thread only.
+class HandSettings final : public QObject {
+    Q_OBJECT
+public:
+    explicit HandSettings(QObject* parent = nullptr);
+
+    const HandChoices& choices() const { return m_choices; }
+    void set(const HandChoices& choices);
+
+signals:
+    void changed();
+
+private:
+    HandChoices m_choices;
+};
+
+} // namespace knead

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "ui/hands/hand_settings.h"
+#include "ui/hands/space_motion.h"
+
+#include <QObject>
+
+#include <memory>
+
+class QAction;
+class QMenu;
+
+namespace knead {
+
+class Document;
+class GizmoHand;
+class HandPanel;
+class KeyHand;
+class PullHand;
+class SpaceHand;
+class ViewportWidget;
+
+/// All ways in which a person's hands move tools and material in a view, with their actions and their panel.
+class Hands final : public QObject {
+    Q_OBJECT
+public:
+    /// @param window in which the actions work
+    Hands(QWidget* window, Document& document, ViewportWidget& view);
+
+    HandPanel* makePanel();
+    void addTo(QMenu* menu) const;
+    void listen(const ListenToSpaceMouse& listen);
+
+    /// Leaves the mode that was entered last. @return whether there was one
+    bool leaveMode();
+    QString hint() const; ///< on what the mouse does now; empty: as always
+    QAction* pullAction() const { return m_pull; }
+    QAction* forceTableAction() const { return m_forceTable; }
+    QAction* forcePlotAction() const { return m_forcePlot; }
+
+    const GizmoHand& gizmo() const { return *m_gizmoHand; }
+    const KeyHand& keys() const { return *m_keyHand; }
+    const PullHand& pull() const { return *m_pullHand; }
+    HandSettings& settings() { return m_settings; }
+
+signals:
+    void modeChanged();
+    void problem(const QString& sentence);
+
+private:
+    QAction* make(const char* name, const QString& text, const char* picture, const QKeySequence& key,
+                  const QString& tip, bool isCheckable = true);
+    void makeActions();
+    void connectActions();
+    void enable();
+
+    QWidget* m_window;
+    Document& m_document;
+    ViewportWidget& m_view;
+    HandSettings m_settings;
+    GizmoHand* m_gizmoHand; // owned by the view, as the others
+    KeyHand* m_keyHand;
+    PullHand* m_pullHand;
+    SpaceHand* m_spaceHand;
+    QAction* m_gizmo = nullptr;
+    QAction* m_keys = nullptr;
+    QAction* m_pull = nullptr;
+    QAction* m_spaceMouse = nullptr;
+    QAction* m_forces = nullptr;
+    QAction* m_forcePlot = nullptr;
+    QAction* m_forceTable = nullptr;
+};
+
+} // namespace knead

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QObject>
+
+class QKeyEvent;
+class QMouseEvent;
+
+namespace knead {
+
+class Document;
+class ViewportWidget;
+
+/// Takes mouse and keys of a view before the view does. What a hand answers with true is its own; the rest goes on to the hands
+/// that were made before it, and to the view. Owned by the view.
+class ViewHand : public QObject {
+    Q_OBJECT
+public:
+    ViewHand(Document& document, ViewportWidget& view);
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+protected:
+    virtual bool mousePressed(QMouseEvent& /*event*/) { return false; }
+    virtual bool mouseMoved(QMouseEvent& /*event*/) { return false; }
+    virtual bool mouseReleased(QMouseEvent& /*event*/) { return false; }
+    /// Whether a key is this hand's now, whatever the window uses it for.
+    virtual bool wantsKey(const QKeyEvent& /*event*/) const { return false; }
+    virtual bool keyPressed(QKeyEvent& /*event*/) { return false; }
+    virtual bool keyReleased(QKeyEvent& /*event*/) { return false; }
+    virtual void keyboardLost() {} ///< another widget has it now
+
+    Document& m_document;
+    ViewportWidget& m_view;
+};
+
+} // namespace knead

@@ -1,0 +1,128 @@
+// Tools and material by hand: handles, keys, pulling, the 3D mouse, and the forces that come of it.
+#include "ui/main_window.h"
+
+#include "ui/actions.h"
+#include "ui/document/force_record.h"
+#include "ui/hands/hand_panel.h"
+#include "ui/hands/hands.h"
+#include "ui/panels/force_panel.h"
+#include "ui/panels/log_panel.h"
+#include "ui/viewport/viewport_widget.h"
+
+#include <QAction>
+#include <QDir>
+#include <QDockWidget>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QScrollArea>
+#include <QSettings>
+
+#include <fstream>
+
+namespace knead {
+
+namespace {
+
+constexpr int plotHeight = 230; // when it is asked for [pixels]
+
+QDockWidget* makeDock(QMainWindow* window, const QString& title, const char* name, QWidget* content,
+                      const char* besides)
+{
+    auto* dock = new QDockWidget(title, window);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+    auto* neighbor = window->findChild<QDockWidget*>(besides);
+    window->addDockWidget(window->dockWidgetArea(neighbor), dock);
+    window->tabifyDockWidget(neighbor, dock);
+    return dock;
+}
+
+} // namespace
+
+/// Their docks stand beside those that are there; called before the menu that lists them is made.
+void MainWindow::makeHands()
+{
+    m_hands = new Hands(this, m_document, *m_viewport);
+    auto* area = new QScrollArea;
+    area->setWidget(m_hands->makePanel());
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    makeDock(this, tr("Hands"), "handsDock", area, "propertiesDock");
+    QDockWidget* forces =
+        makeDock(this, tr("Forces"), "forcesDock", new ForcePanel(m_document, m_hands->forceTableAction()), "logDock");
+    for (const char* first : {"propertiesDock", "logDock"})
+        findChild<QDockWidget*>(first)->raise();
+    connect(m_hands->forcePlotAction(), &QAction::triggered, this, [this, forces] {
+        forces->show();
+        forces->raise();
+        if (forces->height() < plotHeight)
+            resizeDocks({forces}, {plotHeight}, Qt::Vertical);
+    });
+}
+
+void MainWindow::connectHands()
+{
+    m_hands->addTo(qobject_cast<QMenu*>(m_addTool->parentWidget()));
+    connect(m_hands, &Hands::modeChanged, this, &MainWindow::showHint);
+    connect(m_hands, &Hands::problem, this, [this](const QString& sentence) { showProblem(sentence); });
+    connect(m_hands->forceTableAction(), &QAction::triggered, this, &MainWindow::askForForces);
+    // One mode of the left button at a time.
+    connect(m_hands->pullAction(), &QAction::toggled, this, [this](bool on) {
+        if (on)
+            m_actions->fixFaces->setChecked(false);
+    });
+    connect(m_actions->fixFaces, &QAction::toggled, this, [this](bool on) {
+        if (on)
+            m_hands->pullAction()->setChecked(false);
+    });
+    m_hands->listen(m_services.spaceMouse);
+}
+
+void MainWindow::askForForces()
+{
+    const QString proposed = QFileInfo(QString::fromStdString(m_document.content().model->file)).completeBaseName();
+    QSettings settings;
+    const QDir folder(settings.value("exportFolder", settings.value("folder")).toString());
+    QString path = QFileDialog::getSaveFileName(this, tr("Export forces over time"),
+                                                folder.filePath(proposed + "-forces.csv"), tr("Table (*.csv)"));
+    if (path.isEmpty())
+        return;
+    settings.setValue("exportFolder", QFileInfo(path).absolutePath());
+    if (QFileInfo(path).suffix().isEmpty())
+        path += ".csv";
+    exportForces(path);
+}
+
+void MainWindow::exportForces(const QString& path)
+{
+    const Timeline line = m_document.timeline();
+    if (line.pictures.empty()) {
+        showProblem(tr("There are no forces to write yet: press Play and let something happen first."));
+        return;
+    }
+    if (isBusy())
+        return;
+    const QString name = QFileInfo(path).fileName();
+    const auto work = [write = m_services.writeSafely, path = QFile::encodeName(path).toStdString(), name,
+                       line](TaskControl& /*control*/) {
+        const ForceRecord record = forceRecordOf(line);
+        write(path, [&](const std::string& pathForNow) {
+            std::ofstream file(pathForNow, std::ios::binary);
+            const std::string text = csvOf(record).toStdString();
+            if (!file.write(text.data(), static_cast<std::streamsize>(text.size())).flush())
+                throw std::runtime_error(
+                    tr("%1: the table could not be written. Make room on the disk, or choose another folder.")
+                        .arg(name)
+                        .toStdString());
+        });
+        return record.times.size();
+    };
+    m_tasks.run<std::size_t>(tr("Writing %1").arg(name), work, [this, name](std::size_t lines) {
+        m_log->add(tr("%1: forces at %2 times written.").arg(name).arg(lines));
+    });
+}
+
+} // namespace knead
