@@ -61,10 +61,6 @@ Services fileServices()
     services.materials = readMaterials(materialsFile());
     for (const LibraryVersion& library : libraryVersions())
         services.libraries.push_back({library.name, library.version, library.license});
-    services.limitThreads = [limit = std::make_shared<std::unique_ptr<ThreadLimit>>()](unsigned threads) {
-        limit->reset();
-        *limit = std::make_unique<ThreadLimit>(threads);
-    };
     services.examplesFolder = resourcesFolder() + "/examples";
     services.spaceMouse = listenToSpaceMouse;
     services.projects = projectServices();

@@ -32,7 +32,7 @@ struct Services {
     std::function<void(const std::string& path, const std::function<void(const std::string& pathForNow)>& write)>
         writeSafely;
 
-    /// How many threads compute from now on; 0: as many as the machine has. May be null.
+    /// How many threads compute from now on; 0: as many as the machine has. May be null. Window thread.
     std::function<void(unsigned threads)> limitThreads;
 
     /// Materials that the person saved. None while there is no file yet. @throws std::runtime_error with a sentence
@@ -58,8 +58,6 @@ struct Services {
         std::string license;
     };
     std::vector<Library> libraries;
-    /// Has computations keep to a number of threads from now on. 0: all that the machine has. Window thread.
-    std::function<void(unsigned threads)> limitThreads;
     ListenToSpaceMouse spaceMouse; ///< may be empty
     ProjectServices projects;
     RecipeServices recipes;
