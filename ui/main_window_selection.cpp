@@ -21,6 +21,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <numeric>
 
 namespace knead {
@@ -83,13 +84,19 @@ void MainWindow::makeSelection()
 void MainWindow::makeSelectionMenus()
 {
     const SelectionActions& s = *m_selection;
-    const auto menuAt = [this](int place) { return menuBar()->actions().at(place)->menu(); };
-    QMenu* edit = menuAt(1);
+    const auto menuWith = [this](QAction* action) {
+        const auto menus = menuBar()->actions();
+        const auto found = std::find_if(menus.begin(), menus.end(), [action](const QAction* one) {
+            return one->menu()->actions().contains(action);
+        });
+        return (*found)->menu();
+    };
+    QMenu* edit = menuWith(m_actions->undo);
     edit->addSeparator();
     edit->addActions({s.rename, s.color, s.uncolor, s.lock, s.group, s.ungroup});
     edit->addSeparator();
     edit->addAction(s.search);
-    QMenu* view = menuAt(4);
+    QMenu* view = menuWith(m_actions->hide);
     view->insertActions(m_actions->hide, {s.isolate, s.showAll});
 
     auto* select = new QMenu(tr("Se&lect"), this);

@@ -7,12 +7,14 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 using namespace knead;
 
@@ -87,6 +89,31 @@ private slots:
         QVERIFY(selected().region().isEmpty());
         QCOMPARE(document().selection().kind, Selection::Kind::None);
         QVERIFY(!find<QLabel>("selectionReading")->isVisible());
+    }
+
+    void noKeyDoesTwoThings()
+    {
+        std::map<QKeySequence, QString> taken;
+        for (const QAction* one : m_window->findChildren<QAction*>())
+            for (const QKeySequence& keys : one->shortcuts()) {
+                const auto [other, isFree] = taken.try_emplace(keys, one->objectName());
+                QVERIFY2(isFree, qPrintable(keys.toString() + ": " + other->second + " and " + one->objectName()));
+            }
+        for (const QAction* menu : m_window->menuBar()->actions()) // Alt and a letter open them
+            QVERIFY2(!taken.contains(QKeySequence::mnemonic(menu->text())), qPrintable(menu->text()));
+    }
+
+    void menusHaveWhatBelongsToThem()
+    {
+        const auto menuOf = [&](const char* name) {
+            for (QAction* menu : m_window->menuBar()->actions())
+                if (menu->menu()->actions().contains(action(name)))
+                    return menu->text().remove('&');
+            return QString();
+        };
+        QCOMPARE(menuOf("isolate"), QString("View"));
+        QCOMPARE(menuOf("showAll"), QString("View"));
+        QCOMPARE(menuOf("rename"), QString("Edit"));
     }
 
     void ctrlAddsAndTakesAway()
@@ -339,7 +366,7 @@ private slots:
         drag({all.topLeft(), all.center(), QPoint(all.left() + all.width() / 3, all.bottom())});
         const std::size_t count = selected().region().count();
         QVERIFY(count > 0);
-        key(Qt::Key_X, Qt::ShiftModifier);
+        key(Qt::Key_F, Qt::ShiftModifier);
         QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
         QCOMPARE(snapshot().fixtures[0].objects.size(), count);
     }
@@ -374,7 +401,7 @@ private slots:
                 view().setFocus();
             }
             selectLeft(0.2);
-            key(Qt::Key_X, Qt::ShiftModifier);
+            key(Qt::Key_F, Qt::ShiftModifier);
             QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
             key(Qt::Key_1);
             key(Qt::Key_G);
