@@ -2,6 +2,8 @@
 #include "ui/main_window.h"
 
 #include "ui/actions.h"
+#include "ui/hands/hands.h"
+#include "ui/measuring/measuring.h"
 #include "ui/panels/model_panel.h"
 #include "ui/panels/model_tree.h"
 #include "ui/panels/selection_panel.h"
@@ -141,11 +143,15 @@ void MainWindow::connectSelection()
     const SelectionActions& s = *m_selection;
     SelectionModel& selected = m_document.selected();
     for (QAction* level : s.levels)
-        connect(level, &QAction::triggered, this,
-                [this, level] { m_document.selected().setLevel(static_cast<Level>(level->data().toInt())); });
+        connect(level, &QAction::triggered, this, [this, level] {
+            leaveModes();
+            m_document.selected().setLevel(static_cast<Level>(level->data().toInt()));
+        });
     for (QAction* shape : s.shapes)
-        connect(shape, &QAction::triggered, this,
-                [this, shape] { m_viewport->regions().setShape(static_cast<RegionShape>(shape->data().toInt())); });
+        connect(shape, &QAction::triggered, this, [this, shape] {
+            leaveModes();
+            m_viewport->regions().setShape(static_cast<RegionShape>(shape->data().toInt()));
+        });
     RegionTool& regions = m_viewport->regions();
     connect(s.smallerBrush, &QAction::triggered, this,
             [&regions] { regions.setBrushRadius(regions.brushRadius() / brushStep); });
@@ -176,6 +182,14 @@ void MainWindow::connectSelection()
             showSelected();
     });
     showLevel();
+}
+
+/// Who chooses what clicks select wants to select with them.
+void MainWindow::leaveModes()
+{
+    m_measuring->tool().stop();
+    m_actions->fixFaces->setChecked(false);
+    m_hands->pullAction()->setChecked(false);
 }
 
 void MainWindow::connectTree()

@@ -247,6 +247,50 @@ private slots:
         QVERIFY(selected().region().count() < before);
     }
 
+    void anotherShapeGivesUpTheStrokeOfABrush()
+    {
+        openExample("bar.step");
+        key(Qt::Key_2);
+        click(topOf(document().content().box));
+        const Region before = selected().region();
+        key(Qt::Key_3, Qt::AltModifier);
+        QTest::mousePress(&view(), Qt::LeftButton, {}, QPoint(20, 200));
+        QVERIFY(selected().region().isEmpty());
+        key(Qt::Key_2, Qt::AltModifier);
+        QTest::mouseMove(&view(), QPoint(200, 300));
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, QPoint(200, 300));
+        QCOMPARE(selected().region(), before);
+    }
+
+    void whatASectionTakesAwayIsNotSelected()
+    {
+        openExample("bar.step");
+        lookDown();
+        key(Qt::Key_2);
+        const Box box = document().content().box;
+        click(topOf(box));
+        const Region top = selected().region();
+        SceneOptions options = view().options();
+        options.section.plane = CutPlane{Vec3::UnitZ(), box.center().z()};
+        view().setOptions(options);
+        click(topOf(box)); // through where the top was, at the bottom
+        QCOMPARE(selected().region().count(), std::size_t{1});
+        QVERIFY(selected().region() != top);
+    }
+
+    void selectingLeavesOtherModesOfTheMouse()
+    {
+        openExample("bar.step");
+        for (const char* mode : {"fixFaces", "pull", "placeProbe"}) {
+            action(mode)->trigger();
+            QVERIFY(action(mode)->isChecked());
+            key(Qt::Key_2);
+            QVERIFY2(!action(mode)->isChecked(), mode);
+        }
+        click(topOf(document().content().box));
+        QCOMPARE(selected().region().level, Level::Face);
+    }
+
     void escGivesUpABoxThatIsBeingDrawn()
     {
         openExample("bar.step");
