@@ -247,6 +247,29 @@ private slots:
         QVERIFY(selected().region().count() < before);
     }
 
+    void aSelectedFaceIsSeenOverColorsOfNumbers()
+    {
+        openExample("bar.step");
+        SceneOptions options = view().options();
+        options.colors.quantity = SurfaceQuantity::displacement;
+        view().setOptions(options);
+        QTRY_VERIFY(view().scale().has_value());
+        key(Qt::Key_2);
+        const QPoint place = at(topOf(document().content().box)) + QPoint(6, 4);
+        const auto colorThere = [&] {
+            QTest::qWait(200); // until it is drawn
+            return view().grabFramebuffer().pixelColor(place);
+        };
+        const QColor before = colorThere();
+        click(topOf(document().content().box));
+        QTest::mouseMove(&view(), QPoint(8, 8));
+        QTRY_VERIFY(view().regions().hovered().isEmpty());
+        QVERIFY(colorThere() != before);
+        picture("selection-over-numbers");
+        key(Qt::Key_Escape);
+        QCOMPARE(colorThere(), before);
+    }
+
     void anotherShapeGivesUpTheStrokeOfABrush()
     {
         openExample("bar.step");
@@ -545,6 +568,29 @@ private slots:
         for (ObjectIndex object = 0; object < places.size(); ++object)
             if (std::abs(places[object].x() - box.center().x()) > document().size() / 16)
                 QCOMPARE(half.contains(0, object), places[object].x() < box.center().x());
+    }
+
+    void whatWasSelectedInAnotherFillingIsNotSelectedAnyMore()
+    {
+        openExample("bar.step", 16);
+        const double spacing = document().content().spacing;
+        m_window->refill(document().size() / 24);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        key(Qt::Key_4);
+        key(Qt::Key_A, Qt::ControlModifier);
+        const Region all = selected().region();
+        QCOMPARE(all.level, Level::Object);
+        QTRY_VERIFY(document().isSettled());
+        document().undo();
+        QVERIFY(document().isGoing());
+        document().fixRegion(all); // of objects that are not there any more when it can be done
+        document().setMaterialOf(all, {}, {});
+        QTRY_COMPARE(document().content().spacing, spacing);
+        QTRY_VERIFY(!document().isGoing());
+        QCOMPARE(document().selection(), (Selection{Selection::Kind::Body, 0}));
+        QCOMPARE(selected().region(), regionOf(Level::Part, 0, {0}));
+        QTest::qWait(100);
+        QVERIFY(snapshot().fixtures.empty());
     }
 
     void aMeshHasNoFacesToTellApart()

@@ -48,7 +48,8 @@ ScreenShape strokeShape(const Pixel& a, const Pixel& b, double radius)
     constexpr int corners = 12; // of each half
     const double way = std::atan2(b.y - a.y, b.x - a.x);
     ScreenShape shape;
-    for (const auto& [center, start] : {std::pair(b, way - std::numbers::pi / 2), std::pair(a, way + std::numbers::pi / 2)})
+    for (const auto& [center, start] :
+         {std::pair(b, way - std::numbers::pi / 2), std::pair(a, way + std::numbers::pi / 2)})
         for (int i = 0; i <= corners; ++i) {
             const double angle = start + std::numbers::pi * i / corners;
             shape.push_back({center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)});

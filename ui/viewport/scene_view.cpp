@@ -84,6 +84,9 @@ void SceneView::setContent(const Content& content)
     for (const auto& skins : {&m_parts->skins, &m_parts->surfaces})
         for (const auto& skin : *skins)
             skin->setClipping(m_parts->sight->clipping());
+    for (Parts::Regions* regions : {m_parts->within.get(), m_parts->inFront.get()})
+        for (RegionActor* actor : {&regions->selected, &regions->hovered})
+            actor->setClipping(m_parts->sight->clipping());
     m_gridHeight = m_restBox.min().z();
     layGrid();
     colorBodies();

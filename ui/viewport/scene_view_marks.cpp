@@ -44,10 +44,15 @@ bool areOthers(const SceneMarks& before, const SceneMarks& after)
 void SceneView::setMarks(const SceneMarks& marks)
 {
     const bool colorsAnew = areOthers(m_marks, marks);
+    const bool isOtherSelected = m_marks.selected != marks.selected;
+    const bool isOtherHovered = m_marks.hovered != marks.hovered;
     m_marks = marks;
     if (colorsAnew)
         colorBodies();
-    showRegions();
+    if (isOtherSelected)
+        showSelectedRegion();
+    if (isOtherHovered)
+        showHoveredRegion();
     if (m_frame)
         showTools();
 }
@@ -80,26 +85,43 @@ bool SceneView::colorByValues(BodyId body)
     return true;
 }
 
-/// Objects that are hidden by a skin, and connections, which are hidden by objects, are drawn in front of all.
 void SceneView::showRegions()
 {
-    for (Parts::Regions* regions : {m_parts->within.get(), m_parts->inFront.get()}) {
-        regions->selected.hide();
-        regions->hovered.hide();
-    }
-    m_parts->front->SetDraw(false);
-    if (!m_frame)
-        return;
-    const auto show = [&](const Region& region, RegionActor Parts::Regions::*actor, double scale) {
-        const bool isAmongObjects = region.level == Level::Object && m_options.objects != ObjectDisplay::Off;
-        const bool isInFront = region.level != Level::Edge && !isAmongObjects;
-        Parts::Regions& regions = isInFront ? *m_parts->inFront : *m_parts->within;
-        (regions.*actor).show(region, m_bodies, *m_frame, scale);
-        if (isInFront && (regions.*actor).isShown())
-            m_parts->front->SetDraw(true);
-    };
-    show(m_marks.selected, &Parts::Regions::selected, selectedScale);
-    show(m_marks.hovered, &Parts::Regions::hovered, hoveredScale);
+    showSelectedRegion();
+    showHoveredRegion();
+}
+
+/// May be many thousands of objects: not for every move of the mouse.
+void SceneView::showSelectedRegion()
+{
+    showRegion(m_marks.selected, m_parts->within->selected, m_parts->inFront->selected, selectedScale);
+}
+
+void SceneView::showHoveredRegion()
+{
+    showRegion(m_marks.hovered, m_parts->within->hovered, m_parts->inFront->hovered, hoveredScale);
+}
+
+/// Objects that are hidden by a skin, and connections, which are hidden by objects, are drawn in front of all.
+void SceneView::showRegion(const Region& region, RegionActor& within, RegionActor& inFront, double scale)
+{
+    const bool isAmongObjects = region.level == Level::Object && m_options.objects != ObjectDisplay::Off;
+    const bool isWithin = region.level == Level::Edge || isAmongObjects;
+    within.hide();
+    inFront.hide();
+    if (m_frame)
+        (isWithin ? within : inFront).show(shownOf(region), m_bodies, *m_frame, scale);
+    m_parts->front->SetDraw(m_parts->inFront->selected.isShown() || m_parts->inFront->hovered.isShown());
+}
+
+/// What of a region belongs to parts that are not hidden.
+Region SceneView::shownOf(const Region& region) const
+{
+    Region shown = region;
+    std::erase_if(shown.items, [this](const auto& own) {
+        return own.first >= m_bodies.size() || m_options.hiddenParts.contains(m_bodies[own.first]->part);
+    });
+    return shown;
 }
 
 void SceneView::colorBodies()
@@ -111,8 +133,10 @@ void SceneView::colorBodies()
                                     : isSelected ? m_style.selectedEdge
                                                  : m_style.edge,
                                     isHovered || isSelected ? 1.8F : 1.2F);
-        if (colorByValues(b))
+        if (colorByValues(b)) {
+            tintValues(b);
             continue;
+        }
         const std::size_t part = m_bodies[b]->part;
         m_parts->skins[b]->setColors([&](std::uint32_t face) {
             const SceneMarks::Face mark{b, face};
@@ -131,6 +155,23 @@ void SceneView::colorBodies()
         m_parts->surfaces[s]->setEdges(m_style.edge, 1.2F);
         m_parts->surfaces[s]->setColors([&](std::uint32_t face) { return m_looks.faceColor(*m_model, part, face); });
     }
+}
+
+/// What is selected or under the cursor is seen over numbers too. Fixed faces keep theirs: stress is highest there.
+void SceneView::tintValues(BodyId body)
+{
+    const auto isFace = [body](const Region& region) { return isOfFaces(region) && region.items.contains(body); };
+    const bool isHighlighted = m_marks.highlighted && m_marks.highlighted->body == body;
+    if (!isHighlighted && !isFace(m_marks.selected) && !isFace(m_marks.hovered))
+        return;
+    m_parts->skins[body]->tint(valuesTint, [&](std::uint32_t face) -> std::optional<Color> {
+        if (m_marks.highlighted == SceneMarks::Face{body, face} ||
+            (isFace(m_marks.hovered) && m_marks.hovered.contains(body, face)))
+            return m_style.highlight;
+        if (isFace(m_marks.selected) && m_marks.selected.contains(body, face))
+            return m_style.selectedEdge;
+        return std::nullopt;
+    });
 }
 
 } // namespace knead
