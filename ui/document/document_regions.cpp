@@ -101,7 +101,10 @@ bool Document::keepSet(const QString& name, const Region& region)
         return false;
     SelectionSet set{.name = name.trimmed().toStdString(), .level = region.level, .start = m_start, .items = {}};
     for (const auto& [body, items] : region.items)
-        set.items[m_content->bodies[body]->part] = items;
+        if (body < m_content->bodies.size())
+            set.items[m_content->bodies[body]->part] = items;
+    if (set.items.empty())
+        return false;
     m_notes->putSet(std::move(set));
     return true;
 }

@@ -98,7 +98,8 @@ void ViewportWidget::beginContent()
         m_options.divider.reset();
     }
     m_restBox = box;
-    m_options.hiddenParts = m_document.content().hiddenAtFirst();
+    if (std::exchange(m_model, m_document.content().model) != m_document.content().model)
+        m_options.hiddenParts = m_document.content().hiddenAtFirst();
     m_sights->begin(m_document.content().bodies);
     m_scene->setContent(m_document.content());
     m_scene->setLooks(m_document.looks());

@@ -95,6 +95,7 @@ private:
     std::unique_ptr<SceneView> m_scene;
     SightPreparer* m_sights;
     SightOverlay* m_overlay;
+    std::shared_ptr<const Model> m_model;
     Box m_restBox; ///< of the content [m]
     SceneOptions m_options;
     SceneStyle m_style;
