@@ -136,6 +136,7 @@ private:
     void fillTreeMenu(QMenu& menu, int type) const;
     void showLevel();
     void showSelected();
+    void showLock();
     void selectAll();
     void selectWithin(double distance);
 

@@ -66,7 +66,7 @@ Region::Items allOf(Level level, const Content& content, const ContentBody& body
 void MainWindow::makeSelection()
 {
     m_selection = std::make_unique<SelectionActions>(this);
-    m_selectionPanel = new SelectionPanel(m_document, m_services.materials);
+    m_selectionPanel = new SelectionPanel(m_document, *m_materials);
     auto* area = new QScrollArea;
     area->setWidget(m_selectionPanel);
     area->setWidgetResizable(true);
@@ -165,7 +165,9 @@ void MainWindow::connectSelection()
     const auto atPanel = [this](void (SelectionPanel::*begin)()) {
         return [this, begin] {
             m_properties->setCurrentIndex(static_cast<int>(Selection::Kind::Region));
-            qobject_cast<QDockWidget*>(m_properties->parentWidget())->show();
+            auto* dock = qobject_cast<QDockWidget*>(m_properties->parentWidget());
+            dock->show();
+            dock->raise();
             (m_selectionPanel->*begin)();
         };
     };
@@ -176,11 +178,14 @@ void MainWindow::connectSelection()
     connect(s.glue, &QAction::triggered, m_selectionPanel, &SelectionPanel::glue);
     connect(m_selectionPanel, &SelectionPanel::withinRequested, this, &MainWindow::selectWithin);
     connect(&m_document, &Document::changed, this, [this](Document::Change what) {
-        if (what == Document::Change::Content)
+        if (what == Document::Change::Content) {
             m_selection->setDocumentOpen(true, !m_document.content().bodies.empty());
-        if (what == Document::Change::Content || what == Document::Change::Selection)
             showSelected();
+        }
+        if (what == Document::Change::Content || what == Document::Change::Selection)
+            showLock();
     });
+    connect(m_selectionPanel, &SelectionPanel::read, m_selectionReading, &QLabel::setText);
     showLevel();
 }
 
@@ -213,7 +218,7 @@ void MainWindow::connectTree()
         panel->beginSearch();
     });
     connect(m_tree, &ModelTree::problem, this, [this](const QString& sentence) { showProblem(sentence); });
-    connect(&m_document.notes(), &ModelNotes::changed, this, &MainWindow::showSelected); // locks
+    connect(&m_document.notes(), &ModelNotes::changed, this, &MainWindow::showLock);
     m_tree->setMenu([this](QMenu& menu, TreeItem type) { fillTreeMenu(menu, static_cast<int>(type)); });
 }
 
@@ -280,15 +285,18 @@ void MainWindow::showLevel()
     }
 }
 
-/// How much is selected, in the status bar; and whether it may be changed.
+/// What can be done with it; how much it is says the selection panel.
 void MainWindow::showSelected()
 {
-    const Region& region = m_document.selected().region();
-    const bool isAnything = !region.isEmpty() && !m_document.isEmpty();
+    const bool isAnything = !m_document.selected().region().isEmpty() && !m_document.isEmpty();
     m_selection->setSelected(isAnything);
     m_selectionReading->setVisible(isAnything);
-    if (isAnything)
-        m_selectionReading->setText(wordsFor(region, sizeOf(region, m_document.content(), *m_document.frame())));
+    showLock();
+}
+
+/// What is locked may not be changed in the properties.
+void MainWindow::showLock()
+{
     const bool isLocked = !m_document.isEmpty() && m_document.isLocked(m_document.selection());
     for (int page = 0; page < m_properties->count(); ++page)
         m_properties->widget(page)->setEnabled(page != m_properties->currentIndex() || !isLocked);
@@ -318,8 +326,11 @@ void MainWindow::selectWithin(double distance)
         tr("Selecting within %1").arg(formatQuantity(distance, Quantity::Length)), work,
         [this, model = m_document.content().model, spacing = m_document.content().spacing](Region found) {
             const Content& now = m_document.content();
-            if (now.model == model && now.spacing == spacing) // else it is of another filling
-                m_document.selected().select(found);
+            if (now.model != model || now.spacing != spacing) // it is of another filling
+                return;
+            std::erase_if(found.items,
+                          [&](const auto& own) { return m_tree->hiddenParts().contains(now.bodies[own.first]->part); });
+            m_document.selected().select(found);
         });
 }
 

@@ -570,6 +570,23 @@ private slots:
                 QCOMPARE(half.contains(0, object), places[object].x() < box.center().x());
     }
 
+    void enterTakesTheDistanceThatIsProposed()
+    {
+        openExample("bar.step");
+        key(Qt::Key_2);
+        click(topOf(document().content().box));
+        key(Qt::Key_D, Qt::ControlModifier);
+        auto* field = find<QuantityField>("withinDistance");
+        QTRY_VERIFY(field->hasFocus());
+        const double distance = field->value();
+        QVERIFY(distance > 0);
+        const Region expected =
+            objectsWithin(selected().region(), distance, document().content(), *document().frame());
+        QTest::keyClick(field, Qt::Key_Return);
+        QTRY_COMPARE(selected().region(), expected);
+        QTRY_VERIFY(reading().contains("objects, "));
+    }
+
     void whatWasSelectedInAnotherFillingIsNotSelectedAnyMore()
     {
         openExample("bar.step", 16);
