@@ -580,8 +580,7 @@ private slots:
         QTRY_VERIFY(field->hasFocus());
         const double distance = field->value();
         QVERIFY(distance > 0);
-        const Region expected =
-            objectsWithin(selected().region(), distance, document().content(), *document().frame());
+        const Region expected = objectsWithin(selected().region(), distance, document().content(), *document().frame());
         QTest::keyClick(field, Qt::Key_Return);
         QTRY_COMPARE(selected().region(), expected);
         QTRY_VERIFY(reading().contains("objects, "));
