@@ -4,24 +4,12 @@
 #include "ui/selection/selection_model.h"
 #include "ui/theme.h"
 
-#include <QColorDialog>
-#include <QDropEvent>
-#include <QHeaderView>
+#include <QMouseEvent>
 #include <QScopedValueRollback>
-#include <QTimer>
 
 #include <algorithm>
 
 namespace knead {
-
-namespace {
-
-Color colorOf(const QColor& color)
-{
-    return {static_cast<float>(color.redF()), static_cast<float>(color.greenF()), static_cast<float>(color.blueF())};
-}
-
-} // namespace
 
 TreeItem typeOf(const QTreeWidgetItem* item)
 {
@@ -63,7 +51,6 @@ ModelTree::ModelTree(Document& document, QWidget* parent)
     connect(&document.notes(), &ModelNotes::changed, this, &ModelTree::notesChanged);
     connect(&document.selected(), &SelectionModel::changed, this, &ModelTree::showSelection);
     connect(this, &QTreeWidget::itemSelectionChanged, this, &ModelTree::selectionChanged);
-    connect(this, &QTreeWidget::itemChanged, this, &ModelTree::itemEdited);
 }
 
 void ModelTree::documentChanged(Document::Change what)
@@ -72,9 +59,7 @@ void ModelTree::documentChanged(Document::Change what)
         const QScopedValueRollback updating(m_isUpdating, true);
         switch (what) {
         case Document::Change::Content:
-            m_hiddenParts = m_document.content().hiddenAtFirst();
-            m_hiddenBefore.reset();
-            build();
+            beginContent();
             break;
         case Document::Change::Frame:
             listTools();
@@ -93,6 +78,17 @@ void ModelTree::documentChanged(Document::Change what)
         }
     }
     showSelection();
+}
+
+/// What is hidden of a model stays so when it is filled anew.
+void ModelTree::beginContent()
+{
+    if (std::exchange(m_model, m_document.content().model) != m_document.content().model) {
+        m_hiddenParts = m_document.content().hiddenAtFirst();
+        m_hiddenBefore.reset();
+    }
+    m_regionOfSet = m_regionBefore = {};
+    build();
 }
 
 /// Groups change which lines there are; the rest only how they look.
@@ -151,13 +147,15 @@ void ModelTree::showSelection()
         if (QTreeWidgetItem* item = find(selection))
             lines.push_back(item);
     } else {
-        for (const auto& [body, items] : m_document.selected().region().items)
-            if (QTreeWidgetItem* item = find({Selection::Kind::Body, body}))
+        const Region& region = m_document.selected().region();
+        for (QTreeWidgetItem* item : all())
+            if (const Selection own = selectionOf(item);
+                own.kind == Selection::Kind::Body && region.items.contains(own.id))
                 lines.push_back(item);
     }
     const QTreeWidgetItem* current = currentItem();
     const bool isAtSet = current != nullptr && typeOf(current) == TreeItem::Set && current->isSelected();
-    if (isAtSet && selection.kind == Selection::Kind::Region)
+    if (isAtSet && selection.kind == Selection::Kind::Region && m_document.selected().region() == m_regionOfSet)
         return;
     if (std::find(lines.begin(), lines.end(), current) == lines.end())
         setCurrentItem(lines.empty() ? nullptr : lines.front(), 0, QItemSelectionModel::NoUpdate);
@@ -175,9 +173,7 @@ void ModelTree::selectionChanged()
     for (QTreeWidgetItem* item : selectedItems()) {
         const Selection selection = selectionOf(item);
         if (typeOf(item) == TreeItem::Set) {
-            if (const SelectionSet* set =
-                    m_document.notes().set(item->data(0, tree_roles::name).toString().toStdString()))
-                m_document.selected().select(m_document.regionOf(*set));
+            selectSet(item->data(0, tree_roles::name).toString().toStdString());
             return;
         }
         if (selection.kind == Selection::Kind::Tool || selection.kind == Selection::Kind::Fixture) {
@@ -187,8 +183,17 @@ void ModelTree::selectionChanged()
         if (selection.kind == Selection::Kind::Body)
             parts.add(selection.id, 0);
     }
-    if (!parts.isEmpty())
+    if (!parts.isEmpty() || selectedItems().isEmpty())
         m_document.selected().select(parts);
+}
+
+void ModelTree::selectSet(const std::string& name)
+{
+    const SelectionSet* set = m_document.notes().set(name);
+    if (set == nullptr)
+        return;
+    m_regionOfSet = m_document.regionOf(*set);
+    m_document.selected().select(m_regionOfSet);
 }
 
 /// Eyes and locks are clicked without selecting their lines.
@@ -200,9 +205,13 @@ bool ModelTree::pressedButton(const QMouseEvent& event)
     using Button = ModelTreeDelegate::Button;
     const QModelIndex index = indexFromItem(item);
     const Button button = ModelTreeDelegate::buttonAt(index, visualRect(index), event.position().toPoint());
-    if (button == Button::Eye)
-        item->setCheckState(0, item->checkState(0) == Qt::Unchecked ? Qt::Checked : Qt::Unchecked);
-    else if (button == Button::Lock)
+    if (button == Button::Eye) {
+        {
+            const QScopedValueRollback updating(m_isUpdating, true); // lines above and below follow by themselves
+            item->setCheckState(0, item->checkState(0) == Qt::Unchecked ? Qt::Checked : Qt::Unchecked);
+        }
+        tellHidden();
+    } else if (button == Button::Lock)
         m_document.setLocked(selectionOf(item), !item->data(0, tree_roles::lock).toBool());
     return button != Button::None;
 }
@@ -210,6 +219,7 @@ bool ModelTree::pressedButton(const QMouseEvent& event)
 void ModelTree::mousePressEvent(QMouseEvent* event)
 {
     m_isOnButton = pressedButton(*event);
+    m_regionBefore = m_document.selected().region();
     if (!m_isOnButton)
         QTreeWidget::mousePressEvent(event);
 }
@@ -230,13 +240,6 @@ void ModelTree::mouseDoubleClickEvent(QMouseEvent* event)
 }
 
 // --- hiding ---------------------------------------------------------------------------------------------------------------
-
-/// A check box was clicked. Lines above and below follow by themselves.
-void ModelTree::itemEdited(QTreeWidgetItem* /*item*/)
-{
-    if (!m_isUpdating)
-        tellHidden();
-}
 
 void ModelTree::tellHidden()
 {
@@ -301,171 +304,6 @@ void ModelTree::showAll()
 {
     m_hiddenBefore.reset();
     hideParts({});
-}
-
-// --- what is done to the selected lines -----------------------------------------------------------------------------------
-
-std::vector<QTreeWidgetItem*> ModelTree::chosen() const
-{
-    const QList<QTreeWidgetItem*> items = selectedItems();
-    std::vector<QTreeWidgetItem*> result(items.begin(), items.end());
-    if (result.empty() && currentItem() != nullptr)
-        result.push_back(currentItem());
-    return result;
-}
-
-std::set<std::size_t> ModelTree::partsBelow(QTreeWidgetItem* item) const
-{
-    std::set<std::size_t> parts;
-    if (const QVariant part = item->data(0, tree_roles::part); part.isValid())
-        parts.insert(part.toULongLong());
-    for (int i = 0; i < item->childCount(); ++i)
-        parts.merge(partsBelow(item->child(i)));
-    return parts;
-}
-
-std::set<std::size_t> ModelTree::chosenParts() const
-{
-    std::set<std::size_t> parts;
-    for (QTreeWidgetItem* item : chosen())
-        parts.merge(partsBelow(item));
-    return parts;
-}
-
-void ModelTree::renameCurrent()
-{
-    QTreeWidgetItem* item = currentItem() != nullptr ? currentItem() : find(m_document.selection());
-    if (item == nullptr || !item->data(0, tree_roles::name).isValid())
-        return;
-    window()->activateWindow();
-    setFocus();
-    scrollToItem(item);
-    editItem(item);
-}
-
-void ModelTree::rename(QTreeWidgetItem* item, const QString& name)
-{
-    const QString before = item->data(0, tree_roles::name).toString();
-    const QString wanted = name.trimmed();
-    if (wanted == before)
-        return;
-    const TreeItem type = typeOf(item);
-    // The line may be another one afterwards, and the editor is still open.
-    const auto later = [this](std::function<void()> action) { QTimer::singleShot(0, this, std::move(action)); };
-    if (type == TreeItem::Part || type == TreeItem::Surface) {
-        const auto part = static_cast<std::size_t>(item->data(0, tree_roles::part).toULongLong());
-        later([this, part, wanted] { m_document.renamePart(part, wanted); });
-    } else if (type == TreeItem::Tool) {
-        later([this, id = selectionOf(item).id, wanted] { m_document.renameTool(id, wanted); });
-    } else if (type == TreeItem::Fixture) {
-        later([this, key = selectionOf(item).id, wanted] { m_document.renameFixture(key, wanted); });
-    } else if (type == TreeItem::Group) {
-        later([this, before, wanted] { m_document.notes().renameGroup(before.toStdString(), wanted.toStdString()); });
-    } else if (type == TreeItem::Set) {
-        later([this, before, wanted] {
-            if (!m_document.notes().renameSet(before.toStdString(), wanted.toStdString()) && !wanted.isEmpty())
-                emit problem(tr("There is a selection called \"%1\" already: choose another name.").arg(wanted));
-        });
-    }
-}
-
-void ModelTree::colorSelected()
-{
-    const std::set<std::size_t> parts = chosenParts();
-    if (parts.empty())
-        return;
-    const Color now = m_document.looks().partColor(*m_document.content().model, *parts.begin());
-    auto* dialog = new QColorDialog(QColor::fromRgbF(now.r, now.g, now.b), window());
-    dialog->setObjectName("partColorDialog");
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setOption(QColorDialog::DontUseNativeDialog);
-    dialog->setWindowTitle(parts.size() == 1 ? tr("Color of the part") : tr("Color of %1 parts").arg(parts.size()));
-    connect(dialog, &QColorDialog::colorSelected, this, [this, parts](const QColor& color) {
-        for (const std::size_t part : parts)
-            m_document.colorPart(part, colorOf(color));
-    });
-    dialog->open();
-}
-
-void ModelTree::uncolorSelected()
-{
-    for (const std::size_t part : chosenParts())
-        m_document.colorPart(part, std::nullopt);
-}
-
-void ModelTree::lockSelected()
-{
-    std::vector<Selection> lockable;
-    for (QTreeWidgetItem* item : all()) {
-        const auto lines = chosen();
-        const auto isBelow = [&] {
-            for (const QTreeWidgetItem* above = item; above != nullptr; above = above->parent())
-                if (std::find(lines.begin(), lines.end(), above) != lines.end())
-                    return true;
-            return false;
-        };
-        if (item->data(0, tree_roles::lock).isValid() && isBelow())
-            lockable.push_back(selectionOf(item));
-    }
-    const bool areLocked =
-        std::all_of(lockable.begin(), lockable.end(), [this](const Selection& s) { return m_document.isLocked(s); });
-    for (const Selection& selection : lockable)
-        m_document.setLocked(selection, !areLocked);
-}
-
-void ModelTree::groupSelected()
-{
-    const std::set<std::size_t> parts = chosenParts();
-    if (parts.empty())
-        return;
-    const std::string name = m_document.notes().freeGroupName();
-    m_document.notes().addGroup(name, parts);
-    for (QTreeWidgetItem* item : all())
-        if (typeOf(item) == TreeItem::Group && item->data(0, tree_roles::name).toString().toStdString() == name) {
-            setCurrentItem(item, 0, QItemSelectionModel::NoUpdate);
-            editItem(item);
-        }
-}
-
-void ModelTree::ungroupSelected()
-{
-    for (QTreeWidgetItem* item : chosen())
-        if (typeOf(item) == TreeItem::Group) {
-            m_document.notes().removeGroup(item->data(0, tree_roles::name).toString().toStdString());
-            return; // the lines are others now
-        }
-    if (const std::set<std::size_t> parts = chosenParts(); !parts.empty())
-        m_document.notes().takeOutOfGroup(parts);
-}
-
-// --- dragging -------------------------------------------------------------------------------------------------------------
-
-void ModelTree::dragMoveEvent(QDragMoveEvent* event)
-{
-    QTreeWidget::dragMoveEvent(event);
-    const QTreeWidgetItem* target = itemAt(event->position().toPoint());
-    const bool canDrop = target != nullptr && (typeOf(target) == TreeItem::Group || typeOf(target) == TreeItem::File ||
-                                               typeOf(target) == TreeItem::Assembly);
-    event->setAccepted(canDrop);
-}
-
-/// Onto a group: into it; onto anything else above: out of the one they are in.
-void ModelTree::dropEvent(QDropEvent* event)
-{
-    const QTreeWidgetItem* target = itemAt(event->position().toPoint());
-    const std::set<std::size_t> parts = chosenParts();
-    event->setDropAction(Qt::CopyAction); // else the view takes the dragged lines away
-    event->accept();
-    if (target == nullptr || parts.empty())
-        return;
-    const bool isGroup = typeOf(target) == TreeItem::Group;
-    const std::string name = target->data(0, tree_roles::name).toString().toStdString();
-    QTimer::singleShot(0, this, [this, isGroup, name, parts] { // the view is in the middle of the dragging
-        if (isGroup)
-            m_document.notes().addGroup(name, parts);
-        else
-            m_document.notes().takeOutOfGroup(parts);
-    });
 }
 
 // --- searching ------------------------------------------------------------------------------------------------------------

@@ -7,9 +7,7 @@
 #include "ui/viewport/view_cube.h"
 
 #include <QLabel>
-#include <QMouseEvent>
 #include <QVariantAnimation>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +17,7 @@ namespace knead {
 
 namespace {
 
-constexpr int turnTime = 220; // [ms]
-constexpr double zoomPerNotch = 0.86;
-constexpr double anglePerNotch = 120;  // of a mouse wheel, in Qt's eighths of a degree
+constexpr int turnTime = 220;          // [ms]
 constexpr double drawingShare = 0.4;   // of the window's time at most; without a graphics card drawing is slow
 constexpr double labelledForce = 1e-6; // [N]
 
@@ -80,7 +76,9 @@ void ViewportWidget::setOptions(const SceneOptions& options)
 {
     m_options = options;
     m_manipulation->picker().hide(options.hiddenParts);
+    m_manipulation->picker().cut(options.section.plane);
     m_regions->sight().hide(options.hiddenParts);
+    m_regions->sight().cut(options.section.plane);
     m_scene->setOptions(options);
     askForSight();
     requestRender();
@@ -96,7 +94,8 @@ void ViewportWidget::beginContent()
         m_options.divider.reset();
     }
     m_restBox = box;
-    m_options.hiddenParts = m_document.content().hiddenAtFirst();
+    if (std::exchange(m_model, m_document.content().model) != m_document.content().model)
+        m_options.hiddenParts = m_document.content().hiddenAtFirst();
     m_sights->begin(m_document.content().bodies);
     m_scene->setContent(m_document.content());
     m_scene->setLooks(m_document.looks());
@@ -130,7 +129,14 @@ void ViewportWidget::setTurningSmoothly(bool on)
 void ViewportWidget::setFixing(bool on)
 {
     m_manipulation->setFixing(on);
+    m_regions->leave();
     updateMarks();
+}
+
+void ViewportWidget::forgetHover()
+{
+    m_manipulation->leave();
+    m_regions->leave();
 }
 
 void ViewportWidget::setHighlight(const std::optional<SceneMarks::Face>& face)
@@ -168,6 +174,8 @@ void ViewportWidget::documentChanged(Document::Change what)
 void ViewportWidget::lookBack(const FramePointer& frame, const QString& caption)
 {
     m_past = frame;
+    m_regions->cancel(); // one selects in the present
+    m_regions->leave();
     m_caption->setText(caption);
     m_caption->adjustSize();
     m_caption->setVisible(m_past != nullptr);
@@ -329,118 +337,6 @@ void ViewportWidget::resizeEvent(QResizeEvent* event)
     ViewportBridge::resizeEvent(event);
     m_regionOverlay->resize(size());
     requestRender();
-}
-
-void ViewportWidget::mousePressEvent(QMouseEvent* event)
-{
-    m_lastMouse = event->position();
-    if (event->button() == Qt::MiddleButton) {
-        m_turning->stop();
-        m_isNavigating = true;
-        setCursor(Qt::SizeAllCursor);
-        return;
-    }
-    if (event->button() != Qt::LeftButton)
-        return;
-    if (const auto direction = m_scene->cube().directionAt(pixelOf(event->position()))) {
-        lookFrom(*direction);
-        return;
-    }
-    if (m_past)
-        return;
-    if (isForTools(event->position()))
-        m_manipulation->press(rayAt(event->position()));
-    else
-        m_regions->press(pixelOf(event->position()), event->modifiers());
-    setCursor(m_manipulation->cursor());
-}
-
-/// The rest of the view is for selecting.
-bool ViewportWidget::isForTools(const QPointF& position)
-{
-    m_regions->sight().look(m_camera, window());
-    return m_manipulation->isFixing() || m_manipulation->picker().pick(rayAt(position)).kind == PickHit::Kind::Tool;
-}
-
-void ViewportWidget::hover(const QPointF& position)
-{
-    m_manipulation->hover(rayAt(position));
-    m_regions->sight().look(m_camera, window());
-    if (m_manipulation->isFixing() || m_manipulation->hovered().kind == PickHit::Kind::Tool)
-        m_regions->leave();
-    else
-        m_regions->hover(pixelOf(position));
-}
-
-void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
-{
-    const QPointF step = event->position() - m_lastMouse;
-    m_lastMouse = event->position();
-    if (m_isNavigating) {
-        Camera camera = m_camera;
-        if (event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier))
-            camera.pan(step.x(), step.y(), window());
-        else
-            camera.orbit(step.x(), step.y());
-        setCamera(camera);
-    } else if (m_regions->isPressed()) {
-        m_regions->sight().look(m_camera, window());
-        m_regions->drag(pixelOf(event->position()));
-    } else if (event->buttons() & Qt::LeftButton) {
-        m_manipulation->drag(rayAt(event->position()), m_camera);
-    } else if (!m_past) {
-        hover(event->position());
-    }
-}
-
-void ViewportWidget::mouseReleaseEvent(QMouseEvent* event)
-{
-    if (event->button() == Qt::MiddleButton) {
-        m_isNavigating = false;
-        setCursor(m_manipulation->cursor());
-    } else if (event->button() == Qt::LeftButton) {
-        if (m_regions->isPressed())
-            m_regions->release();
-        m_manipulation->release();
-    }
-}
-
-void ViewportWidget::leaveEvent(QEvent* event)
-{
-    m_manipulation->leave();
-    m_regions->leave();
-    ViewportBridge::leaveEvent(event);
-}
-
-void ViewportWidget::wheelEvent(QWheelEvent* event)
-{
-    m_turning->stop();
-    Camera camera = m_camera;
-    camera.zoom(std::pow(zoomPerNotch, event->angleDelta().y() / anglePerNotch), pixelOf(event->position()), window());
-    setCamera(camera);
-    event->accept();
-}
-
-void ViewportWidget::keyPressEvent(QKeyEvent* event)
-{
-    const bool isSlow = event->modifiers() & Qt::ShiftModifier;
-    const bool isRepeated = event->isAutoRepeat() && m_document.frame() && m_document.frame()->snapshot->playing;
-    if (m_past)
-        ViewportBridge::keyPressEvent(event);
-    else if (!isRepeated && !m_manipulation->keyPressed(event->key(), isSlow, m_camera))
-        ViewportBridge::keyPressEvent(event);
-}
-
-void ViewportWidget::keyReleaseEvent(QKeyEvent* event)
-{
-    if (event->isAutoRepeat() || !m_manipulation->keyReleased(event->key()))
-        ViewportBridge::keyReleaseEvent(event);
-}
-
-void ViewportWidget::focusOutEvent(QFocusEvent* event)
-{
-    m_manipulation->releaseKeys();
-    ViewportBridge::focusOutEvent(event);
 }
 
 } // namespace knead
