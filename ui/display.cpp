@@ -78,7 +78,7 @@ void Display::makeActions(const Actions& actions)
     m_original = make("original", tr("Original shape"), "original", "Shift+R",
                       tr("Show the shape at rest, translucent, around what became of it"));
     m_breaks = make("breaks", tr("Broken connections"), "breaks", "Shift+B", tr("Mark where connections broke"));
-    m_section = make("section", tr("Section plane"), "section", "Shift+X",
+    m_section = make("section", tr("Section plane"), "section", "Shift+S",
                      tr("Cut the part open to look inside; drag the knob to move the plane"));
     m_flip = make("flipSection", tr("Flip section"), nullptr, "Ctrl+Shift+X", tr("Cut off the other side"));
     m_compare = make("compare", tr("Before and after"), "compare", "Shift+V",

@@ -4,6 +4,7 @@
 #include "ui/run_window.h"
 #include "ui/viewport/color_legend.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
@@ -13,6 +14,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <map>
 
 using namespace knead;
 
@@ -174,6 +176,20 @@ private slots:
         QTRY_VERIFY(view().scale() && view().scale()->quantity == SurfaceQuantity::strain);
     }
 
+    void noKeyHasTwoMeanings()
+    {
+        std::map<QString, QString> holders;
+        for (const QAction* action : m_window->findChildren<QAction*>()) {
+            if (action->shortcutContext() != Qt::WindowShortcut)
+                continue;
+            for (const QKeySequence& key : action->shortcuts()) {
+                const auto [known, isNew] = holders.try_emplace(key.toString(), action->objectName());
+                QVERIFY2(isNew || known->second == action->objectName(),
+                         qPrintable(key.toString() + ": " + known->second + ", " + action->objectName()));
+            }
+        }
+    }
+
     void theOriginalIsSeenAroundWhatBecameOfIt()
     {
         stretchBar();
@@ -245,7 +261,7 @@ private slots:
     void theSectionPlaneIsDraggedTypedAndFlipped()
     {
         openExample("bracket.step", 24);
-        QTest::keyClick(m_window.get(), Qt::Key_X, Qt::ShiftModifier);
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
         raisePanel();
         auto* knob = find<QWidget>("sectionKnob");
         QTRY_VERIFY(knob->isVisible());
@@ -274,7 +290,7 @@ private slots:
         QVERIFY(view().options().section.plane->offset > -0.02);
         choose("sectionAxis", "Towards the eye");
         QVERIFY((view().options().section.plane->normal + view().camera().towardsEye()).norm() < 1e-9); // still flipped
-        QTest::keyClick(m_window.get(), Qt::Key_X, Qt::ShiftModifier);
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
         QVERIFY(!view().options().section.plane && !find<QCheckBox>("sectionBox")->isChecked());
         QTRY_VERIFY(!knob->isVisible());
     }
@@ -325,7 +341,7 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_Space);
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.4, patience);
         choose("colorQuantity", "Von Mises stress");
-        QTest::keyClick(m_window.get(), Qt::Key_X, Qt::ShiftModifier);
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
         choose("sectionAxis", "Y");
         QTest::keyClick(m_window.get(), Qt::Key_V, Qt::ShiftModifier);
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.6, patience);
