@@ -73,6 +73,8 @@ private slots:
         bothThemes("distance");
         choose("colorQuantity", "Part colors");
         QTRY_VERIFY(!legend()->isVisible());
+        choose("colorQuantity", "Distance to the original"); // of the same moment once more
+        QTRY_VERIFY(legend()->isVisible());
     }
 
     void aTypedRangeStaysAndHasUnits()

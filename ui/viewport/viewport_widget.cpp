@@ -109,9 +109,10 @@ void ViewportWidget::askForSight()
 {
     const SightWish wish = wishOf(m_options);
     m_document.showPressing(wish.quantity == SurfaceQuantity::contactForce);
-    if (wish.isEmpty())
+    if (wish.isEmpty()) {
+        m_sights->forget();
         m_scene->setSight(nullptr);
-    else if (const FramePointer& shown = m_past ? m_past : m_document.frame())
+    } else if (const FramePointer& shown = m_past ? m_past : m_document.frame())
         m_sights->ask(shown, wish);
 }
 
