@@ -2,6 +2,7 @@
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/timeline_axis.h"
 #include "ui/run_window.h"
+#include "ui/shell/preferences.h"
 #include "ui/viewport/color_legend.h"
 
 #include <QAction>
@@ -96,6 +97,13 @@ private slots:
         type("rangeLeast", "0,01 m");
         QCOMPARE(view().options().colors.range->first, 0.01);
         QTRY_COMPARE(legend()->text().ticks.front().text, QString("10"));
+        Preferences chosen = readPreferences();
+        chosen.lengthUnit = "in";
+        m_window->setPreferences(chosen);
+        QTRY_COMPARE(legend()->text().title, QString("Displacement [in]"));
+        chosen.lengthUnit = "mm";
+        m_window->setPreferences(chosen);
+        QTRY_COMPARE(legend()->text().title, QString("Displacement [mm]"));
         choose("colorMap", "Cividis");
         QTRY_COMPARE(view().scale()->map, ColorMap::cividis);
         verifyColor(shot(), onTop(0.14).first, *view().scale(), onTop(0.14).second);

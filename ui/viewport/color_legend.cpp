@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace knead {
 
@@ -104,10 +105,11 @@ ColorLegend::ColorLegend(QWidget* parent)
 void ColorLegend::show(const ColorScale& scale, bool isPast)
 {
     const QString remark = remarkOf(scale, isPast);
-    if (isVisible() && scale == m_scale && remark == m_remark)
+    ScaleText text = textOf(scale); // another unit or language says it otherwise
+    if (isVisible() && scale == m_scale && text == m_text && remark == m_remark)
         return;
     m_scale = scale;
-    m_text = textOf(scale);
+    m_text = std::move(text);
     m_remark = remark;
     QStringList numbers;
     for (const ScaleText::Tick& tick : m_text.ticks)
