@@ -261,6 +261,10 @@ private slots:
         const double pixel = view().camera().viewHeight() / view().height();
         qInfo("area %.1f mm2, drawn %.1f mm2", 1e6 * section.area(), 1e6 * count * pixel * pixel);
         QVERIFY(std::abs(count * pixel * pixel / section.area() - 1) < 0.05);
+        document().colorPart(body.part, Color{1, 0, 0});
+        const QColor red = shot().pixelColor(view().widgetPosition(middle)->toPoint());
+        QVERIFY2(red.red() > 2 * red.green(), qPrintable(red.name()));
+        document().colorPart(body.part, std::nullopt);
         QTest::keyClick(m_window.get(), Qt::Key_E);
         click(find<QCheckBox>("sectionHatched"));
         QTest::keyClick(m_window.get(), Qt::Key_0);

@@ -259,6 +259,7 @@ bool SceneView::isGlass() const
 void SceneView::setLooks(const PartLooks& looks)
 {
     m_looks = looks;
+    m_parts->sight->setLooks(looks);
     m_parts->objects.clear();
     colorBodies();
     showObjects();

@@ -120,6 +120,16 @@ void SightActors::setStyle(const SceneStyle& style)
     showCaps();
 }
 
+void SightActors::setLooks(const PartLooks& looks)
+{
+    m_looks = looks;
+    m_parts->originals.clear();
+    m_parts->connections.clear();
+    showOriginals();
+    showConnections();
+    showCaps();
+}
+
 void SightActors::setOptions(const SceneOptions& options)
 {
     const bool othersJoined = options.connections != m_options.connections || options.objects != m_options.objects ||
@@ -160,9 +170,9 @@ void SightActors::showOriginals()
     else if (originals.empty()) {
         originals = originalsOf(m_bodies, m_parts->renderer);
         for (std::size_t b = 0; b < m_bodies.size(); ++b) {
-            const Part& part = m_model->parts[m_bodies[b]->part];
             originals[b]->setEdges(m_style.edge, edgeWidth);
-            originals[b]->setColors([&](std::uint32_t face) { return faceColor(part, face); });
+            originals[b]->setColors(
+                [&](std::uint32_t face) { return m_looks.faceColor(*m_model, m_bodies[b]->part, face); });
             originals[b]->setClipping(m_parts->ofOriginal);
         }
     }
@@ -189,7 +199,7 @@ void SightActors::showConnections()
         const Snapshot::BodyState& now = m_frame->snapshot->bodies[b];
         const bool isNew = !actors[b];
         if (isNew) {
-            const Color& color = m_bodies[b]->color;
+            const Color color = m_looks.partColor(*m_model, m_bodies[b]->part);
             actors[b] = std::make_unique<ConnectionActor>(
                 m_parts->renderer,
                 Color{connectionShade * color.r, connectionShade * color.g, connectionShade * color.b});
@@ -251,7 +261,7 @@ void SightActors::showCaps()
         if (!isVisible)
             continue;
         cap.show(sections[b], *plane, hatching);
-        cap.setLook(m_bodies[b]->color, m_style.edge, m_options.section.isHatched);
+        cap.setLook(m_looks.partColor(*m_model, m_bodies[b]->part), m_style.edge, m_options.section.isHatched);
         cap.setClipping(isOriginal ? m_parts->ofOriginalCaps : m_parts->ofDeformedCaps);
     }
 }

@@ -23,6 +23,7 @@ public:
     void setContent(const Content& content);
     void showFrame(const FramePointer& frame);
     void setStyle(const SceneStyle& style);
+    void setLooks(const PartLooks& looks);
     void setOptions(const SceneOptions& options);
     void setSight(const SightPointer& sight);
     /// @param aspect of the view, width by height
@@ -49,6 +50,7 @@ private:
     SightPointer m_sight;
     SceneOptions m_options;
     SceneStyle m_style;
+    PartLooks m_looks;
 };
 
 } // namespace knead
