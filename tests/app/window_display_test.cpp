@@ -309,6 +309,21 @@ private slots:
         QTRY_VERIFY(!knob->isVisible());
     }
 
+    void anotherPartMayComeWhileThePlaneIsDragged()
+    {
+        openExample("bracket.step", 24);
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
+        auto* knob = find<QWidget>("sectionKnob");
+        QTRY_VERIFY(knob->isVisible());
+        const QPoint center = knob->rect().center();
+        QTest::mousePress(knob, Qt::LeftButton, {}, center);
+        openExample("bar.step", 24);
+        QVERIFY(!view().options().section.plane);
+        QTest::mouseMove(knob, center + QPoint(10, 10));
+        QTest::mouseRelease(knob, Qt::LeftButton, {}, center);
+        QVERIFY(!view().options().section.plane);
+    }
+
     void theDividerHasTheOriginalLeftAndThePresentRight()
     {
         stretchBar();
