@@ -206,7 +206,8 @@ void Display::setSectionAxis(Section::Axis axis)
     m_plane.axis = axis;
     m_plane.direction =
         axis == Section::Axis::eye ? m_view.camera().towardsEye() : Vec3(Vec3::Unit(static_cast<Eigen::Index>(axis)));
-    m_plane.offset = m_plane.direction.dot(m_document.content().box.center());
+    m_placedIn = m_document.content().box;
+    m_plane.offset = m_plane.direction.dot(m_placedIn.center());
     m_isFollowing = true;
     m_section->setChecked(true);
     m_isFollowing = false;
@@ -219,11 +220,12 @@ void Display::setSectionOffset(double offset)
     applySection();
 }
 
+/// In the same part it comes back to where it was.
 void Display::switchSection(bool on)
 {
     if (m_isFollowing)
         return;
-    if (on)
+    if (on && !m_placedIn.isApprox(m_document.content().box))
         setSectionAxis(m_plane.axis);
     else
         applySection();

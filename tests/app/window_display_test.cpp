@@ -307,6 +307,12 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
         QVERIFY(!view().options().section.plane && !find<QCheckBox>("sectionBox")->isChecked());
         QTRY_VERIFY(!knob->isVisible());
+        choose("sectionAxis", "X");
+        type("sectionOffset", "2 cm");
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
+        QVERIFY(!view().options().section.plane);
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
+        QCOMPARE(view().options().section.plane->offset, -0.02); // where it was, and still flipped
     }
 
     void anotherPartMayComeWhileThePlaneIsDragged()
