@@ -91,7 +91,7 @@ void ViewportWidget::setOptions(const SceneOptions& options)
 void ViewportWidget::beginContent()
 {
     const Box& box = m_document.content().box;
-    if (!m_restBox.isApprox(box)) {
+    if (!m_restBox.isApprox(box) || m_document.content().bodies.empty()) {
         m_options.section.plane.reset();
         m_options.divider.reset();
     }
@@ -107,7 +107,7 @@ void ViewportWidget::beginContent()
 /// Colors and caps come when they are found, for the moment that is shown.
 void ViewportWidget::askForSight()
 {
-    const SightWish wish = wishOf(m_options);
+    const SightWish wish = m_document.content().bodies.empty() ? SightWish() : wishOf(m_options);
     m_document.showPressing(wish.quantity == SurfaceQuantity::contactForce);
     if (wish.isEmpty()) {
         m_sights->forget();
