@@ -198,7 +198,7 @@ void Display::setRange(const std::optional<std::pair<double, double>>& range)
 
 std::pair<double, double> Display::sectionReach() const
 {
-    return reachAlong(m_plane.direction, m_document.content().box);
+    return reachAlong(m_plane.direction, m_view.materialBox());
 }
 
 void Display::setSectionAxis(Section::Axis axis)

@@ -330,6 +330,16 @@ private slots:
         QVERIFY(!view().options().section.plane);
     }
 
+    void thePlaneReachesMaterialThatWasPulledOut()
+    {
+        stretchBar();
+        const double end = document().frame()->bodies[0]->places[farthestVertex()].x();
+        QVERIFY(end > 0.165);
+        choose("sectionAxis", "X");
+        type("sectionOffset", "0.164 m"); // at rest the bar ends at 0.16 m
+        QCOMPARE(view().options().section.plane->offset, 0.164);
+    }
+
     void theDividerHasTheOriginalLeftAndThePresentRight()
     {
         stretchBar();

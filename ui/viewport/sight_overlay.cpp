@@ -121,7 +121,7 @@ void SightOverlay::moveSection(double offset)
 {
     SceneOptions options = m_view.options();
     CutPlane& plane = *options.section.plane;
-    const auto [least, most] = reachAlong(plane.normal, m_box);
+    const auto [least, most] = reachAlong(plane.normal, m_view.materialBox());
     plane.offset = std::clamp(offset, least, most);
     m_view.setOptions(options);
 }

@@ -226,6 +226,16 @@ WindowSize ViewportWidget::window() const
     return {static_cast<double>(std::max(1, width())), static_cast<double>(std::max(1, height()))};
 }
 
+Box ViewportWidget::materialBox() const
+{
+    Box box = m_restBox;
+    if (const FramePointer& frame = shownFrame())
+        for (const auto& body : frame->bodies)
+            for (const Vec3& place : body->places)
+                box.extend(place);
+    return box;
+}
+
 Ray ViewportWidget::rayAt(const QPointF& position) const
 {
     return m_camera.ray(pixelOf(position), window());
