@@ -105,6 +105,7 @@ SceneView::SceneView(vtkRenderWindow* window)
     m_parts->grid->setVisible(false);
     m_parts->openEdges = std::make_unique<OpenEdgesActor>(m_parts->renderer);
     m_parts->sight = std::make_unique<SightActors>(m_parts->renderer);
+    m_parts->openEdges->setClipping(m_parts->sight->clippingOfStill());
     setStyle(m_style);
 }
 
@@ -148,13 +149,16 @@ void SceneView::setContent(const Content& content)
         m_parts->surfaces.push_back(std::make_unique<SkinActor>(surface->body, m_parts->renderer));
         m_parts->surfaces.back()->show(surface->frame);
     }
-    for (const auto& skins : {&m_parts->skins, &m_parts->surfaces})
-        for (const auto& skin : *skins)
-            skin->setClipping(m_parts->sight->clipping());
+    for (const auto& skin : m_parts->skins)
+        skin->setClipping(m_parts->sight->clipping());
+    for (const auto& surface : m_parts->surfaces)
+        surface->setClipping(m_parts->sight->clippingOfStill());
     m_gridHeight = m_restBox.min().z();
     layGrid();
     colorBodies();
+    colorSurfaces();
     showBodies();
+    showOpenEdges();
 }
 
 void SceneView::showFrame(const FramePointer& frame)
@@ -190,6 +194,7 @@ void SceneView::setStyle(const SceneStyle& style)
     }
     layGrid();
     colorBodies();
+    colorSurfaces();
     if (m_frame)
         showTools();
 }
@@ -197,10 +202,13 @@ void SceneView::setStyle(const SceneStyle& style)
 void SceneView::setOptions(const SceneOptions& options)
 {
     const bool otherObjects = options.objects != m_options.objects || options.hiddenParts != m_options.hiddenParts;
-    const bool otherColors = options.colors != m_options.colors || options.hiddenParts != m_options.hiddenParts;
+    const bool otherParts = options.hiddenParts != m_options.hiddenParts;
+    const bool otherColors = options.colors != m_options.colors || otherParts;
     m_options = options;
     if (otherObjects)
         m_parts->objects.clear();
+    if (otherParts)
+        showOpenEdges();
     m_parts->sight->setOptions(options);
     showBodies();
     showObjects();
@@ -262,6 +270,7 @@ void SceneView::setLooks(const PartLooks& looks)
     m_parts->sight->setLooks(looks);
     m_parts->objects.clear();
     colorBodies();
+    colorSurfaces();
     showObjects();
 }
 
@@ -311,6 +320,11 @@ void SceneView::colorBodies()
             return isUnderCursor ? mix(color, m_style.highlight, tint) : color;
         });
     }
+}
+
+/// They have no numbers and no marks.
+void SceneView::colorSurfaces()
+{
     for (std::size_t s = 0; s < m_surfaces.size(); ++s) {
         const std::size_t part = m_surfaces[s]->body->part;
         m_parts->surfaces[s]->setEdges(m_style.edge, 1.2F);
@@ -329,14 +343,13 @@ void SceneView::showBodies()
         const bool isVisible = !m_options.hiddenParts.contains(m_surfaces[s]->body->part);
         m_parts->surfaces[s]->setVisible(isVisible, isVisible && m_options.edges);
     }
-    showOpenEdges();
+    m_parts->openEdges->setVisible(m_model && m_options.openEdges);
 }
 
 void SceneView::showOpenEdges()
 {
     if (m_model)
         m_parts->openEdges->show(*m_model, [this](std::size_t part) { return m_options.hiddenParts.contains(part); });
-    m_parts->openEdges->setVisible(m_model && m_options.openEdges);
 }
 
 void SceneView::showObjects()

@@ -112,6 +112,7 @@ private:
 
     void addLights();
     void colorBodies();
+    void colorSurfaces();
     bool colorByValues(BodyId body);
     bool isGlass() const;
     void showRegions();

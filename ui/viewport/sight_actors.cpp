@@ -55,6 +55,7 @@ struct SightActors::Parts {
     vtkNew<vtkPlane> section; ///< all planes keep what is on the side of their normal
     vtkNew<vtkPlane> right;   ///< of the divider
     vtkNew<vtkPlane> left;
+    vtkNew<vtkPlaneCollection> ofStill;
     vtkNew<vtkPlaneCollection> ofDeformed;
     vtkNew<vtkPlaneCollection> ofOriginal;     ///< left of the divider
     vtkNew<vtkPlaneCollection> ofDeformedCaps; ///< they lie in the section plane
@@ -81,6 +82,11 @@ SightActors::~SightActors() = default;
 vtkPlaneCollection* SightActors::clipping() const
 {
     return m_parts->ofDeformed;
+}
+
+vtkPlaneCollection* SightActors::clippingOfStill() const
+{
+    return m_parts->ofStill;
 }
 
 bool SightActors::isShown(std::size_t body) const
@@ -271,10 +277,11 @@ void SightActors::clip()
 {
     Parts& p = *m_parts;
     for (vtkPlaneCollection* list :
-         {p.ofDeformed.Get(), p.ofOriginal.Get(), p.ofDeformedCaps.Get(), p.ofOriginalCaps.Get()})
+         {p.ofStill.Get(), p.ofDeformed.Get(), p.ofOriginal.Get(), p.ofDeformedCaps.Get(), p.ofOriginalCaps.Get()})
         list->RemoveAllItems();
     if (const std::optional<CutPlane>& plane = m_options.section.plane) {
         place(p.section, plane->offset * plane->normal, -plane->normal);
+        p.ofStill->AddItem(p.section);
         p.ofDeformed->AddItem(p.section);
         p.ofOriginal->AddItem(p.section);
     }

@@ -31,6 +31,7 @@ public:
 
     /// What keeps the part of the deformed material that is to be seen; for its actors.
     vtkPlaneCollection* clipping() const;
+    vtkPlaneCollection* clippingOfStill() const; ///< for what looks alike before and after
 
 private:
     struct Parts;
