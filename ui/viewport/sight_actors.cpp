@@ -241,7 +241,7 @@ void SightActors::showBreaks()
     m_parts->breaks->show(marks);
 }
 
-/// Caps that do not belong to the plane of now are not shown: they come with the next sight.
+/// Caps stay until those of the plane of now are there, so that nothing flickers while it is dragged.
 void SightActors::showCaps()
 {
     const std::optional<CutPlane>& plane = m_options.section.plane;

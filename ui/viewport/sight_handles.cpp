@@ -164,6 +164,12 @@ void SectionKnob::mouseMoveEvent(QMouseEvent* event)
         event->ignore();
 }
 
+/// A release that belongs to no press of the view would be half of a click there.
+void SectionKnob::mouseReleaseEvent(QMouseEvent* event)
+{
+    event->setAccepted(event->button() == Qt::LeftButton);
+}
+
 void SectionKnob::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Right)
