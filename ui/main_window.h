@@ -131,6 +131,7 @@ private:
     void makeSelectionMenus();
     void makeSelectionBar();
     void connectSelection();
+    void leaveModes();
     void connectTree();
     void fillTreeMenu(QMenu& menu, int type) const;
     void showLevel();

@@ -2,6 +2,8 @@
 #include "ui/main_window.h"
 
 #include "ui/actions.h"
+#include "ui/hands/hands.h"
+#include "ui/measuring/measuring.h"
 #include "ui/panels/model_panel.h"
 #include "ui/panels/model_tree.h"
 #include "ui/panels/selection_panel.h"
@@ -21,6 +23,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <numeric>
 
 namespace knead {
@@ -83,13 +86,19 @@ void MainWindow::makeSelection()
 void MainWindow::makeSelectionMenus()
 {
     const SelectionActions& s = *m_selection;
-    const auto menuAt = [this](int place) { return menuBar()->actions().at(place)->menu(); };
-    QMenu* edit = menuAt(1);
+    const auto menuWith = [this](QAction* action) {
+        const auto menus = menuBar()->actions();
+        const auto found = std::find_if(menus.begin(), menus.end(), [action](const QAction* one) {
+            return one->menu()->actions().contains(action);
+        });
+        return (*found)->menu();
+    };
+    QMenu* edit = menuWith(m_actions->undo);
     edit->addSeparator();
     edit->addActions({s.rename, s.color, s.uncolor, s.lock, s.group, s.ungroup});
     edit->addSeparator();
     edit->addAction(s.search);
-    QMenu* view = menuAt(4);
+    QMenu* view = menuWith(m_actions->hide);
     view->insertActions(m_actions->hide, {s.isolate, s.showAll});
 
     auto* select = new QMenu(tr("Se&lect"), this);
@@ -134,11 +143,15 @@ void MainWindow::connectSelection()
     const SelectionActions& s = *m_selection;
     SelectionModel& selected = m_document.selected();
     for (QAction* level : s.levels)
-        connect(level, &QAction::triggered, this,
-                [this, level] { m_document.selected().setLevel(static_cast<Level>(level->data().toInt())); });
+        connect(level, &QAction::triggered, this, [this, level] {
+            leaveModes();
+            m_document.selected().setLevel(static_cast<Level>(level->data().toInt()));
+        });
     for (QAction* shape : s.shapes)
-        connect(shape, &QAction::triggered, this,
-                [this, shape] { m_viewport->regions().setShape(static_cast<RegionShape>(shape->data().toInt())); });
+        connect(shape, &QAction::triggered, this, [this, shape] {
+            leaveModes();
+            m_viewport->regions().setShape(static_cast<RegionShape>(shape->data().toInt()));
+        });
     RegionTool& regions = m_viewport->regions();
     connect(s.smallerBrush, &QAction::triggered, this,
             [&regions] { regions.setBrushRadius(regions.brushRadius() / brushStep); });
@@ -169,6 +182,14 @@ void MainWindow::connectSelection()
             showSelected();
     });
     showLevel();
+}
+
+/// Who chooses what clicks select wants to select with them.
+void MainWindow::leaveModes()
+{
+    m_measuring->tool().stop();
+    m_actions->fixFaces->setChecked(false);
+    m_hands->pullAction()->setChecked(false);
 }
 
 void MainWindow::connectTree()

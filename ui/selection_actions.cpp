@@ -82,7 +82,7 @@ SelectionActions::SelectionActions(QWidget* window)
                            "The objects that lie no farther from the selection than a distance"}))
     , keep(make(window, {"keepSelection", "Save selection...", "selection", QKeySequence("Ctrl+Shift+D"),
                          "Keep the selection under a name in the model tree"}))
-    , fix(make(window, {"fixSelection", "Fix selection", "fix", QKeySequence("Shift+X"),
+    , fix(make(window, {"fixSelection", "Fix selection", "fix", QKeySequence("Shift+F"),
                         "Hold the selected faces or objects in place"}))
     , renormalize(make(window, {"renormalizeSelection", "Re-normalize selection", "renormalize",
                                 QKeySequence("Shift+N"), "The selection takes its present shape for its own"}))
@@ -101,12 +101,13 @@ SelectionActions::SelectionActions(QWidget* window)
                             "Take the selected parts out of their group, or all out of the selected one"}))
     , isolate(make(window, {"isolate", "Isolate", "isolate", QKeySequence("Shift+H"),
                             "Show nothing but the selected parts; again: what was shown before"}))
-    , showAll(make(window, {"showAll", "Show all", "eye", QKeySequence("Alt+H"), "Hide no part"}))
+    , showAll(make(window, {"showAll", "Show all", "eye", QKeySequence("Ctrl+H"), "Hide no part"}))
     , search(make(window, {"searchModel", "Search the model", "search", QKeySequence("Ctrl+F"),
                            "Look for parts, tools, fixtures and selections by their names"}))
 {
     // Other panels have names to change as well.
     rename->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    window->removeAction(rename);
     setDocumentOpen(false, false);
 }
 

@@ -216,7 +216,7 @@ private slots:
         newWindow(m_services);
         openProject(file("isolated.knead"));
         QCOMPARE(hidden(), std::set<std::size_t>{0});
-        key(Qt::Key_H, Qt::AltModifier);
+        key(Qt::Key_H, Qt::ControlModifier);
         QVERIFY(hidden().empty());
     }
 

@@ -70,7 +70,7 @@ void SelectionPanel::makeRegionRows()
         connect(result, &QPushButton::clicked, this, action);
         return result;
     };
-    m_fix = button("fixRegion", "fix", tr("Fix"), tr("Hold it in place (Shift+X)"), &SelectionPanel::fix);
+    m_fix = button("fixRegion", "fix", tr("Fix"), tr("Hold it in place (Shift+F)"), &SelectionPanel::fix);
     auto* row = new QHBoxLayout;
     row->setSpacing(6);
     row->addWidget(m_fix, 1);

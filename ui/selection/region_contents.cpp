@@ -157,12 +157,6 @@ QString tr(const char* text, int count = -1)
     return QCoreApplication::translate("Region", text, nullptr, count);
 }
 
-QString shownArea(double area)
-{
-    constexpr double smallest = 1e-4; // [m^2]
-    return area < smallest ? tr("%1 mm²").arg(area * 1e6, 0, 'g', 4) : tr("%1 cm²").arg(area * 1e4, 0, 'g', 4);
-}
-
 } // namespace
 
 RegionSize sizeOf(const Region& region, const Content& content, const Frame& now)
@@ -206,7 +200,8 @@ QString wordsFor(const Region& region, const RegionSize& size)
         return (isOne ? tr("1 part, %2") : tr("%1 parts, %2").arg(count))
             .replace("%2", formatReading(size.volume, Quantity::Volume));
     case Level::Face:
-        return (isOne ? tr("1 face, %2") : tr("%1 faces, %2").arg(count)).replace("%2", shownArea(size.area));
+        return (isOne ? tr("1 face, %2") : tr("%1 faces, %2").arg(count))
+            .replace("%2", formatReading(size.area, Quantity::Area));
     case Level::Edge:
         return (isOne ? tr("1 edge, %2") : tr("%1 edges, %2").arg(count))
             .replace("%2", formatReading(size.length, Quantity::Length));
@@ -253,10 +248,10 @@ Region objectsWithin(const Region& region, double distance, const Content& conte
 
 std::array<ObjectIndex, 2> endsOf(const Aggregate& aggregate, const ConnectionId& connection)
 {
-    Lattice::Node node = aggregate.lattice.nodes[connection.lower];
-    for (std::size_t i = 0; i < 3; ++i)
-        node[i] += Lattice::directions[connection.direction][i];
-    return {connection.lower, aggregate.lattice.find(node)};
+    const std::vector<Lattice::Segment>& segments = aggregate.lattice.segments[connection.direction];
+    const auto next = std::upper_bound(segments.begin(), segments.end(), connection.lower,
+                                       [](ObjectIndex lower, const Lattice::Segment& s) { return lower < s.begin; });
+    return {connection.lower, connection.lower + static_cast<ObjectIndex>(std::prev(next)->offset)};
 }
 
 bool isConnection(const Aggregate& aggregate, Region::Item item)
