@@ -315,6 +315,17 @@ private slots:
         QCOMPARE(view().options().section.plane->offset, -0.02); // where it was, and still flipped
     }
 
+    void aCutIsNoFace()
+    {
+        openExample("bar.step", 24);
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier); // cuts off what is beyond x = 80 mm
+        view().lookFrom(Vec3(1, 0, 0));
+        QTest::qWait(400);
+        const PickHit hit = view().hitAt(*view().widgetPosition(Vec3(0.08, 0.01, 0.01)));
+        QCOMPARE(hit.kind, PickHit::Kind::Cut);
+        QVERIFY(std::abs(hit.place.x() - 0.08) < 1e-9);
+    }
+
     void anotherPartMayComeWhileThePlaneIsDragged()
     {
         openExample("bracket.step", 24);
