@@ -5,7 +5,6 @@
 #include "ui/shell/preferences.h"
 #include "ui/viewport/color_legend.h"
 
-#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
@@ -15,7 +14,6 @@
 #include <QtTest>
 
 #include <cmath>
-#include <map>
 
 using namespace knead;
 
@@ -184,20 +182,6 @@ private slots:
         openExample("bar.step");
         QVERIFY(view().options().original && view().options().connections && !view().options().grid);
         QTRY_VERIFY(view().scale() && view().scale()->quantity == SurfaceQuantity::strain);
-    }
-
-    void noKeyHasTwoMeanings()
-    {
-        std::map<QString, QString> holders;
-        for (const QAction* action : m_window->findChildren<QAction*>()) {
-            if (action->shortcutContext() != Qt::WindowShortcut)
-                continue;
-            for (const QKeySequence& key : action->shortcuts()) {
-                const auto [known, isNew] = holders.try_emplace(key.toString(), action->objectName());
-                QVERIFY2(isNew || known->second == action->objectName(),
-                         qPrintable(key.toString() + ": " + known->second + ", " + action->objectName()));
-            }
-        }
     }
 
     void theOriginalIsSeenAroundWhatBecameOfIt()

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace knead {
 
@@ -105,11 +104,10 @@ ColorLegend::ColorLegend(QWidget* parent)
 void ColorLegend::show(const ColorScale& scale, bool isPast)
 {
     const QString remark = remarkOf(scale, isPast);
-    ScaleText text = textOf(scale); // another unit or language says it otherwise
-    if (isVisible() && scale == m_scale && text == m_text && remark == m_remark)
+    if (isVisible() && scale == m_scale && remark == m_remark)
         return;
     m_scale = scale;
-    m_text = std::move(text);
+    m_text = textOf(scale);
     m_remark = remark;
     QStringList numbers;
     for (const ScaleText::Tick& tick : m_text.ticks)

@@ -51,11 +51,9 @@ struct ScaleText {
     struct Tick {
         double share = 0; ///< of the bar, from below
         QString text;
-        friend bool operator==(const Tick&, const Tick&) = default;
     };
     QString title;           ///< with the unit: "Strain [%]"
     std::vector<Tick> ticks; ///< from below, 4 to 9 at round numbers
-    friend bool operator==(const ScaleText&, const ScaleText&) = default;
 };
 ScaleText textOf(const ColorScale& scale);
 
