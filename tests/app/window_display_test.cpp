@@ -76,6 +76,25 @@ private slots:
         QTRY_VERIFY(legend()->isVisible());
     }
 
+    void fixedFacesStandOutFromColorsWhileTheyAreChosen()
+    {
+        stretchBar();
+        choose("colorQuantity", "Displacement");
+        QTRY_VERIFY(view().scale());
+        const QPoint place = view().widgetPosition(onTop(0.08).first)->toPoint();
+        const auto isLike = [&](const QColor& color) { return shot().pixelColor(place) == color; };
+        const QColor plain = shot().pixelColor(place);
+        const PickHit hit = view().hitAt(place);
+        QCOMPARE(hit.kind, PickHit::Kind::Body);
+        document().toggleFace(hit.id, hit.face);
+        QTRY_VERIFY(!document().fixtures().list().empty());
+        QVERIFY(isLike(plain));
+        action("fixFaces")->setChecked(true);
+        QVERIFY(!isLike(plain));
+        action("fixFaces")->setChecked(false);
+        QVERIFY(isLike(plain));
+    }
+
     void aTypedRangeStaysAndHasUnits()
     {
         stretchBar();

@@ -211,6 +211,7 @@ void ViewportWidget::updateMarks()
     if (m_highlight)
         marks.highlighted = m_highlight;
     marks.fixed = fixedFaces();
+    marks.isFixing = m_manipulation->isFixing();
     m_scene->setMarks(marks);
     setCursor(m_manipulation->cursor());
     requestRender();
