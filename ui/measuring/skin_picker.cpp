@@ -111,7 +111,7 @@ std::optional<SkinPicker::Hit> SkinPicker::surfaceAlong(const Ray& ray) const
                 nearest = found;
                 body = b;
             }
-    if (!nearest || nearest->isCut) // there is no skin
+    if (!nearest)
         return std::nullopt;
     const auto& t = m_bodies[body]->mesh.triangles[nearest->triangle];
     const auto& places = m_frame->bodies[body]->places;
