@@ -78,7 +78,7 @@ void Display::makeActions(const Actions& actions)
     m_original = make("original", tr("Original shape"), "original", "Shift+R",
                       tr("Show the shape at rest, translucent, around what became of it"));
     m_breaks = make("breaks", tr("Broken connections"), "breaks", "Shift+B", tr("Mark where connections broke"));
-    m_section = make("section", tr("Section plane"), "section", "Shift+X",
+    m_section = make("section", tr("Section plane"), "section", "Shift+S",
                      tr("Cut the part open to look inside; drag the knob to move the plane"));
     m_flip = make("flipSection", tr("Flip section"), nullptr, "Ctrl+Shift+X", tr("Cut off the other side"));
     m_compare = make("compare", tr("Before and after"), "compare", "Shift+V",
@@ -198,7 +198,7 @@ void Display::setRange(const std::optional<std::pair<double, double>>& range)
 
 std::pair<double, double> Display::sectionReach() const
 {
-    return reachAlong(m_plane.direction, m_document.content().box);
+    return reachAlong(m_plane.direction, m_view.materialBox());
 }
 
 void Display::setSectionAxis(Section::Axis axis)
@@ -206,7 +206,8 @@ void Display::setSectionAxis(Section::Axis axis)
     m_plane.axis = axis;
     m_plane.direction =
         axis == Section::Axis::eye ? m_view.camera().towardsEye() : Vec3(Vec3::Unit(static_cast<Eigen::Index>(axis)));
-    m_plane.offset = m_plane.direction.dot(m_document.content().box.center());
+    m_placedIn = m_document.content().box;
+    m_plane.offset = m_plane.direction.dot(m_placedIn.center());
     m_isFollowing = true;
     m_section->setChecked(true);
     m_isFollowing = false;
@@ -219,11 +220,12 @@ void Display::setSectionOffset(double offset)
     applySection();
 }
 
+/// In the same part it comes back to where it was.
 void Display::switchSection(bool on)
 {
     if (m_isFollowing)
         return;
-    if (on)
+    if (on && !m_placedIn.isApprox(m_document.content().box))
         setSectionAxis(m_plane.axis);
     else
         applySection();

@@ -85,6 +85,7 @@ private:
     QList<QAction*> m_shown;
     QMenu* m_menu = nullptr;
     Section m_plane;
+    Box m_placedIn;             ///< what the plane was placed in [m]; empty at first
     bool m_isFollowing = false; ///< actions only show what the view has
 };
 

@@ -2,6 +2,7 @@
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/timeline_axis.h"
 #include "ui/run_window.h"
+#include "ui/shell/preferences.h"
 #include "ui/viewport/color_legend.h"
 
 #include <QCheckBox>
@@ -71,6 +72,27 @@ private slots:
         bothThemes("distance");
         choose("colorQuantity", "Part colors");
         QTRY_VERIFY(!legend()->isVisible());
+        choose("colorQuantity", "Distance to the original"); // of the same moment once more
+        QTRY_VERIFY(legend()->isVisible());
+    }
+
+    void fixedFacesStandOutFromColorsWhileTheyAreChosen()
+    {
+        stretchBar();
+        choose("colorQuantity", "Displacement");
+        QTRY_VERIFY(view().scale());
+        const QPoint place = view().widgetPosition(onTop(0.08).first)->toPoint();
+        const auto isLike = [&](const QColor& color) { return shot().pixelColor(place) == color; };
+        const QColor plain = shot().pixelColor(place);
+        const PickHit hit = view().hitAt(place);
+        QCOMPARE(hit.kind, PickHit::Kind::Body);
+        document().toggleFace(hit.id, hit.face);
+        QTRY_VERIFY(!document().fixtures().list().empty());
+        QVERIFY(isLike(plain));
+        action("fixFaces")->setChecked(true);
+        QVERIFY(!isLike(plain));
+        action("fixFaces")->setChecked(false);
+        QVERIFY(isLike(plain));
     }
 
     void aTypedRangeStaysAndHasUnits()
@@ -92,6 +114,13 @@ private slots:
         type("rangeLeast", "0,01 m");
         QCOMPARE(view().options().colors.range->first, 0.01);
         QTRY_COMPARE(legend()->text().ticks.front().text, QString("10"));
+        Preferences chosen = readPreferences();
+        chosen.lengthUnit = "in";
+        m_window->setPreferences(chosen);
+        QTRY_COMPARE(legend()->text().title, QString("Displacement [in]"));
+        chosen.lengthUnit = "mm";
+        m_window->setPreferences(chosen);
+        QTRY_COMPARE(legend()->text().title, QString("Displacement [mm]"));
         choose("colorMap", "Cividis");
         QTRY_COMPARE(view().scale()->map, ColorMap::cividis);
         verifyColor(shot(), onTop(0.14).first, *view().scale(), onTop(0.14).second);
@@ -235,6 +264,10 @@ private slots:
         const double pixel = view().camera().viewHeight() / view().height();
         qInfo("area %.1f mm2, drawn %.1f mm2", 1e6 * section.area(), 1e6 * count * pixel * pixel);
         QVERIFY(std::abs(count * pixel * pixel / section.area() - 1) < 0.05);
+        document().colorPart(body.part, Color{1, 0, 0});
+        const QColor red = shot().pixelColor(view().widgetPosition(middle)->toPoint());
+        QVERIFY2(red.red() > 2 * red.green(), qPrintable(red.name()));
+        document().colorPart(body.part, std::nullopt);
         QTest::keyClick(m_window.get(), Qt::Key_E);
         click(find<QCheckBox>("sectionHatched"));
         QTest::keyClick(m_window.get(), Qt::Key_0);
@@ -245,7 +278,7 @@ private slots:
     void theSectionPlaneIsDraggedTypedAndFlipped()
     {
         openExample("bracket.step", 24);
-        QTest::keyClick(m_window.get(), Qt::Key_X, Qt::ShiftModifier);
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
         raisePanel();
         auto* knob = find<QWidget>("sectionKnob");
         QTRY_VERIFY(knob->isVisible());
@@ -274,9 +307,51 @@ private slots:
         QVERIFY(view().options().section.plane->offset > -0.02);
         choose("sectionAxis", "Towards the eye");
         QVERIFY((view().options().section.plane->normal + view().camera().towardsEye()).norm() < 1e-9); // still flipped
-        QTest::keyClick(m_window.get(), Qt::Key_X, Qt::ShiftModifier);
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
         QVERIFY(!view().options().section.plane && !find<QCheckBox>("sectionBox")->isChecked());
         QTRY_VERIFY(!knob->isVisible());
+        choose("sectionAxis", "X");
+        type("sectionOffset", "2 cm");
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
+        QVERIFY(!view().options().section.plane);
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
+        QCOMPARE(view().options().section.plane->offset, -0.02); // where it was, and still flipped
+    }
+
+    void aCutIsNoFace()
+    {
+        openExample("bar.step", 24);
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier); // cuts off what is beyond x = 80 mm
+        view().lookFrom(Vec3(1, 0, 0));
+        QTest::qWait(400);
+        const PickHit hit = view().hitAt(*view().widgetPosition(Vec3(0.08, 0.01, 0.01)));
+        QCOMPARE(hit.kind, PickHit::Kind::Cut);
+        QVERIFY(std::abs(hit.place.x() - 0.08) < 1e-9);
+    }
+
+    void anotherPartMayComeWhileThePlaneIsDragged()
+    {
+        openExample("bracket.step", 24);
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
+        auto* knob = find<QWidget>("sectionKnob");
+        QTRY_VERIFY(knob->isVisible());
+        const QPoint center = knob->rect().center();
+        QTest::mousePress(knob, Qt::LeftButton, {}, center);
+        openExample("bar.step", 24);
+        QVERIFY(!view().options().section.plane);
+        QTest::mouseMove(knob, center + QPoint(10, 10));
+        QTest::mouseRelease(knob, Qt::LeftButton, {}, center);
+        QVERIFY(!view().options().section.plane);
+    }
+
+    void thePlaneReachesMaterialThatWasPulledOut()
+    {
+        stretchBar();
+        const double end = document().frame()->bodies[0]->places[farthestVertex()].x();
+        QVERIFY(end > 0.165);
+        choose("sectionAxis", "X");
+        type("sectionOffset", "0.164 m"); // at rest the bar ends at 0.16 m
+        QCOMPARE(view().options().section.plane->offset, 0.164);
     }
 
     void theDividerHasTheOriginalLeftAndThePresentRight()
@@ -325,7 +400,7 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_Space);
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.4, patience);
         choose("colorQuantity", "Von Mises stress");
-        QTest::keyClick(m_window.get(), Qt::Key_X, Qt::ShiftModifier);
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
         choose("sectionAxis", "Y");
         QTest::keyClick(m_window.get(), Qt::Key_V, Qt::ShiftModifier);
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.6, patience);

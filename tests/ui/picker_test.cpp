@@ -125,6 +125,25 @@ private slots:
         }
     }
 
+    void whatIsCutOpenIsMetAtThePlane()
+    {
+        TriangleMesh block; // from 0 to 1
+        for (int corner = 0; corner < 8; ++corner)
+            block.vertices.emplace_back(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
+        block.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                           {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+        block.faceOfTriangle.assign(12, 0);
+        const RenderMesh render = renderMesh(block);
+        const std::vector<float> points = renderPoints(render, block.vertices);
+        const SurfacePicker picker(render, points);
+        const auto pick = [&](const Ray& ray) { return picker.pick(ray, reachOf(ray, CutPlane{Vec3::UnitZ(), 0.4})); };
+        const auto cut = pick({Vec3(0.3, 0.6, 5), -Vec3::UnitZ()});
+        QVERIFY(cut && cut->isCut && std::abs(cut->distance - 4.6) < 1e-6);
+        const auto side = pick({Vec3(5, 0.6, 0.2), -Vec3::UnitX()});
+        QVERIFY(side && !side->isCut && std::abs(side->distance - 4) < 1e-6);
+        QVERIFY(!pick({Vec3(5, 0.6, 0.7), -Vec3::UnitX()}));
+    }
+
     void aDeformedSurfaceIsFollowed()
     {
         const Drawn drawn(20);

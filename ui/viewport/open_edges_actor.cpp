@@ -3,6 +3,7 @@
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -68,6 +69,11 @@ void OpenEdgesActor::setVisible(bool visible)
 void OpenEdgesActor::setColor(const Color& color)
 {
     m_parts->actor->GetProperty()->SetColor(color.r, color.g, color.b);
+}
+
+void OpenEdgesActor::setClipping(vtkPlaneCollection* planes)
+{
+    m_parts->mapper->SetClippingPlanes(planes);
 }
 
 } // namespace knead

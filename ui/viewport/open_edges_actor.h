@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+class vtkPlaneCollection;
 class vtkRenderer;
 
 namespace knead {
@@ -22,6 +23,7 @@ public:
     void show(const Model& model, const std::function<bool(std::size_t part)>& isHidden);
     void setVisible(bool visible);
     void setColor(const Color& color);
+    void setClipping(vtkPlaneCollection* planes); ///< keeps what is on the positive sides; the list may change later
 
 private:
     struct Parts;

@@ -139,7 +139,19 @@ std::optional<SurfaceHit> SurfacePicker::pick(const Ray& ray, const RayReach& re
             intersectLeaf(node, ray, reach, best);
         }
     }
+    if (best && reach.from > 0 && facesAway(best->triangle, ray.direction)) {
+        best->isCut = true;
+        best->distance = reach.from;
+    }
     return best;
+}
+
+bool SurfacePicker::facesAway(std::uint32_t triangle, const Vec3& direction) const
+{
+    const auto& t = m_mesh.triangles[triangle];
+    const Eigen::Vector3f a = pointAt(m_points, t[0]);
+    const Eigen::Vector3f normal = (pointAt(m_points, t[1]) - a).cross(pointAt(m_points, t[2]) - a);
+    return normal.cast<double>().dot(direction) > 0;
 }
 
 void SurfacePicker::intersectLeaf(const Node& node, const Ray& ray, const RayReach& reach,

@@ -17,6 +17,7 @@ struct SurfaceHit {
     double distance = 0; ///< along the ray [m]
     std::uint32_t triangle = 0;
     std::uint32_t face = 0; ///< CAD face
+    bool isCut = false;     ///< met is where a plane opens the material; the triangle is only behind that
 };
 
 /// The part of a ray along which it may meet something, as distances [m].
@@ -38,6 +39,7 @@ public:
     /// @param points as drawn now; must stay alive while picking
     void refit(std::span<const float> points);
 
+    /// A ray that would come out of a closed surface, and whose reach begins within, meets a cut there.
     std::optional<SurfaceHit> pick(const Ray& ray, const RayReach& reach = {}) const;
 
 private:
@@ -49,6 +51,7 @@ private:
     };
 
     void build(std::uint32_t begin, std::uint32_t end, const std::vector<Eigen::Vector3f>& centers);
+    bool facesAway(std::uint32_t triangle, const Vec3& direction) const;
     void intersectLeaf(const Node& node, const Ray& ray, const RayReach& reach, std::optional<SurfaceHit>& best) const;
 
     const RenderMesh& m_mesh;

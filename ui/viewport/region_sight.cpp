@@ -129,7 +129,8 @@ Region RegionSight::at(Level level, const Pixel& pixel)
     const PickHit hit = m_picker.pick(m_camera.ray(pixel, m_window), true);
     Region region;
     region.level = level;
-    if (hit.kind == PickHit::Kind::Body && (level == Level::Part || hasFaces(m_document.content(), hit.id)))
+    const bool isFace = hit.kind == PickHit::Kind::Body && hasFaces(m_document.content(), hit.id);
+    if (isFace || (level == Level::Part && (hit.kind == PickHit::Kind::Body || hit.kind == PickHit::Kind::Cut)))
         region.add(hit.id, level == Level::Part ? 0 : hit.face);
     return region;
 }

@@ -40,7 +40,8 @@ PickHit ScenePicker::pick(const Ray& ray, bool skipsTools)
                 m_hiddenParts.contains(m_bodies[b]->part) ? std::nullopt : m_pickers[b]->pick(ray, reach);
             found && found->distance < nearest) {
             nearest = found->distance;
-            hit = {PickHit::Kind::Body, b, found->triangle, found->face, ray.origin + nearest * ray.direction};
+            hit = {found->isCut ? PickHit::Kind::Cut : PickHit::Kind::Body, b, found->triangle, found->face,
+                   ray.origin + nearest * ray.direction};
         }
     if (skipsTools)
         return hit;

@@ -11,7 +11,7 @@ namespace knead {
 
 /// What lies under the cursor.
 struct PickHit {
-    enum class Kind { Nothing, Body, Tool };
+    enum class Kind { Nothing, Body, Tool, Cut }; ///< cut: where a section plane opens a body; there is no face
     Kind kind = Kind::Nothing;
     std::uint32_t id = 0;       ///< BodyId or ToolId
     std::uint32_t triangle = 0; ///< of ContentBody::mesh

@@ -38,6 +38,7 @@ SceneView::SceneView(vtkRenderWindow* window)
     m_parts->grid->setVisible(false);
     m_parts->openEdges = std::make_unique<OpenEdgesActor>(m_parts->renderer);
     m_parts->sight = std::make_unique<SightActors>(m_parts->renderer);
+    m_parts->openEdges->setClipping(m_parts->sight->clippingOfStill());
     setStyle(m_style);
 }
 
@@ -81,16 +82,19 @@ void SceneView::setContent(const Content& content)
         m_parts->surfaces.push_back(std::make_unique<SkinActor>(surface->body, m_parts->renderer));
         m_parts->surfaces.back()->show(surface->frame);
     }
-    for (const auto& skins : {&m_parts->skins, &m_parts->surfaces})
-        for (const auto& skin : *skins)
-            skin->setClipping(m_parts->sight->clipping());
+    for (const auto& skin : m_parts->skins)
+        skin->setClipping(m_parts->sight->clipping());
+    for (const auto& surface : m_parts->surfaces)
+        surface->setClipping(m_parts->sight->clippingOfStill());
     for (Parts::Regions* regions : {m_parts->within.get(), m_parts->inFront.get()})
         for (RegionActor* actor : {&regions->selected, &regions->hovered})
             actor->setClipping(m_parts->sight->clipping());
     m_gridHeight = m_restBox.min().z();
     layGrid();
     colorBodies();
+    colorSurfaces();
     showBodies();
+    showOpenEdges();
 }
 
 void SceneView::showFrame(const FramePointer& frame)
@@ -126,6 +130,7 @@ void SceneView::setStyle(const SceneStyle& style)
     }
     layGrid();
     colorBodies();
+    colorSurfaces();
     if (m_frame)
         showTools();
 }
@@ -133,10 +138,13 @@ void SceneView::setStyle(const SceneStyle& style)
 void SceneView::setOptions(const SceneOptions& options)
 {
     const bool otherObjects = options.objects != m_options.objects || options.hiddenParts != m_options.hiddenParts;
-    const bool otherColors = options.colors != m_options.colors || options.hiddenParts != m_options.hiddenParts;
+    const bool otherParts = options.hiddenParts != m_options.hiddenParts;
+    const bool otherColors = options.colors != m_options.colors || otherParts;
     m_options = options;
     if (otherObjects)
         m_parts->objects.clear();
+    if (otherParts)
+        showOpenEdges();
     m_parts->sight->setOptions(options);
     showBodies();
     showObjects();
@@ -156,8 +164,10 @@ bool SceneView::isGlass() const
 void SceneView::setLooks(const PartLooks& looks)
 {
     m_looks = looks;
+    m_parts->sight->setLooks(looks);
     m_parts->objects.clear();
     colorBodies();
+    colorSurfaces();
     showObjects();
 }
 
@@ -172,14 +182,13 @@ void SceneView::showBodies()
         const bool isVisible = !m_options.hiddenParts.contains(m_surfaces[s]->body->part);
         m_parts->surfaces[s]->setVisible(isVisible, isVisible && m_options.edges);
     }
-    showOpenEdges();
+    m_parts->openEdges->setVisible(m_model && m_options.openEdges);
 }
 
 void SceneView::showOpenEdges()
 {
     if (m_model)
         m_parts->openEdges->show(*m_model, [this](std::size_t part) { return m_options.hiddenParts.contains(part); });
-    m_parts->openEdges->setVisible(m_model && m_options.openEdges);
 }
 
 void SceneView::showObjects()

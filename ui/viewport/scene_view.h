@@ -60,6 +60,7 @@ struct SceneMarks {
     };
     std::optional<Face> highlighted;
     std::vector<Face> fixed;
+    bool isFixing = false; ///< faces are being fixed: those that are stand out from numbers, too
     std::optional<BodyId> selectedBody;
     std::optional<ToolId> selectedTool;
     std::optional<ToolId> hoveredTool;
@@ -113,6 +114,7 @@ private:
 
     void addLights();
     void colorBodies();
+    void colorSurfaces();
     bool colorByValues(BodyId body);
     bool isGlass() const;
     void tintValues(BodyId body);

@@ -35,8 +35,8 @@ bool areOthers(const SceneMarks& before, const SceneMarks& after)
     const auto isSkin = [](const Region& region) { return region.level == Level::Part || isOfFaces(region); };
     const auto isOther = [&](const Region& a, const Region& b) { return a != b && (isSkin(a) || isSkin(b)); };
     return before.highlighted != after.highlighted || before.fixed != after.fixed ||
-           before.selectedBody != after.selectedBody || isOther(before.selected, after.selected) ||
-           isOther(before.hovered, after.hovered);
+           before.isFixing != after.isFixing || before.selectedBody != after.selectedBody ||
+           isOther(before.selected, after.selected) || isOther(before.hovered, after.hovered);
 }
 
 } // namespace
@@ -150,6 +150,11 @@ void SceneView::colorBodies()
             return isUnderCursor ? mix(color, m_style.highlight, tint) : color;
         });
     }
+}
+
+/// They have no numbers and no marks.
+void SceneView::colorSurfaces()
+{
     for (std::size_t s = 0; s < m_surfaces.size(); ++s) {
         const std::size_t part = m_surfaces[s]->body->part;
         m_parts->surfaces[s]->setEdges(m_style.edge, 1.2F);
@@ -157,12 +162,14 @@ void SceneView::colorBodies()
     }
 }
 
-/// What is selected or under the cursor is seen over numbers too. Fixed faces keep theirs: stress is highest there.
+/// What is selected or under the cursor is seen over numbers too. Fixed faces keep theirs, as stress is highest there, but
+/// while they are chosen.
 void SceneView::tintValues(BodyId body)
 {
     const auto isFace = [body](const Region& region) { return isOfFaces(region) && region.items.contains(body); };
     const bool isHighlighted = m_marks.highlighted && m_marks.highlighted->body == body;
-    if (!isHighlighted && !isFace(m_marks.selected) && !isFace(m_marks.hovered))
+    const bool showsFixed = m_marks.isFixing && !m_marks.fixed.empty();
+    if (!showsFixed && !isHighlighted && !isFace(m_marks.selected) && !isFace(m_marks.hovered))
         return;
     m_parts->skins[body]->tint(valuesTint, [&](std::uint32_t face) -> std::optional<Color> {
         if (m_marks.highlighted == SceneMarks::Face{body, face} ||
@@ -170,6 +177,8 @@ void SceneView::tintValues(BodyId body)
             return m_style.highlight;
         if (isFace(m_marks.selected) && m_marks.selected.contains(body, face))
             return m_style.selectedEdge;
+        if (showsFixed && std::count(m_marks.fixed.begin(), m_marks.fixed.end(), SceneMarks::Face{body, face}) > 0)
+            return m_style.fixed;
         return std::nullopt;
     });
 }

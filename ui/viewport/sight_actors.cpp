@@ -55,6 +55,7 @@ struct SightActors::Parts {
     vtkNew<vtkPlane> section; ///< all planes keep what is on the side of their normal
     vtkNew<vtkPlane> right;   ///< of the divider
     vtkNew<vtkPlane> left;
+    vtkNew<vtkPlaneCollection> ofStill;
     vtkNew<vtkPlaneCollection> ofDeformed;
     vtkNew<vtkPlaneCollection> ofOriginal;     ///< left of the divider
     vtkNew<vtkPlaneCollection> ofDeformedCaps; ///< they lie in the section plane
@@ -81,6 +82,11 @@ SightActors::~SightActors() = default;
 vtkPlaneCollection* SightActors::clipping() const
 {
     return m_parts->ofDeformed;
+}
+
+vtkPlaneCollection* SightActors::clippingOfStill() const
+{
+    return m_parts->ofStill;
 }
 
 bool SightActors::isShown(std::size_t body) const
@@ -117,6 +123,16 @@ void SightActors::setStyle(const SceneStyle& style)
     m_parts->originals.clear();
     showOriginals();
     showBreaks();
+    showCaps();
+}
+
+void SightActors::setLooks(const PartLooks& looks)
+{
+    m_looks = looks;
+    m_parts->originals.clear();
+    m_parts->connections.clear();
+    showOriginals();
+    showConnections();
     showCaps();
 }
 
@@ -160,9 +176,9 @@ void SightActors::showOriginals()
     else if (originals.empty()) {
         originals = originalsOf(m_bodies, m_parts->renderer);
         for (std::size_t b = 0; b < m_bodies.size(); ++b) {
-            const Part& part = m_model->parts[m_bodies[b]->part];
             originals[b]->setEdges(m_style.edge, edgeWidth);
-            originals[b]->setColors([&](std::uint32_t face) { return faceColor(part, face); });
+            originals[b]->setColors(
+                [&](std::uint32_t face) { return m_looks.faceColor(*m_model, m_bodies[b]->part, face); });
             originals[b]->setClipping(m_parts->ofOriginal);
         }
     }
@@ -189,7 +205,7 @@ void SightActors::showConnections()
         const Snapshot::BodyState& now = m_frame->snapshot->bodies[b];
         const bool isNew = !actors[b];
         if (isNew) {
-            const Color& color = m_bodies[b]->color;
+            const Color color = m_looks.partColor(*m_model, m_bodies[b]->part);
             actors[b] = std::make_unique<ConnectionActor>(
                 m_parts->renderer,
                 Color{connectionShade * color.r, connectionShade * color.g, connectionShade * color.b});
@@ -225,7 +241,7 @@ void SightActors::showBreaks()
     m_parts->breaks->show(marks);
 }
 
-/// Caps that do not belong to the plane of now are not shown: they come with the next sight.
+/// Caps stay until those of the plane of now are there, so that nothing flickers while it is dragged.
 void SightActors::showCaps()
 {
     const std::optional<CutPlane>& plane = m_options.section.plane;
@@ -251,7 +267,7 @@ void SightActors::showCaps()
         if (!isVisible)
             continue;
         cap.show(sections[b], *plane, hatching);
-        cap.setLook(m_bodies[b]->color, m_style.edge, m_options.section.isHatched);
+        cap.setLook(m_looks.partColor(*m_model, m_bodies[b]->part), m_style.edge, m_options.section.isHatched);
         cap.setClipping(isOriginal ? m_parts->ofOriginalCaps : m_parts->ofDeformedCaps);
     }
 }
@@ -261,10 +277,11 @@ void SightActors::clip()
 {
     Parts& p = *m_parts;
     for (vtkPlaneCollection* list :
-         {p.ofDeformed.Get(), p.ofOriginal.Get(), p.ofDeformedCaps.Get(), p.ofOriginalCaps.Get()})
+         {p.ofStill.Get(), p.ofDeformed.Get(), p.ofOriginal.Get(), p.ofDeformedCaps.Get(), p.ofOriginalCaps.Get()})
         list->RemoveAllItems();
     if (const std::optional<CutPlane>& plane = m_options.section.plane) {
         place(p.section, plane->offset * plane->normal, -plane->normal);
+        p.ofStill->AddItem(p.section);
         p.ofDeformed->AddItem(p.section);
         p.ofOriginal->AddItem(p.section);
     }

@@ -23,6 +23,7 @@ public:
     void setContent(const Content& content);
     void showFrame(const FramePointer& frame);
     void setStyle(const SceneStyle& style);
+    void setLooks(const PartLooks& looks);
     void setOptions(const SceneOptions& options);
     void setSight(const SightPointer& sight);
     /// @param aspect of the view, width by height
@@ -30,6 +31,7 @@ public:
 
     /// What keeps the part of the deformed material that is to be seen; for its actors.
     vtkPlaneCollection* clipping() const;
+    vtkPlaneCollection* clippingOfStill() const; ///< for what looks alike before and after
 
 private:
     struct Parts;
@@ -49,6 +51,7 @@ private:
     SightPointer m_sight;
     SceneOptions m_options;
     SceneStyle m_style;
+    PartLooks m_looks;
 };
 
 } // namespace knead

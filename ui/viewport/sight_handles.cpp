@@ -14,7 +14,8 @@ namespace knead {
 
 namespace {
 
-constexpr int dividerWidth = 34; // of what can be grabbed, its labels aside [pixels]
+constexpr int dividerWidth = 34; // with its knob [pixels]
+constexpr int lineWidth = 10;    // of what can be grabbed of the line beside its knob [pixels]
 constexpr int knobSize = 30;     // [pixels]
 constexpr double keyStep = 0.02; // of the width
 constexpr double leastShare = 0.02;
@@ -65,7 +66,14 @@ void DividerHandle::placeAt(double share)
 {
     m_share = share;
     const int middle = static_cast<int>(std::lround(share * parentWidget()->width()));
+    const QSize before = size();
     setGeometry(middle - dividerWidth / 2, 0, dividerWidth, parentWidget()->height());
+    if (size() != before || mask().isEmpty()) { // beside the line the view keeps the mouse
+        const QRegion line((width() - lineWidth) / 2, 0, lineWidth, height());
+        QRect knob(0, 0, knobSize, knobSize);
+        knob.moveCenter(rect().center());
+        setMask(line | QRegion(knob, QRegion::Ellipse));
+    }
 }
 
 void DividerHandle::moveTo(double share)
@@ -154,6 +162,12 @@ void SectionKnob::mouseMoveEvent(QMouseEvent* event)
         emit dragged(mapToParent(event->position()));
     else
         event->ignore();
+}
+
+/// A release that belongs to no press of the view would be half of a click there.
+void SectionKnob::mouseReleaseEvent(QMouseEvent* event)
+{
+    event->setAccepted(event->button() == Qt::LeftButton);
 }
 
 void SectionKnob::keyPressEvent(QKeyEvent* event)

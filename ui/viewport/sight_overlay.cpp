@@ -44,17 +44,25 @@ SightOverlay::SightOverlay(ViewportWidget& view)
 {
     connect(m_divider, &DividerHandle::dragged, this, [this](double share) {
         SceneOptions options = m_view.options();
+        if (!options.divider)
+            return;
         options.divider = share;
         m_view.setOptions(options);
     });
     connect(m_knob, &SectionKnob::grabbed, this, [this](const QPointF& at) {
-        const CutPlane& plane = *m_view.options().section.plane;
-        m_way = m_knobPlace - plane.normal.dot(m_knobPlace) * plane.normal;
-        m_grabbed = offsetAt(at) - plane.offset;
+        if (const std::optional<CutPlane>& plane = m_view.options().section.plane) {
+            m_way = m_knobPlace - plane->normal.dot(m_knobPlace) * plane->normal;
+            m_grabbed = offsetAt(at) - plane->offset;
+        }
     });
-    connect(m_knob, &SectionKnob::dragged, this, [this](const QPointF& to) { moveSection(offsetAt(to) - m_grabbed); });
+    // Another part may come, and the plane go, under the hand.
+    connect(m_knob, &SectionKnob::dragged, this, [this](const QPointF& to) {
+        if (m_view.options().section.plane)
+            moveSection(offsetAt(to) - m_grabbed);
+    });
     connect(m_knob, &SectionKnob::stepped, this, [this](int steps) {
-        moveSection(m_view.options().section.plane->offset + steps * keyStep * m_box.sizes().maxCoeff());
+        if (const std::optional<CutPlane>& plane = m_view.options().section.plane)
+            moveSection(plane->offset + steps * keyStep * m_box.sizes().maxCoeff());
     });
 }
 
@@ -113,7 +121,7 @@ void SightOverlay::moveSection(double offset)
 {
     SceneOptions options = m_view.options();
     CutPlane& plane = *options.section.plane;
-    const auto [least, most] = reachAlong(plane.normal, m_box);
+    const auto [least, most] = reachAlong(plane.normal, m_view.materialBox());
     plane.offset = std::clamp(offset, least, most);
     m_view.setOptions(options);
 }

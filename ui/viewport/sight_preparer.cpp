@@ -5,7 +5,7 @@ namespace knead {
 void SightPreparer::begin(ContentBodies bodies)
 {
     m_maker = std::make_shared<SightMaker>(std::move(bodies));
-    m_asked = m_begun = {};
+    forget();
     ++m_generation;
 }
 

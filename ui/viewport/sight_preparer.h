@@ -21,6 +21,8 @@ public:
     /// Other bodies: what was asked for before is dropped.
     void begin(ContentBodies bodies);
     void ask(const FramePointer& frame, const SightWish& wish);
+    /// Nothing is wished any more: the same asked for again is made again.
+    void forget() { m_asked = m_begun = {}; }
 
 signals:
     void made(knead::SightPointer sight);

@@ -149,8 +149,9 @@ void SkinActor::setValues(std::span<const float> values, const ColorScale& scale
     const ColorTable& table = colorTable(scale.map);
     unsigned char* out = m_parts->colors->GetPointer(0);
     for (const std::uint32_t vertex : m_body->render.source) {
-        const double share = std::clamp(scale.shareOf(static_cast<double>(values[vertex])), 0.0, 1.0);
-        const auto& color = table[static_cast<std::size_t>(std::lround(share * (table.size() - 1)))];
+        const double share = scale.shareOf(static_cast<double>(values[vertex]));
+        const double within = share > 0 ? std::min(share, 1.0) : 0.0; // also of what is no number
+        const auto& color = table[static_cast<std::size_t>(std::lround(within * (table.size() - 1)))];
         out = std::copy(color.begin(), color.end(), out);
     }
     m_parts->colors->Modified();

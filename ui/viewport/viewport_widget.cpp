@@ -89,7 +89,7 @@ void ViewportWidget::setOptions(const SceneOptions& options)
 void ViewportWidget::beginContent()
 {
     const Box& box = m_document.content().box;
-    if (!m_restBox.isApprox(box)) {
+    if (!m_restBox.isApprox(box) || m_document.content().bodies.empty()) {
         m_options.section.plane.reset();
         m_options.divider.reset();
     }
@@ -106,11 +106,12 @@ void ViewportWidget::beginContent()
 /// Colors and caps come when they are found, for the moment that is shown.
 void ViewportWidget::askForSight()
 {
-    const SightWish wish = wishOf(m_options);
+    const SightWish wish = m_document.content().bodies.empty() ? SightWish() : wishOf(m_options);
     m_document.showPressing(wish.quantity == SurfaceQuantity::contactForce);
-    if (wish.isEmpty())
+    if (wish.isEmpty()) {
+        m_sights->forget();
         m_scene->setSight(nullptr);
-    else if (const FramePointer& shown = m_past ? m_past : m_document.frame())
+    } else if (const FramePointer& shown = m_past ? m_past : m_document.frame())
         m_sights->ask(shown, wish);
 }
 
@@ -207,6 +208,7 @@ void ViewportWidget::updateMarks()
     if (m_highlight)
         marks.highlighted = m_highlight;
     marks.fixed = fixedFaces();
+    marks.isFixing = m_manipulation->isFixing();
     m_scene->setMarks(marks);
     setCursor(m_manipulation->cursor());
     requestRender();
@@ -231,6 +233,16 @@ SceneLook ViewportWidget::look() const
 WindowSize ViewportWidget::window() const
 {
     return {static_cast<double>(std::max(1, width())), static_cast<double>(std::max(1, height()))};
+}
+
+Box ViewportWidget::materialBox() const
+{
+    Box box = m_restBox;
+    if (const FramePointer& frame = shownFrame())
+        for (const auto& body : frame->bodies)
+            for (const Vec3& place : body->places)
+                box.extend(place);
+    return box;
 }
 
 Ray ViewportWidget::rayAt(const QPointF& position) const

@@ -51,6 +51,7 @@ public:
     std::optional<QPointF> widgetPosition(const Vec3& place) const;
     std::optional<ColorScale> scale() const { return m_scene->scale(); } ///< see SceneView::scale()
     WindowSize window() const;
+    Box materialBox() const; ///< of the bodies, at rest and as shown [m]
     /// What lies under a position in this widget.
     Ray rayAt(const QPointF& position) const;
     PickHit hitAt(const QPointF& position) { return m_manipulation->pick(rayAt(position)); }
