@@ -51,7 +51,8 @@ void MainWindow::makeMeasuring()
     auto* dock = new QDockWidget(tr("Measurements"), this);
     dock->setObjectName("measureDock");
     dock->setWidget(&m_measuring->panel());
-    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable |
+                      QDockWidget::DockWidgetFloatable);
     addDockWidget(Qt::BottomDockWidgetArea, dock);
     auto* log = findChild<QDockWidget*>("logDock");
     tabifyDockWidget(log, dock);
@@ -95,7 +96,8 @@ void MainWindow::makeProbes()
     auto* dock = new QDockWidget(tr("Probes"), this);
     dock->setObjectName("probeDock");
     dock->setWidget(panel);
-    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable |
+                      QDockWidget::DockWidgetFloatable);
     addDockWidget(Qt::BottomDockWidgetArea, dock);
     tabifyDockWidget(findChild<QDockWidget*>("measureDock"), dock);
     findChild<QDockWidget*>("logDock")->raise();
