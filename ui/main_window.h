@@ -23,6 +23,7 @@ namespace knead {
 
 struct Actions;
 struct Comparison;
+struct ComparisonReport;
 struct OverlayMark;
 class Banner;
 class Display;
@@ -187,10 +188,12 @@ private:
     std::vector<bool> partsFor(ExportRequest::Which which) const;
     void showExport(const std::vector<ExportReport>& reports);
     QString askForTextFile(const QString& title, const QString& ending, const QString& filters);
-    void writeTextFile(const QString& path, const QString& text);
+    void writeFile(const QString& path, std::function<QByteArray()> bytes);
     void askForMeasurementFile();
     void compareWithOriginal();
-    void showComparison(const Comparison& comparison);
+    ComparisonReport newReport() const;
+    void showComparison(const ComparisonReport& report);
+    void writeReport(const QString& path, const ComparisonReport& report);
     void cancel();
     void showControls();
     bool isBusy();

@@ -17,11 +17,33 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QSettings>
 
 #include <stdexcept>
 
 namespace knead {
+
+namespace {
+
+/// @param path that is told to the person; `pathForNow` is written to
+void write(const QByteArray& bytes, const std::string& pathForNow, const QString& path)
+{
+    QFile file(QFile::decodeName(pathForNow.c_str()));
+    if (!file.open(QFile::WriteOnly) || file.write(bytes) != bytes.size() || !file.flush())
+        throw std::runtime_error(
+            MainWindow::tr("%1 cannot be written (%2). Choose another folder, or make room on the disk.")
+                .arg(path, file.errorString())
+                .toStdString());
+}
+
+/// "html" of "Web page (*.html *.htm)".
+QString endingOf(const QString& filter)
+{
+    return filter.section("*.", 1, 1).section(QRegularExpression("[^a-z]"), 0, 0);
+}
+
+} // namespace
 
 void MainWindow::makeMeasuring()
 {
@@ -29,7 +51,8 @@ void MainWindow::makeMeasuring()
     auto* dock = new QDockWidget(tr("Measurements"), this);
     dock->setObjectName("measureDock");
     dock->setWidget(&m_measuring->panel());
-    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable |
+                      QDockWidget::DockWidgetFloatable);
     addDockWidget(Qt::BottomDockWidgetArea, dock);
     auto* log = findChild<QDockWidget*>("logDock");
     tabifyDockWidget(log, dock);
@@ -44,9 +67,13 @@ void MainWindow::makeMeasuring()
             m_measuring->tool().stop();
     });
     connect(m_measuring, &Measuring::promptChanged, this, &MainWindow::showHint);
-    connect(m_measuring, &Measuring::refused, this, [this](const QString& sentence) { showProblem(sentence); });
-    connect(&m_measuring->list(), &MeasurementList::changed, this, [this] {
-        if (m_measuring->tool().isPicking()) // what was refused before is forgotten
+    const auto refused = std::make_shared<QString>();
+    connect(m_measuring, &Measuring::refused, this, [this, refused](const QString& sentence) {
+        *refused = sentence;
+        showProblem(sentence);
+    });
+    connect(&m_measuring->list(), &MeasurementList::changed, this, [this, refused] {
+        if (m_measuring->tool().isPicking() && m_banner->sentence() == *refused) // forgotten; what others said stays
             m_banner->hide();
     });
     connect(&m_measuring->panel(), &MeasurePanel::csvWanted, this, &MainWindow::askForMeasurementFile);
@@ -69,7 +96,8 @@ void MainWindow::makeProbes()
     auto* dock = new QDockWidget(tr("Probes"), this);
     dock->setObjectName("probeDock");
     dock->setWidget(panel);
-    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable |
+                      QDockWidget::DockWidgetFloatable);
     addDockWidget(Qt::BottomDockWidgetArea, dock);
     tabifyDockWidget(findChild<QDockWidget*>("measureDock"), dock);
     findChild<QDockWidget*>("logDock")->raise();
@@ -97,13 +125,13 @@ std::vector<OverlayMark> MainWindow::probeMarks() const
     std::vector<OverlayMark> marks;
     const FramePointer& frame = m_viewport->shownFrame();
     for (const Probe& probe : m_probes->all()) {
-        if (!frame || probe.place.body >= frame->bodies.size())
+        const auto at = frame ? seenPlace(probe.place, m_document.content(), *frame, m_viewport->options().hiddenParts)
+                              : std::nullopt;
+        if (!at)
             continue;
-        const Vec3 at = placeOf(probe.place, *m_document.content().bodies[probe.place.body],
-                                frame->bodies[probe.place.body]->places);
         OverlayMark mark{.color = probe.color};
-        mark.mark.points = {at};
-        mark.mark.label = at;
+        mark.mark.points = {*at};
+        mark.mark.label = *at;
         mark.mark.text = QString::number(probe.number);
         marks.push_back(mark);
     }
@@ -112,7 +140,7 @@ std::vector<OverlayMark> MainWindow::probeMarks() const
 
 void MainWindow::writeProbes(const QString& path)
 {
-    writeTextFile(path, csvOf(m_probes->all()));
+    writeFile(path, [probes = m_probes->all()] { return csvOf(probes).toUtf8(); });
 }
 
 QString MainWindow::askForTextFile(const QString& title, const QString& ending, const QString& filters)
@@ -120,12 +148,13 @@ QString MainWindow::askForTextFile(const QString& title, const QString& ending, 
     QSettings settings;
     const QString stem = QFileInfo(QString::fromStdString(m_document.content().model->file)).completeBaseName();
     const QDir folder(settings.value("exportFolder", settings.value("folder")).toString());
-    QString path = QFileDialog::getSaveFileName(this, title, folder.filePath(stem + ending), filters);
+    QString filter;
+    QString path = QFileDialog::getSaveFileName(this, title, folder.filePath(stem + ending), filters, &filter);
     if (path.isEmpty())
         return {};
     settings.setValue("exportFolder", QFileInfo(path).absolutePath());
     if (QFileInfo(path).suffix().isEmpty())
-        path += '.' + QFileInfo(ending).suffix();
+        path += '.' + (filter.isEmpty() ? QFileInfo(ending).suffix() : endingOf(filter));
     return path;
 }
 
@@ -138,22 +167,21 @@ void MainWindow::askForMeasurementFile()
 
 void MainWindow::writeMeasurements(const QString& path)
 {
-    writeTextFile(path, csvOf(m_measuring->list().all(), m_measuring->panel().results()));
+    writeFile(path, [list = m_measuring->list().all(), results = m_measuring->panel().results()] {
+        return csvOf(list, results).toUtf8();
+    });
 }
 
 /// Whole or not at all, in the background.
-void MainWindow::writeTextFile(const QString& path, const QString& text)
+/// @param bytes what is written; called there
+void MainWindow::writeFile(const QString& path, std::function<QByteArray()> bytes)
 {
     if (isBusy())
         return;
     m_banner->hide();
-    const auto work = [services = m_services, path, bytes = text.toUtf8()](TaskControl&) {
-        services.writeSafely(QFile::encodeName(path).toStdString(), [&](const std::string& pathForNow) {
-            QFile file(QFile::decodeName(pathForNow.c_str()));
-            if (!file.open(QFile::WriteOnly) || file.write(bytes) != bytes.size() || !file.flush())
-                throw std::runtime_error(path.toStdString() + " cannot be written (" +
-                                         file.errorString().toStdString() + "). Choose another folder.");
-        });
+    const auto work = [services = m_services, path, bytes = std::move(bytes)](TaskControl&) {
+        services.writeSafely(QFile::encodeName(path).toStdString(),
+                             [&](const std::string& pathForNow) { write(bytes(), pathForNow, path); });
         return true;
     };
     m_tasks.run<bool>(tr("Writing %1").arg(QFileInfo(path).fileName()), work,
@@ -165,45 +193,55 @@ void MainWindow::compareWithOriginal()
     if (m_document.content().bodies.empty() || isBusy())
         return;
     m_banner->hide();
+    const auto report = std::make_shared<ComparisonReport>(newReport()); // of the moment that is compared
     const auto work = [content = m_document.content(), shown = m_viewport->shownFrame(),
                        present = m_document.frame()->snapshot](TaskControl& control) {
         return knead::compareWithOriginal(content, *shown, *present, control);
     };
-    m_tasks.run<Comparison>(tr("Comparing with the original"), work,
-                            [this](const Comparison& comparison) { showComparison(comparison); });
+    m_tasks.run<Comparison>(tr("Comparing with the original"), work, [this, report](const Comparison& comparison) {
+        report->comparison = comparison;
+        showComparison(*report);
+    });
 }
 
-void MainWindow::showComparison(const Comparison& comparison)
+/// What belongs into a report beside the comparison, as it is now.
+ComparisonReport MainWindow::newReport() const
 {
-    auto* dialog = new ComparisonDialog(comparison, this);
+    return {.part = QFileInfo(QString::fromStdString(m_document.content().model->file)).fileName(),
+            .when = QDateTime::currentDateTime(),
+            .comparison = {},
+            .picture = m_viewport->grab().toImage(),
+            .measurements = m_measuring->html()};
+}
+
+/// For as long as the part is open that was compared.
+void MainWindow::showComparison(const ComparisonReport& report)
+{
+    auto* dialog = new ComparisonDialog(report.comparison, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &ComparisonDialog::reportWanted, this, [this, comparison] {
+    connect(&m_document, &Document::changed, dialog, [dialog](Document::Change what) {
+        if (what == Document::Change::Content)
+            dialog->close();
+    });
+    connect(dialog, &ComparisonDialog::reportWanted, this, [this, report] {
         const QString path = askForTextFile(tr("Write a report"), "-report.pdf",
                                             tr("PDF (*.pdf)") + ";;" + tr("Web page (*.html *.htm)"));
         if (!path.isEmpty())
-            writeComparison(path, comparison);
+            writeReport(path, report);
     });
     dialog->show();
 }
 
 void MainWindow::writeComparison(const QString& path, const Comparison& comparison)
 {
-    if (isBusy())
-        return;
-    m_banner->hide();
-    const ComparisonReport report{.part =
-                                      QFileInfo(QString::fromStdString(m_document.content().model->file)).fileName(),
-                                  .when = QDateTime::currentDateTime(),
-                                  .comparison = comparison,
-                                  .picture = m_viewport->grab().toImage(),
-                                  .measurements = m_measuring->html()};
-    const auto work = [services = m_services, path, report](TaskControl&) {
-        services.writeSafely(QFile::encodeName(path).toStdString(),
-                             [&](const std::string& pathForNow) { writeReport(report, pathForNow, path); });
-        return true;
-    };
-    m_tasks.run<bool>(tr("Writing %1").arg(QFileInfo(path).fileName()), work,
-                      [this, path](bool) { m_log->add(tr("Written: %1.").arg(path)); });
+    ComparisonReport report = newReport();
+    report.comparison = comparison;
+    writeReport(path, report);
+}
+
+void MainWindow::writeReport(const QString& path, const ComparisonReport& report)
+{
+    writeFile(path, [report, path] { return bytesOf(report, path); });
 }
 
 } // namespace knead

@@ -180,6 +180,21 @@ private slots:
         QCOMPARE(presets()->findText("Nowhere"), -1);
     }
 
+    void aLockedBodyShowsWhatItKeeps()
+    {
+        openExample("bar.step");
+        const double friction = snapshot().materials[0].friction;
+        document().setLocked({Selection::Kind::Body, 0}, true);
+        type("friction", "0.77");
+        QVERIFY(m_window->banner().sentence().contains("locked"));
+        QCOMPARE(snapshot().materials[0].friction, friction);
+        QCOMPARE(find<QuantityField>("friction")->value(), friction);
+        document().setLocked({Selection::Kind::Body, 0}, false);
+        type("friction", "0.66");
+        QTRY_COMPARE(snapshot().materials[0].friction, 0.66);
+        QCOMPARE(find<QuantityField>("friction")->value(), 0.66);
+    }
+
     void twoMaterialsStandSideBySide()
     {
         openExample("bar.step");

@@ -3,6 +3,7 @@
 #include "ui/measuring/comparison.h"
 #include "ui/measuring/measuring.h"
 #include "ui/panels/measure_panel.h"
+#include "ui/probes/probe_set.h"
 #include "ui/run_window.h"
 
 #include <QClipboard>
@@ -271,6 +272,86 @@ private slots:
         QCOMPARE(m_window->measuring().list().all().size(), std::size_t{1});
         openExample("bracket.step");
         QCOMPARE(m_window->measuring().list().all().size(), std::size_t{0});
+    }
+
+    void aComparisonGoesWithItsPart()
+    {
+        openExample("bar.step");
+        action("compareWithOriginal")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(find<QDialog>("comparisonDialog") != nullptr, patience);
+        openExample("bracket.step");
+        QTRY_VERIFY(find<QDialog>("comparisonDialog") == nullptr);
+    }
+
+    /// Places of the one before are not looked for on the new one, which has fewer triangles.
+    void anotherPartIsOpenedWhileOneMeasures()
+    {
+        openExample("bracket.step", 40);
+        const ContentBody& bracket = *document().content().bodies[0];
+        const SkinPlace last{0, static_cast<std::uint32_t>(bracket.mesh.triangles.size() - 1), Vec3(1, 0, 0)};
+        m_window->probes().add(last);
+        action("measureDistance")->trigger();
+        m_window->measuring().list().add(MeasureKind::point, {last});
+        const Vec3 place = placeOf(last, bracket, document().frame()->bodies[0]->places);
+        click(place);
+        QTest::mouseMove(&m_window->viewport(), m_window->viewport().rect().center());
+        openExample("bar.step", 8);
+        QVERIFY(document().content().bodies[0]->mesh.triangles.size() <= last.triangle);
+        QVERIFY(!m_window->measuring().tool().isPicking());
+        QVERIFY(m_window->measuring().list().all().empty());
+        QVERIFY(m_window->probes().all().empty());
+        QVERIFY(m_window->measuring().overlay().marks().empty());
+    }
+
+    void oneModeOfTheMouseAtATime()
+    {
+        openExample("bar.step");
+        action("measurePoint")->trigger();
+        action("pull")->trigger();
+        QVERIFY(!action("measurePoint")->isChecked() && action("pull")->isChecked());
+        action("measurePoint")->trigger();
+        QVERIFY(action("measurePoint")->isChecked() && !action("pull")->isChecked());
+        action("fixFaces")->trigger();
+        QVERIFY(!action("measurePoint")->isChecked() && action("fixFaces")->isChecked());
+        action("placeProbe")->trigger();
+        QVERIFY(action("placeProbe")->isChecked() && !action("fixFaces")->isChecked());
+        QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        QVERIFY(!action("placeProbe")->isChecked());
+    }
+
+    void whatIsHiddenOrCutOffIsNotMeasured()
+    {
+        openExample("bar.step");
+        measure("measurePoint", {at(160, 0, 0)});
+        QCOMPARE(m_window->measuring().overlay().marks().size(), std::size_t{2}); // with that in the making
+        SceneOptions options = m_window->viewport().options();
+        options.hiddenParts = {0};
+        m_window->viewport().setOptions(options);
+        QVERIFY(m_window->measuring().overlay().marks().size() < 2);
+        click(at(160, 0, 0));
+        QCOMPARE(m_window->measuring().list().all().size(), std::size_t{1});
+
+        options.hiddenParts.clear();
+        options.section.plane = CutPlane{Vec3::UnitX(), 0.08}; // the far half is gone
+        m_window->viewport().setOptions(options);
+        click(at(160, 0, 0));
+        QCOMPARE(m_window->measuring().list().all().size(), std::size_t{1});
+        click(at(0, 0, 0));
+        QCOMPARE(m_window->measuring().list().all().size(), std::size_t{2});
+    }
+
+    void namesFollowTheLanguage()
+    {
+        openExample("bar.step");
+        measure("measureDistance", {at(0, 0, 0), at(160, 0, 0)});
+        Preferences chosen = readPreferences();
+        for (const char* code : {"de", "en"}) {
+            chosen.language = code;
+            m_window->setPreferences(chosen);
+            QTRY_COMPARE(find<QTreeWidget>("measurements")->topLevelItem(0)->text(0),
+                         nameOf(m_window->measuring().list().all()[0]));
+            QVERIFY(m_window->measuring().tool().prompt().startsWith(action("measureDistance")->text()));
+        }
     }
 
     void aClickBesideThePartIsASentence()

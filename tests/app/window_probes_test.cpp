@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace knead;
@@ -110,6 +111,26 @@ private slots:
         QVERIFY2(std::abs(now.stress / (3 * shear * now.strain) - 1) < 0.02,
                  qPrintable(QString::number(now.stress / (3 * shear * now.strain))));
         picture("probe-stress");
+    }
+
+    /// Of what was simulated while nobody asked for it.
+    void theFilmKnowsStress()
+    {
+        hang();
+        place(Vec3(0.03, 0.01, 0.02));
+        runTo(0.25);
+        QTRY_COMPARE(newest(0).time, snapshot().time);
+        find<QComboBox>("probeQuantity")->setCurrentIndex(static_cast<int>(ProbeQuantity::stress));
+        const auto known = [this] {
+            return std::ranges::count_if(probes()[0].samples, [](const ProbeSample& sample) {
+                return sample.time > 0.05 && sample.time < 0.2 && std::isfinite(sample.stress);
+            });
+        };
+        QTRY_VERIFY(known() > 2);
+        const double shear = snapshot().materials[0].shearModulus();
+        for (const ProbeSample& sample : probes()[0].samples)
+            if (std::isfinite(sample.stress) && sample.strain > 1e-3)
+                QVERIFY(std::abs(sample.stress / (3 * shear * sample.strain) - 1) < 0.02);
     }
 
     void theFilmKnowsWhatWasBefore()

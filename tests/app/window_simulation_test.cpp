@@ -149,6 +149,18 @@ private slots:
         QCOMPARE(find<QComboBox>("threads")->currentText(), QString("1"));
         emit find<QComboBox>("threads")->activated(0);
         QCOMPARE(limit, 0U);
+
+        // The preferences say the same, and are not undone by another one.
+        Preferences chosen = readPreferences();
+        QCOMPARE(chosen.threads, 0);
+        chosen.threads = 1;
+        m_window->setPreferences(chosen);
+        QCOMPARE(find<QComboBox>("threads")->currentIndex(), 1);
+        m_window->setTheme(Theme::Dark);
+        m_window->setTheme(Theme::Light);
+        QCOMPARE(limit, 1U);
+        emit find<QComboBox>("threads")->activated(0);
+        QCOMPARE(readPreferences().threads, 0);
     }
 
     void troubleOffersItsRemedy()

@@ -46,6 +46,29 @@ private slots:
         QVERIFY(interrupted < 0.95 * whole && interrupted > 0.5 * whole);
     }
 
+    /// An hour at 60 Hz: it is one line still, and no peak is lost.
+    void manyPointsAreFewLines()
+    {
+        const QColor red("#ff0000");
+        std::vector<QPointF> points;
+        for (int i = 0; i < 216'000; ++i)
+            points.emplace_back(i / 60.0, 1.0);
+        PlotView plot;
+        plot.resize(400, 200);
+        plot.show({{"a", red, points}}, Quantity::Force, "Force");
+        const QImage flat = plot.grab().toImage();
+        plot.show({{"a", red, {points.front(), points.back()}}}, Quantity::Force, "Force");
+        QVERIFY(std::abs(countOf(flat, red) - countOf(plot.grab().toImage(), red)) < 10);
+
+        points[100'000].setY(0.2);
+        plot.show({{"a", red, points}}, Quantity::Force, "Force");
+        QElapsedTimer clock;
+        clock.start();
+        const QImage image = plot.grab().toImage();
+        QVERIFY2(clock.elapsed() < 500, qPrintable(QString::number(clock.elapsed())));
+        QVERIFY(countOf(image, red) > countOf(flat, red) + 20);
+    }
+
     void nothingAndOnePointAreDrawn()
     {
         PlotView plot;

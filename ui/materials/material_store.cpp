@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <future>
+#include <utility>
 
 namespace knead {
 
@@ -28,12 +30,19 @@ MaterialStore::MaterialStore(const Services& services, QObject* parent)
     if (!m_services.readOwnMaterials)
         return;
     try {
-        const std::vector<MaterialPreset> own = m_services.readOwnMaterials();
-        m_all.insert(m_all.end(), own.begin(), own.end());
+        m_kept = m_services.readOwnMaterials();
+        m_all.insert(m_all.end(), m_kept.begin(), m_kept.end());
     } catch (const std::exception& error) {
         m_damage = tr("Your own materials cannot be read: %1 Mend or remove the file; until then none can be saved.")
                        .arg(QString::fromStdString(error.what()));
     }
+}
+
+MaterialStore::~MaterialStore()
+{
+    std::promise<void> isWritten;
+    m_writing.run([&isWritten] { isWritten.set_value(); });
+    isWritten.get_future().wait();
 }
 
 std::optional<std::size_t> MaterialStore::find(const Material& material, const QString& preferred) const
@@ -53,6 +62,14 @@ std::optional<std::size_t> MaterialStore::named(const QString& name) const
     return std::nullopt;
 }
 
+std::optional<std::size_t> MaterialStore::withId(const std::string& id) const
+{
+    for (std::size_t i = 0; i < m_all.size(); ++i)
+        if (m_all[i].id == id)
+            return i;
+    return std::nullopt;
+}
+
 QString MaterialStore::problemWith(const QString& name, std::optional<std::size_t> renamed) const
 {
     if (name.trimmed().isEmpty())
@@ -63,45 +80,48 @@ QString MaterialStore::problemWith(const QString& name, std::optional<std::size_
     return {};
 }
 
-std::vector<MaterialPreset> MaterialStore::own() const
-{
-    return {m_all.begin() + static_cast<std::ptrdiff_t>(m_bundled), m_all.end()};
-}
-
 void MaterialStore::save(const QString& name, const Material& material)
 {
     if (const QString problem = problemWith(name); !problem.isEmpty())
         return emit failed(problem);
-    std::vector<MaterialPreset> presets = own();
-    presets.push_back({newId(presets), name.trimmed().toStdString(), tr("Saved by you").toStdString(), material});
-    write(std::move(presets));
+    MaterialPreset preset{{}, name.trimmed().toStdString(), tr("Saved by you").toStdString(), material};
+    write([preset = std::move(preset)](Presets& own) {
+        own.push_back(preset);
+        own.back().id = newId(own);
+    });
 }
 
 void MaterialStore::rename(std::size_t index, const QString& name)
 {
     if (const QString problem = problemWith(name, index); !problem.isEmpty())
         return emit failed(problem);
-    std::vector<MaterialPreset> presets = own();
-    presets[index - m_bundled].name = name.trimmed().toStdString();
-    write(std::move(presets));
+    write([id = m_all[index].id, name = name.trimmed().toStdString()](Presets& own) {
+        for (MaterialPreset& preset : own)
+            if (preset.id == id)
+                preset.name = name;
+    });
 }
 
 void MaterialStore::remove(std::size_t index)
 {
-    std::vector<MaterialPreset> presets = own();
-    presets.erase(presets.begin() + static_cast<std::ptrdiff_t>(index - m_bundled));
-    write(std::move(presets));
+    write([id = m_all[index].id](Presets& own) {
+        std::erase_if(own, [&](const MaterialPreset& preset) { return preset.id == id; });
+    });
 }
 
-/// What is damaged is not written over: there may be work in it.
-void MaterialStore::write(std::vector<MaterialPreset> own)
+/// Each change is made to what the one before has left, however quickly they follow each other. What is damaged is not written
+/// over: there may be work in it.
+void MaterialStore::write(std::function<void(Presets& own)> change)
 {
     if (!m_damage.isEmpty())
         return emit failed(m_damage);
-    m_writing.run([this, own = std::move(own), write = m_services.writeOwnMaterials] {
+    m_writing.run([this, change = std::move(change), write = m_services.writeOwnMaterials] {
+        Presets own = m_kept;
+        change(own);
         QString problem;
         try {
             write(own);
+            m_kept = own;
         } catch (const std::exception& error) {
             problem = QString::fromStdString(error.what());
         }

@@ -6,6 +6,9 @@
 #include <QObject>
 #include <QString>
 
+#include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace knead {
@@ -16,6 +19,7 @@ class MaterialStore final : public QObject {
     Q_OBJECT
 public:
     explicit MaterialStore(const Services& services, QObject* parent = nullptr);
+    ~MaterialStore() override; ///< when all is written
 
     /// First those of the program, then the person's own.
     const std::vector<MaterialPreset>& all() const { return m_all; }
@@ -23,6 +27,7 @@ public:
     /// Of the preset with these numbers; the one named `preferred` when there are several.
     std::optional<std::size_t> find(const Material& material, const QString& preferred = {}) const;
     std::optional<std::size_t> named(const QString& name) const;
+    std::optional<std::size_t> withId(const std::string& id) const;
 
     /// Why a name cannot be given, a sentence; empty when it can.
     /// @param renamed index of the one that gets it; none: a new one
@@ -40,14 +45,15 @@ signals:
     void failed(const QString& sentence); ///< nothing has changed
 
 private:
-    std::vector<MaterialPreset> own() const;
-    void write(std::vector<MaterialPreset> own);
+    using Presets = std::vector<MaterialPreset>;
+    void write(std::function<void(Presets& own)> change);
     void written(const std::vector<MaterialPreset>& own, const QString& problem);
 
     Services m_services;
     std::vector<MaterialPreset> m_all;
     std::size_t m_bundled;
     QString m_damage;
+    Presets m_kept;          ///< own ones as the file has them; of the thread that writes
     OrderedWorker m_writing; // last: it ends first
 };
 

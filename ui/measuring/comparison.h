@@ -3,6 +3,7 @@
 #include "core/task/task_control.h"
 #include "ui/measuring/body_mass.h"
 
+#include <QByteArray>
 #include <QDateTime>
 #include <QImage>
 #include <QString>
@@ -48,9 +49,7 @@ struct ComparisonReport {
 /// The report as a page that needs no other files.
 QString htmlOf(const ComparisonReport& report);
 
-/// Writes it as PDF or as HTML, by the ending of `name`. Any thread.
-/// @param path to write to for now
-/// @throws std::runtime_error with a sentence
-void writeReport(const ComparisonReport& report, const std::string& path, const QString& name);
+/// The report as PDF or as HTML, by the ending of `name`. Any thread.
+QByteArray bytesOf(const ComparisonReport& report, const QString& name);
 
 } // namespace knead

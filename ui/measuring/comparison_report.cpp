@@ -4,14 +4,12 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
-#include <QFile>
 #include <QLocale>
 #include <QPageSize>
 #include <QPdfWriter>
 #include <QTextDocument>
 
 #include <cmath>
-#include <stdexcept>
 
 namespace knead {
 
@@ -75,20 +73,13 @@ QString pictureOf(const QImage& image)
         .arg(QString::fromLatin1(bytes.toBase64()));
 }
 
-void writeText(const QString& text, const std::string& path)
+QByteArray pdfOf(const ComparisonReport& report)
 {
-    QFile file(QFile::decodeName(path.c_str()));
-    const QByteArray bytes = text.toUtf8();
-    if (!file.open(QFile::WriteOnly) || file.write(bytes) != bytes.size() || !file.flush())
-        throw std::runtime_error(path + ": the report cannot be written (" + file.errorString().toStdString() +
-                                 "). Choose another folder, or make room on the disk.");
-}
-
-void writePdf(const ComparisonReport& report, const std::string& path)
-{
-    const QString name = QFile::decodeName(path.c_str());
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
     {
-        QPdfWriter writer(name);
+        QPdfWriter writer(&buffer);
         writer.setResolution(dotsPerInch);
         writer.setPageSize(QPageSize(QPageSize::A4));
         writer.setPageOrientation(QPageLayout::Landscape);
@@ -99,9 +90,7 @@ void writePdf(const ComparisonReport& report, const std::string& path)
         page.setHtml(htmlOf(report));
         page.print(&writer);
     }
-    if (QFile(name).size() == 0)
-        throw std::runtime_error(path +
-                                 ": the report cannot be written. Choose another folder, or make room on the disk.");
+    return bytes;
 }
 
 } // namespace
@@ -130,12 +119,9 @@ QString htmlOf(const ComparisonReport& report)
     return text + "</body></html>";
 }
 
-void writeReport(const ComparisonReport& report, const std::string& path, const QString& name)
+QByteArray bytesOf(const ComparisonReport& report, const QString& name)
 {
-    if (name.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive))
-        writePdf(report, path);
-    else
-        writeText(htmlOf(report), path);
+    return name.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive) ? pdfOf(report) : htmlOf(report).toUtf8();
 }
 
 } // namespace knead

@@ -52,6 +52,7 @@ Measuring::Measuring(Document& document, ViewportWidget& view, QWidget* window)
         if (m_view.shownFrame() != m_frame)
             soon();
     });
+    connect(&view, &ViewportWidget::optionsChanged, this, &Measuring::showMarks); // parts were hidden
     connect(m_list, &MeasurementList::changed, this, &Measuring::refresh);
     connect(m_panel, &MeasurePanel::selectionChanged, this, &Measuring::showMarks);
     connect(m_tool, &PickTool::refused, this, &Measuring::refused);
@@ -167,11 +168,22 @@ void Measuring::showMarks()
     std::vector<OverlayMark> marks = m_others;
     const std::vector<std::size_t> selected = m_panel->selected();
     const std::vector<Measured>& results = m_panel->results();
-    for (std::size_t i = 0; i < results.size(); ++i)
-        marks.push_back({results[i].mark, std::count(selected.begin(), selected.end(), i) > 0, {}});
+    const std::vector<Measurement>& all = m_list->all();
+    for (std::size_t i = 0; i < std::min(all.size(), results.size()); ++i)
+        if (isSeen(all[i]))
+            marks.push_back({results[i].mark, std::count(selected.begin(), selected.end(), i) > 0, {}});
     if (m_tool->isPicking() && m_view.shownFrame())
         marks.push_back(markInTheMaking());
     m_overlay->show(std::move(marks));
+}
+
+/// What belongs to hidden parts is listed, not shown.
+bool Measuring::isSeen(const Measurement& measurement) const
+{
+    const FramePointer& frame = m_view.shownFrame();
+    return frame && std::all_of(measurement.places.begin(), measurement.places.end(), [&](const SkinPlace& place) {
+               return seenPlace(place, m_document.content(), *frame, m_view.options().hiddenParts).has_value();
+           });
 }
 
 /// What is picked already, with a line to the cursor.
@@ -179,16 +191,18 @@ OverlayMark Measuring::markInTheMaking() const
 {
     const Frame& frame = *m_view.shownFrame();
     const auto placeNow = [&](const SkinPlace& place) {
-        return placeOf(place, *m_document.content().bodies[place.body], frame.bodies[place.body]->places);
+        return seenPlace(place, m_document.content(), frame, m_view.options().hiddenParts);
     };
     OverlayMark making;
     making.isStrong = true;
     std::vector<Vec3> line;
     for (const SkinPlace& place : m_tool->picked())
-        line.push_back(placeNow(place));
-    if (const auto& hovered = m_tool->hovered()) {
-        line.push_back(placeNow(hovered->place));
-        making.mark.label = line.back();
+        if (const auto at = placeNow(place))
+            line.push_back(*at);
+    const auto& hovered = m_tool->hovered();
+    if (const auto at = hovered ? placeNow(hovered->place) : std::nullopt) {
+        line.push_back(*at);
+        making.mark.label = *at;
         if (hovered->isCorner)
             making.mark.text = tr("Corner");
     }

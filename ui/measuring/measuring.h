@@ -51,6 +51,7 @@ private:
     void soon();
     void refresh();
     void showMarks();
+    bool isSeen(const Measurement& measurement) const;
     OverlayMark markInTheMaking() const;
 
     Document& m_document;

@@ -46,6 +46,7 @@ void PickTool::stop()
     m_wanted.clear();
     m_picked.clear();
     m_hovered.reset();
+    m_hasPress = false;
     m_view.setHighlight({});
     m_view.setCursor(Qt::ArrowCursor);
     emit changed();
@@ -77,7 +78,7 @@ QString PickTool::prompt() const
     return tr("%1: %2   Esc: done").arg(m_title, what);
 }
 
-/// A press is taken with its release, so that nothing else sees half of a click.
+/// A press is taken with its release, so that nothing else sees half of a click; what was pressed before goes its way.
 bool PickTool::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched != &m_view || !isPicking())
@@ -87,18 +88,20 @@ bool PickTool::eventFilter(QObject* watched, QEvent* event)
     case QEvent::MouseButtonDblClick:
         if (auto* mouse = static_cast<QMouseEvent*>(event);
             mouse->button() == Qt::LeftButton && !m_view.isOnCube(mouse->position())) {
+            m_hasPress = true;
             take(mouse->position());
             return true;
         }
         return false;
     case QEvent::MouseButtonRelease:
-        return static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton;
-    case QEvent::MouseMove:
-        if (auto* mouse = static_cast<QMouseEvent*>(event); mouse->buttons() == Qt::NoButton) {
-            hover(mouse->position());
-            return true;
-        }
-        return false;
+        return static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton && std::exchange(m_hasPress, false);
+    case QEvent::MouseMove: {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        if (mouse->buttons() != Qt::NoButton)
+            return m_hasPress && mouse->buttons() == Qt::LeftButton;
+        hover(mouse->position());
+        return true;
+    }
     case QEvent::Leave:
         m_hovered.reset();
         emit changed();

@@ -53,6 +53,7 @@ private:
     std::vector<PickWhat> m_wanted; ///< empty: nothing is picked
     Done m_done;
     std::vector<SkinPlace> m_picked;
+    bool m_hasPress = false; ///< of the left button: its release belongs to it
     std::optional<SkinPicker::Hit> m_hovered;
 };
 

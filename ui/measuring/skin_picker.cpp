@@ -96,7 +96,8 @@ std::optional<SkinPicker::Hit> SkinPicker::pick(const QPointF& position, bool sn
     if (snaps)
         if (const auto corner = cornerNear(position))
             return corner;
-    return surfaceAlong(m_view.rayAt(position));
+    const auto hit = surfaceAlong(m_view.rayAt(position));
+    return hit && !hit->isCut ? hit : std::nullopt;
 }
 
 std::optional<SkinPicker::Hit> SkinPicker::surfaceAlong(const Ray& ray) const
@@ -118,6 +119,11 @@ std::optional<SkinPicker::Hit> SkinPicker::surfaceAlong(const Ray& ray) const
     const Vec3 at = ray.origin + nearest->distance * ray.direction;
     Hit hit{{body, nearest->triangle, nearestShares({places[t[0]], places[t[1]], places[t[2]]}, at)}};
     hit.at = placeOf(hit.place, *m_bodies[body], places);
+    const bool isFromWithin = (places[t[1]] - places[t[0]]).cross(places[t[2]] - places[t[0]]).dot(ray.direction) > 0;
+    if (isFromWithin && reach.from > 0) { // the plane has opened the body there
+        hit.at = ray.origin + reach.from * ray.direction;
+        hit.isCut = true;
+    }
     return hit;
 }
 

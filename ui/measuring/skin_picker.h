@@ -13,8 +13,8 @@ namespace knead {
 class Document;
 class ViewportWidget;
 
-/// What of the skin lies under the cursor, as the view draws it: hidden parts do not count, and the past is picked in while one
-/// looks back. Corners of CAD faces attract.
+/// What of the skin lies under the cursor, as the view draws it: hidden parts and what the section plane cuts off do not count, and
+/// the past is picked in while one looks back. Corners of CAD faces attract.
 class SkinPicker {
 public:
     SkinPicker(const Document& document, const ViewportWidget& view)
@@ -27,6 +27,7 @@ public:
         SkinPlace place;
         Vec3 at = Vec3::Zero(); ///< [m]
         bool isCorner = false;
+        bool isCut = false; ///< where the section plane cuts a body: no place of the skin
     };
     /// The nearest place. @param snaps to a corner close by
     std::optional<Hit> pick(const QPointF& position, bool snaps);

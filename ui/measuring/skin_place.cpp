@@ -29,6 +29,19 @@ Vec3 placeOf(const SkinPlace& place, const ContentBody& body, std::span<const Ve
     return blend(cornersOf(body.mesh, place.triangle, places), place.shares);
 }
 
+std::optional<Vec3> seenPlace(const SkinPlace& place, const Content& content, const Frame& frame,
+                              const std::set<std::size_t>& hiddenParts)
+{
+    if (place.body >= content.bodies.size() || place.body >= frame.bodies.size())
+        return std::nullopt;
+    const ContentBody& body = *content.bodies[place.body];
+    const std::vector<Vec3>& places = frame.bodies[place.body]->places;
+    const bool isOfThisBody = place.triangle < body.mesh.triangles.size() && places.size() == body.mesh.vertices.size();
+    if (!isOfThisBody || hiddenParts.contains(body.part))
+        return std::nullopt;
+    return placeOf(place, body, places);
+}
+
 std::optional<std::uint32_t> faceOf(const SkinPlace& place, const ContentBody& body)
 {
     if (body.mesh.faceOfTriangle.empty())

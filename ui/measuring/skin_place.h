@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,12 @@ struct SkinPlace {
 
 /// @param places of the body's vertices: BodyFrame::places, or those of the mesh at rest [m]
 Vec3 placeOf(const SkinPlace& place, const ContentBody& body, std::span<const Vec3> places);
+
+/// Where a place is seen in a frame of `content` [m]; none when its part is hidden, or when it belongs to a content that was shown
+/// before: whoever hears of another one later than the view still has places of that.
+/// @param hiddenParts by index into Model::parts
+std::optional<Vec3> seenPlace(const SkinPlace& place, const Content& content, const Frame& frame,
+                              const std::set<std::size_t>& hiddenParts);
 
 /// CAD face that the place lies on; none on plain meshes.
 std::optional<std::uint32_t> faceOf(const SkinPlace& place, const ContentBody& body);

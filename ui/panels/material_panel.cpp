@@ -262,6 +262,13 @@ void MaterialPanel::chooseKind(int index)
 {
     m_postedKind = static_cast<BodyKind>(index);
     m_document.post(SetBodyKind{m_body, *m_postedKind});
+    if (isLocked())
+        showBody();
+}
+
+bool MaterialPanel::isLocked() const
+{
+    return m_document.isLocked({Selection::Kind::Body, m_body});
 }
 
 void MaterialPanel::commit(double Material::*value, double number)
@@ -278,6 +285,8 @@ void MaterialPanel::post(const QString& what)
     m_isPosted = true;
     m_stepSeconds = 0;
     m_document.post(SetMaterial{m_body, m_material}, what);
+    if (isLocked()) // it was refused: what the body has stays
+        showBody();
 }
 
 } // namespace knead

@@ -4,7 +4,9 @@
 
 #include <QWidget>
 
+#include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -43,7 +45,8 @@ private:
     void showFacts();
     void listPresets();
     void measureSteps(const Snapshot& now);
-    void askForName(const QString& title, const QString& proposed, std::optional<std::size_t> renamed);
+    void askForName(const QString& title, const QString& proposed, std::function<void(const QString& name)> take);
+    void rename(const std::string& id, const QString& name);
     void compare();
     std::optional<std::size_t> ownPreset() const;
     void showSpacing(double spacing);
@@ -51,6 +54,7 @@ private:
     void chooseKind(int index);
     void commit(double Material::*value, double number);
     void post(const QString& what);
+    bool isLocked() const;
     double cellsAcross(double spacing) const;
 
     Document& m_document;

@@ -52,12 +52,18 @@ void MaterialPanel::makePresetRows()
     const QToolButton* save = add("saveMaterial", "save", tr("Save these numbers as a material of your own"));
     m_rename = add("renameMaterial", "rename", tr("Rename this material of your own"));
     m_delete = add("deleteMaterial", "delete", tr("Delete this material of your own; bodies keep its numbers"));
-    const QToolButton* compared = add("compareMaterials", "compare-two", tr("Compare with another material, side by side"));
+    const QToolButton* compared =
+        add("compareMaterials", "compare-two", tr("Compare with another material, side by side"));
     buttons->addStretch(1);
-    connect(save, &QToolButton::clicked, this, [this] { askForName(tr("Save material"), {}, {}); });
+    connect(save, &QToolButton::clicked, this, [this] {
+        askForName(tr("Save material"), {}, [this](const QString& name) { m_store.save(name, m_material); });
+    });
     connect(m_rename, &QToolButton::clicked, this, [this] {
-        if (const auto own = ownPreset())
-            askForName(tr("Rename material"), QString::fromStdString(m_store.all()[*own].name), own);
+        if (const auto own = ownPreset()) {
+            const MaterialPreset& preset = m_store.all()[*own];
+            askForName(tr("Rename material"), QString::fromStdString(preset.name),
+                       [this, id = preset.id](const QString& name) { rename(id, name); });
+        }
     });
     connect(m_delete, &QToolButton::clicked, this, [this] {
         if (const auto own = ownPreset())
@@ -109,7 +115,8 @@ void MaterialPanel::choosePreset(int index)
 }
 
 /// A dialog that the window does not wait for.
-void MaterialPanel::askForName(const QString& title, const QString& proposed, std::optional<std::size_t> renamed)
+void MaterialPanel::askForName(const QString& title, const QString& proposed,
+                               std::function<void(const QString& name)> take)
 {
     auto* dialog = new QInputDialog(this);
     dialog->setObjectName("materialNameDialog");
@@ -117,14 +124,18 @@ void MaterialPanel::askForName(const QString& title, const QString& proposed, st
     dialog->setWindowTitle(title);
     dialog->setLabelText(tr("Name of the material"));
     dialog->setTextValue(proposed);
-    connect(dialog, &QInputDialog::textValueSelected, this, [this, renamed](const QString& name) {
+    connect(dialog, &QInputDialog::textValueSelected, this, [this, take = std::move(take)](const QString& name) {
         m_chosenName = name.trimmed();
-        if (renamed)
-            m_store.rename(*renamed, name);
-        else
-            m_store.save(name, m_material);
+        take(name);
     });
     dialog->open();
+}
+
+/// Unless it has been deleted meanwhile.
+void MaterialPanel::rename(const std::string& id, const QString& name)
+{
+    if (const auto index = m_store.withId(id))
+        m_store.rename(*index, name);
 }
 
 void MaterialPanel::compare()

@@ -231,13 +231,17 @@ void SimulationPanel::commitGravity()
 void SimulationPanel::commitDamping(double Material::*value, double number, const QString& name)
 {
     const std::vector<Material> materials = m_document.frame()->snapshot->materials;
+    bool isRefused = false; // by a body that is locked
     m_document.beginGesture();
     for (BodyId body = 0; body < materials.size(); ++body) {
         Material material = materials[body];
         material.*value = number;
         m_document.post(SetMaterial{body, material}, tr("%1 of all bodies").arg(name));
+        isRefused = isRefused || m_document.isLocked({Selection::Kind::Body, body});
     }
     m_document.endGesture();
+    if (isRefused)
+        showDamping(*m_document.frame()->snapshot);
 }
 
 void SimulationPanel::chooseIntegrator(int index)

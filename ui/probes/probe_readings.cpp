@@ -91,6 +91,8 @@ std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const
         state.positions.resize(floats.size() / 3);
         for (std::size_t i = 0; i < state.positions.size(); ++i)
             state.positions[i] = Vec3(floats[3 * i], floats[3 * i + 1], floats[3 * i + 2]);
+        state.broken = frame.broken.empty() ? nullptr : frame.broken[probe.id];
+        state.relaxed = frame.relaxed.empty() ? nullptr : frame.relaxed[probe.id];
     }
     return readProbes(probes, snapshot, withStrains);
 }

@@ -33,7 +33,7 @@ ProbePlace probePlace(const SkinPlace& place, const ContentBodies& bodies);
 /// @param withStrains strain and stress too, which takes the longer the more objects the bodies have
 std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const Snapshot& snapshot, bool withStrains);
 
-/// The same of a frame of the film, which knows of no stress, and of no connections that broke.
+/// The same of a frame of the film, which knows of no stress in material that has flowed.
 struct FilmFrame;
 std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const FilmFrame& frame, bool withStrains);
 

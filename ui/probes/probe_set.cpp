@@ -49,8 +49,10 @@ void merge(std::vector<ProbeSample>& live, const std::vector<ProbeSample>& film)
             std::lower_bound(live.begin(), live.end(), ProbeSample{.time = sample.time - same}, isEarlier);
         if (near == live.end() || near->time > sample.time + same)
             added.push_back(sample);
-        else if (!std::isfinite(near->strain))
-            near->strain = sample.strain;
+        else {
+            near->strain = std::isfinite(near->strain) ? near->strain : sample.strain;
+            near->stress = std::isfinite(near->stress) ? near->stress : sample.stress;
+        }
     }
     live.insert(live.end(), added.begin(), added.end());
     std::sort(live.begin(), live.end(), isEarlier);
@@ -68,6 +70,12 @@ ProbeSet::ProbeSet(Document& document, QObject* parent)
     , m_document(document)
 {
     connect(&document, &Document::changed, this, &ProbeSet::documentChanged);
+}
+
+/// Nobody waits for the film any more.
+ProbeSet::~ProbeSet()
+{
+    ++m_films;
 }
 
 void ProbeSet::documentChanged(Document::Change what)
@@ -131,6 +139,7 @@ void ProbeSet::setWithStrains(bool on)
 void ProbeSet::placesChanged()
 {
     ++m_generation;
+    ++m_films;
     m_isReading = false;
     m_seen = nullptr;
     m_places.clear();
@@ -185,9 +194,11 @@ void ProbeSet::readFilm()
     const std::vector<FilmFramePointer> frames = framesSoFar(m_document.timeline());
     if (frames.empty())
         return;
-    m_reading.run([this, generation = m_generation, places = m_places, frames, with = m_withStrains] {
+    m_reading.run([this, generation = m_generation, film = ++m_films, places = m_places, frames, with = m_withStrains] {
         std::vector<std::vector<ProbeSample>> samples(places.size());
         for (const FilmFramePointer& frame : frames) {
+            if (film != m_films)
+                return;
             const std::vector<ProbeSample> read = readProbes(places, *frame, with);
             for (std::size_t i = 0; i < read.size(); ++i)
                 samples[i].push_back(read[i]);

@@ -7,6 +7,7 @@
 #include <QColor>
 #include <QObject>
 
+#include <atomic>
 #include <vector>
 
 namespace knead {
@@ -26,6 +27,7 @@ class ProbeSet final : public QObject {
     Q_OBJECT
 public:
     explicit ProbeSet(Document& document, QObject* parent = nullptr);
+    ~ProbeSet() override;
 
     const std::vector<Probe>& all() const { return m_all; }
     void add(const SkinPlace& place);
@@ -56,7 +58,8 @@ private:
     std::shared_ptr<const Model> m_model;
     ContentBodies m_bodies;
     std::vector<ProbePlace> m_places;
-    std::uint64_t m_generation = 0; ///< of the places; readings of earlier ones are dropped
+    std::uint64_t m_generation = 0;         ///< of the places; readings of earlier ones are dropped
+    std::atomic<std::uint64_t> m_films = 0; ///< readings of the film that began; only the last one goes on
     bool m_isReading = false;
     SnapshotPointer m_seen;  ///< that is read, or was last
     OrderedWorker m_reading; // last: it ends first
