@@ -202,6 +202,7 @@ private:
     void keepHintClear();
     void showPreferences(PreferencesDialog::Page page);
     void applyPreferences();
+    void changePreference(const std::function<void(Preferences&)>& edit);
     void chooseLook(Preferences::Look look);
     void applyLook();
     void sayAllAnew();

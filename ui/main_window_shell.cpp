@@ -5,6 +5,7 @@
 #include "ui/language/language.h"
 #include "ui/panels/home_page.h"
 #include "ui/panels/quantity_field.h"
+#include "ui/panels/simulation_panel.h"
 #include "ui/panels/status_readings.h"
 #include "ui/project/project_keeper.h"
 #include "ui/shell/about_dialog.h"
@@ -161,17 +162,24 @@ void MainWindow::applyPreferences()
     m_projects->setKeepingInterval(m_preferences.keepingInterval);
     if (m_services.limitThreads)
         m_services.limitThreads(static_cast<unsigned>(m_preferences.threads));
+    m_simulation->showThreads(m_preferences.threads);
     m_viewport->setSamples(m_preferences.smoothing);
     m_viewport->setTurningSmoothly(m_preferences.turnsSmoothly);
 }
 
-void MainWindow::chooseLook(Preferences::Look look)
+/// Something was chosen outside of the dialog, which shows it, too.
+void MainWindow::changePreference(const std::function<void(Preferences&)>& edit)
 {
     Preferences chosen = readPreferences();
-    chosen.look = look;
+    edit(chosen);
     setPreferences(chosen);
     if (m_shell->dialog != nullptr)
         m_shell->dialog->setPreferences(chosen);
+}
+
+void MainWindow::chooseLook(Preferences::Look look)
+{
+    changePreference([look](Preferences& p) { p.look = look; });
 }
 
 void MainWindow::setTheme(Theme theme)

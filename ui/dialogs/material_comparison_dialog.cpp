@@ -1,11 +1,13 @@
 #include "ui/dialogs/material_comparison_dialog.h"
 
+#include "ui/language/words_of_core.h"
 #include "ui/materials/material_swatch.h"
 #include "ui/panels/form.h"
 #include "ui/units.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QEvent>
 #include <QHeaderView>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -20,7 +22,7 @@ constexpr QSize startSize(620, 560);
 
 QString textOf(double number, Quantity quantity, const char* zero)
 {
-    return number == 0 && *zero != '\0' ? QObject::tr(zero) : formatQuantity(number, quantity);
+    return number == 0 && *zero != '\0' ? materialWord(zero) : formatQuantity(number, quantity);
 }
 
 /// "2.5 times"; nothing where one of them means something else than a number.
@@ -83,6 +85,13 @@ MaterialComparisonDialog::MaterialComparisonDialog(std::vector<MaterialPreset> c
     showBoth();
 }
 
+void MaterialComparisonDialog::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        showBoth();
+    QDialog::changeEvent(event);
+}
+
 void MaterialComparisonDialog::showBoth()
 {
     const MaterialPreset& left = m_choices[static_cast<std::size_t>(std::max(0, m_left->currentIndex()))];
@@ -91,8 +100,8 @@ void MaterialComparisonDialog::showBoth()
     m_table->setHeaderLabels(
         {tr("Number"), QString::fromStdString(left.name), QString::fromStdString(right.name), tr("Right by left")});
     for (const MaterialField& field : materialFields())
-        m_table->addTopLevelItem(rowOf(tr(field.name), left.material.*field.value, right.material.*field.value,
-                                       quantityOfUnit(field.unit), field.zero));
+        m_table->addTopLevelItem(rowOf(materialWord(field.name), left.material.*field.value,
+                                       right.material.*field.value, quantityOfUnit(field.unit), field.zero));
     m_table->addTopLevelItem(
         rowOf(tr("Shear modulus"), left.material.shearModulus(), right.material.shearModulus(), Quantity::Pressure));
     m_table->addTopLevelItem(

@@ -1,5 +1,7 @@
 // Words that core and tables bring into the window, marked for the translators.
-#include <QtGlobal>
+#include "ui/language/words_of_core.h"
+
+#include <QCoreApplication>
 
 namespace knead {
 
@@ -38,5 +40,10 @@ namespace {
                                                      QT_TRANSLATE_NOOP("ImportPanel", "As the file says")};
 
 } // namespace
+
+QString materialWord(const char* word)
+{
+    return QCoreApplication::translate("MaterialPanel", word);
+}
 
 } // namespace knead

@@ -5,7 +5,6 @@
 #include <QWidget>
 
 #include <array>
-#include <functional>
 #include <optional>
 
 class QComboBox;
@@ -20,21 +19,24 @@ class QuantityField;
 class SimulationPanel final : public QWidget {
     Q_OBJECT
 public:
-    /// @param limitThreads see Services::limitThreads; null: there is no such choice
-    SimulationPanel(Document& document, std::function<void(unsigned)> limitThreads, QWidget* parent = nullptr);
+    explicit SimulationPanel(Document& document, QWidget* parent = nullptr);
 
     /// The gravity that its switch turns on: as it was last, else that of the earth, downwards [m/s^2].
     Vec3 wantedGravity() const { return m_wantedGravity; }
 
+    /// @param threads that compute; 0: all
+    void showThreads(int threads);
+
 signals:
     void speedChanged(double ratio);
+    void threadsChosen(int threads); ///< 0: all
 
 private:
     void makeTimeRows(QFormLayout* form);
     void makeGravityRows(QFormLayout* form);
     void makeDampingRows(QFormLayout* form);
     void makeStepRows(QFormLayout* form);
-    void makeThreadRow(QFormLayout* form, std::function<void(unsigned)> limitThreads);
+    void makeThreadRow(QFormLayout* form);
     void documentChanged(Document::Change what);
     void showState();
     void showGravity(const Vec3& gravity);
@@ -56,6 +58,7 @@ private:
     QuantityField* m_shapeDamping = nullptr;
     QComboBox* m_integrator = nullptr;
     QLabel* m_integratorReason = nullptr;
+    QComboBox* m_threads = nullptr;               ///< all, 1, 2 ...
     std::optional<Integrator> m_postedIntegrator; ///< until a snapshot shows it
 };
 
