@@ -8,6 +8,7 @@
 #include "ui/panels/simulation_panel.h"
 #include "ui/panels/status_readings.h"
 #include "ui/project/project_keeper.h"
+#include "ui/selection_actions.h"
 #include "ui/shell/about_dialog.h"
 #include "ui/shell/command_palette.h"
 #include "ui/shell/preferences_dialog.h"
@@ -83,6 +84,10 @@ void MainWindow::makeShell()
     connect(m_home, &HomePage::recoverClicked, this, [this] { m_projects->offerRecoveries(true); });
     connect(m_projects.get(), &ProjectKeeper::recoveriesWaiting, m_home, &HomePage::showWaiting);
     connect(m_projects.get(), &ProjectKeeper::recentChanged, this, [this] { keepPicture(m_projects->path()); });
+    connect(findChild<QSpinBox*>("historyMemoryAllowed"), &QSpinBox::valueChanged, this, [this] {
+        if (m_shell->dialog != nullptr)
+            m_shell->dialog->setPreferences(readPreferences());
+    });
     keepHintClear();
 }
 
@@ -233,6 +238,9 @@ QString MainWindow::whyDisabled(const QAction& action) const
         return tr("Pause first.");
     if (&action == a.remove)
         return tr("Select a tool or a fixture first.");
+    const SelectionActions& s = *m_selection;
+    if (QList<const QAction*>{s.within, s.keep, s.fix, s.renormalize, s.glue}.contains(&action))
+        return tr("Select something first.");
     return tr("Not possible now.");
 }
 
