@@ -212,6 +212,8 @@ void MainWindow::sayAllAnew()
     listRecent();
     for (QuantityField* field : findChildren<QuantityField*>())
         field->setValue(field->value());
+    QEvent anew(QEvent::LanguageChange); // for those who put words and numbers together; a language sends another one
+    QApplication::sendEvent(this, &anew);
     if (m_document.isEmpty())
         return;
     for (const Document::Change what :

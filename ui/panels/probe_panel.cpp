@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QSplitter>
@@ -81,9 +82,7 @@ ProbePanel::ProbePanel(ProbeSet& probes, QAction* place, QWidget* parent)
     m_list->header()->setDefaultSectionSize(88);
     m_list->setColumnWidth(0, 92);
     m_plot->setObjectName("probePlot");
-    m_plot->setHint(
-        tr("No probes yet. Place one on the part: it goes along with the material and plots what it reads, also of "
-           "what was simulated before."));
+    setHint();
     auto* halves = new QSplitter(this);
     halves->addWidget(m_list);
     halves->addWidget(m_plot);
@@ -203,6 +202,23 @@ void ProbePanel::removeSelected()
     std::sort(rows.rbegin(), rows.rend());
     for (const int row : rows)
         m_probes.remove(static_cast<std::size_t>(row));
+}
+
+void ProbePanel::setHint()
+{
+    m_plot->setHint(
+        tr("No probes yet. Place one on the part: it goes along with the material and plots what it reads, also of "
+           "what was simulated before."));
+}
+
+/// Rows and plot are put together of texts.
+void ProbePanel::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange) {
+        setHint();
+        makeRows();
+    }
+    QWidget::changeEvent(event);
 }
 
 void ProbePanel::showEvent(QShowEvent* event)

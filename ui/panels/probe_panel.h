@@ -27,11 +27,13 @@ signals:
     void csvWanted();
 
 protected:
+    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
     void makeRow(QAction* place);
     void makeRows();
+    void setHint();
     void showReadings();
     void chooseQuantity();
     void removeSelected();

@@ -1,6 +1,7 @@
 #include "ui/viewport/color_legend.h"
 
 #include <QCoreApplication>
+#include <QEvent>
 #include <QPainter>
 
 #include <algorithm>
@@ -103,20 +104,33 @@ ColorLegend::ColorLegend(QWidget* parent)
 
 void ColorLegend::show(const ColorScale& scale, bool isPast)
 {
-    const QString remark = remarkOf(scale, isPast);
-    if (isVisible() && scale == m_scale && remark == m_remark)
+    if (isVisible() && scale == m_scale && remarkOf(scale, isPast) == m_remark)
         return;
     m_scale = scale;
-    m_text = textOf(scale);
-    m_remark = remark;
+    m_isPast = isPast;
+    say();
+    QWidget::show();
+}
+
+void ColorLegend::say()
+{
+    m_text = textOf(m_scale);
+    m_remark = remarkOf(m_scale, m_isPast);
     QStringList numbers;
     for (const ScaleText::Tick& tick : m_text.ticks)
         numbers << tick.text;
     setAccessibleName(m_text.title);
-    setAccessibleDescription(remark.isEmpty() ? numbers.join(", ") : remark);
+    setAccessibleDescription(m_remark.isEmpty() ? numbers.join(", ") : m_remark);
     resize(sizeHint());
     update();
-    QWidget::show();
+}
+
+/// Title and numbers, in another language or unit.
+void ColorLegend::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange && isVisible())
+        say();
+    QWidget::changeEvent(event);
 }
 
 QSize ColorLegend::sizeHint() const
