@@ -202,8 +202,8 @@ private:
     void keepHintClear();
     void showPreferences(PreferencesDialog::Page page);
     void applyPreferences();
-    void changePreference(const std::function<void(Preferences&)>& edit);
     void chooseLook(Preferences::Look look);
+    void chooseThreads(int threads);
     void applyLook();
     void sayAllAnew();
     QString whyDisabled(const QAction& action) const;

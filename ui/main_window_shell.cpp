@@ -172,19 +172,22 @@ void MainWindow::applyPreferences()
     m_viewport->setTurningSmoothly(m_preferences.turnsSmoothly);
 }
 
-/// Something was chosen outside of the dialog, which shows it, too.
-void MainWindow::changePreference(const std::function<void(Preferences&)>& edit)
+void MainWindow::chooseLook(Preferences::Look look)
 {
     Preferences chosen = readPreferences();
-    edit(chosen);
+    chosen.look = look;
     setPreferences(chosen);
     if (m_shell->dialog != nullptr)
         m_shell->dialog->setPreferences(chosen);
 }
 
-void MainWindow::chooseLook(Preferences::Look look)
+void MainWindow::chooseThreads(int threads)
 {
-    changePreference([look](Preferences& p) { p.look = look; });
+    Preferences chosen = readPreferences();
+    chosen.threads = threads;
+    setPreferences(chosen);
+    if (m_shell->dialog != nullptr)
+        m_shell->dialog->setPreferences(chosen);
 }
 
 void MainWindow::setTheme(Theme theme)

@@ -57,7 +57,7 @@ void MainWindow::makeMaterials()
 
 void MainWindow::makeSimulation()
 {
-    auto* panel = new SimulationPanel(m_document);
+    auto* panel = new SimulationPanel(m_document, m_services.limitThreads != nullptr);
     auto* area = new QScrollArea;
     area->setWidget(panel);
     area->setWidgetResizable(true);
@@ -77,8 +77,7 @@ void MainWindow::makeSimulation()
         if (const FramePointer& frame = m_document.frame())
             m_readings->show(*frame->snapshot);
     });
-    connect(panel, &SimulationPanel::threadsChosen, this,
-            [this](int threads) { changePreference([threads](Preferences& p) { p.threads = threads; }); });
+    connect(panel, &SimulationPanel::threadsChosen, this, &MainWindow::chooseThreads);
     connect(m_banner, &Banner::otherClicked, this, [this] { m_document.reset(); });
 }
 

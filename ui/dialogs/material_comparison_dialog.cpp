@@ -1,11 +1,11 @@
 #include "ui/dialogs/material_comparison_dialog.h"
 
-#include "ui/language/words_of_core.h"
 #include "ui/materials/material_swatch.h"
 #include "ui/panels/form.h"
 #include "ui/units.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QEvent>
 #include <QHeaderView>
@@ -20,9 +20,15 @@ namespace {
 
 constexpr QSize startSize(620, 560);
 
+/// Translated where the panel of materials has it.
+QString wordOfCore(const char* text)
+{
+    return QCoreApplication::translate("MaterialPanel", text);
+}
+
 QString textOf(double number, Quantity quantity, const char* zero)
 {
-    return number == 0 && *zero != '\0' ? materialWord(zero) : formatQuantity(number, quantity);
+    return number == 0 && *zero != '\0' ? wordOfCore(zero) : formatQuantity(number, quantity);
 }
 
 /// "2.5 times"; nothing where one of them means something else than a number.
@@ -100,8 +106,8 @@ void MaterialComparisonDialog::showBoth()
     m_table->setHeaderLabels(
         {tr("Number"), QString::fromStdString(left.name), QString::fromStdString(right.name), tr("Right by left")});
     for (const MaterialField& field : materialFields())
-        m_table->addTopLevelItem(rowOf(materialWord(field.name), left.material.*field.value,
-                                       right.material.*field.value, quantityOfUnit(field.unit), field.zero));
+        m_table->addTopLevelItem(rowOf(wordOfCore(field.name), left.material.*field.value, right.material.*field.value,
+                                       quantityOfUnit(field.unit), field.zero));
     m_table->addTopLevelItem(
         rowOf(tr("Shear modulus"), left.material.shearModulus(), right.material.shearModulus(), Quantity::Pressure));
     m_table->addTopLevelItem(

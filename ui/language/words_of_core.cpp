@@ -1,7 +1,5 @@
 // Words that core and tables bring into the window, marked for the translators.
-#include "ui/language/words_of_core.h"
-
-#include <QCoreApplication>
+#include <QtGlobal>
 
 namespace knead {
 
@@ -40,10 +38,5 @@ namespace {
                                                      QT_TRANSLATE_NOOP("ImportPanel", "As the file says")};
 
 } // namespace
-
-QString materialWord(const char* word)
-{
-    return QCoreApplication::translate("MaterialPanel", word);
-}
 
 } // namespace knead

@@ -1,12 +1,12 @@
 #include "ui/panels/selection_panel.h"
 
-#include "ui/language/words_of_core.h"
 #include "ui/panels/form.h"
 #include "ui/selection/region_contents.h"
 #include "ui/selection/selection_model.h"
 #include "ui/theme.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QLabel>
 #include <QPushButton>
 
@@ -17,8 +17,8 @@ namespace knead {
 namespace {
 
 constexpr qint64 sizeInterval = 250; // between readings while time runs [ms]
-constexpr double farthest = 10;      // [m]
-constexpr double usualReach = 2;     // [a]: what is proposed for "within"
+constexpr double farthest = 10;  // [m]
+constexpr double usualReach = 2; // [a]: what is proposed for "within"
 constexpr double Material::*shown[] = {&Material::youngsModulus, &Material::density, &Material::yieldStress,
                                        &Material::tensileStrength};
 
@@ -118,12 +118,12 @@ void SelectionPanel::makeMaterialRows()
             makeField(quantityOfUnit(row.unit), QStringLiteral("region_") + QString::fromLatin1(row.key), this);
         field->setRange(row.minimum, row.maximum);
         if (*row.zero != '\0')
-            field->setZeroText(materialWord(row.zero));
+            field->setZeroText(QCoreApplication::translate("MaterialPanel", row.zero));
         connect(field, &QuantityField::committed, this, [this, value](double number) {
             m_material.*value = number;
             postMaterial({});
         });
-        form->addRow(materialWord(row.name), field);
+        form->addRow(QCoreApplication::translate("MaterialPanel", row.name), field);
         m_fields.emplace_back(value, field);
     }
     auto* hint =

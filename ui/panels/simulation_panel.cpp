@@ -1,11 +1,11 @@
 #include "ui/panels/simulation_panel.h"
 
-#include "ui/language/words_of_core.h"
 #include "ui/panels/form.h"
-#include "ui/shell/preferences.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QLabel>
+#include <QThread>
 
 #include <algorithm>
 #include <utility>
@@ -15,7 +15,7 @@ namespace knead {
 namespace {
 
 constexpr std::array<double, 9> speeds{0.01, 0.05, 0.1, 0.25, 0.5, 1, 2, 4, 10};
-constexpr int realTime = 5;            // index
+constexpr int realTime = 5; // index
 constexpr double largestGravity = 1e4; // [m/s^2]
 
 struct Planet {
@@ -47,7 +47,7 @@ std::optional<double> common(const std::vector<Material>& materials, double Mate
 
 } // namespace
 
-SimulationPanel::SimulationPanel(Document& document, QWidget* parent)
+SimulationPanel::SimulationPanel(Document& document, bool choosesThreads, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
 {
@@ -57,7 +57,8 @@ SimulationPanel::SimulationPanel(Document& document, QWidget* parent)
     makeGravityRows(form);
     makeDampingRows(form);
     makeStepRows(form);
-    makeThreadRow(form);
+    if (choosesThreads)
+        makeThreadRow(form);
     connect(&document, &Document::changed, this, &SimulationPanel::documentChanged);
     setEnabled(false);
 }
@@ -106,9 +107,10 @@ void SimulationPanel::makeDampingRows(QFormLayout* form)
             std::find_if(fields.begin(), fields.end(), [value](const auto& f) { return f.value == value; });
         QuantityField* edit = makeField(quantityOfUnit(field->unit), name, this);
         edit->setRange(field->minimum, field->maximum);
+        const QString label = QCoreApplication::translate("MaterialPanel", field->name);
         connect(edit, &QuantityField::committed, this,
-                [this, value, name = field->name](double number) { commitDamping(value, number, materialWord(name)); });
-        form->addRow(materialWord(field->name), edit);
+                [this, value, label](double number) { commitDamping(value, number, label); });
+        form->addRow(label, edit);
         return edit;
     };
     m_damping = add(&Material::dampingRatio, "allDampingRatio");
@@ -137,10 +139,10 @@ void SimulationPanel::makeStepRows(QFormLayout* form)
 
 void SimulationPanel::makeThreadRow(QFormLayout* form)
 {
-    const int most = mostThreads();
+    const int most = std::max(1, QThread::idealThreadCount());
     m_threads = makeChoice("threads", this);
     m_threads->addItem(tr("All %1").arg(most));
-    for (int threads = 1; threads <= most; ++threads)
+    for (int threads = 1; threads < most; ++threads)
         m_threads->addItem(QString::number(threads));
     m_threads->setToolTip(tr("How many threads compute; the results are the same bits with any number"));
     connect(m_threads, &QComboBox::activated, this, &SimulationPanel::threadsChosen);
@@ -149,7 +151,8 @@ void SimulationPanel::makeThreadRow(QFormLayout* form)
 
 void SimulationPanel::showThreads(int threads)
 {
-    m_threads->setCurrentIndex(std::min(threads, m_threads->count() - 1));
+    if (m_threads != nullptr)
+        m_threads->setCurrentIndex(threads < m_threads->count() ? threads : 0);
 }
 
 void SimulationPanel::documentChanged(Document::Change what)
@@ -226,13 +229,17 @@ void SimulationPanel::commitGravity()
 void SimulationPanel::commitDamping(double Material::*value, double number, const QString& name)
 {
     const std::vector<Material> materials = m_document.frame()->snapshot->materials;
+    bool isRefused = false; // by a body that is locked
     m_document.beginGesture();
     for (BodyId body = 0; body < materials.size(); ++body) {
         Material material = materials[body];
         material.*value = number;
         m_document.post(SetMaterial{body, material}, tr("%1 of all bodies").arg(name));
+        isRefused = isRefused || m_document.isLocked({Selection::Kind::Body, body});
     }
     m_document.endGesture();
+    if (isRefused)
+        showDamping(*m_document.frame()->snapshot);
 }
 
 void SimulationPanel::chooseIntegrator(int index)

@@ -19,17 +19,18 @@ class QuantityField;
 class SimulationPanel final : public QWidget {
     Q_OBJECT
 public:
-    explicit SimulationPanel(Document& document, QWidget* parent = nullptr);
+    /// @param choosesThreads whether one can say how many threads compute
+    SimulationPanel(Document& document, bool choosesThreads, QWidget* parent = nullptr);
+
+    /// @param threads that compute; 0: all that the machine has
+    void showThreads(int threads);
 
     /// The gravity that its switch turns on: as it was last, else that of the earth, downwards [m/s^2].
     Vec3 wantedGravity() const { return m_wantedGravity; }
 
-    /// @param threads that compute; 0: all
-    void showThreads(int threads);
-
 signals:
     void speedChanged(double ratio);
-    void threadsChosen(int threads); ///< 0: all
+    void threadsChosen(int threads); ///< as in showThreads()
 
 private:
     void makeTimeRows(QFormLayout* form);
@@ -58,7 +59,7 @@ private:
     QuantityField* m_shapeDamping = nullptr;
     QComboBox* m_integrator = nullptr;
     QLabel* m_integratorReason = nullptr;
-    QComboBox* m_threads = nullptr;               ///< all, 1, 2 ...
+    QComboBox* m_threads = nullptr; ///< null: no such choice
     std::optional<Integrator> m_postedIntegrator; ///< until a snapshot shows it
 };
 

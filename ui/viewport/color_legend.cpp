@@ -1,7 +1,6 @@
 #include "ui/viewport/color_legend.h"
 
 #include <QCoreApplication>
-#include <QEvent>
 #include <QPainter>
 
 #include <algorithm>
@@ -104,33 +103,20 @@ ColorLegend::ColorLegend(QWidget* parent)
 
 void ColorLegend::show(const ColorScale& scale, bool isPast)
 {
-    if (isVisible() && scale == m_scale && remarkOf(scale, isPast) == m_remark)
+    const QString remark = remarkOf(scale, isPast);
+    if (isVisible() && scale == m_scale && remark == m_remark)
         return;
     m_scale = scale;
-    m_isPast = isPast;
-    say();
-    QWidget::show();
-}
-
-void ColorLegend::say()
-{
-    m_text = textOf(m_scale);
-    m_remark = remarkOf(m_scale, m_isPast);
+    m_text = textOf(scale);
+    m_remark = remark;
     QStringList numbers;
     for (const ScaleText::Tick& tick : m_text.ticks)
         numbers << tick.text;
     setAccessibleName(m_text.title);
-    setAccessibleDescription(m_remark.isEmpty() ? numbers.join(", ") : m_remark);
+    setAccessibleDescription(remark.isEmpty() ? numbers.join(", ") : remark);
     resize(sizeHint());
     update();
-}
-
-/// Title and numbers, in another language or unit.
-void ColorLegend::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange && isVisible())
-        say();
-    QWidget::changeEvent(event);
+    QWidget::show();
 }
 
 QSize ColorLegend::sizeHint() const

@@ -23,16 +23,12 @@ public:
     QSize sizeHint() const override;
 
 protected:
-    void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    void say();
-
     ColorScale m_scale;
     ScaleText m_text;
     QString m_remark;
-    bool m_isPast = false;
 };
 
 /// Draws it anywhere. The font of the painter decides the size.
