@@ -103,7 +103,7 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
-    static constexpr int layoutVersion = 1; ///< of the docks; layouts of another version are not restored
+    static constexpr int layoutVersion = 2; ///< of the docks; layouts of another version are not restored
 
     void makeCenter();
     void makeDocks();
@@ -198,6 +198,7 @@ private:
     ShellPointer newShell();
     void makeShell();
     void listPanels();
+    void listSelectionBar(QMenu& panels);
     void resetLayout();
     void keepHintClear();
     void showPreferences(PreferencesDialog::Page page);

@@ -26,6 +26,7 @@
 #include <QMenu>
 #include <QSettings>
 #include <QSpinBox>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
@@ -35,6 +36,7 @@ namespace knead {
 namespace {
 
 constexpr const char* tourSeen = "tour/seen";
+constexpr const char* selectionBarShown = "selectionBar/shown";
 constexpr int pictureDelay = 1500; // until a part that was opened is in view [ms]
 
 } // namespace
@@ -66,6 +68,8 @@ MainWindow::ShellPointer MainWindow::newShell()
 void MainWindow::makeShell()
 {
     listPanels();
+    for (const char* dock : {"measureDock", "probeDock", "forcesDock"}) // come with what one does for the first time
+        findChild<QDockWidget*>(dock)->hide();
     m_shell->layout = saveState();
     m_shell->shortcuts = new Shortcuts(*this);
     m_shell->palette = new CommandPalette(*this, [this](const QAction& action) { return whyDisabled(action); });
@@ -109,8 +113,26 @@ void MainWindow::listPanels()
         toggle->setObjectName("show_" + bar->objectName());
         panels->addAction(toggle);
     }
+    listSelectionBar(*panels);
     panels->addSeparator();
     panels->addAction(m_actions->resetLayout);
+}
+
+/// The bar beside the view comes and goes with the view, unless a person does not want it.
+void MainWindow::listSelectionBar(QMenu& panels)
+{
+    auto* bar = findChild<QToolBar*>("selectionBar");
+    QAction* toggle = bar->toggleViewAction();
+    toggle->setObjectName("show_selectionBar");
+    panels.addAction(toggle);
+    connect(toggle, &QAction::triggered, this, [](bool on) { QSettings().setValue(selectionBarShown, on); });
+    const auto follow = [this, bar, toggle] {
+        const bool isView = m_pages->currentWidget() == m_viewport;
+        toggle->setEnabled(isView);
+        bar->setVisible(isView && QSettings().value(selectionBarShown, true).toBool());
+    };
+    connect(m_pages, &QStackedWidget::currentChanged, this, follow);
+    follow();
 }
 
 void MainWindow::resetLayout()

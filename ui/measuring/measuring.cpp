@@ -8,7 +8,6 @@
 #include <QAction>
 #include <QCoreApplication>
 #include <QElapsedTimer>
-#include <QEvent>
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QTimer>
@@ -140,19 +139,6 @@ void Measuring::setOtherMarks(std::vector<OverlayMark> marks)
 {
     m_others = std::move(marks);
     showMarks();
-}
-
-/// Names of measurements and readings are said anew.
-bool Measuring::event(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange) {
-        for (const QAction* action : m_actions)
-            if (action->isChecked())
-                m_tool->setTitle(action->text());
-        m_panel->makeAnew();
-        refresh();
-    }
-    return QObject::event(event);
 }
 
 void Measuring::soon()

@@ -45,9 +45,6 @@ signals:
     void refused(const QString& sentence);
     void promptChanged();
 
-protected:
-    bool event(QEvent* event) override;
-
 private:
     void makeActions(QWidget* window);
     void contentChanged();

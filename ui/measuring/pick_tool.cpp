@@ -51,12 +51,6 @@ void PickTool::stop()
     emit stopped();
 }
 
-void PickTool::setTitle(const QString& title)
-{
-    m_title = title;
-    emit changed();
-}
-
 QString PickTool::prompt() const
 {
     if (!isPicking())

@@ -24,7 +24,6 @@ public:
     /// @param title of what is done: "Distance"
     void begin(const QString& title, std::vector<PickWhat> picks, Done done);
     void stop();
-    void setTitle(const QString& title); ///< in another language
     bool isPicking() const { return !m_wanted.empty(); }
 
     /// What to do next: "Distance: click the first place".

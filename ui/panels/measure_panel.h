@@ -20,8 +20,6 @@ public:
 
     /// @param results one per measurement
     void show(const std::vector<Measured>& results);
-    /// The next results have names in another language.
-    void makeAnew() { m_shape.clear(); }
     /// Indices of the measurements whose rows are selected.
     std::vector<std::size_t> selected() const;
     const std::vector<Measured>& results() const { return m_results; }

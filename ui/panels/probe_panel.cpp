@@ -5,7 +5,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QSplitter>
@@ -82,7 +81,9 @@ ProbePanel::ProbePanel(ProbeSet& probes, QAction* place, QWidget* parent)
     m_list->header()->setDefaultSectionSize(88);
     m_list->setColumnWidth(0, 92);
     m_plot->setObjectName("probePlot");
-    setHint();
+    m_plot->setHint(
+        tr("No probes yet. Place one on the part: it goes along with the material and plots what it reads, also of "
+           "what was simulated before."));
     auto* halves = new QSplitter(this);
     halves->addWidget(m_list);
     halves->addWidget(m_plot);
@@ -202,23 +203,6 @@ void ProbePanel::removeSelected()
     std::sort(rows.rbegin(), rows.rend());
     for (const int row : rows)
         m_probes.remove(static_cast<std::size_t>(row));
-}
-
-void ProbePanel::setHint()
-{
-    m_plot->setHint(
-        tr("No probes yet. Place one on the part: it goes along with the material and plots what it reads, also of "
-           "what was simulated before."));
-}
-
-/// Rows and plot are put together of texts.
-void ProbePanel::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange) {
-        setHint();
-        makeRows();
-    }
-    QWidget::changeEvent(event);
 }
 
 void ProbePanel::showEvent(QShowEvent* event)

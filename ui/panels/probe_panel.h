@@ -27,13 +27,11 @@ signals:
     void csvWanted();
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
     void makeRow(QAction* place);
     void makeRows();
-    void setHint();
     void showReadings();
     void chooseQuantity();
     void removeSelected();
