@@ -310,9 +310,12 @@ void MainWindow::setFloor(bool on)
     m_document.post(command);
 }
 
-/// Esc: stops the task, else comes back from the past, else leaves the mode, else selects nothing.
+/// Esc: gives up what is being drawn, else stops the task, else comes back from the past, else leaves the mode, else selects
+/// nothing.
 void MainWindow::cancel()
 {
+    if (m_viewport->regions().cancel())
+        return;
     if (m_tasks.isRunning())
         m_tasks.cancel();
     else if (m_timeline->isLookingBack())
@@ -321,7 +324,7 @@ void MainWindow::cancel()
         m_measuring->tool().stop();
     else if (m_actions->fixFaces->isChecked())
         m_actions->fixFaces->setChecked(false);
-    else if (!m_hands->leaveMode() && !m_viewport->regions().cancel())
+    else if (!m_hands->leaveMode())
         m_document.select({});
 }
 

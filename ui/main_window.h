@@ -131,10 +131,12 @@ private:
     void makeSelectionMenus();
     void makeSelectionBar();
     void connectSelection();
+    void leaveModes();
     void connectTree();
     void fillTreeMenu(QMenu& menu, int type) const;
     void showLevel();
     void showSelected();
+    void showLock();
     void selectAll();
     void selectWithin(double distance);
 

@@ -4,6 +4,7 @@
 #include "ui/dialogs/export_dialog.h"
 #include "ui/dialogs/import_dialog.h"
 #include "ui/project/project_keeper.h"
+#include "ui/selection/selection_model.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QDir>
@@ -71,10 +72,15 @@ void MainWindow::askForExport()
 {
     if (m_document.isEmpty())
         return;
-    const Selection& selection = m_document.selection();
-    const QString selected = selection.kind == Selection::Kind::Body ? m_document.nameOfBody(selection.id) : QString();
-    auto* dialog =
-        new ExportDialog(m_services.exportFormats, selected, !m_viewport->options().hiddenParts.empty(), this);
+    constexpr int mostNames = 3;
+    QStringList names;
+    if (const Region& region = m_document.selected().region(); region.level == Level::Part)
+        for (const auto& [body, items] : region.items)
+            names << m_document.nameOfBody(body);
+    if (names.size() > mostNames)
+        names = names.mid(0, mostNames) << QStringLiteral("\u2026");
+    auto* dialog = new ExportDialog(m_services.exportFormats, names.join(QStringLiteral(", ")),
+                                    !m_viewport->options().hiddenParts.empty(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { askForPlace(dialog->request(), dialog->format()); });
     dialog->open();

@@ -8,6 +8,7 @@
 #include "ui/panels/import_panel.h"
 #include "ui/panels/log_panel.h"
 #include "ui/project/project_keeper.h"
+#include "ui/selection/selection_model.h"
 #include "ui/units.h"
 #include "ui/viewport/viewport_widget.h"
 
@@ -165,9 +166,10 @@ std::vector<bool> MainWindow::partsFor(ExportRequest::Which which) const
     if (which == ExportRequest::Which::visible)
         for (std::size_t p = 0; p < keep.size(); ++p)
             keep[p] = !m_viewport->options().hiddenParts.contains(p);
-    if (const Selection& selection = m_document.selection();
-        which == ExportRequest::Which::selected && selection.kind == Selection::Kind::Body)
-        keep[content.bodies[selection.id]->part] = true;
+    const Region& selected = m_document.selected().region();
+    if (which == ExportRequest::Which::selected && selected.level == Level::Part)
+        for (const auto& [body, items] : selected.items)
+            keep[content.bodies[body]->part] = true;
     return keep;
 }
 

@@ -2,6 +2,8 @@
 #include "ui/main_window.h"
 
 #include "ui/actions.h"
+#include "ui/hands/hands.h"
+#include "ui/measuring/measuring.h"
 #include "ui/panels/model_panel.h"
 #include "ui/panels/model_tree.h"
 #include "ui/panels/panel_area.h"
@@ -22,6 +24,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <numeric>
 
 namespace knead {
@@ -64,7 +67,7 @@ Region::Items allOf(Level level, const Content& content, const ContentBody& body
 void MainWindow::makeSelection()
 {
     m_selection = std::make_unique<SelectionActions>(this);
-    m_selectionPanel = new SelectionPanel(m_document, m_services.materials);
+    m_selectionPanel = new SelectionPanel(m_document, *m_materials);
     m_properties->addWidget(scrolled(m_selectionPanel)); // in the order of Selection::Kind
     m_selectionReading = new QLabel(this);
     m_selectionReading->setObjectName("selectionReading");
@@ -79,13 +82,19 @@ void MainWindow::makeSelection()
 void MainWindow::makeSelectionMenus()
 {
     const SelectionActions& s = *m_selection;
-    const auto menuAt = [this](int place) { return menuBar()->actions().at(place)->menu(); };
-    QMenu* edit = menuAt(1);
+    const auto menuWith = [this](QAction* action) {
+        const auto menus = menuBar()->actions();
+        const auto found = std::find_if(menus.begin(), menus.end(), [action](const QAction* one) {
+            return one->menu()->actions().contains(action);
+        });
+        return (*found)->menu();
+    };
+    QMenu* edit = menuWith(m_actions->undo);
     edit->addSeparator();
     edit->addActions({s.rename, s.color, s.uncolor, s.lock, s.group, s.ungroup});
     edit->addSeparator();
     edit->addAction(s.search);
-    QMenu* view = menuAt(4);
+    QMenu* view = menuWith(m_actions->hide);
     view->insertActions(m_actions->hide, {s.isolate, s.showAll});
 
     auto* select = new QMenu(tr("Se&lect"), this);
@@ -127,11 +136,15 @@ void MainWindow::connectSelection()
     const SelectionActions& s = *m_selection;
     SelectionModel& selected = m_document.selected();
     for (QAction* level : s.levels)
-        connect(level, &QAction::triggered, this,
-                [this, level] { m_document.selected().setLevel(static_cast<Level>(level->data().toInt())); });
+        connect(level, &QAction::triggered, this, [this, level] {
+            leaveModes();
+            m_document.selected().setLevel(static_cast<Level>(level->data().toInt()));
+        });
     for (QAction* shape : s.shapes)
-        connect(shape, &QAction::triggered, this,
-                [this, shape] { m_viewport->regions().setShape(static_cast<RegionShape>(shape->data().toInt())); });
+        connect(shape, &QAction::triggered, this, [this, shape] {
+            leaveModes();
+            m_viewport->regions().setShape(static_cast<RegionShape>(shape->data().toInt()));
+        });
     RegionTool& regions = m_viewport->regions();
     connect(s.smallerBrush, &QAction::triggered, this,
             [&regions] { regions.setBrushRadius(regions.brushRadius() / brushStep); });
@@ -145,7 +158,9 @@ void MainWindow::connectSelection()
     const auto atPanel = [this](void (SelectionPanel::*begin)()) {
         return [this, begin] {
             m_properties->setCurrentIndex(static_cast<int>(Selection::Kind::Region));
-            qobject_cast<QDockWidget*>(m_properties->parentWidget())->show();
+            auto* dock = qobject_cast<QDockWidget*>(m_properties->parentWidget());
+            dock->show();
+            dock->raise();
             (m_selectionPanel->*begin)();
         };
     };
@@ -156,12 +171,23 @@ void MainWindow::connectSelection()
     connect(s.glue, &QAction::triggered, m_selectionPanel, &SelectionPanel::glue);
     connect(m_selectionPanel, &SelectionPanel::withinRequested, this, &MainWindow::selectWithin);
     connect(&m_document, &Document::changed, this, [this](Document::Change what) {
-        if (what == Document::Change::Content)
+        if (what == Document::Change::Content) {
             m_selection->setDocumentOpen(true, !m_document.content().bodies.empty());
-        if (what == Document::Change::Content || what == Document::Change::Selection)
             showSelected();
+        }
+        if (what == Document::Change::Content || what == Document::Change::Selection)
+            showLock();
     });
+    connect(m_selectionPanel, &SelectionPanel::read, m_selectionReading, &QLabel::setText);
     showLevel();
+}
+
+/// Who chooses what clicks select wants to select with them.
+void MainWindow::leaveModes()
+{
+    m_measuring->tool().stop();
+    m_actions->fixFaces->setChecked(false);
+    m_hands->pullAction()->setChecked(false);
 }
 
 void MainWindow::connectTree()
@@ -185,7 +211,7 @@ void MainWindow::connectTree()
         panel->beginSearch();
     });
     connect(m_tree, &ModelTree::problem, this, [this](const QString& sentence) { showProblem(sentence); });
-    connect(&m_document.notes(), &ModelNotes::changed, this, &MainWindow::showSelected); // locks
+    connect(&m_document.notes(), &ModelNotes::changed, this, &MainWindow::showLock);
     m_tree->setMenu([this](QMenu& menu, TreeItem type) { fillTreeMenu(menu, static_cast<int>(type)); });
 }
 
@@ -252,15 +278,18 @@ void MainWindow::showLevel()
     }
 }
 
-/// How much is selected, in the status bar; and whether it may be changed.
+/// What can be done with it; how much it is says the selection panel.
 void MainWindow::showSelected()
 {
-    const Region& region = m_document.selected().region();
-    const bool isAnything = !region.isEmpty() && !m_document.isEmpty();
+    const bool isAnything = !m_document.selected().region().isEmpty() && !m_document.isEmpty();
     m_selection->setSelected(isAnything);
     m_selectionReading->setVisible(isAnything);
-    if (isAnything)
-        m_selectionReading->setText(wordsFor(region, sizeOf(region, m_document.content(), *m_document.frame())));
+    showLock();
+}
+
+/// What is locked may not be changed in the properties.
+void MainWindow::showLock()
+{
     const bool isLocked = !m_document.isEmpty() && m_document.isLocked(m_document.selection());
     for (int page = 0; page < m_properties->count(); ++page)
         m_properties->widget(page)->setEnabled(page != m_properties->currentIndex() || !isLocked);
@@ -290,8 +319,11 @@ void MainWindow::selectWithin(double distance)
         tr("Selecting within %1").arg(formatQuantity(distance, Quantity::Length)), work,
         [this, model = m_document.content().model, spacing = m_document.content().spacing](Region found) {
             const Content& now = m_document.content();
-            if (now.model == model && now.spacing == spacing) // else it is of another filling
-                m_document.selected().select(found);
+            if (now.model != model || now.spacing != spacing) // it is of another filling
+                return;
+            std::erase_if(found.items,
+                          [&](const auto& own) { return m_tree->hiddenParts().contains(now.bodies[own.first]->part); });
+            m_document.selected().select(found);
         });
 }
 

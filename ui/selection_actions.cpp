@@ -88,7 +88,7 @@ SelectionActions::SelectionActions(QWidget* window)
                            QT_TR_NOOP("The objects that lie no farther from the selection than a distance")}))
     , keep(make(window, {"keepSelection", QT_TR_NOOP("Save selection..."), "selection", QKeySequence("Ctrl+Shift+D"),
                          QT_TR_NOOP("Keep the selection under a name in the model tree")}))
-    , fix(make(window, {"fixSelection", QT_TR_NOOP("Fix selection"), "fix", QKeySequence("Shift+X"),
+    , fix(make(window, {"fixSelection", QT_TR_NOOP("Fix selection"), "fix", QKeySequence("Shift+F"),
                         QT_TR_NOOP("Hold the selected faces or objects in place")}))
     , renormalize(
           make(window, {"renormalizeSelection", QT_TR_NOOP("Re-normalize selection"), "renormalize",
@@ -117,12 +117,13 @@ SelectionActions::SelectionActions(QWidget* window)
     , isolate(make(window, {"isolate", QT_TR_NOOP("Isolate"), "isolate", QKeySequence("Shift+H"),
                             QT_TR_NOOP("Show nothing but the selected parts; again: what was shown before")}))
     , showAll(
-          make(window, {"showAll", QT_TR_NOOP("Show all"), "eye", QKeySequence("Alt+H"), QT_TR_NOOP("Hide no part")}))
+          make(window, {"showAll", QT_TR_NOOP("Show all"), "eye", QKeySequence("Ctrl+H"), QT_TR_NOOP("Hide no part")}))
     , search(make(window, {"searchModel", QT_TR_NOOP("Search the model"), "search", QKeySequence("Ctrl+F"),
                            QT_TR_NOOP("Look for parts, tools, fixtures and selections by their names")}))
 {
     // Other panels have names to change as well.
     rename->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    window->removeAction(rename);
     setDocumentOpen(false, false);
 }
 

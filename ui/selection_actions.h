@@ -10,7 +10,7 @@ namespace knead {
 
 /// What a person can ask for about selecting, and about the lines of the model tree. Names of the actions are their object names.
 struct SelectionActions {
-    /// Makes them all; they work wherever the keyboard is in `window`.
+    /// Makes them all; they work wherever the keyboard is in `window`, but rename: in the widgets that it is added to.
     explicit SelectionActions(QWidget* window);
 
     QList<QAction*> levels; ///< one per Level, exclusive

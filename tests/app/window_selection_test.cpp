@@ -7,12 +7,14 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 using namespace knead;
 
@@ -87,6 +89,31 @@ private slots:
         QVERIFY(selected().region().isEmpty());
         QCOMPARE(document().selection().kind, Selection::Kind::None);
         QVERIFY(!find<QLabel>("selectionReading")->isVisible());
+    }
+
+    void noKeyDoesTwoThings()
+    {
+        std::map<QKeySequence, QString> taken;
+        for (const QAction* one : m_window->findChildren<QAction*>())
+            for (const QKeySequence& keys : one->shortcuts()) {
+                const auto [other, isFree] = taken.try_emplace(keys, one->objectName());
+                QVERIFY2(isFree, qPrintable(keys.toString() + ": " + other->second + " and " + one->objectName()));
+            }
+        for (const QAction* menu : m_window->menuBar()->actions()) // Alt and a letter open them
+            QVERIFY2(!taken.contains(QKeySequence::mnemonic(menu->text())), qPrintable(menu->text()));
+    }
+
+    void menusHaveWhatBelongsToThem()
+    {
+        const auto menuOf = [&](const char* name) {
+            for (QAction* menu : m_window->menuBar()->actions())
+                if (menu->menu()->actions().contains(action(name)))
+                    return menu->text().remove('&');
+            return QString();
+        };
+        QCOMPARE(menuOf("isolate"), QString("View"));
+        QCOMPARE(menuOf("showAll"), QString("View"));
+        QCOMPARE(menuOf("rename"), QString("Edit"));
     }
 
     void ctrlAddsAndTakesAway()
@@ -220,6 +247,73 @@ private slots:
         QVERIFY(selected().region().count() < before);
     }
 
+    void aSelectedFaceIsSeenOverColorsOfNumbers()
+    {
+        openExample("bar.step");
+        SceneOptions options = view().options();
+        options.colors.quantity = SurfaceQuantity::displacement;
+        view().setOptions(options);
+        QTRY_VERIFY(view().scale().has_value());
+        key(Qt::Key_2);
+        const QPoint place = at(topOf(document().content().box)) + QPoint(6, 4);
+        const auto colorThere = [&] {
+            QTest::qWait(200); // until it is drawn
+            return view().grabFramebuffer().pixelColor(place);
+        };
+        const QColor before = colorThere();
+        click(topOf(document().content().box));
+        QTest::mouseMove(&view(), QPoint(8, 8));
+        QTRY_VERIFY(view().regions().hovered().isEmpty());
+        QVERIFY(colorThere() != before);
+        picture("selection-over-numbers");
+        key(Qt::Key_Escape);
+        QCOMPARE(colorThere(), before);
+    }
+
+    void anotherShapeGivesUpTheStrokeOfABrush()
+    {
+        openExample("bar.step");
+        key(Qt::Key_2);
+        click(topOf(document().content().box));
+        const Region before = selected().region();
+        key(Qt::Key_3, Qt::AltModifier);
+        QTest::mousePress(&view(), Qt::LeftButton, {}, QPoint(20, 200));
+        QVERIFY(selected().region().isEmpty());
+        key(Qt::Key_2, Qt::AltModifier);
+        QTest::mouseMove(&view(), QPoint(200, 300));
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, QPoint(200, 300));
+        QCOMPARE(selected().region(), before);
+    }
+
+    void whatASectionTakesAwayIsNotSelected()
+    {
+        openExample("bar.step");
+        lookDown();
+        key(Qt::Key_2);
+        const Box box = document().content().box;
+        click(topOf(box));
+        const Region top = selected().region();
+        SceneOptions options = view().options();
+        options.section.plane = CutPlane{Vec3::UnitZ(), box.center().z()};
+        view().setOptions(options);
+        click(topOf(box)); // through where the top was, at the bottom
+        QCOMPARE(selected().region().count(), std::size_t{1});
+        QVERIFY(selected().region() != top);
+    }
+
+    void selectingLeavesOtherModesOfTheMouse()
+    {
+        openExample("bar.step");
+        for (const char* mode : {"fixFaces", "pull", "placeProbe"}) {
+            action(mode)->trigger();
+            QVERIFY(action(mode)->isChecked());
+            key(Qt::Key_2);
+            QVERIFY2(!action(mode)->isChecked(), mode);
+        }
+        click(topOf(document().content().box));
+        QCOMPARE(selected().region().level, Level::Face);
+    }
+
     void escGivesUpABoxThatIsBeingDrawn()
     {
         openExample("bar.step");
@@ -339,7 +433,7 @@ private slots:
         drag({all.topLeft(), all.center(), QPoint(all.left() + all.width() / 3, all.bottom())});
         const std::size_t count = selected().region().count();
         QVERIFY(count > 0);
-        key(Qt::Key_X, Qt::ShiftModifier);
+        key(Qt::Key_F, Qt::ShiftModifier);
         QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
         QCOMPARE(snapshot().fixtures[0].objects.size(), count);
     }
@@ -374,7 +468,7 @@ private slots:
                 view().setFocus();
             }
             selectLeft(0.2);
-            key(Qt::Key_X, Qt::ShiftModifier);
+            key(Qt::Key_F, Qt::ShiftModifier);
             QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
             key(Qt::Key_1);
             key(Qt::Key_G);
@@ -474,6 +568,46 @@ private slots:
         for (ObjectIndex object = 0; object < places.size(); ++object)
             if (std::abs(places[object].x() - box.center().x()) > document().size() / 16)
                 QCOMPARE(half.contains(0, object), places[object].x() < box.center().x());
+    }
+
+    void enterTakesTheDistanceThatIsProposed()
+    {
+        openExample("bar.step");
+        key(Qt::Key_2);
+        click(topOf(document().content().box));
+        key(Qt::Key_D, Qt::ControlModifier);
+        auto* field = find<QuantityField>("withinDistance");
+        QTRY_VERIFY(field->hasFocus());
+        const double distance = field->value();
+        QVERIFY(distance > 0);
+        const Region expected =
+            objectsWithin(selected().region(), distance, document().content(), *document().frame());
+        QTest::keyClick(field, Qt::Key_Return);
+        QTRY_COMPARE(selected().region(), expected);
+        QTRY_VERIFY(reading().contains("objects, "));
+    }
+
+    void whatWasSelectedInAnotherFillingIsNotSelectedAnyMore()
+    {
+        openExample("bar.step", 16);
+        const double spacing = document().content().spacing;
+        m_window->refill(document().size() / 24);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        key(Qt::Key_4);
+        key(Qt::Key_A, Qt::ControlModifier);
+        const Region all = selected().region();
+        QCOMPARE(all.level, Level::Object);
+        QTRY_VERIFY(document().isSettled());
+        document().undo();
+        QVERIFY(document().isGoing());
+        document().fixRegion(all); // of objects that are not there any more when it can be done
+        document().setMaterialOf(all, {}, {});
+        QTRY_COMPARE(document().content().spacing, spacing);
+        QTRY_VERIFY(!document().isGoing());
+        QCOMPARE(document().selection(), (Selection{Selection::Kind::Body, 0}));
+        QCOMPARE(selected().region(), regionOf(Level::Part, 0, {0}));
+        QTest::qWait(100);
+        QVERIFY(snapshot().fixtures.empty());
     }
 
     void aMeshHasNoFacesToTellApart()

@@ -216,7 +216,7 @@ private slots:
         newWindow(m_services);
         openProject(file("isolated.knead"));
         QCOMPARE(hidden(), std::set<std::size_t>{0});
-        key(Qt::Key_H, Qt::AltModifier);
+        key(Qt::Key_H, Qt::ControlModifier);
         QVERIFY(hidden().empty());
     }
 
@@ -323,6 +323,53 @@ private slots:
         QTest::keyClick(search, Qt::Key_Escape);
         QVERIFY(search->text().isEmpty());
         QVERIFY(!partLine(0)->isHidden() && !line("Block 1")->isHidden());
+    }
+
+    void aSetTakesWhatWasSelectedBeforeItsMenuCame()
+    {
+        openExample("bracket.step", 10);
+        const Region both = united(regionOf(Level::Part, 0, {0}), regionOf(Level::Part, 1, {0}));
+        document().keepSet("mine", regionOf(Level::Part, 0, {0}));
+        document().selected().select(both);
+        QTreeWidgetItem* item = line("mine");
+        tree()->scrollToItem(item);
+        const QPoint place = tree()->visualItemRect(item).center();
+        QTest::mouseClick(tree()->viewport(), Qt::RightButton, {}, place);
+        QContextMenuEvent event(QContextMenuEvent::Mouse, place, tree()->viewport()->mapToGlobal(place));
+        QApplication::sendEvent(tree()->viewport(), &event);
+        QTRY_VERIFY(QApplication::activePopupWidget() != nullptr);
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        for (QAction* one : menu->actions())
+            if (one->text() == "Keep the present selection here")
+                one->trigger();
+        menu->close();
+        QCOMPARE(document().notes().set("mine")->items.size(), std::size_t{2});
+        QCOMPARE(document().selected().region(), both);
+    }
+
+    void aSetIsNotShownAsSelectedWhenItIsNot()
+    {
+        openExample("bracket.step", 10);
+        document().keepSet("faces", regionOf(Level::Face, 0, {0, 1}));
+        clickLine(line("faces"));
+        QCOMPARE(document().selected().region(), regionOf(Level::Face, 0, {0, 1}));
+        QVERIFY(line("faces")->isSelected());
+        document().selected().select(regionOf(Level::Face, 1, {0}));
+        QVERIFY(!line("faces")->isSelected());
+        QVERIFY(partLine(1)->isSelected());
+    }
+
+    void whatIsHiddenStaysSoInAnotherFilling()
+    {
+        openExample("bracket.step", 10);
+        clickEye(partLine(1));
+        m_window->refill(document().size() / 14);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
+        QCOMPARE(hidden(), std::set<std::size_t>{1});
+        QCOMPARE(partLine(1)->checkState(0), Qt::Unchecked);
+        openExample("bracket.step", 10);
+        QVERIFY(hidden().empty());
+        QCOMPARE(partLine(1)->checkState(0), Qt::Checked);
     }
 
     void everyLineHasAMenu()

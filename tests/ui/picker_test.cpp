@@ -107,6 +107,24 @@ private slots:
         QCOMPARE(faceAt(0.8, 0.8), 3U);
     }
 
+    void whatAPlaneCutsOffIsNotMet()
+    {
+        const Drawn drawn(10);
+        const SurfacePicker picker(drawn.render, drawn.points);
+        const Ray ray{Vec3(0.2, 0.2, 1), -Vec3::UnitZ()};
+        const double distance = picker.pick(ray)->distance;
+        for (const double side : {-1.0, 1.0}) {
+            const auto pick = [&](double height) {
+                return picker.pick(ray, reachOf(ray, CutPlane{side * Vec3::UnitZ(), side * height}));
+            };
+            const double surface = 1 - distance;
+            QCOMPARE(pick(surface + 0.1).has_value(), side > 0);
+            QCOMPARE(pick(surface - 0.1).has_value(), side < 0);
+            const CutPlane beside{side * Vec3::UnitX(), side * 0.5}; // along the ray
+            QCOMPARE(picker.pick(ray, reachOf(ray, beside)).has_value(), side > 0);
+        }
+    }
+
     void aDeformedSurfaceIsFollowed()
     {
         const Drawn drawn(20);

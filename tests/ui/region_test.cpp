@@ -163,8 +163,11 @@ private slots:
         const ScreenShape box = boxShape({10, 20}, {30, 5});
         QVERIFY(contains(box, {20, 10}));
         QVERIFY(!contains(box, {20, 21}) && !contains(box, {9, 10}));
-        const ScreenShape disk = diskShape({50, 50}, 10);
+        const ScreenShape disk = strokeShape({50, 50}, {50, 50}, 10);
         QVERIFY(contains(disk, {56, 56}) && !contains(disk, {58, 58}));
+        const ScreenShape stroke = strokeShape({10, 50}, {90, 50}, 10);
+        QVERIFY(contains(stroke, {50, 58}) && contains(stroke, {2, 50}) && contains(stroke, {98, 50}));
+        QVERIFY(!contains(stroke, {50, 62}) && !contains(stroke, {2, 58}) && !contains(stroke, {98, 42}));
         const ScreenShape horseshoe{{0, 0}, {30, 0}, {30, 30}, {20, 30}, {20, 10}, {10, 10}, {10, 30}, {0, 30}};
         QVERIFY(contains(horseshoe, {5, 20}) && contains(horseshoe, {25, 20}) && !contains(horseshoe, {15, 20}));
     }

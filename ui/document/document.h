@@ -266,6 +266,7 @@ private:
     void noticeStop();
 
     bool later(std::function<void()> action);
+    bool laterHere(std::function<void()> action);
     void wish(Wish wish);
     void standStill();
     void takeWishes();

@@ -73,7 +73,7 @@ void Document::removeSelected()
 void Document::toggleFace(BodyId body, std::uint32_t face)
 {
     const auto again = [this, body, face] { toggleFace(body, face); };
-    if (later(again) || whenFixturesAreKnown(again))
+    if (later(again) || whenFixturesAreKnown(again) || body >= m_content->bodies.size())
         return;
     if (m_content->model->parts[m_content->bodies[body]->part].faces.empty()) {
         emit notice(tr("\"%1\" is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.")

@@ -4,6 +4,7 @@
 
 #include "core/simulation/moment.h"
 #include "ui/document/entry_names.h"
+#include "ui/selection/selection_model.h"
 #include "ui/tasks/task_runner.h"
 
 #include <QTimer>
@@ -271,7 +272,11 @@ void Document::follow(const Moment& moment)
     m_toolCount.clear();
     m_toolToSelect.clear();
     m_gesture = {.begin = moment.time};
-    const bool isLost = (m_selection.kind == Selection::Kind::Fixture && m_fixtures.find(m_selection.id) == nullptr) ||
+    const bool isGone = // with the filling that it was of
+        (m_selection.kind == Selection::Kind::Region && m_selected->region().isEmpty()) ||
+        (m_selection.kind == Selection::Kind::Body && m_selection.id >= m_content->bodies.size());
+    const bool isLost = isGone ||
+                        (m_selection.kind == Selection::Kind::Fixture && m_fixtures.find(m_selection.id) == nullptr) ||
                         (m_selection.kind == Selection::Kind::Tool &&
                          (m_selection.id >= moment.tools.size() || !moment.tools[m_selection.id]));
     if (isLost)
@@ -321,6 +326,15 @@ bool Document::later(std::function<void()> action)
         return false;
     m_afterwards.push_back(std::move(action));
     return true;
+}
+
+/// The same for what names faces or objects: it is dropped where the journey ends at another filling.
+bool Document::laterHere(std::function<void()> action)
+{
+    return later([this, content = m_content, action = std::move(action)] {
+        if (content == m_content)
+            action();
+    });
 }
 
 PreparedProject prepareProject(Project project, const Packing& packing, TaskControl& control)

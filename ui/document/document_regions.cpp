@@ -36,7 +36,7 @@ Region::Items takenOver(const Region::Items& items, const Lattice& from, const L
 void Document::fixRegion(const Region& region)
 {
     const auto again = [this, region] { fixRegion(region); };
-    if (later(again) || whenFixturesAreKnown(again))
+    if (laterHere(again) || whenFixturesAreKnown(again))
         return;
     std::uint32_t key = 0;
     const bool isOfFaces = region.level == Level::Face;
@@ -58,10 +58,10 @@ void Document::fixRegion(const Region& region)
 
 void Document::setMaterialOf(const Region& region, const Material& material, const QString& name)
 {
-    if (later([this, region, material, name] { setMaterialOf(region, material, name); }))
+    if (laterHere([this, region, material, name] { setMaterialOf(region, material, name); }))
         return;
     const auto objects = objectsOf(region, *m_content);
-    if (objects.empty())
+    if (objects.empty() && !region.isEmpty())
         emit notice(
             tr("The selection holds no objects: it is smaller than the spacing. Choose a finer spacing and refill."));
     for (const auto& [body, own] : objects) {
@@ -75,7 +75,7 @@ void Document::setMaterialOf(const Region& region, const Material& material, con
 
 void Document::renormalizeRegion(const Region& region)
 {
-    if (later([this, region] { renormalizeRegion(region); }))
+    if (laterHere([this, region] { renormalizeRegion(region); }))
         return;
     for (const auto& [body, objects] : objectsOf(region, *m_content)) {
         if (m_frame->snapshot->bodies[body].kind != BodyKind::deformable)
@@ -89,7 +89,7 @@ void Document::renormalizeRegion(const Region& region)
 
 void Document::setKindOf(const Region& region, BodyKind kind)
 {
-    if (later([this, region, kind] { setKindOf(region, kind); }))
+    if (laterHere([this, region, kind] { setKindOf(region, kind); }))
         return;
     for (const auto& [body, items] : region.items)
         post(SetBodyKind{body, kind});
@@ -101,7 +101,10 @@ bool Document::keepSet(const QString& name, const Region& region)
         return false;
     SelectionSet set{.name = name.trimmed().toStdString(), .level = region.level, .start = m_start, .items = {}};
     for (const auto& [body, items] : region.items)
-        set.items[m_content->bodies[body]->part] = items;
+        if (body < m_content->bodies.size())
+            set.items[m_content->bodies[body]->part] = items;
+    if (set.items.empty())
+        return false;
     m_notes->putSet(std::move(set));
     return true;
 }

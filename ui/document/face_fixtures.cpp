@@ -97,7 +97,7 @@ FaceFixtures::Edit FaceFixtures::toggle(const Content& content, BodyId body, std
         return {active, hold(content, *chosen)};
     }
     const std::uint32_t key = freeKey(m_list);
-    m_list.push_back({.key = key, .name = "Fixture " + std::to_string(key), .body = body, .faces = {face}, .id = {}});
+    m_list.push_back({.key = key, .name = freeName(m_list, key), .body = body, .faces = {face}, .id = {}});
     return {key, hold(content, m_list.back())};
 }
 

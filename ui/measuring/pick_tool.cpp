@@ -32,6 +32,7 @@ void PickTool::begin(const QString& title, std::vector<PickWhat> picks, Done don
     m_done = std::move(done);
     m_picked.clear();
     m_hovered.reset();
+    m_view.forgetHover();
     m_view.setCursor(Qt::CrossCursor);
     emit begun();
     emit changed();

@@ -101,11 +101,12 @@ std::optional<SkinPicker::Hit> SkinPicker::pick(const QPointF& position, bool sn
 
 std::optional<SkinPicker::Hit> SkinPicker::surfaceAlong(const Ray& ray) const
 {
+    const RayReach reach = reachOf(ray, m_view.options().section.plane);
     std::optional<SurfaceHit> nearest;
     BodyId body = 0;
     for (BodyId b = 0; b < m_pickers.size(); ++b)
         if (!isHidden(b))
-            if (const auto found = m_pickers[b].picker->pick(ray);
+            if (const auto found = m_pickers[b].picker->pick(ray, reach);
                 found && (!nearest || found->distance < nearest->distance)) {
                 nearest = found;
                 body = b;
@@ -123,6 +124,7 @@ std::optional<SkinPicker::Hit> SkinPicker::surfaceAlong(const Ray& ray) const
 /// The nearest corner on the screen that nothing hides.
 std::optional<SkinPicker::Hit> SkinPicker::cornerNear(const QPointF& position) const
 {
+    const std::optional<CutPlane>& cut = m_view.options().section.plane;
     std::map<double, Hit> candidates; // by distance [pixels]
     for (BodyId b = 0; b < m_pickers.size(); ++b) {
         if (isHidden(b))
@@ -130,7 +132,7 @@ std::optional<SkinPicker::Hit> SkinPicker::cornerNear(const QPointF& position) c
         for (const Corner& corner : m_pickers[b].corners) {
             const Vec3& at = m_frame->bodies[b]->places[corner.vertex];
             const std::optional<QPointF> seen = m_view.widgetPosition(at);
-            if (!seen)
+            if (!seen || (cut && cut->distance(at) > 0))
                 continue;
             const QPointF off = *seen - position;
             if (const double distance = std::hypot(off.x(), off.y()); distance <= cornerReach)

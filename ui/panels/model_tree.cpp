@@ -63,7 +63,6 @@ ModelTree::ModelTree(Document& document, QWidget* parent)
     connect(&document.notes(), &ModelNotes::changed, this, &ModelTree::notesChanged);
     connect(&document.selected(), &SelectionModel::changed, this, &ModelTree::showSelection);
     connect(this, &QTreeWidget::itemSelectionChanged, this, &ModelTree::selectionChanged);
-    connect(this, &QTreeWidget::itemChanged, this, &ModelTree::itemEdited);
 }
 
 void ModelTree::documentChanged(Document::Change what)
@@ -72,9 +71,7 @@ void ModelTree::documentChanged(Document::Change what)
         const QScopedValueRollback updating(m_isUpdating, true);
         switch (what) {
         case Document::Change::Content:
-            m_hiddenParts = m_document.content().hiddenAtFirst();
-            m_hiddenBefore.reset();
-            build();
+            beginContent();
             break;
         case Document::Change::Frame:
             listTools();
@@ -93,6 +90,17 @@ void ModelTree::documentChanged(Document::Change what)
         }
     }
     showSelection();
+}
+
+/// What is hidden of a model stays so when it is filled anew.
+void ModelTree::beginContent()
+{
+    if (std::exchange(m_model, m_document.content().model) != m_document.content().model) {
+        m_hiddenParts = m_document.content().hiddenAtFirst();
+        m_hiddenBefore.reset();
+    }
+    m_regionOfSet = m_regionBefore = {};
+    build();
 }
 
 /// Groups change which lines there are; the rest only how they look.
@@ -151,13 +159,15 @@ void ModelTree::showSelection()
         if (QTreeWidgetItem* item = find(selection))
             lines.push_back(item);
     } else {
-        for (const auto& [body, items] : m_document.selected().region().items)
-            if (QTreeWidgetItem* item = find({Selection::Kind::Body, body}))
+        const Region& region = m_document.selected().region();
+        for (QTreeWidgetItem* item : all())
+            if (const Selection own = selectionOf(item);
+                own.kind == Selection::Kind::Body && region.items.contains(own.id))
                 lines.push_back(item);
     }
     const QTreeWidgetItem* current = currentItem();
     const bool isAtSet = current != nullptr && typeOf(current) == TreeItem::Set && current->isSelected();
-    if (isAtSet && selection.kind == Selection::Kind::Region)
+    if (isAtSet && selection.kind == Selection::Kind::Region && m_document.selected().region() == m_regionOfSet)
         return;
     if (std::find(lines.begin(), lines.end(), current) == lines.end())
         setCurrentItem(lines.empty() ? nullptr : lines.front(), 0, QItemSelectionModel::NoUpdate);
@@ -175,9 +185,7 @@ void ModelTree::selectionChanged()
     for (QTreeWidgetItem* item : selectedItems()) {
         const Selection selection = selectionOf(item);
         if (typeOf(item) == TreeItem::Set) {
-            if (const SelectionSet* set =
-                    m_document.notes().set(item->data(0, tree_roles::name).toString().toStdString()))
-                m_document.selected().select(m_document.regionOf(*set));
+            selectSet(item->data(0, tree_roles::name).toString().toStdString());
             return;
         }
         if (selection.kind == Selection::Kind::Tool || selection.kind == Selection::Kind::Fixture) {
@@ -187,8 +195,17 @@ void ModelTree::selectionChanged()
         if (selection.kind == Selection::Kind::Body)
             parts.add(selection.id, 0);
     }
-    if (!parts.isEmpty())
+    if (!parts.isEmpty() || selectedItems().isEmpty())
         m_document.selected().select(parts);
+}
+
+void ModelTree::selectSet(const std::string& name)
+{
+    const SelectionSet* set = m_document.notes().set(name);
+    if (set == nullptr)
+        return;
+    m_regionOfSet = m_document.regionOf(*set);
+    m_document.selected().select(m_regionOfSet);
 }
 
 /// Eyes and locks are clicked without selecting their lines.
@@ -200,9 +217,13 @@ bool ModelTree::pressedButton(const QMouseEvent& event)
     using Button = ModelTreeDelegate::Button;
     const QModelIndex index = indexFromItem(item);
     const Button button = ModelTreeDelegate::buttonAt(index, visualRect(index), event.position().toPoint());
-    if (button == Button::Eye)
-        item->setCheckState(0, item->checkState(0) == Qt::Unchecked ? Qt::Checked : Qt::Unchecked);
-    else if (button == Button::Lock)
+    if (button == Button::Eye) {
+        {
+            const QScopedValueRollback updating(m_isUpdating, true); // lines above and below follow by themselves
+            item->setCheckState(0, item->checkState(0) == Qt::Unchecked ? Qt::Checked : Qt::Unchecked);
+        }
+        tellHidden();
+    } else if (button == Button::Lock)
         m_document.setLocked(selectionOf(item), !item->data(0, tree_roles::lock).toBool());
     return button != Button::None;
 }
@@ -210,6 +231,7 @@ bool ModelTree::pressedButton(const QMouseEvent& event)
 void ModelTree::mousePressEvent(QMouseEvent* event)
 {
     m_isOnButton = pressedButton(*event);
+    m_regionBefore = m_document.selected().region();
     if (!m_isOnButton)
         QTreeWidget::mousePressEvent(event);
 }
@@ -230,13 +252,6 @@ void ModelTree::mouseDoubleClickEvent(QMouseEvent* event)
 }
 
 // --- hiding ---------------------------------------------------------------------------------------------------------------
-
-/// A check box was clicked. Lines above and below follow by themselves.
-void ModelTree::itemEdited(QTreeWidgetItem* /*item*/)
-{
-    if (!m_isUpdating)
-        tellHidden();
-}
 
 void ModelTree::tellHidden()
 {
@@ -380,7 +395,9 @@ void ModelTree::colorSelected()
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setOption(QColorDialog::DontUseNativeDialog);
     dialog->setWindowTitle(parts.size() == 1 ? tr("Color of the part") : tr("Color of %1 parts").arg(parts.size()));
-    connect(dialog, &QColorDialog::colorSelected, this, [this, parts](const QColor& color) {
+    connect(dialog, &QColorDialog::colorSelected, this, [this, parts, model = m_model](const QColor& color) {
+        if (model != m_document.content().model) // another part was opened meanwhile
+            return;
         for (const std::size_t part : parts)
             m_document.colorPart(part, colorOf(color));
     });
@@ -396,8 +413,8 @@ void ModelTree::uncolorSelected()
 void ModelTree::lockSelected()
 {
     std::vector<Selection> lockable;
+    const std::vector<QTreeWidgetItem*> lines = chosen();
     for (QTreeWidgetItem* item : all()) {
-        const auto lines = chosen();
         const auto isBelow = [&] {
             for (const QTreeWidgetItem* above = item; above != nullptr; above = above->parent())
                 if (std::find(lines.begin(), lines.end(), above) != lines.end())

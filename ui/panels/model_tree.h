@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/selection/region.h"
 
 #include <QTreeWidget>
 
@@ -88,6 +89,7 @@ private:
     };
 
     void documentChanged(Document::Change what);
+    void beginContent();
     void notesChanged();
     void looksChanged();
 
@@ -107,7 +109,7 @@ private:
 
     void showSelection();
     void selectionChanged();
-    void itemEdited(QTreeWidgetItem* item);
+    void selectSet(const std::string& name);
     void rename(QTreeWidgetItem* item, const QString& name);
     void tellHidden();
     bool pressedButton(const QMouseEvent& event);
@@ -127,11 +129,14 @@ private:
     QTreeWidgetItem* m_sets = nullptr;
     QTreeWidgetItem* m_exports = nullptr;
     std::vector<ListedTool> m_listedTools;
+    std::shared_ptr<const Model> m_model;
     std::set<std::size_t> m_hiddenParts;
     std::optional<std::set<std::size_t>> m_hiddenBefore; ///< isolating
     std::vector<std::pair<std::string, std::set<std::size_t>>> m_shownGroups;
     QString m_filter;
     std::function<void(QMenu&, TreeItem)> m_fillMenu;
+    Region m_regionOfSet;  ///< that was selected last by its line
+    Region m_regionBefore; ///< selected when the mouse went down
     bool m_isUpdating = false;
     bool m_isOnButton = false; ///< the mouse went down on an eye or a lock
 };

@@ -14,9 +14,12 @@ namespace knead {
 
 void ModelTree::contextMenuEvent(QContextMenuEvent* event)
 {
-    QTreeWidgetItem* item = itemAt(event->pos());
+    const bool isByMouse = event->reason() == QContextMenuEvent::Mouse;
+    QTreeWidgetItem* item = isByMouse ? itemAt(event->pos()) : currentItem();
     if (m_document.isEmpty() || item == nullptr)
         return;
+    if (!isByMouse)
+        m_regionBefore = m_document.selected().region();
     if (!item->isSelected())
         setCurrentItem(item);
     auto* menu = new QMenu(this);
@@ -33,20 +36,20 @@ void ModelTree::contextMenuEvent(QContextMenuEvent* event)
     if (menu->isEmpty())
         delete menu;
     else
-        menu->popup(event->globalPos());
+        menu->popup(isByMouse ? event->globalPos() : viewport()->mapToGlobal(visualItemRect(item).center()));
 }
 
 void ModelTree::fillSetMenu(QMenu& menu, const std::string& name)
 {
-    const auto select = [this, name] {
-        if (const SelectionSet* set = m_document.notes().set(name))
-            m_document.selected().select(m_document.regionOf(*set));
-    };
-    connect(menu.addAction(icon("selection"), tr("Select")), &QAction::triggered, this, select);
+    connect(menu.addAction(icon("selection"), tr("Select")), &QAction::triggered, this,
+            [this, name] { selectSet(name); });
+    // The click on the line selected what is in it; what is meant is what was selected before.
     QAction* replace = menu.addAction(tr("Keep the present selection here"));
-    replace->setEnabled(!m_document.selected().region().isEmpty());
-    connect(replace, &QAction::triggered, this,
-            [this, name] { m_document.keepSet(QString::fromStdString(name), m_document.selected().region()); });
+    replace->setEnabled(!m_regionBefore.isEmpty());
+    connect(replace, &QAction::triggered, this, [this, name, region = m_regionBefore] {
+        m_document.keepSet(QString::fromStdString(name), region);
+        selectSet(name);
+    });
     connect(menu.addAction(icon("delete"), tr("Delete")), &QAction::triggered, this,
             [this, name] { m_document.notes().removeSet(name); });
 }

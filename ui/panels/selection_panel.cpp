@@ -1,5 +1,7 @@
 #include "ui/panels/selection_panel.h"
 
+#include "ui/materials/material_store.h"
+#include "ui/materials/material_swatch.h"
 #include "ui/panels/form.h"
 #include "ui/selection/region_contents.h"
 #include "ui/selection/selection_model.h"
@@ -7,6 +9,7 @@
 
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 
@@ -16,9 +19,10 @@ namespace knead {
 
 namespace {
 
-constexpr qint64 sizeInterval = 250; // between readings while time runs [ms]
-constexpr double farthest = 10;  // [m]
-constexpr double usualReach = 2; // [a]: what is proposed for "within"
+constexpr qint64 sizeInterval = 250;  // between readings while time runs [ms]
+constexpr qint64 restPerReading = 10; // times as long as a reading takes, the window does something else
+constexpr double farthest = 10;       // [m]
+constexpr double usualReach = 2;      // [a]: what is proposed for "within"
 constexpr double Material::*shown[] = {&Material::youngsModulus, &Material::density, &Material::yieldStress,
                                        &Material::tensileStrength};
 
@@ -30,10 +34,10 @@ const MaterialField& fieldOf(double Material::*value)
 
 } // namespace
 
-SelectionPanel::SelectionPanel(Document& document, std::vector<MaterialPreset> presets, QWidget* parent)
+SelectionPanel::SelectionPanel(Document& document, const MaterialStore& store, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
-    , m_presets(std::move(presets))
+    , m_store(store)
 {
     setObjectName("selectionPanel");
     makeForm(this);
@@ -42,9 +46,10 @@ SelectionPanel::SelectionPanel(Document& document, std::vector<MaterialPreset> p
     makeMaterialRows();
     connect(&document.selected(), &SelectionModel::changed, this, &SelectionPanel::showRegion);
     connect(&document, &Document::changed, this, [this](Document::Change what) {
-        if (what == Document::Change::Frame && isVisible() && m_sinceSize.elapsed() > sizeInterval)
+        if (what == Document::Change::Frame && (!m_document.isPlaying() || m_sinceSize.elapsed() > m_rest))
             showSize();
     });
+    connect(&store, &MaterialStore::changed, this, &SelectionPanel::listPresets);
 }
 
 void SelectionPanel::makeHead()
@@ -71,7 +76,7 @@ void SelectionPanel::makeRegionRows()
         connect(result, &QPushButton::clicked, this, action);
         return result;
     };
-    m_fix = button("fixRegion", "fix", tr("Fix"), tr("Hold it in place (Shift+X)"), &SelectionPanel::fix);
+    m_fix = button("fixRegion", "fix", tr("Fix"), tr("Hold it in place (Shift+F)"), &SelectionPanel::fix);
     auto* row = new QHBoxLayout;
     row->setSpacing(6);
     row->addWidget(m_fix, 1);
@@ -95,6 +100,7 @@ void SelectionPanel::makeRegionRows()
     m_distance->setRange(0, farthest);
     m_distance->setToolTip(tr("Enter selects the objects that lie no farther from the selection than this"));
     connect(m_distance, &QuantityField::committed, this, &SelectionPanel::withinRequested);
+    m_distance->installEventFilter(this);
     form->addRow(tr("All within"), m_distance);
 }
 
@@ -107,9 +113,7 @@ void SelectionPanel::makeMaterialRows()
     m_preset->setMinimumContentsLength(10);
     m_preset->setMaxVisibleItems(20);
     m_preset->setPlaceholderText(tr("Choose"));
-    for (const MaterialPreset& preset : m_presets)
-        m_preset->addItem(QString::fromStdString(preset.name));
-    m_preset->setCurrentIndex(-1);
+    listPresets();
     connect(m_preset, &QComboBox::activated, this, &SelectionPanel::choosePreset);
     form->addRow(tr("Material"), m_preset);
     for (double Material::*value : shown) {
@@ -131,6 +135,14 @@ void SelectionPanel::makeMaterialRows()
     hint->setProperty("role", "dimmed");
     hint->setWordWrap(true);
     form->addRow(hint);
+}
+
+void SelectionPanel::listPresets()
+{
+    m_preset->clear();
+    for (const MaterialPreset& preset : m_store.all())
+        m_preset->addItem(materialSwatch(preset), QString::fromStdString(preset.name));
+    m_preset->setCurrentIndex(-1);
 }
 
 /// Another selection: its material begins with that of its part.
@@ -158,11 +170,27 @@ void SelectionPanel::showSize()
     if (region.isEmpty() || m_document.isEmpty())
         return;
     m_sinceSize.start();
-    m_words->setText(wordsFor(region, sizeOf(region, m_document.content(), *m_document.frame())));
+    const QString words = wordsFor(region, sizeOf(region, m_document.content(), *m_document.frame()));
+    m_rest = std::max(sizeInterval, restPerReading * m_sinceSize.restart());
+    m_words->setText(words);
+    emit read(words);
     QStringList names;
     for (const auto& [body, items] : region.items)
         names << m_document.nameOfBody(body);
     m_bodies->setText(region.level == Level::Part ? names.join(", ") : tr("of %1").arg(names.join(", ")));
+}
+
+/// Enter also takes the distance that is proposed; the field itself tells only of one that was typed.
+bool SelectionPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_distance && event->type() == QEvent::KeyPress && !m_distance->isModified()) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+            emit withinRequested(m_distance->value());
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void SelectionPanel::fix()
@@ -194,7 +222,7 @@ void SelectionPanel::beginKeeping()
 
 void SelectionPanel::choosePreset(int index)
 {
-    const MaterialPreset& preset = m_presets[static_cast<std::size_t>(index)];
+    const MaterialPreset& preset = m_store.all()[static_cast<std::size_t>(index)];
     m_material = preset.material;
     for (const auto& [value, field] : m_fields)
         field->setValue(m_material.*value);

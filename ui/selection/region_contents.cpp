@@ -247,10 +247,10 @@ Region objectsWithin(const Region& region, double distance, const Content& conte
 
 std::array<ObjectIndex, 2> endsOf(const Aggregate& aggregate, const ConnectionId& connection)
 {
-    Lattice::Node node = aggregate.lattice.nodes[connection.lower];
-    for (std::size_t i = 0; i < 3; ++i)
-        node[i] += Lattice::directions[connection.direction][i];
-    return {connection.lower, aggregate.lattice.find(node)};
+    const std::vector<Lattice::Segment>& segments = aggregate.lattice.segments[connection.direction];
+    const auto next = std::upper_bound(segments.begin(), segments.end(), connection.lower,
+                                       [](ObjectIndex lower, const Lattice::Segment& s) { return lower < s.begin; });
+    return {connection.lower, connection.lower + static_cast<ObjectIndex>(std::prev(next)->offset)};
 }
 
 bool isConnection(const Aggregate& aggregate, Region::Item item)

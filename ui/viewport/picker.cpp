@@ -108,7 +108,20 @@ void SurfacePicker::refit(std::span<const float> points)
     }
 }
 
-std::optional<SurfaceHit> SurfacePicker::pick(const Ray& ray) const
+RayReach reachOf(const Ray& ray, const std::optional<CutPlane>& cut)
+{
+    if (!cut)
+        return {};
+    const double height = cut->distance(ray.origin);
+    const double slope = cut->normal.dot(ray.direction);
+    if (slope == 0)
+        return height > 0 ? RayReach{1, 0} : RayReach{};
+    RayReach reach;
+    (slope > 0 ? reach.to : reach.from) = std::max(-height / slope, slope > 0 ? -1.0 : 0.0);
+    return reach;
+}
+
+std::optional<SurfaceHit> SurfacePicker::pick(const Ray& ray, const RayReach& reach) const
 {
     std::optional<SurfaceHit> best;
     std::vector<std::uint32_t> open{0};
@@ -116,27 +129,28 @@ std::optional<SurfaceHit> SurfacePicker::pick(const Ray& ray) const
         const std::uint32_t n = open.back();
         open.pop_back();
         const Node& node = m_nodes[n];
-        const double limit = best ? best->distance : std::numeric_limits<double>::max();
+        const double limit = best ? best->distance : reach.to;
         if (node.box.isEmpty() || !enter(ray, node.box.min().cast<double>(), node.box.max().cast<double>(), limit))
             continue;
         if (node.right != 0) {
             open.push_back(node.right);
             open.push_back(n + 1);
         } else {
-            intersectLeaf(node, ray, best);
+            intersectLeaf(node, ray, reach, best);
         }
     }
     return best;
 }
 
-void SurfacePicker::intersectLeaf(const Node& node, const Ray& ray, std::optional<SurfaceHit>& best) const
+void SurfacePicker::intersectLeaf(const Node& node, const Ray& ray, const RayReach& reach,
+                                  std::optional<SurfaceHit>& best) const
 {
     for (std::uint32_t i = node.begin; i < node.end; ++i) {
         const std::uint32_t triangle = m_order[i];
         const auto& t = m_mesh.triangles[triangle];
         const auto distance = meet(ray, pointAt(m_points, t[0]).cast<double>(), pointAt(m_points, t[1]).cast<double>(),
                                    pointAt(m_points, t[2]).cast<double>());
-        if (distance && (!best || *distance < best->distance))
+        if (distance && *distance >= reach.from && *distance <= (best ? best->distance : reach.to))
             best = SurfaceHit{*distance, triangle, m_mesh.faceOfTriangle[triangle]};
     }
 }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/geometry/plane_section.h"
 #include "core/mechanics/manipulator.h"
 #include "ui/viewport/camera.h"
 #include "ui/viewport/render_mesh.h"
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -17,6 +19,14 @@ struct SurfaceHit {
     std::uint32_t face = 0; ///< CAD face
 };
 
+/// The part of a ray along which it may meet something, as distances [m].
+struct RayReach {
+    double from = 0;
+    double to = std::numeric_limits<double>::max();
+};
+/// What a section plane leaves of a ray. Empty (from > to) where all of it is cut off.
+RayReach reachOf(const Ray& ray, const std::optional<CutPlane>& cut);
+
 /// Finds where rays meet a deforming surface. The tree of triangles is built once; refit() follows the deformation in
 /// linear time,
 /// which is why picking on a running simulation costs milliseconds. Window thread only.
@@ -28,7 +38,7 @@ public:
     /// @param points as drawn now; must stay alive while picking
     void refit(std::span<const float> points);
 
-    std::optional<SurfaceHit> pick(const Ray& ray) const;
+    std::optional<SurfaceHit> pick(const Ray& ray, const RayReach& reach = {}) const;
 
 private:
     struct Node {
@@ -39,7 +49,7 @@ private:
     };
 
     void build(std::uint32_t begin, std::uint32_t end, const std::vector<Eigen::Vector3f>& centers);
-    void intersectLeaf(const Node& node, const Ray& ray, std::optional<SurfaceHit>& best) const;
+    void intersectLeaf(const Node& node, const Ray& ray, const RayReach& reach, std::optional<SurfaceHit>& best) const;
 
     const RenderMesh& m_mesh;
     std::span<const float> m_points;

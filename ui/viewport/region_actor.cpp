@@ -6,6 +6,7 @@
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkOpenGLSphereMapper.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -69,6 +70,12 @@ void RegionActor::setColor(const Color& color)
 {
     m_parts->lineActor->GetProperty()->SetColor(color.r, color.g, color.b);
     m_parts->objectActor->GetProperty()->SetColor(color.r, color.g, color.b);
+}
+
+void RegionActor::setClipping(vtkPlaneCollection* planes)
+{
+    m_parts->lineMapper->SetClippingPlanes(planes);
+    m_parts->objectMapper->SetClippingPlanes(planes);
 }
 
 void RegionActor::hide()

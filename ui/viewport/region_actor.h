@@ -5,6 +5,7 @@
 
 #include <memory>
 
+class vtkPlaneCollection;
 class vtkRenderer;
 
 namespace knead {
@@ -19,6 +20,7 @@ public:
     RegionActor& operator=(const RegionActor&) = delete;
 
     void setColor(const Color& color);
+    void setClipping(vtkPlaneCollection* planes); ///< as SkinActor
     /// @param scale of objects, in their usual radii
     void show(const Region& region, const ContentBodies& bodies, const Frame& frame, double scale);
     void hide();

@@ -42,14 +42,18 @@ ScreenShape boxShape(const Pixel& a, const Pixel& b)
     return {a, {b.x, a.y}, b, {a.x, b.y}};
 }
 
-ScreenShape diskShape(const Pixel& center, double radius)
+/// Half a circle around each end.
+ScreenShape strokeShape(const Pixel& a, const Pixel& b, double radius)
 {
-    constexpr int corners = 24;
+    constexpr int corners = 12; // of each half
+    const double way = std::atan2(b.y - a.y, b.x - a.x);
     ScreenShape shape;
-    for (int i = 0; i < corners; ++i) {
-        const double angle = 2 * std::numbers::pi * i / corners;
-        shape.push_back({center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)});
-    }
+    for (const auto& [center, start] :
+         {std::pair(b, way - std::numbers::pi / 2), std::pair(a, way + std::numbers::pi / 2)})
+        for (int i = 0; i <= corners; ++i) {
+            const double angle = start + std::numbers::pi * i / corners;
+            shape.push_back({center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)});
+        }
     return shape;
 }
 
@@ -80,11 +84,16 @@ double RegionSight::tolerance() const
     return std::max(0.3 * m_document.content().spacing, 0.004 * m_document.size());
 }
 
+bool RegionSight::isCutOff(const Vec3& place) const
+{
+    return m_cut && m_cut->distance(place) > 0;
+}
+
 /// Nothing lies before a place.
 bool RegionSight::isSeen(const Vec3& place, double tolerance)
 {
     const std::optional<Pixel> pixel = projector()(place);
-    if (!pixel)
+    if (!pixel || isCutOff(place))
         return false;
     const Ray ray = m_camera.ray(*pixel, m_window);
     const PickHit hit = m_picker.pick(ray, true);
@@ -176,7 +185,7 @@ Region RegionSight::objectAt(const Pixel& pixel) const
             const double along = offset.dot(ray.direction);
             const double across = offset.squaredNorm() - along * along;
             const double entry = along - std::sqrt(std::max(0.0, radius * radius - across));
-            if (along > 0 && across <= radius * radius && entry < best) {
+            if (along > 0 && across <= radius * radius && entry < best && !isCutOff(places[object])) {
                 best = entry;
                 region = regionOf(Level::Object, b, {object});
             }
@@ -207,7 +216,7 @@ Region RegionSight::connectionAt(const Pixel& pixel)
             const auto [s, distance] = nearest(pixel, *pixels[lower], *pixels[upper]);
             const Vec3 place = places[lower] + s * (places[upper] - places[lower]);
             const double depth = -(place - m_camera.target).dot(m_camera.towardsEye());
-            if (distance <= connectionReach && depth < best) {
+            if (distance <= connectionReach && depth < best && !isCutOff(place)) {
                 best = depth;
                 region = regionOf(Level::Connection, b, {connectionItem(connection)});
             }

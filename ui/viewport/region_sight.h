@@ -1,9 +1,11 @@
 #pragma once
 
+#include "core/geometry/plane_section.h"
 #include "ui/selection/region.h"
 #include "ui/viewport/projector.h"
 #include "ui/viewport/scene_picker.h"
 
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -13,7 +15,7 @@ namespace knead {
 using ScreenShape = std::vector<Pixel>;
 
 ScreenShape boxShape(const Pixel& a, const Pixel& b);
-ScreenShape diskShape(const Pixel& center, double radius);
+ScreenShape strokeShape(const Pixel& a, const Pixel& b, double radius); ///< that a disk sweeps over from a to b
 bool contains(const ScreenShape& shape, const Pixel& pixel);
 
 /// Finds what is seen at a place of the screen, or within a shape on it. Window thread; some ms for 100,000 triangles.
@@ -32,6 +34,8 @@ public:
     }
     /// Parts that cannot be selected, since nobody sees them.
     void hide(const std::set<std::size_t>& parts) { m_hiddenParts = parts; }
+    /// What a section plane takes away, which nobody sees either.
+    void cut(const std::optional<CutPlane>& plane) { m_cut = plane; }
     void forget() { m_connections.clear(); }
 
     /// The one thing under a pixel, or nothing.
@@ -43,9 +47,12 @@ public:
         bool isThrough = false; ///< also what is hidden behind the skin
     };
     Region within(const ScreenShape& shape, const Query& query);
+    /// What lies under the pixels between two, one for each step.
+    Region along(Level level, const Pixel& from, const Pixel& to, double step);
 
 private:
     bool isShown(BodyId body) const;
+    bool isCutOff(const Vec3& place) const;
     Projector projector() const;
     bool isSeen(const Vec3& place, double tolerance);
     double tolerance() const;
@@ -70,6 +77,7 @@ private:
     Camera m_camera;
     WindowSize m_window;
     std::set<std::size_t> m_hiddenParts;
+    std::optional<CutPlane> m_cut;
     std::map<BodyId, std::vector<ConnectionId>> m_connections; ///< of the surface; found when asked for
 };
 

@@ -29,14 +29,18 @@ RegionTool::RegionTool(Document& document, ScenePicker& picker, QObject* parent)
         if (what != Document::Change::Content)
             return;
         m_sight.forget();
+        giveUp(); // what was selected before is not there any more
+        setHovered({});
+    });
+    connect(&document.selected(), &SelectionModel::levelChanged, this, [this] {
         cancel();
         setHovered({});
     });
-    connect(&document.selected(), &SelectionModel::levelChanged, this, [this] { setHovered({}); });
 }
 
 void RegionTool::setShape(RegionShape shape)
 {
+    cancel();
     m_shape = shape;
     emit drawnChanged();
 }
@@ -59,7 +63,7 @@ void RegionTool::press(const Pixel& pixel, Qt::KeyboardModifiers modifiers)
         setHovered({});
         if (!(modifiers & (Qt::ControlModifier | Qt::ShiftModifier)))
             m_document.selected().clear();
-        paint(pixel);
+        paint(pixel, pixel);
     }
 }
 
@@ -69,13 +73,7 @@ void RegionTool::drag(const Pixel& pixel)
         return;
     m_cursor = pixel;
     if (m_shape == RegionShape::Brush && m_press->isDrawing) {
-        // As far as the radius at a time, so that a fast stroke has no gaps.
-        const double length = distance(m_press->last, pixel);
-        const int steps = std::max(1, static_cast<int>(std::ceil(length / m_brushRadius)));
-        const Pixel from = m_press->last;
-        for (int i = 1; i <= steps; ++i)
-            paint({from.x + (pixel.x - from.x) * i / steps, from.y + (pixel.y - from.y) * i / steps});
-        m_press->last = pixel;
+        paint(std::exchange(m_press->last, pixel), pixel);
         emit drawnChanged();
         return;
     }
@@ -120,17 +118,25 @@ bool RegionTool::cancel()
     const bool wasDrawing = m_press->isDrawing;
     if (wasDrawing && m_shape == RegionShape::Brush)
         m_document.selected().select(m_press->before);
-    m_press.reset();
-    m_drawn.clear();
-    emit drawnChanged();
+    giveUp();
     return wasDrawing;
 }
 
-/// A stroke of the brush adds, or takes away, as it goes.
-void RegionTool::paint(const Pixel& pixel)
+void RegionTool::giveUp()
+{
+    m_press.reset();
+    m_drawn.clear();
+    emit drawnChanged();
+}
+
+/// A stroke of the brush adds, or takes away, as it goes: all that it swept over at a time.
+void RegionTool::paint(const Pixel& from, const Pixel& to)
 {
     using How = SelectionModel::How;
-    const Region found = m_sight.within(diskShape(pixel, m_brushRadius), query());
+    const RegionSight::Query wanted = query();
+    Region found = m_sight.within(strokeShape(from, to, m_brushRadius), wanted);
+    if (wanted.level == Level::Face) // one that is wider than the brush has no corner under it
+        found = united(found, m_sight.along(wanted.level, from, to, m_brushRadius));
     if (!found.isEmpty())
         m_document.selected().select(found, m_press->modifiers & Qt::ShiftModifier ? How::Remove : How::Add);
 }

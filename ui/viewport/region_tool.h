@@ -60,7 +60,8 @@ private:
     };
 
     void setHovered(Region region);
-    void paint(const Pixel& pixel);
+    void giveUp();
+    void paint(const Pixel& from, const Pixel& to);
     void select(const Region& region);
     RegionSight::Query query() const;
 

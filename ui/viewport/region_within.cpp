@@ -11,11 +11,19 @@ namespace {
 
 constexpr double objectTolerance = 1.2; // [a]: objects this deep under the skin are seen
 constexpr std::size_t seenSamples = 16; // places at which a face or an edge is looked for
-constexpr double probesAcross = 24;     // rays along the longer side of a shape
+constexpr double probesAcross = 24;     // rays along each side of a shape, at least 2 pixels apart
 
 Vec3 pointAt(const BodyFrame& frame, std::uint32_t vertex)
 {
     return Eigen::Map<const Eigen::Vector3f>(frame.points.data() + std::size_t{3} * vertex).cast<double>();
+}
+
+Eigen::AlignedBox2d boxOf(const ScreenShape& shape)
+{
+    Eigen::AlignedBox2d box;
+    for (const Pixel& corner : shape)
+        box.extend(Eigen::Vector2d(corner.x, corner.y));
+    return box;
 }
 
 /// A few of many, evenly.
@@ -66,10 +74,11 @@ std::vector<bool> RegionSight::verticesWithin(BodyId body, const ScreenShape& sh
 {
     const BodyFrame& frame = *m_document.frame()->bodies[body];
     const Projector project = projector();
+    const Eigen::AlignedBox2d box = boxOf(shape); // most vertices are far from a brush
     std::vector<bool> result(frame.points.size() / 3);
     for (std::uint32_t v = 0; v < result.size(); ++v)
         if (const std::optional<Pixel> pixel = project(pointAt(frame, v)))
-            result[v] = contains(shape, *pixel);
+            result[v] = box.contains(Eigen::Vector2d(pixel->x, pixel->y)) && contains(shape, *pixel);
     return result;
 }
 
@@ -129,17 +138,29 @@ bool RegionSight::isFaceSeen(BodyId body, std::uint32_t face, const std::vector<
 /// What rays through the shape meet first: a small shape on a large face has none of its vertices in it.
 Region RegionSight::facesUnder(const ScreenShape& shape)
 {
-    Eigen::AlignedBox2d box;
-    for (const Pixel& corner : shape)
-        box.extend(Eigen::Vector2d(corner.x, corner.y));
-    const double step = std::max(2.0, box.sizes().maxCoeff() / probesAcross);
+    const Eigen::AlignedBox2d box = boxOf(shape);
     Region region;
     region.level = Level::Face;
-    for (double x = box.min().x() + step / 2; x < box.max().x(); x += step)
-        for (double y = box.min().y() + step / 2; y < box.max().y(); y += step)
+    if (box.isEmpty())
+        return region;
+    const Eigen::Vector2d step = (box.sizes() / probesAcross).cwiseMax(2.0);
+    for (double x = box.min().x() + step.x() / 2; x < box.max().x(); x += step.x())
+        for (double y = box.min().y() + step.y() / 2; y < box.max().y(); y += step.y())
             if (contains(shape, {x, y}))
                 for (const auto& [body, items] : at(Level::Face, {x, y}).items)
                     region.add(body, items.front());
+    return region;
+}
+
+Region RegionSight::along(Level level, const Pixel& from, const Pixel& to, double step)
+{
+    const int steps = std::max(1, static_cast<int>(std::ceil(std::hypot(to.x - from.x, to.y - from.y) / step)));
+    Region region;
+    region.level = level;
+    for (int i = 0; i <= steps; ++i) {
+        const double share = static_cast<double>(i) / steps;
+        region = united(region, at(level, {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)}));
+    }
     return region;
 }
 
@@ -180,7 +201,7 @@ Region::Items RegionSight::objectsWithin(BodyId body, const ScreenShape& shape, 
     Region::Items objects;
     const auto addIfWithin = [&](ObjectIndex object) {
         const std::optional<Pixel> pixel = project(places[object]);
-        if (pixel && contains(shape, *pixel) &&
+        if (pixel && contains(shape, *pixel) && !isCutOff(places[object]) &&
             (query.isThrough || isSeen(places[object], objectTolerance * content.aggregate->lattice.spacing)))
             objects.push_back(object);
     };
@@ -200,12 +221,13 @@ Region::Items RegionSight::connectionsWithin(BodyId body, const ScreenShape& sha
     const std::vector<Vec3>& places = m_document.frame()->snapshot->bodies[body].positions;
     std::vector<bool> within(places.size());
     for (ObjectIndex object = 0; object < places.size(); ++object)
-        within[object] = isWithin(places[object], shape);
+        within[object] = !isCutOff(places[object]) && isWithin(places[object], shape);
     const auto addFrom = [&](const std::vector<ConnectionId>& all) {
         Region::Items connections;
         for (const ConnectionId& connection : all) {
             const auto [lower, upper] = endsOf(aggregate, connection);
-            if (query.isWhole ? within[lower] && within[upper] : isWithin((places[lower] + places[upper]) / 2, shape))
+            const Vec3 middle = (places[lower] + places[upper]) / 2;
+            if (query.isWhole ? within[lower] && within[upper] : !isCutOff(middle) && isWithin(middle, shape))
                 connections.push_back(connectionItem(connection));
         }
         return connections;

@@ -33,9 +33,11 @@ PickHit ScenePicker::pick(const Ray& ray, bool skipsTools)
     if (m_document.isEmpty())
         return hit;
     follow();
+    const RayReach reach = reachOf(ray, m_cut);
     double nearest = std::numeric_limits<double>::max();
     for (std::uint32_t b = 0; b < m_pickers.size(); ++b)
-        if (const auto found = m_hiddenParts.contains(m_bodies[b]->part) ? std::nullopt : m_pickers[b]->pick(ray);
+        if (const auto found =
+                m_hiddenParts.contains(m_bodies[b]->part) ? std::nullopt : m_pickers[b]->pick(ray, reach);
             found && found->distance < nearest) {
             nearest = found->distance;
             hit = {PickHit::Kind::Body, b, found->triangle, found->face, ray.origin + nearest * ray.direction};

@@ -32,6 +32,8 @@ public:
     void forget();
     /// Parts that nobody sees, by index into Model::parts, are not picked.
     void hide(const std::set<std::size_t>& parts) { m_hiddenParts = parts; }
+    /// Nor is what a section plane takes away.
+    void cut(const std::optional<CutPlane>& plane) { m_cut = plane; }
 
     /// The nearest thing. @param skipsTools looks through tools at the bodies
     PickHit pick(const Ray& ray, bool skipsTools = false);
@@ -43,6 +45,7 @@ private:
     FramePointer m_frame; ///< the trees fit to this one
     ContentBodies m_bodies;
     std::set<std::size_t> m_hiddenParts;
+    std::optional<CutPlane> m_cut;
     std::vector<std::unique_ptr<SurfacePicker>> m_pickers;
 };
 

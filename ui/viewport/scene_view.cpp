@@ -1,19 +1,8 @@
-#include "ui/viewport/scene_view.h"
-
-#include "ui/viewport/grid_actor.h"
-#include "ui/viewport/object_actor.h"
-#include "ui/viewport/open_edges_actor.h"
-#include "ui/viewport/region_actor.h"
-#include "ui/viewport/sight_actors.h"
-#include "ui/viewport/skin_actor.h"
-#include "ui/viewport/tool_actor.h"
-#include "ui/viewport/view_cube.h"
+#include "ui/viewport/scene_view_parts.h"
 
 #include <vtkCamera.h>
 #include <vtkLight.h>
-#include <vtkNew.h>
 #include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 
 #include <algorithm>
 #include <map>
@@ -22,67 +11,11 @@ namespace knead {
 
 namespace {
 
-constexpr double arrowLength = 0.28;   // of the largest force, in sizes of the part
-constexpr double objectRadius = 0.5;   // in spacings
-constexpr double glassOpacity = 0.3;   // of a skin through which one sees what is inside
-constexpr double tint = 0.65;          // share of a mark in the color of a face
-constexpr double selectedTint = 0.8;   // of the selection
-constexpr double selectedScale = 1.06; // of selected objects, so that they cover those that are drawn anyway
-constexpr double hoveredScale = 1.1;
-
-Color mix(const Color& a, const Color& b, double share)
-{
-    const auto s = static_cast<float>(share);
-    return {a.r + s * (b.r - a.r), a.g + s * (b.g - a.g), a.b + s * (b.b - a.b)};
-}
-
-bool isOfFaces(const Region& region)
-{
-    return region.level == Level::Face && !region.isEmpty();
-}
-
-bool isPart(const Region& region, BodyId body)
-{
-    return region.level == Level::Part && region.contains(body, 0);
-}
-
-/// Whether skins look otherwise.
-bool areOthers(const SceneMarks& before, const SceneMarks& after)
-{
-    const auto isSkin = [](const Region& region) { return region.level == Level::Part || isOfFaces(region); };
-    const auto isOther = [&](const Region& a, const Region& b) { return a != b && (isSkin(a) || isSkin(b)); };
-    return before.highlighted != after.highlighted || before.fixed != after.fixed ||
-           before.selectedBody != after.selectedBody || isOther(before.selected, after.selected) ||
-           isOther(before.hovered, after.hovered);
-}
+constexpr double arrowLength = 0.28; // of the largest force, in sizes of the part
+constexpr double objectRadius = 0.5; // in spacings
+constexpr double glassOpacity = 0.3; // of a skin through which one sees what is inside
 
 } // namespace
-
-struct SceneView::Parts {
-    vtkNew<vtkRenderer> renderer;
-    vtkNew<vtkRenderer> front; ///< of all that is in `renderer`: what is selected inside the material
-    std::unique_ptr<ViewCube> cube;
-    std::unique_ptr<GridActor> grid;
-    std::vector<std::unique_ptr<SkinActor>> skins;
-    std::vector<std::unique_ptr<SkinActor>> surfaces;
-    std::unique_ptr<OpenEdgesActor> openEdges;
-    std::unique_ptr<SightActors> sight;
-    std::vector<std::unique_ptr<ObjectActor>> objects; ///< empty while they are not shown
-    std::map<ToolId, std::unique_ptr<ToolActor>> tools;
-
-    /// Selected and hovered edges among the rest, all else in front.
-    struct Regions {
-        explicit Regions(vtkRenderer* renderer)
-            : selected(renderer)
-            , hovered(renderer)
-        {
-        }
-        RegionActor selected;
-        RegionActor hovered;
-    };
-    std::unique_ptr<Regions> within;
-    std::unique_ptr<Regions> inFront;
-};
 
 SceneView::SceneView(vtkRenderWindow* window)
     : m_parts(std::make_unique<Parts>())
@@ -151,6 +84,9 @@ void SceneView::setContent(const Content& content)
     for (const auto& skins : {&m_parts->skins, &m_parts->surfaces})
         for (const auto& skin : *skins)
             skin->setClipping(m_parts->sight->clipping());
+    for (Parts::Regions* regions : {m_parts->within.get(), m_parts->inFront.get()})
+        for (RegionActor* actor : {&regions->selected, &regions->hovered})
+            actor->setClipping(m_parts->sight->clipping());
     m_gridHeight = m_restBox.min().z();
     layGrid();
     colorBodies();
@@ -212,45 +148,6 @@ void SceneView::setOptions(const SceneOptions& options)
         showTools();
 }
 
-void SceneView::setMarks(const SceneMarks& marks)
-{
-    const bool colorsAnew = areOthers(m_marks, marks);
-    m_marks = marks;
-    if (colorsAnew)
-        colorBodies();
-    showRegions();
-    if (m_frame)
-        showTools();
-}
-
-void SceneView::setSight(const SightPointer& sight)
-{
-    if (!sight && !m_sight)
-        return;
-    m_sight = sight;
-    m_scale.reset();
-    if (sight && sight->wish.quantity && sight->wish.quantity == m_options.colors.quantity)
-        m_scale = colorScale(*sight, m_options.colors, [this](std::size_t body) {
-            return !m_options.hiddenParts.contains(m_bodies[body]->part);
-        });
-    m_parts->sight->setSight(sight);
-    colorBodies();
-}
-
-std::optional<ColorScale> SceneView::scale() const
-{
-    return m_scale;
-}
-
-/// @return false: its faces have the colors of the part
-bool SceneView::colorByValues(BodyId body)
-{
-    if (!m_scale || body >= m_sight->values.size())
-        return false;
-    m_parts->skins[body]->setValues(m_sight->values[body], *m_scale);
-    return true;
-}
-
 bool SceneView::isGlass() const
 {
     return m_options.objects != ObjectDisplay::Off || m_options.connections;
@@ -262,59 +159,6 @@ void SceneView::setLooks(const PartLooks& looks)
     m_parts->objects.clear();
     colorBodies();
     showObjects();
-}
-
-/// Objects that are hidden by a skin, and connections, which are hidden by objects, are drawn in front of all.
-void SceneView::showRegions()
-{
-    for (Parts::Regions* regions : {m_parts->within.get(), m_parts->inFront.get()}) {
-        regions->selected.hide();
-        regions->hovered.hide();
-    }
-    m_parts->front->SetDraw(false);
-    if (!m_frame)
-        return;
-    const auto show = [&](const Region& region, RegionActor Parts::Regions::*actor, double scale) {
-        const bool isAmongObjects = region.level == Level::Object && m_options.objects != ObjectDisplay::Off;
-        const bool isInFront = region.level != Level::Edge && !isAmongObjects;
-        Parts::Regions& regions = isInFront ? *m_parts->inFront : *m_parts->within;
-        (regions.*actor).show(region, m_bodies, *m_frame, scale);
-        if (isInFront && (regions.*actor).isShown())
-            m_parts->front->SetDraw(true);
-    };
-    show(m_marks.selected, &Parts::Regions::selected, selectedScale);
-    show(m_marks.hovered, &Parts::Regions::hovered, hoveredScale);
-}
-
-void SceneView::colorBodies()
-{
-    for (BodyId b = 0; b < m_parts->skins.size(); ++b) {
-        const bool isSelected = m_marks.selectedBody == b || isPart(m_marks.selected, b);
-        const bool isHovered = isPart(m_marks.hovered, b);
-        m_parts->skins[b]->setEdges(isHovered    ? m_style.highlight
-                                    : isSelected ? m_style.selectedEdge
-                                                 : m_style.edge,
-                                    isHovered || isSelected ? 1.8F : 1.2F);
-        if (colorByValues(b))
-            continue;
-        const std::size_t part = m_bodies[b]->part;
-        m_parts->skins[b]->setColors([&](std::uint32_t face) {
-            const SceneMarks::Face mark{b, face};
-            Color color = m_looks.faceColor(*m_model, part, face);
-            if (std::count(m_marks.fixed.begin(), m_marks.fixed.end(), mark) > 0)
-                color = mix(color, m_style.fixed, tint);
-            if (isOfFaces(m_marks.selected) && m_marks.selected.contains(b, face))
-                color = mix(color, m_style.selectedEdge, selectedTint);
-            const bool isUnderCursor =
-                m_marks.highlighted == mark || (isOfFaces(m_marks.hovered) && m_marks.hovered.contains(b, face));
-            return isUnderCursor ? mix(color, m_style.highlight, tint) : color;
-        });
-    }
-    for (std::size_t s = 0; s < m_surfaces.size(); ++s) {
-        const std::size_t part = m_surfaces[s]->body->part;
-        m_parts->surfaces[s]->setEdges(m_style.edge, 1.2F);
-        m_parts->surfaces[s]->setColors([&](std::uint32_t face) { return m_looks.faceColor(*m_model, part, face); });
-    }
 }
 
 void SceneView::showBodies()

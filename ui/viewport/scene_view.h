@@ -18,6 +18,7 @@ class vtkRenderWindow;
 
 namespace knead {
 
+class RegionActor;
 class ViewCube;
 
 /// Which objects are drawn as balls.
@@ -114,7 +115,12 @@ private:
     void colorBodies();
     bool colorByValues(BodyId body);
     bool isGlass() const;
+    void tintValues(BodyId body);
     void showRegions();
+    void showSelectedRegion();
+    void showHoveredRegion();
+    void showRegion(const Region& region, RegionActor& within, RegionActor& inFront, double scale);
+    Region shownOf(const Region& region) const;
     void showObjects();
     void showTools();
     void layGrid();

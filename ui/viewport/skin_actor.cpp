@@ -157,6 +157,29 @@ void SkinActor::setValues(std::span<const float> values, const ColorScale& scale
     m_parts->faces->Modified();
 }
 
+void SkinActor::tint(double share, const std::function<std::optional<Color>(std::uint32_t face)>& colorOf)
+{
+    std::unordered_map<std::uint32_t, std::optional<Color>> colors;
+    unsigned char* bytes = m_parts->colors->GetPointer(0);
+    const auto mix = [share](unsigned char& byte, float to) {
+        const float from = static_cast<float>(byte) / 255.0F;
+        byte = byteOf(from + static_cast<float>(share) * (to - from));
+    };
+    for (const std::uint32_t face : m_body->render.face) {
+        const auto [known, isNew] = colors.try_emplace(face);
+        if (isNew)
+            known->second = colorOf(face);
+        if (const std::optional<Color>& color = known->second) {
+            mix(bytes[0], color->r);
+            mix(bytes[1], color->g);
+            mix(bytes[2], color->b);
+        }
+        bytes += 3;
+    }
+    m_parts->colors->Modified();
+    m_parts->faces->Modified();
+}
+
 void SkinActor::setOpacity(double opacity)
 {
     m_parts->faceActor->GetProperty()->SetOpacity(opacity);

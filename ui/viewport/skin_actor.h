@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 
 class vtkPlaneCollection;
@@ -28,6 +29,8 @@ public:
     void setColors(const std::function<Color(std::uint32_t face)>& colorOf);
     /// Colors the surface by numbers at the vertices of ContentBody::mesh.
     void setValues(std::span<const float> values, const ColorScale& scale);
+    /// Mixes the colors of some faces with another, on top of either. @param share of that, 0 .. 1
+    void tint(double share, const std::function<std::optional<Color>(std::uint32_t face)>& colorOf);
     void setOpacity(double opacity);              ///< 0 .. 1; below 1 only what faces the eye is drawn
     void setClipping(vtkPlaneCollection* planes); ///< keeps what is on the positive sides; the list may change later
 

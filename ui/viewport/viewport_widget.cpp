@@ -80,7 +80,9 @@ void ViewportWidget::setOptions(const SceneOptions& options)
 {
     m_options = options;
     m_manipulation->picker().hide(options.hiddenParts);
+    m_manipulation->picker().cut(options.section.plane);
     m_regions->sight().hide(options.hiddenParts);
+    m_regions->sight().cut(options.section.plane);
     m_scene->setOptions(options);
     askForSight();
     requestRender();
@@ -96,7 +98,8 @@ void ViewportWidget::beginContent()
         m_options.divider.reset();
     }
     m_restBox = box;
-    m_options.hiddenParts = m_document.content().hiddenAtFirst();
+    if (std::exchange(m_model, m_document.content().model) != m_document.content().model)
+        m_options.hiddenParts = m_document.content().hiddenAtFirst();
     m_sights->begin(m_document.content().bodies);
     m_scene->setContent(m_document.content());
     m_scene->setLooks(m_document.looks());
@@ -130,7 +133,14 @@ void ViewportWidget::setTurningSmoothly(bool on)
 void ViewportWidget::setFixing(bool on)
 {
     m_manipulation->setFixing(on);
+    m_regions->leave();
     updateMarks();
+}
+
+void ViewportWidget::forgetHover()
+{
+    m_manipulation->leave();
+    m_regions->leave();
 }
 
 void ViewportWidget::setHighlight(const std::optional<SceneMarks::Face>& face)
@@ -168,6 +178,8 @@ void ViewportWidget::documentChanged(Document::Change what)
 void ViewportWidget::lookBack(const FramePointer& frame, const QString& caption)
 {
     m_past = frame;
+    m_regions->cancel(); // one selects in the present
+    m_regions->leave();
     m_caption->setText(caption);
     m_caption->adjustSize();
     m_caption->setVisible(m_past != nullptr);

@@ -31,7 +31,7 @@ public:
     RegionTool& regions() { return *m_regions; } ///< how the left button selects
     bool isFixing() const { return m_manipulation->isFixing(); }
     /// The mouse is busy with something on top of the scene.
-    void forgetHover() { m_manipulation->leave(); }
+    void forgetHover();
     /// What is shown and how, without what is selected or under the mouse.
     SceneLook look() const;
 
@@ -95,6 +95,7 @@ private:
     std::unique_ptr<SceneView> m_scene;
     SightPreparer* m_sights;
     SightOverlay* m_overlay;
+    std::shared_ptr<const Model> m_model;
     Box m_restBox; ///< of the content [m]
     SceneOptions m_options;
     SceneStyle m_style;

@@ -1,0 +1,177 @@
+// How colors of the scene tell what is meant: numbers, what is selected, what is under the cursor, what is fixed.
+#include "ui/viewport/scene_view_parts.h"
+
+#include <algorithm>
+
+namespace knead {
+
+namespace {
+
+constexpr double tint = 0.65;          // share of a mark in the color of a face
+constexpr double selectedTint = 0.8;   // of the selection
+constexpr double valuesTint = 0.5;     // of either over colors that stand for numbers
+constexpr double selectedScale = 1.06; // of selected objects, so that they cover those that are drawn anyway
+constexpr double hoveredScale = 1.1;
+
+Color mix(const Color& a, const Color& b, double share)
+{
+    const auto s = static_cast<float>(share);
+    return {a.r + s * (b.r - a.r), a.g + s * (b.g - a.g), a.b + s * (b.b - a.b)};
+}
+
+bool isOfFaces(const Region& region)
+{
+    return region.level == Level::Face && !region.isEmpty();
+}
+
+bool isPart(const Region& region, BodyId body)
+{
+    return region.level == Level::Part && region.contains(body, 0);
+}
+
+/// Whether skins look otherwise.
+bool areOthers(const SceneMarks& before, const SceneMarks& after)
+{
+    const auto isSkin = [](const Region& region) { return region.level == Level::Part || isOfFaces(region); };
+    const auto isOther = [&](const Region& a, const Region& b) { return a != b && (isSkin(a) || isSkin(b)); };
+    return before.highlighted != after.highlighted || before.fixed != after.fixed ||
+           before.selectedBody != after.selectedBody || isOther(before.selected, after.selected) ||
+           isOther(before.hovered, after.hovered);
+}
+
+} // namespace
+
+void SceneView::setMarks(const SceneMarks& marks)
+{
+    const bool colorsAnew = areOthers(m_marks, marks);
+    const bool isOtherSelected = m_marks.selected != marks.selected;
+    const bool isOtherHovered = m_marks.hovered != marks.hovered;
+    m_marks = marks;
+    if (colorsAnew)
+        colorBodies();
+    if (isOtherSelected)
+        showSelectedRegion();
+    if (isOtherHovered)
+        showHoveredRegion();
+    if (m_frame)
+        showTools();
+}
+
+void SceneView::setSight(const SightPointer& sight)
+{
+    if (!sight && !m_sight)
+        return;
+    m_sight = sight;
+    m_scale.reset();
+    if (sight && sight->wish.quantity && sight->wish.quantity == m_options.colors.quantity)
+        m_scale = colorScale(*sight, m_options.colors, [this](std::size_t body) {
+            return !m_options.hiddenParts.contains(m_bodies[body]->part);
+        });
+    m_parts->sight->setSight(sight);
+    colorBodies();
+}
+
+std::optional<ColorScale> SceneView::scale() const
+{
+    return m_scale;
+}
+
+/// @return false: its faces have the colors of the part
+bool SceneView::colorByValues(BodyId body)
+{
+    if (!m_scale || body >= m_sight->values.size())
+        return false;
+    m_parts->skins[body]->setValues(m_sight->values[body], *m_scale);
+    return true;
+}
+
+void SceneView::showRegions()
+{
+    showSelectedRegion();
+    showHoveredRegion();
+}
+
+/// May be many thousands of objects: not for every move of the mouse.
+void SceneView::showSelectedRegion()
+{
+    showRegion(m_marks.selected, m_parts->within->selected, m_parts->inFront->selected, selectedScale);
+}
+
+void SceneView::showHoveredRegion()
+{
+    showRegion(m_marks.hovered, m_parts->within->hovered, m_parts->inFront->hovered, hoveredScale);
+}
+
+/// Objects that are hidden by a skin, and connections, which are hidden by objects, are drawn in front of all.
+void SceneView::showRegion(const Region& region, RegionActor& within, RegionActor& inFront, double scale)
+{
+    const bool isAmongObjects = region.level == Level::Object && m_options.objects != ObjectDisplay::Off;
+    const bool isWithin = region.level == Level::Edge || isAmongObjects;
+    within.hide();
+    inFront.hide();
+    if (m_frame)
+        (isWithin ? within : inFront).show(shownOf(region), m_bodies, *m_frame, scale);
+    m_parts->front->SetDraw(m_parts->inFront->selected.isShown() || m_parts->inFront->hovered.isShown());
+}
+
+/// What of a region belongs to parts that are not hidden.
+Region SceneView::shownOf(const Region& region) const
+{
+    Region shown = region;
+    std::erase_if(shown.items, [this](const auto& own) {
+        return own.first >= m_bodies.size() || m_options.hiddenParts.contains(m_bodies[own.first]->part);
+    });
+    return shown;
+}
+
+void SceneView::colorBodies()
+{
+    for (BodyId b = 0; b < m_parts->skins.size(); ++b) {
+        const bool isSelected = m_marks.selectedBody == b || isPart(m_marks.selected, b);
+        const bool isHovered = isPart(m_marks.hovered, b);
+        m_parts->skins[b]->setEdges(isHovered    ? m_style.highlight
+                                    : isSelected ? m_style.selectedEdge
+                                                 : m_style.edge,
+                                    isHovered || isSelected ? 1.8F : 1.2F);
+        if (colorByValues(b)) {
+            tintValues(b);
+            continue;
+        }
+        const std::size_t part = m_bodies[b]->part;
+        m_parts->skins[b]->setColors([&](std::uint32_t face) {
+            const SceneMarks::Face mark{b, face};
+            Color color = m_looks.faceColor(*m_model, part, face);
+            if (std::count(m_marks.fixed.begin(), m_marks.fixed.end(), mark) > 0)
+                color = mix(color, m_style.fixed, tint);
+            if (isOfFaces(m_marks.selected) && m_marks.selected.contains(b, face))
+                color = mix(color, m_style.selectedEdge, selectedTint);
+            const bool isUnderCursor =
+                m_marks.highlighted == mark || (isOfFaces(m_marks.hovered) && m_marks.hovered.contains(b, face));
+            return isUnderCursor ? mix(color, m_style.highlight, tint) : color;
+        });
+    }
+    for (std::size_t s = 0; s < m_surfaces.size(); ++s) {
+        const std::size_t part = m_surfaces[s]->body->part;
+        m_parts->surfaces[s]->setEdges(m_style.edge, 1.2F);
+        m_parts->surfaces[s]->setColors([&](std::uint32_t face) { return m_looks.faceColor(*m_model, part, face); });
+    }
+}
+
+/// What is selected or under the cursor is seen over numbers too. Fixed faces keep theirs: stress is highest there.
+void SceneView::tintValues(BodyId body)
+{
+    const auto isFace = [body](const Region& region) { return isOfFaces(region) && region.items.contains(body); };
+    const bool isHighlighted = m_marks.highlighted && m_marks.highlighted->body == body;
+    if (!isHighlighted && !isFace(m_marks.selected) && !isFace(m_marks.hovered))
+        return;
+    m_parts->skins[body]->tint(valuesTint, [&](std::uint32_t face) -> std::optional<Color> {
+        if (m_marks.highlighted == SceneMarks::Face{body, face} ||
+            (isFace(m_marks.hovered) && m_marks.hovered.contains(body, face)))
+            return m_style.highlight;
+        if (isFace(m_marks.selected) && m_marks.selected.contains(body, face))
+            return m_style.selectedEdge;
+        return std::nullopt;
+    });
+}
+
+} // namespace knead
