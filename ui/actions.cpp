@@ -51,7 +51,7 @@ QList<QAction*> makeToolActions(QWidget* window)
         if (look.kind == ToolKind::part)
             continue;
         const QByteArray name = QByteArray("add") + look.name;
-        const char* tip = "Put one above the part to push it with";
+        const char* tip = QT_TRANSLATE_NOOP("Actions", "Put one above the part to push it with");
         const QList<QKeySequence> keys =
             look.kind == ToolKind::box ? QList<QKeySequence>{Qt::Key_B} : QList<QKeySequence>{};
         QAction* action = make(window, {name, look.name, look.icon, keys, tip});
@@ -64,93 +64,145 @@ QList<QAction*> makeToolActions(QWidget* window)
 } // namespace
 
 Actions::Actions(QWidget* window)
-    : open(make(window, {"open", "&Open...", "open", {QKeySequence("Ctrl+O")}, "Open a part, a project or a recipe"}))
-    , openWithChoices(make(window, {"openWithChoices",
-                                    "Open with &choices...",
-                                    nullptr,
-                                    {QKeySequence("Ctrl+Shift+O")},
-                                    "Look into files and choose parts, detail and units before they are opened"}))
-    , save(make(window,
-                {"save", "&Save", "save", {QKeySequence("Ctrl+S")}, "Keep part, history and view in a project file"}))
+    : open(make(window, {"open",
+                         QT_TR_NOOP("&Open..."),
+                         "open",
+                         {QKeySequence("Ctrl+O")},
+                         QT_TR_NOOP("Open a part, a project or a recipe")}))
+    , openWithChoices(
+          make(window, {"openWithChoices",
+                        QT_TR_NOOP("Open with &choices..."),
+                        nullptr,
+                        {QKeySequence("Ctrl+Shift+O")},
+                        QT_TR_NOOP("Look into files and choose parts, detail and units before they are opened")}))
+    , save(make(window, {"save",
+                         QT_TR_NOOP("&Save"),
+                         "save",
+                         {QKeySequence("Ctrl+S")},
+                         QT_TR_NOOP("Keep part, history and view in a project file")}))
     , saveAs(make(window, {"saveAs",
-                           "Save &as...",
+                           QT_TR_NOOP("Save &as..."),
                            nullptr,
                            {QKeySequence("Ctrl+Shift+S")},
-                           "Keep the project in another file and go on with that"}))
-    , recover(make(
-          window,
-          {"recover", "Recover &unsaved work...", nullptr, {}, "Look for work that was not saved when Knead ended"}))
-    , exportMeshes(make(
-          window, {"export", "&Export...", "export", {QKeySequence("Ctrl+E")}, "Write the deformed part to a file"}))
-    , exportRecipe(make(window, {"exportRecipe",
-                                 "Export as &recipe...",
-                                 nullptr,
-                                 {},
-                                 "Write what was done as a recipe, to be read, changed and carried out again"}))
-    , quit(make(window, {"quit", "&Quit", nullptr, {QKeySequence("Ctrl+Q")}}))
-    , undo(make(window, {"undo", "Undo", "undo", {QKeySequence("Ctrl+Z")}}))
-    , redo(make(window, {"redo", "Redo", "redo", {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")}}))
-    , play(make(window, {"play", "Play", "play", {Qt::Key_Space}, "Run or pause the simulation"}))
-    , step(make(window, {"step", "Step", "step", {Qt::Key_Period}, "One time step"}))
-    , reset(make(window, {"reset", "Reset", "reset", {Qt::Key_Backspace, QKeySequence("Ctrl+R")}, "Back to the start"}))
-    , gravity(make(window, {"gravity", "Gravity", "gravity", {Qt::Key_G}, "Let everything weigh something", true}))
-    , floor(make(window, {"floor", "Floor", "floor", {}, "Put a floor under the part", true, true}))
+                           QT_TR_NOOP("Keep the project in another file and go on with that")}))
+    , recover(make(window, {"recover",
+                            QT_TR_NOOP("Recover &unsaved work..."),
+                            nullptr,
+                            {},
+                            QT_TR_NOOP("Look for work that was not saved when Knead ended")}))
+    , exportMeshes(make(window, {"export",
+                                 QT_TR_NOOP("&Export..."),
+                                 "export",
+                                 {QKeySequence("Ctrl+E")},
+                                 QT_TR_NOOP("Write the deformed part to a file")}))
+    , exportRecipe(
+          make(window, {"exportRecipe",
+                        QT_TR_NOOP("Export as &recipe..."),
+                        nullptr,
+                        {},
+                        QT_TR_NOOP("Write what was done as a recipe, to be read, changed and carried out again")}))
+    , quit(make(window, {"quit", QT_TR_NOOP("&Quit"), nullptr, {QKeySequence("Ctrl+Q")}}))
+    , undo(make(window, {"undo", QT_TR_NOOP("Undo"), "undo", {QKeySequence("Ctrl+Z")}}))
+    , redo(make(window, {"redo", QT_TR_NOOP("Redo"), "redo", {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")}}))
+    , play(make(window,
+                {"play", QT_TR_NOOP("Play"), "play", {Qt::Key_Space}, QT_TR_NOOP("Run or pause the simulation")}))
+    , step(make(window, {"step", QT_TR_NOOP("Step"), "step", {Qt::Key_Period}, QT_TR_NOOP("One time step")}))
+    , reset(make(window, {"reset",
+                          QT_TR_NOOP("Reset"),
+                          "reset",
+                          {Qt::Key_Backspace, QKeySequence("Ctrl+R")},
+                          QT_TR_NOOP("Back to the start")}))
+    , gravity(make(window, {"gravity",
+                            QT_TR_NOOP("Gravity"),
+                            "gravity",
+                            {Qt::Key_G},
+                            QT_TR_NOOP("Let everything weigh something"),
+                            true}))
+    , floor(make(window,
+                 {"floor", QT_TR_NOOP("Floor"), "floor", {}, QT_TR_NOOP("Put a floor under the part"), true, true}))
     , recordVideo(make(window, {"recordVideo",
-                                "Record &video...",
+                                QT_TR_NOOP("Record &video..."),
                                 "record",
                                 {},
-                                "Make a video of what was simulated, as the view shows it"}))
-    , recordPictures(make(
-          window,
-          {"recordPictures", "Record p&ictures...", nullptr, {}, "Write what was simulated as a sequence of pictures"}))
+                                QT_TR_NOOP("Make a video of what was simulated, as the view shows it")}))
+    , recordPictures(make(window, {"recordPictures",
+                                   QT_TR_NOOP("Record p&ictures..."),
+                                   nullptr,
+                                   {},
+                                   QT_TR_NOOP("Write what was simulated as a sequence of pictures")}))
     , addTool(makeToolActions(window))
     , renormalize(
-          make(window, {"renormalize",
-                        "Re-normalize",
-                        "renormalize",
-                        {Qt::Key_N},
-                        "The selected body, or every one, takes its present shape for its own: stress is gone, the "
-                        "shape stays"}))
-    , fixFaces(make(
-          window, {"fixFaces", "Fix faces", "fix", {Qt::Key_X}, "Click faces of the part to hold them in place", true}))
-    , remove(make(window, {"remove", "Remove", "delete", {Qt::Key_Delete}, "Remove the selected tool or fixture"}))
-    , cancel(make(window, {"cancel", "Cancel", "close", {Qt::Key_Escape}, "Stop what is being done"}))
-    , fit(make(window, {"fit", "Fit", "fit", {Qt::Key_F}, "Show everything"}))
-    , front(make(window, {"viewFront", "Front", nullptr, {QKeySequence("Num+1")}}))
-    , back(make(window, {"viewBack", "Back", nullptr, {QKeySequence("Ctrl+1")}}))
-    , right(make(window, {"viewRight", "Right", nullptr, {QKeySequence("Num+3")}}))
-    , left(make(window, {"viewLeft", "Left", nullptr, {QKeySequence("Ctrl+3")}}))
-    , top(make(window, {"viewTop", "Top", nullptr, {Qt::Key_7}}))
-    , bottom(make(window, {"viewBottom", "Bottom", nullptr, {QKeySequence("Ctrl+7")}}))
-    , isometric(make(window, {"viewIsometric", "Isometric", nullptr, {Qt::Key_0}}))
-    , perspective(make(window, {"perspective", "Perspective", nullptr, {Qt::Key_5}, nullptr, true, true}))
-    , objects(make(window,
-                   {"objects", "Objects", "objects", {Qt::Key_O}, "Show the objects the material is made of", true}))
-    , allObjects(make(window, {"allObjects", "Inner objects too", nullptr, {QKeySequence("Shift+O")}, nullptr, true}))
-    , edges(make(window, {"edges", "Edges", nullptr, {Qt::Key_E}, nullptr, true, true}))
-    , openEdges(make(
-          window, {"openEdges", "Open edges", nullptr, {}, "Show where surfaces that are not closed end", true, true}))
-    , grid(make(window, {"grid", "Grid", nullptr, {}, nullptr, true, true}))
-    , hide(make(window, {"hide", "Hide or show body", nullptr, {Qt::Key_H}}))
-    , lightTheme(make(window, {"lightTheme", "Light", nullptr, {}, nullptr, true}))
-    , darkTheme(make(window, {"darkTheme", "Dark", nullptr, {}, nullptr, true}))
-    , systemTheme(make(window, {"systemTheme", "As the system", nullptr, {}, nullptr, true}))
+          make(window,
+               {"renormalize",
+                QT_TR_NOOP("Re-normalize"),
+                "renormalize",
+                {Qt::Key_N},
+                QT_TR_NOOP("The selected body, or every one, takes its present shape for its own: stress is gone, the "
+                           "shape stays")}))
+    , fixFaces(make(window, {"fixFaces",
+                             QT_TR_NOOP("Fix faces"),
+                             "fix",
+                             {Qt::Key_X},
+                             QT_TR_NOOP("Click faces of the part to hold them in place"),
+                             true}))
+    , remove(make(window, {"remove",
+                           QT_TR_NOOP("Remove"),
+                           "delete",
+                           {Qt::Key_Delete},
+                           QT_TR_NOOP("Remove the selected tool or fixture")}))
+    , cancel(make(window,
+                  {"cancel", QT_TR_NOOP("Cancel"), "close", {Qt::Key_Escape}, QT_TR_NOOP("Stop what is being done")}))
+    , fit(make(window, {"fit", QT_TR_NOOP("Fit"), "fit", {Qt::Key_F}, QT_TR_NOOP("Show everything")}))
+    , front(make(window, {"viewFront", QT_TR_NOOP("Front"), nullptr, {QKeySequence("Num+1")}}))
+    , back(make(window, {"viewBack", QT_TR_NOOP("Back"), nullptr, {QKeySequence("Ctrl+1")}}))
+    , right(make(window, {"viewRight", QT_TR_NOOP("Right"), nullptr, {QKeySequence("Num+3")}}))
+    , left(make(window, {"viewLeft", QT_TR_NOOP("Left"), nullptr, {QKeySequence("Ctrl+3")}}))
+    , top(make(window, {"viewTop", QT_TR_NOOP("Top"), nullptr, {Qt::Key_7}}))
+    , bottom(make(window, {"viewBottom", QT_TR_NOOP("Bottom"), nullptr, {QKeySequence("Ctrl+7")}}))
+    , isometric(make(window, {"viewIsometric", QT_TR_NOOP("Isometric"), nullptr, {Qt::Key_0}}))
+    , perspective(make(window, {"perspective", QT_TR_NOOP("Perspective"), nullptr, {Qt::Key_5}, nullptr, true, true}))
+    , objects(make(window, {"objects",
+                            QT_TR_NOOP("Objects"),
+                            "objects",
+                            {Qt::Key_O},
+                            QT_TR_NOOP("Show the objects the material is made of"),
+                            true}))
+    , allObjects(make(
+          window, {"allObjects", QT_TR_NOOP("Inner objects too"), nullptr, {QKeySequence("Shift+O")}, nullptr, true}))
+    , edges(make(window, {"edges", QT_TR_NOOP("Edges"), nullptr, {Qt::Key_E}, nullptr, true, true}))
+    , openEdges(make(window, {"openEdges",
+                              QT_TR_NOOP("Open edges"),
+                              nullptr,
+                              {},
+                              QT_TR_NOOP("Show where surfaces that are not closed end"),
+                              true,
+                              true}))
+    , grid(make(window, {"grid", QT_TR_NOOP("Grid"), nullptr, {}, nullptr, true, true}))
+    , hide(make(window, {"hide", QT_TR_NOOP("Hide or show body"), nullptr, {Qt::Key_H}}))
+    , lightTheme(make(window, {"lightTheme", QT_TR_NOOP("Light"), nullptr, {}, nullptr, true}))
+    , darkTheme(make(window, {"darkTheme", QT_TR_NOOP("Dark"), nullptr, {}, nullptr, true}))
+    , systemTheme(make(window, {"systemTheme", QT_TR_NOOP("As the system"), nullptr, {}, nullptr, true}))
     , palette(make(window, {"palette",
-                            "Find a command...",
+                            QT_TR_NOOP("Find a command..."),
                             nullptr,
                             {QKeySequence("Ctrl+K")},
-                            "Find any command by a few of its letters and do it"}))
+                            QT_TR_NOOP("Find any command by a few of its letters and do it")}))
     , preferences(make(window, {"preferences",
-                                "&Preferences...",
+                                QT_TR_NOOP("&Preferences..."),
                                 nullptr,
                                 {QKeySequence("Ctrl+,")},
-                                "Theme, language, units, memory, files, view"}))
-    , shortcuts(make(window, {"shortcuts", "&Keyboard shortcuts...", nullptr, {}, "Give commands other keys"}))
-    , resetLayout(make(window, {"resetLayout", "Reset layout", nullptr, {}, "Put all panels back where they came"}))
-    , fullScreen(make(window, {"fullScreen", "Full screen", nullptr, {Qt::Key_F11}, nullptr, true}))
-    , tour(make(window, {"tour", "&Tour of the window", nullptr, {}, "What is where, in a minute"}))
-    , controls(make(window, {"controls", "Mouse and keys", nullptr, {Qt::Key_F1}}))
-    , about(make(window, {"about", "About Knead"}))
+                                QT_TR_NOOP("Theme, language, units, memory, files, view")}))
+    , shortcuts(make(
+          window,
+          {"shortcuts", QT_TR_NOOP("&Keyboard shortcuts..."), nullptr, {}, QT_TR_NOOP("Give commands other keys")}))
+    , resetLayout(make(
+          window,
+          {"resetLayout", QT_TR_NOOP("Reset layout"), nullptr, {}, QT_TR_NOOP("Put all panels back where they came")}))
+    , fullScreen(make(window, {"fullScreen", QT_TR_NOOP("Full screen"), nullptr, {Qt::Key_F11}, nullptr, true}))
+    , tour(make(window,
+                {"tour", QT_TR_NOOP("&Tour of the window"), nullptr, {}, QT_TR_NOOP("What is where, in a minute")}))
+    , controls(make(window, {"controls", QT_TR_NOOP("Mouse and keys"), nullptr, {Qt::Key_F1}}))
+    , about(make(window, {"about", QT_TR_NOOP("About Knead")}))
 {
     auto* themes = new QActionGroup(window);
     for (QAction* theme : {lightTheme, darkTheme, systemTheme})

@@ -104,7 +104,7 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
-    static constexpr int layoutVersion = 1; ///< of the docks; layouts of another version are not restored
+    static constexpr int layoutVersion = 2; ///< of the docks; layouts of another version are not restored
 
     void makeCenter();
     void makeDocks();
@@ -203,11 +203,13 @@ private:
     ShellPointer newShell();
     void makeShell();
     void listPanels();
+    void listSelectionBar(QMenu& panels);
     void resetLayout();
     void keepHintClear();
     void showPreferences(PreferencesDialog::Page page);
     void applyPreferences();
     void chooseLook(Preferences::Look look);
+    void chooseThreads(int threads);
     void applyLook();
     void sayAllAnew();
     QString whyDisabled(const QAction& action) const;

@@ -4,6 +4,7 @@
 #include "ui/actions.h"
 #include "ui/display.h"
 #include "ui/panels/display_panel.h"
+#include "ui/panels/panel_area.h"
 #include "ui/theme.h"
 
 #include <QDockWidget>
@@ -15,14 +16,9 @@ namespace knead {
 void MainWindow::makeDisplay()
 {
     m_display = new Display(m_document, *m_viewport, *m_actions, this);
-    auto* area = new QScrollArea;
-    area->setWidget(new DisplayPanel(*m_display));
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* dock = new QDockWidget(tr("Display"), this);
     dock->setObjectName("displayDock");
-    dock->setWidget(area);
+    dock->setWidget(scrolled(new DisplayPanel(*m_display)));
     dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
     addDockWidget(Qt::LeftDockWidgetArea, dock);
     if (auto* properties = findChild<QDockWidget*>("propertiesDock")) {

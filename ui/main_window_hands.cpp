@@ -7,6 +7,7 @@
 #include "ui/hands/hands.h"
 #include "ui/panels/force_panel.h"
 #include "ui/panels/log_panel.h"
+#include "ui/panels/panel_area.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
@@ -46,11 +47,7 @@ QDockWidget* makeDock(QMainWindow* window, const QString& title, const char* nam
 void MainWindow::makeHands()
 {
     m_hands = new Hands(this, m_document, *m_viewport);
-    auto* area = new QScrollArea;
-    area->setWidget(m_hands->makePanel());
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    makeDock(this, tr("Hands"), "handsDock", area, "propertiesDock");
+    makeDock(this, tr("Hands"), "handsDock", scrolled(m_hands->makePanel()), "propertiesDock");
     QDockWidget* forces =
         makeDock(this, tr("Forces"), "forcesDock", new ForcePanel(m_document, m_hands->forceTableAction()), "logDock");
     for (const char* first : {"propertiesDock", "logDock"})

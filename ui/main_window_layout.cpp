@@ -6,6 +6,7 @@
 #include "ui/measuring/measuring.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/export_panel.h"
+#include "ui/panels/fitting_tool_bar.h"
 #include "ui/panels/fixture_panel.h"
 #include "ui/panels/history_panel.h"
 #include "ui/panels/home_page.h"
@@ -14,6 +15,7 @@
 #include "ui/panels/material_panel.h"
 #include "ui/panels/model_panel.h"
 #include "ui/panels/model_tree.h"
+#include "ui/panels/panel_area.h"
 #include "ui/panels/performance_panel.h"
 #include "ui/panels/status_readings.h"
 #include "ui/panels/timeline_panel.h"
@@ -27,7 +29,6 @@
 #include <QMenuBar>
 #include <QPainter>
 #include <QScrollArea>
-#include <QScrollBar>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
@@ -53,24 +54,6 @@ QDockWidget* makeDock(QMainWindow* window, const QString& title, const char* nam
     return dock;
 }
 
-/// Scrolls downwards only: it is at least as wide as its panel wants, in whatever language.
-class PanelArea final : public QScrollArea {
-public:
-    QSize minimumSizeHint() const override
-    {
-        const int bar = verticalScrollBar()->sizeHint().width();
-        return {widget()->minimumSizeHint().width() + bar, QScrollArea::minimumSizeHint().height()};
-    }
-
-protected:
-    bool event(QEvent* event) override
-    {
-        if (event->type() == QEvent::LayoutRequest)
-            updateGeometry();
-        return QScrollArea::event(event);
-    }
-};
-
 /// What a low dock is held by: a narrow strip at its left.
 class Grip final : public QWidget {
 public:
@@ -90,16 +73,6 @@ protected:
                 painter.drawEllipse(QRectF(rect()).center() + QPointF(column, 6.0 * row), 1.2, 1.2);
     }
 };
-
-QScrollArea* scrolled(QWidget* panel)
-{
-    auto* area = new PanelArea;
-    area->setWidget(panel);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    return area;
-}
 
 } // namespace
 
@@ -230,17 +203,16 @@ void MainWindow::makeMenus()
 
 void MainWindow::makeToolBar()
 {
-    QToolBar* bar = addToolBar(tr("Tool bar"));
+    auto* bar = new FittingToolBar(tr("Tool bar"), this);
+    addToolBar(bar);
     bar->setObjectName("toolBar");
     bar->setMovable(false);
     bar->setIconSize({20, 20});
-    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    bar->setToolButtonStyle(Qt::ToolButtonIconOnly);
     const Actions& a = *m_actions;
     bar->addActions({a.open, a.save, a.exportMeshes});
     bar->addSeparator();
     bar->addActions({a.undo, a.redo});
-    for (QAction* action : {a.undo, a.redo}) // their texts change
-        qobject_cast<QToolButton*>(bar->widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonIconOnly);
     bar->addSeparator();
     bar->addActions({a.play, a.step, a.reset});
     bar->addSeparator();
@@ -252,7 +224,6 @@ void MainWindow::makeToolBar()
     bar->addActions({m_display->menu()->menuAction(), a.fit});
     const auto buttonOf = [bar](QAction* action) { return qobject_cast<QToolButton*>(bar->widgetForAction(action)); };
     buttonOf(m_display->menu()->menuAction())->setPopupMode(QToolButton::InstantPopup);
-    buttonOf(a.fit)->setToolButtonStyle(Qt::ToolButtonIconOnly); // there must be room for all in a narrow window
     auto* measure = new QToolButton(bar);
     measure->setObjectName("measureButton");
     measure->setIcon(icon("measure"));
@@ -260,6 +231,8 @@ void MainWindow::makeToolBar()
     measure->setPopupMode(QToolButton::InstantPopup);
     measure->setMenu(menuBar()->findChild<QMenu*>("measureMenu"));
     bar->addWidget(measure);
+    bar->setTexts({a.play, m_addTool->menuAction(), a.fixFaces, a.exportMeshes, m_display->menu()->menuAction(), a.open,
+                   a.reset, a.renormalize, a.gravity, a.floor, a.step, a.save});
 }
 
 void MainWindow::makeStatusBar()

@@ -6,6 +6,7 @@
 #include "ui/measuring/measuring.h"
 #include "ui/panels/model_panel.h"
 #include "ui/panels/model_tree.h"
+#include "ui/panels/panel_area.h"
 #include "ui/panels/selection_panel.h"
 #include "ui/selection/region_contents.h"
 #include "ui/selection/selection_model.h"
@@ -67,12 +68,7 @@ void MainWindow::makeSelection()
 {
     m_selection = std::make_unique<SelectionActions>(this);
     m_selectionPanel = new SelectionPanel(m_document, *m_materials);
-    auto* area = new QScrollArea;
-    area->setWidget(m_selectionPanel);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_properties->addWidget(area); // in the order of Selection::Kind
+    m_properties->addWidget(scrolled(m_selectionPanel)); // in the order of Selection::Kind
     m_selectionReading = new QLabel(this);
     m_selectionReading->setObjectName("selectionReading");
     m_selectionReading->setContentsMargins(8, 0, 0, 0);
@@ -133,9 +129,6 @@ void MainWindow::makeSelectionBar()
     row->addWidget(bar);
     row->addWidget(m_pages, 1);
     column->addLayout(row, 1);
-    bar->hide();
-    connect(m_pages, &QStackedWidget::currentChanged, bar,
-            [this, bar] { bar->setVisible(m_pages->currentWidget() == m_viewport); });
 }
 
 void MainWindow::connectSelection()

@@ -5,8 +5,10 @@
 #include "ui/language/language.h"
 #include "ui/panels/home_page.h"
 #include "ui/panels/quantity_field.h"
+#include "ui/panels/simulation_panel.h"
 #include "ui/panels/status_readings.h"
 #include "ui/project/project_keeper.h"
+#include "ui/selection_actions.h"
 #include "ui/shell/about_dialog.h"
 #include "ui/shell/command_palette.h"
 #include "ui/shell/preferences_dialog.h"
@@ -24,6 +26,7 @@
 #include <QMenu>
 #include <QSettings>
 #include <QSpinBox>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
@@ -33,6 +36,7 @@ namespace knead {
 namespace {
 
 constexpr const char* tourSeen = "tour/seen";
+constexpr const char* selectionBarShown = "selectionBar/shown";
 constexpr int pictureDelay = 1500; // until a part that was opened is in view [ms]
 
 } // namespace
@@ -64,6 +68,8 @@ MainWindow::ShellPointer MainWindow::newShell()
 void MainWindow::makeShell()
 {
     listPanels();
+    for (const char* dock : {"measureDock", "probeDock", "forcesDock"}) // come with what one does for the first time
+        findChild<QDockWidget*>(dock)->hide();
     m_shell->layout = saveState();
     m_shell->shortcuts = new Shortcuts(*this);
     m_shell->palette = new CommandPalette(*this, [this](const QAction& action) { return whyDisabled(action); });
@@ -82,6 +88,10 @@ void MainWindow::makeShell()
     connect(m_home, &HomePage::recoverClicked, this, [this] { m_projects->offerRecoveries(true); });
     connect(m_projects.get(), &ProjectKeeper::recoveriesWaiting, m_home, &HomePage::showWaiting);
     connect(m_projects.get(), &ProjectKeeper::recentChanged, this, [this] { keepPicture(m_projects->path()); });
+    connect(findChild<QSpinBox*>("historyMemoryAllowed"), &QSpinBox::valueChanged, this, [this] {
+        if (m_shell->dialog != nullptr)
+            m_shell->dialog->setPreferences(readPreferences());
+    });
     keepHintClear();
 }
 
@@ -103,8 +113,26 @@ void MainWindow::listPanels()
         toggle->setObjectName("show_" + bar->objectName());
         panels->addAction(toggle);
     }
+    listSelectionBar(*panels);
     panels->addSeparator();
     panels->addAction(m_actions->resetLayout);
+}
+
+/// The bar beside the view comes and goes with the view, unless a person does not want it.
+void MainWindow::listSelectionBar(QMenu& panels)
+{
+    auto* bar = findChild<QToolBar*>("selectionBar");
+    QAction* toggle = bar->toggleViewAction();
+    toggle->setObjectName("show_selectionBar");
+    panels.addAction(toggle);
+    connect(toggle, &QAction::triggered, this, [](bool on) { QSettings().setValue(selectionBarShown, on); });
+    const auto follow = [this, bar, toggle] {
+        const bool isView = m_pages->currentWidget() == m_viewport;
+        toggle->setEnabled(isView);
+        bar->setVisible(isView && QSettings().value(selectionBarShown, true).toBool());
+    };
+    connect(m_pages, &QStackedWidget::currentChanged, this, follow);
+    follow();
 }
 
 void MainWindow::resetLayout()
@@ -161,6 +189,7 @@ void MainWindow::applyPreferences()
     m_projects->setKeepingInterval(m_preferences.keepingInterval);
     if (m_services.limitThreads)
         m_services.limitThreads(static_cast<unsigned>(m_preferences.threads));
+    m_simulation->showThreads(m_preferences.threads);
     m_viewport->setSamples(m_preferences.smoothing);
     m_viewport->setTurningSmoothly(m_preferences.turnsSmoothly);
 }
@@ -169,6 +198,15 @@ void MainWindow::chooseLook(Preferences::Look look)
 {
     Preferences chosen = readPreferences();
     chosen.look = look;
+    setPreferences(chosen);
+    if (m_shell->dialog != nullptr)
+        m_shell->dialog->setPreferences(chosen);
+}
+
+void MainWindow::chooseThreads(int threads)
+{
+    Preferences chosen = readPreferences();
+    chosen.threads = threads;
     setPreferences(chosen);
     if (m_shell->dialog != nullptr)
         m_shell->dialog->setPreferences(chosen);
@@ -199,6 +237,8 @@ void MainWindow::sayAllAnew()
     listRecent();
     for (QuantityField* field : findChildren<QuantityField*>())
         field->setValue(field->value());
+    QEvent anew(QEvent::LanguageChange); // for those who put words and numbers together; a language sends another one
+    QApplication::sendEvent(this, &anew);
     if (m_document.isEmpty())
         return;
     for (const Document::Change what :
@@ -225,6 +265,9 @@ QString MainWindow::whyDisabled(const QAction& action) const
         return tr("Pause first.");
     if (&action == a.remove)
         return tr("Select a tool or a fixture first.");
+    const SelectionActions& s = *m_selection;
+    if (QList<const QAction*>{s.within, s.keep, s.fix, s.renormalize, s.glue}.contains(&action))
+        return tr("Select something first.");
     return tr("Not possible now.");
 }
 

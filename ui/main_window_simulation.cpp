@@ -3,6 +3,7 @@
 
 #include "ui/materials/material_store.h"
 #include "ui/panels/banner.h"
+#include "ui/panels/panel_area.h"
 #include "ui/panels/simulation_panel.h"
 #include "ui/panels/status_readings.h"
 
@@ -57,15 +58,10 @@ void MainWindow::makeMaterials()
 
 void MainWindow::makeSimulation()
 {
-    auto* panel = new SimulationPanel(m_document, m_services.limitThreads);
-    auto* area = new QScrollArea;
-    area->setWidget(panel);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* panel = new SimulationPanel(m_document, m_services.limitThreads != nullptr);
     auto* dock = new QDockWidget(tr("Simulation"), this);
     dock->setObjectName("simulationDock");
-    dock->setWidget(area);
+    dock->setWidget(scrolled(panel));
     dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
     addDockWidget(Qt::LeftDockWidgetArea, dock);
     auto* model = findChild<QDockWidget*>("modelDock");
@@ -77,6 +73,7 @@ void MainWindow::makeSimulation()
         if (const FramePointer& frame = m_document.frame())
             m_readings->show(*frame->snapshot);
     });
+    connect(panel, &SimulationPanel::threadsChosen, this, &MainWindow::chooseThreads);
     connect(m_banner, &Banner::otherClicked, this, [this] { m_document.reset(); });
 }
 

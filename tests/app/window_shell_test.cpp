@@ -15,13 +15,18 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QtTest>
+
+#include <algorithm>
 
 using namespace knead;
 
@@ -99,6 +104,19 @@ private slots:
         press(m_window.get(), Qt::Key_K, Qt::ControlModifier); // what was done last comes first
         QTRY_VERIFY(palette()->isVisible());
         QCOMPARE(palette()->shown().front().text, QString("Gravity"));
+    }
+
+    void filesOfLateMayChangeWhileCommandsAreListed()
+    {
+        openExample("bar.step");
+        press(m_window.get(), Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(palette()->isVisible());
+        auto* recent = find<QMenu>("recentMenu");
+        const auto isRecent = [](const ListedAction& one) { return one.text == "bar.step"; };
+        QVERIFY(std::ranges::any_of(palette()->shown(), isRecent));
+        recent->clear();
+        QTest::keyClicks(find<QLineEdit>("paletteField"), "bar");
+        QVERIFY(std::ranges::none_of(palette()->shown(), isRecent));
     }
 
     void whatCannotBeDoneSaysWhyAndIsNotDone()
@@ -268,6 +286,9 @@ private slots:
         openExample("bracket.step");
         press(m_window.get(), Qt::Key_B);
         QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
+        QMap<QString, QString> english;
+        for (const QAction* action : m_window->actions())
+            english[action->objectName()] = action->text();
         action("preferences")->trigger();
         QTRY_VERIFY(dialog() != nullptr);
         pick("preferenceLanguage", "Deutsch");
@@ -288,6 +309,8 @@ private slots:
         const auto untranslated =
             textsLike({"Properties", "Timeline", "Nothing selected.", "Speed limit", "Force limit"});
         QVERIFY2(untranslated.isEmpty(), qPrintable(untranslated.join(", ")));
+        for (const char* name : {"selectAll", "fixSelection", "section", "colorParts", "pull", "compareWithOriginal"})
+            QVERIFY2(action(name)->text() != english[name], name);
         for (const char* code : {"fr", "nl", "en"}) {
             Preferences other = readPreferences();
             other.language = code;
@@ -395,6 +418,57 @@ private slots:
         QCOMPARE(m_window->dockWidgetArea(find<QDockWidget>("timelineDock")), Qt::BottomDockWidgetArea);
         QTRY_VERIFY(std::abs(find<QDockWidget>("propertiesDock")->width() - 300) < 40);
         picture("layout-reset");
+    }
+
+    void panelsOfOccasionComeWithTheOccasion()
+    {
+        for (const char* name : {"measureDock", "probeDock", "forcesDock"})
+            QVERIFY2(find<QDockWidget>(name)->isHidden(), name);
+        action("show_probeDock")->trigger();
+        QVERIFY(find<QDockWidget>("probeDock")->isVisible());
+        m_window->close();
+        m_window.reset();
+        show(m_services);
+        QVERIFY(!find<QDockWidget>("probeDock")->isHidden());
+        action("resetLayout")->trigger();
+        QTRY_VERIFY(find<QDockWidget>("probeDock")->isHidden());
+        openExample("bar.step");
+        action("forcePlot")->trigger();
+        QTRY_VERIFY(find<QDockWidget>("forcesDock")->isVisible());
+        action("placeProbe")->trigger();
+        QTRY_VERIFY(find<QDockWidget>("probeDock")->isVisible());
+    }
+
+    void noButtonFallsOffTheToolBar()
+    {
+        openExample("bar.step");
+        const auto* bar = find<QToolBar>("toolBar");
+        for (const int width : {1280, 1920})
+            for (const char* code : {"de", "fr", "nl", "en"}) {
+                Preferences other = readPreferences();
+                other.language = code;
+                m_window->setPreferences(other);
+                m_window->resize(width, 800);
+                QTRY_COMPARE(m_window->width(), width);
+                QTRY_VERIFY2(bar->findChild<QToolButton*>("measureButton")->geometry().right() < bar->width(), code);
+                QVERIFY2(bar->findChild<QToolButton*>("measureButton")->isVisible(), code);
+            }
+        const auto* play = qobject_cast<QToolButton*>(bar->widgetForAction(action("play")));
+        QCOMPARE(play->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+        picture("tool-bar-wide");
+    }
+
+    void theSelectionBarIsShownWithTheViewAsWished()
+    {
+        const auto* bar = find<QToolBar>("selectionBar");
+        QVERIFY(bar->isHidden());
+        openExample("bar.step");
+        QVERIFY(bar->isVisible());
+        action("show_selectionBar")->trigger();
+        QVERIFY(bar->isHidden());
+        show(m_services);
+        openExample("bar.step");
+        QVERIFY(find<QToolBar>("selectionBar")->isHidden());
     }
 
     void everyPanelIsListed()

@@ -5,7 +5,9 @@
 #include "ui/units.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDialogButtonBox>
+#include <QEvent>
 #include <QHeaderView>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -18,9 +20,15 @@ namespace {
 
 constexpr QSize startSize(620, 560);
 
+/// Translated where the panel of materials has it.
+QString wordOfCore(const char* text)
+{
+    return QCoreApplication::translate("MaterialPanel", text);
+}
+
 QString textOf(double number, Quantity quantity, const char* zero)
 {
-    return number == 0 && *zero != '\0' ? QObject::tr(zero) : formatQuantity(number, quantity);
+    return number == 0 && *zero != '\0' ? wordOfCore(zero) : formatQuantity(number, quantity);
 }
 
 /// "2.5 times"; nothing where one of them means something else than a number.
@@ -83,6 +91,13 @@ MaterialComparisonDialog::MaterialComparisonDialog(std::vector<MaterialPreset> c
     showBoth();
 }
 
+void MaterialComparisonDialog::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        showBoth();
+    QDialog::changeEvent(event);
+}
+
 void MaterialComparisonDialog::showBoth()
 {
     const MaterialPreset& left = m_choices[static_cast<std::size_t>(std::max(0, m_left->currentIndex()))];
@@ -91,7 +106,7 @@ void MaterialComparisonDialog::showBoth()
     m_table->setHeaderLabels(
         {tr("Number"), QString::fromStdString(left.name), QString::fromStdString(right.name), tr("Right by left")});
     for (const MaterialField& field : materialFields())
-        m_table->addTopLevelItem(rowOf(tr(field.name), left.material.*field.value, right.material.*field.value,
+        m_table->addTopLevelItem(rowOf(wordOfCore(field.name), left.material.*field.value, right.material.*field.value,
                                        quantityOfUnit(field.unit), field.zero));
     m_table->addTopLevelItem(
         rowOf(tr("Shear modulus"), left.material.shearModulus(), right.material.shearModulus(), Quantity::Pressure));

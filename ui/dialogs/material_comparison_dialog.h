@@ -18,6 +18,9 @@ public:
     /// @param choices at least one; the first one is shown on the left
     MaterialComparisonDialog(std::vector<MaterialPreset> choices, std::size_t right, QWidget* parent = nullptr);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     void showBoth();
 

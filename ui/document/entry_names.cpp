@@ -11,10 +11,9 @@ namespace knead {
 
 namespace {
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("EntryNames", text);
-}
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(EntryNames)
+};
 
 /// Names what commands do.
 class Namer {
@@ -25,83 +24,97 @@ public:
     {
     }
 
-    QString operator()(const SetMaterial& command) const { return tr("Material of %1").arg(body(command.body)); }
+    QString operator()(const SetMaterial& command) const { return Words::tr("Material of %1").arg(body(command.body)); }
     QString operator()(const SetBodyKind& command) const
     {
-        return (command.kind == BodyKind::rigid  ? tr("%1 becomes rigid")
-                : command.kind == BodyKind::glue ? tr("%1 becomes glue")
-                                                 : tr("%1 becomes deformable"))
+        return (command.kind == BodyKind::rigid  ? Words::tr("%1 becomes rigid")
+                : command.kind == BodyKind::glue ? Words::tr("%1 becomes glue")
+                                                 : Words::tr("%1 becomes deformable"))
             .arg(body(command.body));
     }
-    QString operator()(const Renormalize&) const { return tr("Re-normalize"); }
+    QString operator()(const Renormalize&) const { return Words::tr("Re-normalize"); }
     QString operator()(const SetGravity& command) const
     {
-        return command.gravity.isZero() ? tr("Gravity off") : tr("Gravity on");
+        return command.gravity.isZero() ? Words::tr("Gravity off") : Words::tr("Gravity on");
     }
-    QString operator()(const SetFloor& command) const { return command.height ? tr("Floor on") : tr("Floor off"); }
+    QString operator()(const SetFloor& command) const
+    {
+        return command.height ? Words::tr("Floor on") : Words::tr("Floor off");
+    }
     QString operator()(const AddManipulator& command) const
     {
-        return tr("Add %1").arg(QString::fromStdString(command.manipulator.name));
+        return Words::tr("Add %1").arg(QString::fromStdString(command.manipulator.name));
     }
-    QString operator()(const RemoveManipulator& command) const { return tr("Remove %1").arg(tool(command.tool)); }
+    QString operator()(const RemoveManipulator& command) const
+    {
+        return Words::tr("Remove %1").arg(tool(command.tool));
+    }
     QString operator()(const SetManipulatorMotion& command) const
     {
-        return std::holds_alternative<HoldStill>(command.motion) ? tr("Stop %1").arg(tool(command.tool))
-                                                                 : tr("Push with %1").arg(tool(command.tool));
+        return std::holds_alternative<HoldStill>(command.motion) ? Words::tr("Stop %1").arg(tool(command.tool))
+                                                                 : Words::tr("Push with %1").arg(tool(command.tool));
     }
-    QString operator()(const ReshapeManipulator& command) const { return tr("Change %1").arg(tool(command.tool)); }
-    QString operator()(const PlaceManipulator& command) const { return tr("Move %1").arg(tool(command.tool)); }
+    QString operator()(const ReshapeManipulator& command) const
+    {
+        return Words::tr("Change %1").arg(tool(command.tool));
+    }
+    QString operator()(const PlaceManipulator& command) const { return Words::tr("Move %1").arg(tool(command.tool)); }
     QString operator()(const AddFixture& command) const
     {
-        return tr("Fix %1").arg(QString::fromStdString(command.fixture.name));
+        return Words::tr("Fix %1").arg(QString::fromStdString(command.fixture.name));
     }
-    QString operator()(const RemoveFixture& command) const { return tr("Remove %1").arg(fixture(command.fixture)); }
-    QString operator()(const MoveFixture& command) const { return tr("Move %1").arg(fixture(command.fixture)); }
+    QString operator()(const RemoveFixture& command) const
+    {
+        return Words::tr("Remove %1").arg(fixture(command.fixture));
+    }
+    QString operator()(const MoveFixture& command) const { return Words::tr("Move %1").arg(fixture(command.fixture)); }
     QString operator()(const SetIntegrator& command) const
     {
         switch (command.integrator) {
         case Integrator::semiImplicitEuler:
-            return tr("Semi-implicit steps");
+            return Words::tr("Semi-implicit steps");
         case Integrator::forwardEuler:
-            return tr("Forward steps");
+            return Words::tr("Forward steps");
         case Integrator::implicitEuler:
-            return tr("Implicit steps");
+            return Words::tr("Implicit steps");
         case Integrator::automatic:
             break;
         }
-        return tr("Automatic steps");
+        return Words::tr("Automatic steps");
     }
-    QString operator()(const Reset&) const { return tr("Reset"); }
+    QString operator()(const Reset&) const { return Words::tr("Reset"); }
     QString operator()(const KeepMoment&) const { return {}; }
     QString operator()(const SetPartLook& command) const
     {
-        return command.name.empty() ? tr("Look of a part") : tr("Look of %1").arg(QString::fromStdString(command.name));
+        return command.name.empty() ? Words::tr("Look of a part")
+                                    : Words::tr("Look of %1").arg(QString::fromStdString(command.name));
     }
     QString operator()(const RenameManipulator& command) const
     {
-        return tr("Rename to %1").arg(QString::fromStdString(command.name));
+        return Words::tr("Rename to %1").arg(QString::fromStdString(command.name));
     }
     QString operator()(const RenameFixture& command) const
     {
-        return tr("Rename to %1").arg(QString::fromStdString(command.name));
+        return Words::tr("Rename to %1").arg(QString::fromStdString(command.name));
     }
 
 private:
     QString body(BodyId id) const
     {
-        return id < m_content.bodies.size() ? QString::fromStdString(m_content.bodies[id]->name) : tr("the body");
+        return id < m_content.bodies.size() ? QString::fromStdString(m_content.bodies[id]->name)
+                                            : Words::tr("the body");
     }
     QString tool(ToolId id) const
     {
         const auto found =
             std::find_if(m_now.tools.begin(), m_now.tools.end(), [id](const ToolState& tool) { return tool.id == id; });
-        return found == m_now.tools.end() ? tr("the tool") : QString::fromStdString(found->name);
+        return found == m_now.tools.end() ? Words::tr("the tool") : QString::fromStdString(found->name);
     }
     QString fixture(FixtureId id) const
     {
         const auto found = std::find(m_now.fixtureIds.begin(), m_now.fixtureIds.end(), id);
         return found == m_now.fixtureIds.end()
-                   ? tr("the fixture")
+                   ? Words::tr("the fixture")
                    : QString::fromStdString(
                          m_now.fixtures[static_cast<std::size_t>(found - m_now.fixtureIds.begin())].name);
     }
@@ -198,16 +211,16 @@ QString nameOf(const Command& command, const Content& content, const Snapshot& n
 
 QString simulatedName(double seconds)
 {
-    return tr("Simulate %1").arg(timeText(seconds));
+    return Words::tr("Simulate %1").arg(timeText(seconds));
 }
 
 QString timeText(double seconds)
 {
     if (seconds == 0)
-        return tr("0 s");
+        return Words::tr("0 s");
     if (std::abs(seconds) < 0.0995)
-        return tr("%1 ms").arg(1000 * seconds, 0, 'f', std::abs(seconds) < 0.00995 ? 1 : 0);
-    return tr("%1 s").arg(seconds, 0, 'f', std::abs(seconds) < 9.95 ? 2 : 1);
+        return Words::tr("%1 ms").arg(1000 * seconds, 0, 'f', std::abs(seconds) < 0.00995 ? 1 : 0);
+    return Words::tr("%1 s").arg(seconds, 0, 'f', std::abs(seconds) < 9.95 ? 2 : 1);
 }
 
 QString mergeKeyOf(const Command& command)

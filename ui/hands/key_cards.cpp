@@ -17,10 +17,9 @@ constexpr int wideCap = 40; // of up and down [pixels]
 constexpr int cardWidth = 3 * cap + wideCap + 4 * gap + 2 * padding;
 constexpr int cardHeight = title + 2 * cap + 2 * gap + 2 * padding;
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("KeyCards", text);
-}
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(KeyCards)
+};
 
 /// One card.
 class Card {
@@ -119,7 +118,7 @@ void drawKeyCards(QPainter& painter, const QRect& area, const std::array<QString
         const QRect card(area.left() + static_cast<int>(place) * (cardWidth + 2 * gap), area.top(), cardWidth,
                          cardHeight);
         const bool isUsed = !names[place].isEmpty();
-        const QString name = isUsed ? names[place] : tr("Tool %1: add one").arg(place + 1);
+        const QString name = isUsed ? names[place] : Words::tr("Tool %1: add one").arg(place + 1);
         Card(painter, card, pressed, palette, isUsed).draw(name, keyBindings()[place]);
     }
     const QRect line(area.left(), area.bottom() - foot, area.width(), foot);

@@ -103,9 +103,12 @@ public:
     void items(QTreeWidget& tree)
     {
         for (QTreeWidgetItemIterator item(&tree); *item != nullptr; ++item)
-            for (int i = 0; i < tree.columnCount() && !(*item)->flags().testFlag(Qt::ItemIsEditable); ++i)
-                if (const std::optional<QString> own = m_book.ownPhrase((*item)->text(i), m_contexts, say))
+            for (int i = 0; i < tree.columnCount(); ++i) {
+                (*item)->setToolTip(i, said((*item)->toolTip(i)));
+                const bool isHers = (*item)->flags().testFlag(Qt::ItemIsEditable);
+                if (const auto own = m_book.ownPhrase((*item)->text(i), m_contexts, say); own && !isHers)
                     (*item)->setText(i, *own);
+            }
     }
 
     void headings(QTableWidget& table)

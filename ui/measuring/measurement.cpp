@@ -16,10 +16,9 @@ namespace {
 constexpr int arcPieces = 32;
 constexpr double leastLength = 5e-9; // of what the skin carries, in single precision; below it is rounding [m]
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("Measurement", text);
-}
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(Measurement)
+};
 
 /// A measurement with the bodies where they are, or where they were at rest.
 struct Setting {
@@ -114,7 +113,7 @@ QString remarkOn(const PlaneFit& fit, double size)
 {
     constexpr double flat = 1e-3; // in sizes of the part
     return fit.deviation <= flat * size ? QString()
-                                        : tr("The face is not flat: it is up to %1 away from its mean plane.")
+                                        : Words::tr("The face is not flat: it is up to %1 away from its mean plane.")
                                               .arg(formatReading(fit.deviation, Quantity::Length));
 }
 
@@ -144,7 +143,7 @@ Figure radiusFigure(const Setting& setting)
     const auto circle = circleThrough(setting.place(0), setting.place(1), setting.place(2));
     if (!circle) {
         figure.values.clear();
-        figure.remark = tr("The three places lie on a line: pick others, further around.");
+        figure.remark = Words::tr("The three places lie on a line: pick others, further around.");
         return figure;
     }
     figure.values = {circle->radius};
@@ -161,7 +160,8 @@ Figure radiusOfFaceFigure(const Setting& setting)
     Figure figure{{}, {.points = {clicked}, .label = clicked}, {}};
     const auto fit = fitRound(body.mesh, setting.face(0), setting.places(0), trueVertices(setting.content, body));
     if (!fit) {
-        figure.remark = tr("The face is flat and has no radius: click a round one, or measure with three places.");
+        figure.remark =
+            Words::tr("The face is flat and has no radius: click a round one, or measure with three places.");
         return figure;
     }
     figure.values = {fit->radius, 2 * fit->radius};
@@ -173,7 +173,7 @@ Figure radiusOfFaceFigure(const Setting& setting)
     figure.mark.points.push_back(center);
     constexpr double round = 5e-3; // share of the radius
     if (fit->deviation > round * fit->radius)
-        figure.remark = tr("The face is not quite round: it is up to %1 away from this radius.")
+        figure.remark = Words::tr("The face is not quite round: it is up to %1 away from this radius.")
                             .arg(formatReading(fit->deviation, Quantity::Length));
     return figure;
 }
@@ -198,26 +198,27 @@ std::vector<Reading> namesOf(MeasureKind kind)
     const auto length = [](const QString& name) { return Reading{name, Quantity::Length}; };
     switch (kind) {
     case MeasureKind::point:
-        return {length(tr("Moved")), length(tr("X")), length(tr("Y")), length(tr("Z"))};
+        return {length(Words::tr("Moved")), length(Words::tr("X")), length(Words::tr("Y")), length(Words::tr("Z"))};
     case MeasureKind::distance:
-        return {length(tr("Distance")), length(tr("along X")), length(tr("along Y")), length(tr("along Z"))};
+        return {length(Words::tr("Distance")), length(Words::tr("along X")), length(Words::tr("along Y")),
+                length(Words::tr("along Z"))};
     case MeasureKind::distanceToFace:
-        return {length(tr("Distance"))};
+        return {length(Words::tr("Distance"))};
     case MeasureKind::angle:
     case MeasureKind::angleOfFaces:
-        return {{tr("Angle"), Quantity::Angle}};
+        return {{Words::tr("Angle"), Quantity::Angle}};
     case MeasureKind::radius:
-        return {length(tr("Radius"))};
+        return {length(Words::tr("Radius"))};
     case MeasureKind::radiusOfFace:
-        return {length(tr("Radius")), length(tr("Diameter"))};
+        return {length(Words::tr("Radius")), length(Words::tr("Diameter"))};
     case MeasureKind::box:
-        return {length(tr("Size X")), length(tr("Size Y")), length(tr("Size Z"))};
+        return {length(Words::tr("Size X")), length(Words::tr("Size Y")), length(Words::tr("Size Z"))};
     case MeasureKind::mass:
-        return {{tr("Volume"), Quantity::Volume},
-                {tr("Mass"), Quantity::Mass},
-                length(tr("Center of mass X")),
-                length(tr("Center of mass Y")),
-                length(tr("Center of mass Z"))};
+        return {{Words::tr("Volume"), Quantity::Volume},
+                {Words::tr("Mass"), Quantity::Mass},
+                length(Words::tr("Center of mass X")),
+                length(Words::tr("Center of mass Y")),
+                length(Words::tr("Center of mass Z"))};
     }
     return {};
 }
@@ -384,7 +385,7 @@ Measured measured(const Measurement& measurement, const Content& content, const 
 
 QString nameOf(const Measurement& measurement)
 {
-    return QStringLiteral("%1 %2").arg(tr(lookOf(measurement.kind).text)).arg(measurement.number);
+    return QStringLiteral("%1 %2").arg(Words::tr(lookOf(measurement.kind).text)).arg(measurement.number);
 }
 
 } // namespace knead

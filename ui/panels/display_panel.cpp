@@ -27,9 +27,10 @@ constexpr double least = 1e-6;    // difference between its ends, in sizes of th
 /// A box that is the action in another form.
 QCheckBox* boxFor(QAction* action, QWidget* parent)
 {
-    auto* box = new QCheckBox(QString(action->text()).remove('&'), parent);
+    auto* box = new QCheckBox(parent);
     box->setObjectName(action->objectName() + "Box");
     const auto follow = [box, action] {
+        box->setText(QString(action->text()).remove('&'));
         box->setChecked(action->isChecked());
         box->setEnabled(action->isEnabled());
         box->setToolTip(action->toolTip());

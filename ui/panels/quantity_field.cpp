@@ -160,6 +160,8 @@ void QuantityField::restore()
 
 void QuantityField::showProblem(const QString& problem)
 {
+    if (!hasProblem())
+        m_tip = toolTip(); // as whoever set it says it now
     m_problem = problem;
     setToolTip(problem.isEmpty() ? m_tip : problem);
     setProperty("problem", hasProblem()); // the style sheet draws the mark

@@ -8,6 +8,7 @@
 #include "ui/theme.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
@@ -121,12 +122,12 @@ void SelectionPanel::makeMaterialRows()
             makeField(quantityOfUnit(row.unit), QStringLiteral("region_") + QString::fromLatin1(row.key), this);
         field->setRange(row.minimum, row.maximum);
         if (*row.zero != '\0')
-            field->setZeroText(tr(row.zero));
+            field->setZeroText(QCoreApplication::translate("MaterialPanel", row.zero));
         connect(field, &QuantityField::committed, this, [this, value](double number) {
             m_material.*value = number;
             postMaterial({});
         });
-        form->addRow(tr(row.name), field);
+        form->addRow(QCoreApplication::translate("MaterialPanel", row.name), field);
         m_fields.emplace_back(value, field);
     }
     auto* hint =

@@ -3,8 +3,8 @@
 #include "ui/panels/form.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QLabel>
-#include <QSettings>
 #include <QThread>
 
 #include <algorithm>
@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::array<double, 9> speeds{0.01, 0.05, 0.1, 0.25, 0.5, 1, 2, 4, 10};
 constexpr int realTime = 5; // index
-constexpr const char* threadsSetting = "threads";
 constexpr double largestGravity = 1e4; // [m/s^2]
 
 struct Planet {
@@ -48,7 +47,7 @@ std::optional<double> common(const std::vector<Material>& materials, double Mate
 
 } // namespace
 
-SimulationPanel::SimulationPanel(Document& document, std::function<void(unsigned)> limitThreads, QWidget* parent)
+SimulationPanel::SimulationPanel(Document& document, bool choosesThreads, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
 {
@@ -58,8 +57,8 @@ SimulationPanel::SimulationPanel(Document& document, std::function<void(unsigned
     makeGravityRows(form);
     makeDampingRows(form);
     makeStepRows(form);
-    if (limitThreads)
-        makeThreadRow(form, std::move(limitThreads));
+    if (choosesThreads)
+        makeThreadRow(form);
     connect(&document, &Document::changed, this, &SimulationPanel::documentChanged);
     setEnabled(false);
 }
@@ -108,7 +107,7 @@ void SimulationPanel::makeDampingRows(QFormLayout* form)
             std::find_if(fields.begin(), fields.end(), [value](const auto& f) { return f.value == value; });
         QuantityField* edit = makeField(quantityOfUnit(field->unit), name, this);
         edit->setRange(field->minimum, field->maximum);
-        const QString label = tr(field->name);
+        const QString label = QCoreApplication::translate("MaterialPanel", field->name);
         connect(edit, &QuantityField::committed, this,
                 [this, value, label](double number) { commitDamping(value, number, label); });
         form->addRow(label, edit);
@@ -138,23 +137,22 @@ void SimulationPanel::makeStepRows(QFormLayout* form)
     form->addRow(m_integratorReason);
 }
 
-void SimulationPanel::makeThreadRow(QFormLayout* form, std::function<void(unsigned)> limitThreads)
+void SimulationPanel::makeThreadRow(QFormLayout* form)
 {
     const int most = std::max(1, QThread::idealThreadCount());
-    QComboBox* choice = makeChoice("threads", this);
-    choice->addItem(tr("All %1").arg(most));
+    m_threads = makeChoice("threads", this);
+    m_threads->addItem(tr("All %1").arg(most));
     for (int threads = 1; threads < most; ++threads)
-        choice->addItem(QString::number(threads));
-    choice->setToolTip(tr("How many threads compute; the results are the same bits with any number"));
-    const int kept = QSettings().value(threadsSetting, 0).toInt();
-    choice->setCurrentIndex(kept < choice->count() ? kept : 0);
-    if (choice->currentIndex() > 0)
-        limitThreads(static_cast<unsigned>(choice->currentIndex()));
-    connect(choice, &QComboBox::activated, this, [limit = std::move(limitThreads)](int threads) {
-        QSettings().setValue(threadsSetting, threads);
-        limit(static_cast<unsigned>(threads));
-    });
-    form->addRow(tr("Threads"), choice);
+        m_threads->addItem(QString::number(threads));
+    m_threads->setToolTip(tr("How many threads compute; the results are the same bits with any number"));
+    connect(m_threads, &QComboBox::activated, this, &SimulationPanel::threadsChosen);
+    form->addRow(tr("Threads"), m_threads);
+}
+
+void SimulationPanel::showThreads(int threads)
+{
+    if (m_threads != nullptr)
+        m_threads->setCurrentIndex(threads < m_threads->count() ? threads : 0);
 }
 
 void SimulationPanel::documentChanged(Document::Change what)

@@ -5,7 +5,6 @@
 #include <QWidget>
 
 #include <array>
-#include <functional>
 #include <optional>
 
 class QComboBox;
@@ -20,21 +19,25 @@ class QuantityField;
 class SimulationPanel final : public QWidget {
     Q_OBJECT
 public:
-    /// @param limitThreads see Services::limitThreads; null: there is no such choice
-    SimulationPanel(Document& document, std::function<void(unsigned)> limitThreads, QWidget* parent = nullptr);
+    /// @param choosesThreads whether one can say how many threads compute
+    SimulationPanel(Document& document, bool choosesThreads, QWidget* parent = nullptr);
+
+    /// @param threads that compute; 0: all that the machine has
+    void showThreads(int threads);
 
     /// The gravity that its switch turns on: as it was last, else that of the earth, downwards [m/s^2].
     Vec3 wantedGravity() const { return m_wantedGravity; }
 
 signals:
     void speedChanged(double ratio);
+    void threadsChosen(int threads); ///< as in showThreads()
 
 private:
     void makeTimeRows(QFormLayout* form);
     void makeGravityRows(QFormLayout* form);
     void makeDampingRows(QFormLayout* form);
     void makeStepRows(QFormLayout* form);
-    void makeThreadRow(QFormLayout* form, std::function<void(unsigned)> limitThreads);
+    void makeThreadRow(QFormLayout* form);
     void documentChanged(Document::Change what);
     void showState();
     void showGravity(const Vec3& gravity);
@@ -56,6 +59,7 @@ private:
     QuantityField* m_shapeDamping = nullptr;
     QComboBox* m_integrator = nullptr;
     QLabel* m_integratorReason = nullptr;
+    QComboBox* m_threads = nullptr; ///< null: no such choice
     std::optional<Integrator> m_postedIntegrator; ///< until a snapshot shows it
 };
 

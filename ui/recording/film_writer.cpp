@@ -22,10 +22,9 @@ constexpr int quality = 2;                     // the best of 0..2
 constexpr qint64 leastRoom = qint64{32} << 20; // that is left on the disk [bytes]; VTK does not tell when there is none
 constexpr int digits = 4;                      // of the number in the name of a picture
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("FilmWriter", text);
-}
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(FilmWriter)
+};
 
 [[noreturn]] void fail(const QString& sentence)
 {
@@ -37,7 +36,7 @@ void requireRoom(const std::string& path)
     const QString folder = QFileInfo(QFile::decodeName(path.c_str())).absolutePath();
     const QStorageInfo disk(folder);
     if (disk.isValid() && disk.bytesAvailable() < leastRoom)
-        fail(tr("There is no room left in %1. Free some, or record fewer or smaller pictures.").arg(folder));
+        fail(Words::tr("There is no room left in %1. Free some, or record fewer or smaller pictures.").arg(folder));
 }
 
 class VideoWriter final : public FilmWriter {
@@ -67,7 +66,7 @@ public:
         m_isOpen = true;
         m_writer->Write();
         if (m_writer->GetError() != 0)
-            fail(tr("%1 cannot be written. Choose another place.").arg(QFile::decodeName(m_path.c_str())));
+            fail(Words::tr("%1 cannot be written. Choose another place.").arg(QFile::decodeName(m_path.c_str())));
     }
 
     void finish() override
@@ -102,7 +101,7 @@ public:
     {
         if (std::filesystem::exists(m_folder) &&
             !(std::filesystem::is_directory(m_folder) && std::filesystem::is_empty(m_folder)))
-            fail(tr("%1 is there already. Choose another name for the folder of pictures.").arg(name(m_folder)));
+            fail(Words::tr("%1 is there already. Choose another name for the folder of pictures.").arg(name(m_folder)));
         makeFolder();
     }
 
@@ -118,7 +117,7 @@ public:
         const QString number = QString::number(++m_count).rightJustified(digits, '0');
         const QString file = QStringLiteral("%1/%2-%3.png").arg(name(m_path), name(m_folder.filename()), number);
         if (!picture.save(file))
-            fail(tr("%1 cannot be written: is there room on the disk?").arg(file));
+            fail(Words::tr("%1 cannot be written: is there room on the disk?").arg(file));
     }
 
     void finish() override
@@ -126,7 +125,7 @@ public:
         std::error_code error;
         std::filesystem::rename(m_path, m_folder, error);
         if (error)
-            fail(tr("%1 cannot be made: %2.").arg(name(m_folder), QString::fromStdString(error.message())));
+            fail(Words::tr("%1 cannot be made: %2.").arg(name(m_folder), QString::fromStdString(error.message())));
         m_path.clear();
     }
 
@@ -143,7 +142,7 @@ private:
             if (std::filesystem::create_directory(path, error))
                 m_path = path;
             else if (error)
-                fail(tr("No folder can be made in %1: %2. Choose another place.")
+                fail(Words::tr("No folder can be made in %1: %2. Choose another place.")
                          .arg(name(m_folder.parent_path()), QString::fromStdString(error.message())));
         }
     }

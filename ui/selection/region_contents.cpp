@@ -152,10 +152,9 @@ private:
     std::unordered_map<std::uint64_t, std::vector<Vec3>> m_places;
 };
 
-QString tr(const char* text, int count = -1)
-{
-    return QCoreApplication::translate("Region", text, nullptr, count);
-}
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(Region)
+};
 
 } // namespace
 
@@ -197,21 +196,21 @@ QString wordsFor(const Region& region, const RegionSize& size)
     const bool isOne = size.count == 1;
     switch (region.level) {
     case Level::Part:
-        return (isOne ? tr("1 part, %2") : tr("%1 parts, %2").arg(count))
+        return (isOne ? Words::tr("1 part, %2") : Words::tr("%1 parts, %2").arg(count))
             .replace("%2", formatReading(size.volume, Quantity::Volume));
     case Level::Face:
-        return (isOne ? tr("1 face, %2") : tr("%1 faces, %2").arg(count))
+        return (isOne ? Words::tr("1 face, %2") : Words::tr("%1 faces, %2").arg(count))
             .replace("%2", formatReading(size.area, Quantity::Area));
     case Level::Edge:
-        return (isOne ? tr("1 edge, %2") : tr("%1 edges, %2").arg(count))
+        return (isOne ? Words::tr("1 edge, %2") : Words::tr("%1 edges, %2").arg(count))
             .replace("%2", formatReading(size.length, Quantity::Length));
     case Level::Object:
-        return (isOne ? tr("1 object, %2") : tr("%1 objects, %2").arg(count))
+        return (isOne ? Words::tr("1 object, %2") : Words::tr("%1 objects, %2").arg(count))
             .replace("%2", formatReading(size.volume, Quantity::Volume));
     case Level::Connection:
         break;
     }
-    return (isOne ? tr("1 connection, %2") : tr("%1 connections, %2").arg(count))
+    return (isOne ? Words::tr("1 connection, %2") : Words::tr("%1 connections, %2").arg(count))
         .replace("%2", formatReading(size.length, Quantity::Length));
 }
 

@@ -180,6 +180,7 @@ std::vector<ListedAction> CommandPalette::shown() const
 
 void CommandPalette::list(const QString& wanted)
 {
+    std::erase_if(m_actions, [](const ListedAction& one) { return one.action == nullptr; });
     std::vector<Ranked> found;
     for (const ListedAction& one : m_actions)
         if (std::optional<Ranked> ranked = rank(one, wanted, m_lastDone.indexOf(one.action->objectName())))

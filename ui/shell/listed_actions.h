@@ -1,17 +1,18 @@
 #pragma once
 
+#include <QAction>
+#include <QPointer>
 #include <QString>
 
 #include <vector>
 
-class QAction;
 class QMainWindow;
 
 namespace knead {
 
 /// An action as a person finds it.
 struct ListedAction {
-    QAction* action = nullptr;
+    QPointer<QAction> action; ///< null once it is gone, as those of files of late
     QString text; ///< without marks for keys and dots: "Export"
     QString menu; ///< that it is in: "File › Open recent"; empty: in none
 };

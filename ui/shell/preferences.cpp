@@ -1,6 +1,7 @@
 #include "ui/shell/preferences.h"
 
 #include <QSettings>
+#include <QThread>
 
 #include <algorithm>
 #include <array>
@@ -73,6 +74,11 @@ Listing listed(const Preferences& preferences)
 }
 
 } // namespace
+
+int mostThreads()
+{
+    return std::max(1, QThread::idealThreadCount());
+}
 
 Preferences readPreferences()
 {

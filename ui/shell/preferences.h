@@ -25,6 +25,9 @@ struct Preferences {
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
+/// What the machine computes at once with all its threads, at least 1.
+int mostThreads();
+
 /// Numbers out of range, as another program may have written them, come back as they would without.
 Preferences readPreferences();
 /// What is as it comes is not written, so that a later version may come with something better.

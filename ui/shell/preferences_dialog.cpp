@@ -17,7 +17,6 @@
 #include <QVBoxLayout>
 
 #include <cmath>
-#include <thread>
 
 namespace knead {
 
@@ -138,8 +137,9 @@ void PreferencesDialog::addMemoryPage()
         setPreferences(m_now); // whole seconds
     });
     addNote(form, tr("After a crash, no more than this and two seconds are lost."));
-    QSpinBox* threads = addNumber(form, tr("Threads"), "preferenceThreads", {}, 0, 1024, &Preferences::threads);
-    threads->setSpecialValueText(tr("All (%1)").arg(std::thread::hardware_concurrency()));
+    QSpinBox* threads =
+        addNumber(form, tr("Threads"), "preferenceThreads", {}, 0, mostThreads(), &Preferences::threads);
+    threads->setSpecialValueText(tr("All (%1)").arg(mostThreads()));
     addNote(form, tr("That compute. The results are the same for any number."));
 }
 
@@ -254,7 +254,8 @@ void PreferencesDialog::change(const std::function<void(Preferences&)>& edit)
 {
     if (m_isFilling)
         return;
-    const Preferences before = m_now;
+    const Preferences before = readPreferences(); // panels choose some of them, too
+    m_now = before;
     edit(m_now);
     if (m_now != before)
         emit changed(m_now);

@@ -137,9 +137,10 @@ void ShortcutsPage::fill()
         }
         auto* item = new QTreeWidgetItem(menu, {one.text});
         item->setIcon(TextColumn, one.action->icon().isNull() ? blank() : one.action->icon());
-        item->setData(TextColumn, Qt::UserRole, QVariant::fromValue<QObject*>(one.action));
+        item->setData(TextColumn, Qt::UserRole, QVariant::fromValue<QObject*>(one.action.data()));
         showKeys(one.action);
     }
+    filter(m_search->text());
 }
 
 /// Keys that are not as they came are bold.
