@@ -38,6 +38,7 @@ class ProjectKeeper;
 class MaterialPanel;
 class MaterialStore;
 class ModelTree;
+class Modes;
 struct SelectionActions;
 class SelectionPanel;
 class SimulationPanel;
@@ -218,6 +219,7 @@ private:
     TaskRunner m_tasks;
     Document m_document;
     std::unique_ptr<Actions> m_actions;
+    Modes* m_modes; ///< of the left mouse button
     std::unique_ptr<SelectionActions> m_selection;
     SelectionPanel* m_selectionPanel = nullptr;
     QLabel* m_selectionReading = nullptr;

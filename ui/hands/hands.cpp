@@ -18,9 +18,9 @@ Hands::Hands(QWidget* window, Document& document, ViewportWidget& view)
     , m_window(window)
     , m_document(document)
     , m_view(view)
-    , m_gizmoHand(new GizmoHand(document, view, m_settings))
     , m_keyHand(new KeyHand(document, view, m_settings))
     , m_pullHand(new PullHand(document, view, m_settings))
+    , m_gizmoHand(new GizmoHand(document, view, m_settings))
     , m_spaceHand(new SpaceHand(document, view, m_settings))
 {
     makeActions();
@@ -120,14 +120,11 @@ void Hands::listen(const ListenToSpaceMouse& listen)
     m_spaceHand->listen(listen);
 }
 
-bool Hands::leaveMode()
+bool Hands::leaveKeys()
 {
-    for (QAction* mode : {m_pull, m_keys})
-        if (mode->isChecked()) {
-            mode->setChecked(false);
-            return true;
-        }
-    return false;
+    const bool wereOn = m_keys->isChecked();
+    m_keys->setChecked(false);
+    return wereOn;
 }
 
 QString Hands::hint() const

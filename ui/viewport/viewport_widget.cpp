@@ -133,6 +133,20 @@ void ViewportWidget::setFixing(bool on)
     updateMarks();
 }
 
+void ViewportWidget::setMode(std::optional<Qt::CursorShape> cursor)
+{
+    m_mode = cursor;
+    m_manipulation->leave();
+    m_regions->leave();
+    updateMarks();
+}
+
+Qt::CursorShape ViewportWidget::usualCursor() const
+{
+    const Qt::CursorShape cursor = m_manipulation->cursor();
+    return cursor == Qt::ArrowCursor ? m_mode.value_or(cursor) : cursor;
+}
+
 void ViewportWidget::setHighlight(const std::optional<SceneMarks::Face>& face)
 {
     if (std::exchange(m_highlight, face) != face)
@@ -200,7 +214,7 @@ void ViewportWidget::updateMarks()
         marks.highlighted = m_highlight;
     marks.fixed = fixedFaces();
     m_scene->setMarks(marks);
-    setCursor(m_manipulation->cursor());
+    setCursor(usualCursor());
     requestRender();
 }
 
@@ -350,9 +364,9 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event)
         return;
     if (isForTools(event->position()))
         m_manipulation->press(rayAt(event->position()));
-    else
+    else if (!m_mode)
         m_regions->press(pixelOf(event->position()), event->modifiers());
-    setCursor(m_manipulation->cursor());
+    setCursor(usualCursor());
 }
 
 /// The rest of the view is for selecting.
@@ -366,7 +380,7 @@ void ViewportWidget::hover(const QPointF& position)
 {
     m_manipulation->hover(rayAt(position));
     m_regions->sight().look(m_camera, window());
-    if (m_manipulation->isFixing() || m_manipulation->hovered().kind == PickHit::Kind::Tool)
+    if (m_mode || m_manipulation->isFixing() || m_manipulation->hovered().kind == PickHit::Kind::Tool)
         m_regions->leave();
     else
         m_regions->hover(pixelOf(position));
@@ -397,7 +411,7 @@ void ViewportWidget::mouseReleaseEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::MiddleButton) {
         m_isNavigating = false;
-        setCursor(m_manipulation->cursor());
+        setCursor(usualCursor());
     } else if (event->button() == Qt::LeftButton) {
         if (m_regions->isPressed())
             m_regions->release();
