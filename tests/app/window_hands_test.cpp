@@ -276,6 +276,20 @@ private slots:
         key(Qt::Key_F3);
     }
 
+    void handlesAndForcesAreShownAsBefore()
+    {
+        openBar();
+        key(Qt::Key_F3);
+        key(Qt::Key_F8);
+        openBar(); // in another window
+        QVERIFY(!action("gizmo")->isChecked());
+        QVERIFY(!action("forces")->isChecked());
+        QVERIFY(!view().options().forces);
+        key(Qt::Key_F3);
+        key(Qt::Key_F8);
+        QVERIFY(view().options().forces);
+    }
+
     void eachToolHasKeysOfItsOwn()
     {
         openWithBlock();

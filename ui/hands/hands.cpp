@@ -73,24 +73,32 @@ void Hands::connectActions()
         m_pullHand->setOn(on);
         emit modeChanged();
     });
-    connect(m_spaceMouse, &QAction::toggled, this, [this](bool on) {
-        HandChoices choices = m_settings.choices();
-        choices.spaceMouseDrivesTool = on;
-        m_settings.set(choices);
-    });
-    const auto showSpaceMouse = [this] { m_spaceMouse->setChecked(m_settings.choices().spaceMouseDrivesTool); };
-    connect(&m_settings, &HandSettings::changed, this, showSpaceMouse);
-    showSpaceMouse();
     connect(m_forces, &QAction::toggled, this, [this](bool on) {
         SceneOptions options = m_view.options();
         options.forces = on;
         m_view.setOptions(options);
     });
+    keep(m_gizmo, &HandChoices::handles);
+    keep(m_forces, &HandChoices::forces);
+    keep(m_spaceMouse, &HandChoices::spaceMouseDrivesTool);
     connect(m_pullHand, &PullHand::refused, this, &Hands::problem);
     connect(&m_document, &Document::changed, this, [this](Document::Change what) {
         if (what == Document::Change::Content)
             enable();
     });
+}
+
+/// The action shows a choice of the person, and is one way to make it.
+void Hands::keep(QAction* action, bool HandChoices::*choice)
+{
+    connect(action, &QAction::toggled, this, [this, choice](bool on) {
+        HandChoices choices = m_settings.choices();
+        choices.*choice = on;
+        m_settings.set(choices);
+    });
+    const auto show = [this, action, choice] { action->setChecked(m_settings.choices().*choice); };
+    connect(&m_settings, &HandSettings::changed, this, show);
+    show();
 }
 
 void Hands::enable()

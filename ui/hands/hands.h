@@ -52,6 +52,7 @@ private:
                   const QString& tip, bool isCheckable = true);
     void makeActions();
     void connectActions();
+    void keep(QAction* action, bool HandChoices::*choice);
     void enable();
 
     QWidget* m_window;
