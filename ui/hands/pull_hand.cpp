@@ -83,7 +83,7 @@ bool PullHand::mousePressed(QMouseEvent& event)
 void PullHand::begin(const PickHit& hit)
 {
     const Snapshot& now = *m_document.frame()->snapshot;
-    const QString name = QString::fromStdString(m_document.content().bodies[hit.id]->name);
+    const QString name = m_document.nameOfBody(hit.id);
     if (now.bodies[hit.id].kind != BodyKind::deformable) {
         emit refused(tr("%1 does not deform: make it deformable in the properties, or push it with a tool.").arg(name));
         return;
