@@ -4,6 +4,7 @@
 #include "ui/display.h"
 #include "ui/hands/hands.h"
 #include "ui/measuring/measuring.h"
+#include "ui/modes.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/home_page.h"
 #include "ui/panels/import_panel.h"
@@ -34,6 +35,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     : QMainWindow(parent)
     , m_services(std::move(services))
     , m_actions(std::make_unique<Actions>(this))
+    , m_modes(new Modes(this))
 {
     m_document.setTasks(&m_tasks);
     m_document.history().setPacking(m_services.packing);
@@ -112,7 +114,8 @@ void MainWindow::connectSimulationActions()
             m_viewport->setFocus(); // the arrow keys shall drive it
         });
     connect(m_actions->fixFaces, &QAction::toggled, m_viewport, &ViewportWidget::setFixing);
-    connect(m_actions->fixFaces, &QAction::toggled, this, &MainWindow::showHint);
+    m_modes->add(m_actions->fixFaces);
+    connect(m_modes, &Modes::changed, this, &MainWindow::showHint);
     connect(m_actions->remove, &QAction::triggered, &m_document, &Document::removeSelected);
     connect(m_material, &MaterialPanel::refillRequested, this, &MainWindow::refill);
     connect(m_timeline, &TimelinePanel::looked, m_viewport, &ViewportWidget::lookBack);
@@ -203,7 +206,7 @@ void MainWindow::contentChanged()
     const bool isSimulated = !content.bodies.empty();
     m_actions->setDocumentOpen(true, isSimulated);
     m_addTool->setEnabled(isSimulated);
-    m_actions->fixFaces->setChecked(false);
+    m_modes->leave();
     showSurroundings();
     m_readings->setVisible(isSimulated);
     m_viewport->setFocus();
@@ -310,21 +313,19 @@ void MainWindow::setFloor(bool on)
     m_document.post(command);
 }
 
-/// Esc: gives up what is being drawn, else stops the task, else comes back from the past, else leaves the mode, else selects
-/// nothing.
+/// Esc: gives up what the mouse draws or drags, else stops the task, else leaves the mode, else comes back from the past, else
+/// selects nothing.
 void MainWindow::cancel()
 {
-    if (m_viewport->regions().cancel())
+    if (m_viewport->cancelDrag())
         return;
     if (m_tasks.isRunning())
         m_tasks.cancel();
+    else if (m_modes->leave())
+        return;
     else if (m_timeline->isLookingBack())
         m_timeline->stopLooking();
-    else if (m_measuring->tool().isPicking())
-        m_measuring->tool().stop();
-    else if (m_actions->fixFaces->isChecked())
-        m_actions->fixFaces->setChecked(false);
-    else if (!m_hands->leaveMode())
+    else if (!m_hands->leaveKeys())
         m_document.select({});
 }
 

@@ -39,6 +39,7 @@ class ProjectKeeper;
 class MaterialPanel;
 class MaterialStore;
 class ModelTree;
+class Modes;
 struct SelectionActions;
 class SelectionPanel;
 class SimulationPanel;
@@ -132,7 +133,6 @@ private:
     void makeSelectionMenus();
     void makeSelectionBar();
     void connectSelection();
-    void leaveModes();
     void connectTree();
     void fillTreeMenu(QMenu& menu, int type) const;
     void showLevel();
@@ -225,6 +225,7 @@ private:
     TaskRunner m_tasks;
     Document m_document;
     std::unique_ptr<Actions> m_actions;
+    Modes* m_modes; ///< of the left mouse button
     std::unique_ptr<SelectionActions> m_selection;
     SelectionPanel* m_selectionPanel = nullptr;
     QLabel* m_selectionReading = nullptr;

@@ -5,6 +5,7 @@
 #include "ui/document/force_record.h"
 #include "ui/hands/hand_panel.h"
 #include "ui/hands/hands.h"
+#include "ui/modes.h"
 #include "ui/panels/force_panel.h"
 #include "ui/panels/log_panel.h"
 #include "ui/panels/panel_area.h"
@@ -66,15 +67,7 @@ void MainWindow::connectHands()
     connect(m_hands, &Hands::modeChanged, this, &MainWindow::showHint);
     connect(m_hands, &Hands::problem, this, [this](const QString& sentence) { showProblem(sentence); });
     connect(m_hands->forceTableAction(), &QAction::triggered, this, &MainWindow::askForForces);
-    // One mode of the left button at a time.
-    connect(m_hands->pullAction(), &QAction::toggled, this, [this](bool on) {
-        if (on)
-            m_actions->fixFaces->setChecked(false);
-    });
-    connect(m_actions->fixFaces, &QAction::toggled, this, [this](bool on) {
-        if (on)
-            m_hands->pullAction()->setChecked(false);
-    });
+    m_modes->add(m_hands->pullAction());
     m_hands->listen(m_services.spaceMouse);
 }
 

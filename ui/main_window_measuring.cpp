@@ -47,7 +47,7 @@ QString endingOf(const QString& filter)
 
 void MainWindow::makeMeasuring()
 {
-    m_measuring = new Measuring(m_document, *m_viewport, this);
+    m_measuring = new Measuring(m_document, *m_viewport, *m_modes, this);
     auto* dock = new QDockWidget(tr("Measurements"), this);
     dock->setObjectName("measureDock");
     dock->setWidget(&m_measuring->panel());
@@ -58,13 +58,8 @@ void MainWindow::makeMeasuring()
     tabifyDockWidget(log, dock);
     log->raise();
     connect(&m_measuring->tool(), &PickTool::begun, this, [this, dock] {
-        m_actions->fixFaces->setChecked(false);
         dock->show();
         dock->raise();
-    });
-    connect(m_actions->fixFaces, &QAction::toggled, &m_measuring->tool(), [this](bool on) {
-        if (on)
-            m_measuring->tool().stop();
     });
     connect(m_measuring, &Measuring::promptChanged, this, &MainWindow::showHint);
     const auto refused = std::make_shared<QString>();

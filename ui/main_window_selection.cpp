@@ -137,12 +137,12 @@ void MainWindow::connectSelection()
     SelectionModel& selected = m_document.selected();
     for (QAction* level : s.levels)
         connect(level, &QAction::triggered, this, [this, level] {
-            leaveModes();
+            m_modes->leave();
             m_document.selected().setLevel(static_cast<Level>(level->data().toInt()));
         });
     for (QAction* shape : s.shapes)
         connect(shape, &QAction::triggered, this, [this, shape] {
-            leaveModes();
+            m_modes->leave();
             m_viewport->regions().setShape(static_cast<RegionShape>(shape->data().toInt()));
         });
     RegionTool& regions = m_viewport->regions();
@@ -180,14 +180,6 @@ void MainWindow::connectSelection()
     });
     connect(m_selectionPanel, &SelectionPanel::read, m_selectionReading, &QLabel::setText);
     showLevel();
-}
-
-/// Who chooses what clicks select wants to select with them.
-void MainWindow::leaveModes()
-{
-    m_measuring->tool().stop();
-    m_actions->fixFaces->setChecked(false);
-    m_hands->pullAction()->setChecked(false);
 }
 
 void MainWindow::connectTree()

@@ -357,7 +357,7 @@ private slots:
     void theDividerHasTheOriginalLeftAndThePresentRight()
     {
         stretchBar();
-        QTest::keyClick(m_window.get(), Qt::Key_1);
+        QTest::keyClick(m_window.get(), Qt::Key_1, Qt::KeypadModifier);
         QTest::qWait(400);
         const auto added = view().widgetPosition(Vec3(0.17, 0, 0.01))->toPoint(); // where only the stretched bar is
         const QColor material = shot().pixelColor(added);

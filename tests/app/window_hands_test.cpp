@@ -189,6 +189,107 @@ private slots:
         QVERIFY(!gizmo().gizmo().has_value());
     }
 
+    void theLeftButtonHasOneModeAtATimeWhichEscLeaves()
+    {
+        openWithBlock();
+        const QStringList all = {"pull", "fixFaces", "measureDistance", "measureAngle", "placeProbe"};
+        const auto on = [&] {
+            QStringList names;
+            for (const QString& name : all)
+                if (action(name.toLatin1())->isChecked())
+                    names << name;
+            return names;
+        };
+        for (const QString& mode : all + QStringList(all.rbegin(), all.rend() - 1) + all) {
+            if (!on().contains(mode))
+                action(mode.toLatin1())->trigger();
+            QCOMPARE(on(), QStringList(mode));
+            QVERIFY(!gizmo().gizmo().has_value()); // its handles could not be taken
+            QCOMPARE(m_window->hands().pull().isOn(), mode == "pull");
+            QCOMPARE(view().isFixing(), mode == "fixFaces");
+        }
+        key(Qt::Key_Escape);
+        QVERIFY(on().isEmpty());
+        QVERIFY(gizmo().gizmo().has_value()); // the tool is selected as before
+        QCOMPARE(view().cursor().shape(), Qt::ArrowCursor);
+        // Beside the part a mode of its own selects nothing.
+        key(Qt::Key_F6);
+        QCOMPARE(view().cursor().shape(), Qt::PointingHandCursor);
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, QPoint(12, view().height() / 2));
+        QCOMPARE(document().selection().kind, Selection::Kind::Tool);
+        openExample("bar.step", 12); // another part begins without
+        QVERIFY(on().isEmpty());
+        QVERIFY(!view().hasMode());
+    }
+
+    void whatIsDraggedWhenAModeBeginsEndsAsItBegan()
+    {
+        openWithBlock();
+        const Vec3 start = tool().pose.position;
+        press(handle(GizmoPart::moveX));
+        drag(QPoint(-40, 0));
+        key(Qt::Key_M);
+        QVERIFY(gizmo().isDragging());
+        drag(QPoint(-60, 0));
+        release();
+        QVERIFY(!gizmo().isDragging());
+        QVERIFY(!document().isInGesture());
+        QTRY_VERIFY((tool().pose.position - start).norm() > 0.001);
+        QVERIFY(action("measureDistance")->isChecked());
+    }
+
+    void twoFastPressesOnAHandleAreForTheHandle()
+    {
+        openWithBlock();
+        QTest::mouseDClick(&view(), Qt::LeftButton, {}, handle(GizmoPart::moveX));
+        QCOMPARE(document().selection().kind, Selection::Kind::Tool);
+        QVERIFY(!gizmo().isDragging());
+    }
+
+    void unitsAreTypedIntoAHandleAlsoWhileKeysDriveTools()
+    {
+        openWithBlock();
+        const Vec3 start = tool().pose.position;
+        key(Qt::Key_F4);
+        press(handle(GizmoPart::moveX));
+        QTest::keyClicks(&view(), "2e-3 m"); // E drives the second tool
+        QTest::keyClick(&view(), Qt::Key_Return);
+        release();
+        QTRY_VERIFY((tool().pose.position - start - Vec3(0.002, 0, 0)).norm() < 1e-12);
+    }
+
+    void escPutsAToolThatIsDraggedByItselfBack()
+    {
+        openWithBlock();
+        const std::uint64_t before = digest();
+        const std::size_t entries = tree().records().size();
+        key(Qt::Key_F3); // without handles
+        press(view().widgetPosition(tool().pose.position)->toPoint());
+        drag(QPoint(40, 0));
+        QTRY_VERIFY(digestOf(snapshot()) != before);
+        QTest::keyClick(&view(), Qt::Key_Escape);
+        drag(QPoint(80, 0));
+        release();
+        QTRY_COMPARE(digestOf(snapshot()), before);
+        settle();
+        QCOMPARE(tree().records().size(), entries);
+        key(Qt::Key_F3);
+    }
+
+    void handlesAndForcesAreShownAsBefore()
+    {
+        openBar();
+        key(Qt::Key_F3);
+        key(Qt::Key_F8);
+        openBar(); // in another window
+        QVERIFY(!action("gizmo")->isChecked());
+        QVERIFY(!action("forces")->isChecked());
+        QVERIFY(!view().options().forces);
+        key(Qt::Key_F3);
+        key(Qt::Key_F8);
+        QVERIFY(view().options().forces);
+    }
+
     void eachToolHasKeysOfItsOwn()
     {
         openWithBlock();
@@ -199,7 +300,7 @@ private slots:
         settle();
         key(Qt::Key_F4);
         QTRY_VERIFY(find<QWidget>("keyCards")->isVisible());
-        key(Qt::Key_1);
+        key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
         QTest::qWait(500);
         // One step for a press while time stands still.
@@ -251,7 +352,7 @@ private slots:
         place(1, Vec3(0.04, 0, 0.02));
         settle();
         key(Qt::Key_F4);
-        key(Qt::Key_1);
+        key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
         QTest::qWait(500);
         document().select({Selection::Kind::Tool, snapshot().tools[1].id});
@@ -286,7 +387,7 @@ private slots:
     {
         openBar();
         fixOneEnd();
-        key(Qt::Key_1);
+        key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
         QTest::qWait(500);
         settle();
@@ -363,7 +464,7 @@ private slots:
         openWithBlock();
         fixOneEnd();
         document().select({Selection::Kind::Tool, snapshot().tools[0].id});
-        key(Qt::Key_1);
+        key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
         QTest::qWait(500);
         m_window->exportForces(m_folder.filePath("early.csv"));

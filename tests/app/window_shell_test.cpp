@@ -59,6 +59,23 @@ private slots:
 
     // --- commands -------------------------------------------------------------------------------------------------------
 
+    void noKeyIsForTwoActions()
+    {
+        QHash<QString, QString> holders;
+        const auto give = [&](const QKeySequence& key, const QString& holder) {
+            const QString text = key.toString(QKeySequence::PortableText);
+            QVERIFY2(text.isEmpty() || !holders.contains(text),
+                     qPrintable(text + ": " + holders[text] + ", " + holder));
+            holders[text] = holder;
+        };
+        for (const QAction* menu : m_window->menuBar()->actions())
+            give(QKeySequence::mnemonic(menu->text()), menu->text());
+        for (const ListedAction& one : listedActions(*m_window))
+            for (const QKeySequence& key : one.action->shortcuts())
+                give(key, one.action->objectName());
+        QVERIFY(holders.size() > 60);
+    }
+
     void everyActionIsInAMenuAndThePaletteAndSaysItsKeys()
     {
         press(m_window.get(), Qt::Key_K, Qt::ControlModifier);

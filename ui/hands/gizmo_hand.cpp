@@ -75,7 +75,9 @@ std::optional<Gizmo> GizmoHand::gizmo() const
 {
     const Selection& selection = m_document.selection();
     const ToolState* tool = selection.kind == Selection::Kind::Tool ? m_document.tool(selection.id) : nullptr;
-    if (!m_isOn || tool == nullptr || m_view.isLookingBack() || m_view.isFixing())
+    if (!m_isOn || tool == nullptr || m_view.isLookingBack())
+        return {};
+    if (!m_drag && (m_view.isFixing() || m_view.hasMode()))
         return {};
     Pose frame = tool->pose;
     if (!m_settings.choices().ownAxes)
@@ -90,14 +92,16 @@ void GizmoHand::setLit(GizmoPart part)
     if (part != GizmoPart::none)
         m_view.forgetHover();
     m_lit = part;
-    m_view.setCursor(part == GizmoPart::none ? Qt::ArrowCursor : Qt::PointingHandCursor);
+    m_view.setCursor(part == GizmoPart::none ? m_view.usualCursor() : Qt::PointingHandCursor);
     m_overlay->refresh();
 }
 
 bool GizmoHand::mousePressed(QMouseEvent& event)
 {
-    if (m_drag)
-        return event.button() == Qt::LeftButton || event.button() == Qt::RightButton;
+    if (m_drag && event.button() == Qt::RightButton)
+        return true;
+    if (m_drag && event.button() == Qt::LeftButton) // the number that was typed holds
+        finish();
     const std::optional<Gizmo> handles = gizmo();
     if (event.button() != Qt::LeftButton || !handles)
         return false;
@@ -150,6 +154,10 @@ Quantity GizmoHand::quantity() const
 /// Sends the tool to where mouse and keys want it.
 void GizmoHand::follow(bool isSnapped)
 {
+    if (!m_document.isInGesture()) { // undone under the hand
+        letGo();
+        return;
+    }
     m_isSnapped = isSnapped;
     GizmoAmount asked = m_drag->byMouse;
     if (isSnapped)

@@ -30,6 +30,8 @@ HandSettings::HandSettings(QObject* parent)
     read(settings, "hands/pullStiffness", 0, 1e12, m_choices.pullStiffness);
     read(settings, "hands/pullLimit", 0, 1e12, m_choices.pullLimit);
     read(settings, "hands/spaceMouseRate", 0.1, 10, m_choices.spaceMouseRate);
+    m_choices.handles = settings.value("hands/handles", true).toBool();
+    m_choices.forces = settings.value("hands/forces", true).toBool();
     m_choices.ownAxes = settings.value("hands/ownAxes", false).toBool();
     m_choices.spaceMouseDrivesTool = settings.value("hands/spaceMouseDrivesTool", false).toBool();
 }
@@ -40,6 +42,8 @@ void HandSettings::set(const HandChoices& choices)
         return;
     m_choices = choices;
     QSettings settings;
+    settings.setValue("hands/handles", choices.handles);
+    settings.setValue("hands/forces", choices.forces);
     settings.setValue("hands/moveStep", choices.moveStep);
     settings.setValue("hands/turnStep", choices.turnStep);
     settings.setValue("hands/keyStep", choices.keyStep);

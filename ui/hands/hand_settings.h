@@ -8,6 +8,9 @@ namespace knead {
 
 /// How hands move tools and pull material. A value; SI.
 struct HandChoices {
+    bool handles = true; ///< shown on the selected tool
+    bool forces = true;  ///< shown on tools
+
     double moveStep = 0.001;     ///< to which moves snap with Ctrl [m], > 0
     double turnStep = 0.0872665; ///< to which turns snap with Ctrl [rad], > 0
     bool ownAxes = false;        ///< handles along the tool's own axes, not the world's

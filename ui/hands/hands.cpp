@@ -18,9 +18,9 @@ Hands::Hands(QWidget* window, Document& document, ViewportWidget& view)
     , m_window(window)
     , m_document(document)
     , m_view(view)
-    , m_gizmoHand(new GizmoHand(document, view, m_settings))
     , m_keyHand(new KeyHand(document, view, m_settings))
     , m_pullHand(new PullHand(document, view, m_settings))
+    , m_gizmoHand(new GizmoHand(document, view, m_settings))
     , m_spaceHand(new SpaceHand(document, view, m_settings))
 {
     makeActions();
@@ -73,24 +73,32 @@ void Hands::connectActions()
         m_pullHand->setOn(on);
         emit modeChanged();
     });
-    connect(m_spaceMouse, &QAction::toggled, this, [this](bool on) {
-        HandChoices choices = m_settings.choices();
-        choices.spaceMouseDrivesTool = on;
-        m_settings.set(choices);
-    });
-    const auto showSpaceMouse = [this] { m_spaceMouse->setChecked(m_settings.choices().spaceMouseDrivesTool); };
-    connect(&m_settings, &HandSettings::changed, this, showSpaceMouse);
-    showSpaceMouse();
     connect(m_forces, &QAction::toggled, this, [this](bool on) {
         SceneOptions options = m_view.options();
         options.forces = on;
         m_view.setOptions(options);
     });
+    keep(m_gizmo, &HandChoices::handles);
+    keep(m_forces, &HandChoices::forces);
+    keep(m_spaceMouse, &HandChoices::spaceMouseDrivesTool);
     connect(m_pullHand, &PullHand::refused, this, &Hands::problem);
     connect(&m_document, &Document::changed, this, [this](Document::Change what) {
         if (what == Document::Change::Content)
             enable();
     });
+}
+
+/// The action shows a choice of the person, and is one way to make it.
+void Hands::keep(QAction* action, bool HandChoices::*choice)
+{
+    connect(action, &QAction::toggled, this, [this, choice](bool on) {
+        HandChoices choices = m_settings.choices();
+        choices.*choice = on;
+        m_settings.set(choices);
+    });
+    const auto show = [this, action, choice] { action->setChecked(m_settings.choices().*choice); };
+    connect(&m_settings, &HandSettings::changed, this, show);
+    show();
 }
 
 void Hands::enable()
@@ -120,14 +128,11 @@ void Hands::listen(const ListenToSpaceMouse& listen)
     m_spaceHand->listen(listen);
 }
 
-bool Hands::leaveMode()
+bool Hands::leaveKeys()
 {
-    for (QAction* mode : {m_pull, m_keys})
-        if (mode->isChecked()) {
-            mode->setChecked(false);
-            return true;
-        }
-    return false;
+    const bool wereOn = m_keys->isChecked();
+    m_keys->setChecked(false);
+    return wereOn;
 }
 
 QString Hands::hint() const

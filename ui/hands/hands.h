@@ -31,8 +31,8 @@ public:
     void addTo(QMenu* menu) const;
     void listen(const ListenToSpaceMouse& listen);
 
-    /// Leaves the mode that was entered last. @return whether there was one
-    bool leaveMode();
+    /// Gives the keys back to the window. @return whether they drove tools
+    bool leaveKeys();
     QString hint() const; ///< on what the mouse does now; empty: as always
     QAction* pullAction() const { return m_pull; }
     QAction* forceTableAction() const { return m_forceTable; }
@@ -52,15 +52,16 @@ private:
                   const QString& tip, bool isCheckable = true);
     void makeActions();
     void connectActions();
+    void keep(QAction* action, bool HandChoices::*choice);
     void enable();
 
     QWidget* m_window;
     Document& m_document;
     ViewportWidget& m_view;
     HandSettings m_settings;
-    GizmoHand* m_gizmoHand; // owned by the view, as the others
-    KeyHand* m_keyHand;
+    KeyHand* m_keyHand; // owned by the view, as the others
     PullHand* m_pullHand;
+    GizmoHand* m_gizmoHand; // asked first: numbers are typed into it while keys drive other tools
     SpaceHand* m_spaceHand;
     QAction* m_gizmo = nullptr;
     QAction* m_keys = nullptr;

@@ -52,7 +52,7 @@ const ToolState* KeyHand::tool(std::size_t place) const
 bool KeyHand::wantsKey(const QKeyEvent& event) const
 {
     const bool isPlain = !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
-    return m_isOn && isPlain && boundKey(event.key()).has_value();
+    return m_isOn && isPlain && !m_view.isLookingBack() && boundKey(event.key()).has_value();
 }
 
 double KeyHand::slowness() const
@@ -62,7 +62,7 @@ double KeyHand::slowness() const
 
 bool KeyHand::keyPressed(QKeyEvent& event)
 {
-    if (!wantsKey(event) || m_view.isLookingBack())
+    if (!wantsKey(event))
         return false;
     m_isSlow = event.modifiers() & Qt::ShiftModifier;
     const BoundKey key = *boundKey(event.key());

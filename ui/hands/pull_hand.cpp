@@ -44,7 +44,7 @@ void PullHand::setOn(bool on)
     if (!on && m_pull)
         end();
     m_isOn = on;
-    m_view.setCursor(on ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    m_view.setMode(on ? std::optional(Qt::PointingHandCursor) : std::nullopt);
 }
 
 void PullHand::documentChanged(Document::Change what)
@@ -64,13 +64,13 @@ void PullHand::documentChanged(Document::Change what)
     }
 }
 
-/// Presses on tools and beside the part go on to the view.
+/// Presses on tools and on the cube go on to the view.
 bool PullHand::mousePressed(QMouseEvent& event)
 {
     if (m_pull)
         return event.button() == Qt::LeftButton;
     if (!m_isOn || event.button() != Qt::LeftButton || m_view.isLookingBack() || m_document.isEmpty() ||
-        m_document.isGoing())
+        m_document.isGoing() || m_view.isOnCube(event.position()))
         return false;
     const PickHit hit = m_view.hitAt(event.position());
     if (hit.kind != PickHit::Kind::Body)
@@ -83,7 +83,7 @@ bool PullHand::mousePressed(QMouseEvent& event)
 void PullHand::begin(const PickHit& hit)
 {
     const Snapshot& now = *m_document.frame()->snapshot;
-    const QString name = QString::fromStdString(m_document.content().bodies[hit.id]->name);
+    const QString name = m_document.nameOfBody(hit.id);
     if (now.bodies[hit.id].kind != BodyKind::deformable) {
         emit refused(tr("%1 does not deform: make it deformable in the properties, or push it with a tool.").arg(name));
         return;
@@ -246,8 +246,7 @@ void PullHand::letGo()
     const FixtureId id = pull->id.value_or(m_document.frame()->snapshot->nextFixture);
     m_document.post(RemoveFixture{id});
     m_document.endGesture(Document::Ends::soon);
-    if (m_isOn)
-        m_view.setCursor(Qt::PointingHandCursor);
+    m_view.setCursor(m_view.usualCursor());
     m_overlay->refresh();
 }
 

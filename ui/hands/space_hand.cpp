@@ -129,7 +129,8 @@ void SpaceHand::moveTool(const ToolState& tool, const SpaceMotion& motion)
 void SpaceHand::press(int button)
 {
     if (button == 0) {
-        m_view.fit();
+        if (!m_document.isEmpty())
+            m_view.fit();
     } else if (button == 1) {
         HandChoices choices = m_settings.choices();
         choices.spaceMouseDrivesTool = !choices.spaceMouseDrivesTool;

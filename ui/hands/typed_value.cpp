@@ -8,9 +8,7 @@ bool TypedValue::belongs(const QKeyEvent& event, bool hasText)
 {
     if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier))
         return false;
-    if (event.key() == Qt::Key_Tab)
-        return true;
-    if (hasText && event.key() == Qt::Key_Backspace)
+    if (event.key() == Qt::Key_Tab || event.key() == Qt::Key_Backspace) // one too many is no Reset
         return true;
     const QString text = event.text();
     if (text.size() != 1)

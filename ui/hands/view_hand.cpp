@@ -21,6 +21,7 @@ bool ViewHand::eventFilter(QObject* watched, QEvent* event)
         return false;
     switch (event->type()) {
     case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick: // the second of two fast presses
         return mousePressed(static_cast<QMouseEvent&>(*event));
     case QEvent::MouseMove:
         return mouseMoved(static_cast<QMouseEvent&>(*event));

@@ -1,6 +1,7 @@
 #include "ui/measuring/measuring.h"
 
 #include "ui/document/document.h"
+#include "ui/modes.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/theme.h"
 #include "ui/viewport/viewport_widget.h"
@@ -9,7 +10,6 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QMenu>
-#include <QSignalBlocker>
 #include <QTimer>
 
 #include <algorithm>
@@ -29,10 +29,11 @@ QString text(const char* source)
 
 } // namespace
 
-Measuring::Measuring(Document& document, ViewportWidget& view, QWidget* window)
+Measuring::Measuring(Document& document, ViewportWidget& view, Modes& modes, QWidget* window)
     : QObject(window)
     , m_document(document)
     , m_view(view)
+    , m_modes(modes)
     , m_list(new MeasurementList(document, this))
     , m_tool(new PickTool(document, view, this))
     , m_overlay(new MarksOverlay(view))
@@ -62,10 +63,8 @@ Measuring::Measuring(Document& document, ViewportWidget& view, QWidget* window)
         emit promptChanged();
     });
     connect(m_tool, &PickTool::stopped, this, [this] {
-        for (QAction* action : m_actions) {
-            const QSignalBlocker blocker(action);
-            action->setChecked(false);
-        }
+        m_view.setMode({});
+        m_picking->setChecked(false);
     });
     contentChanged();
 }
@@ -124,14 +123,12 @@ void Measuring::addPickAction(QAction* action, std::vector<PickWhat> picks, Pick
 {
     action->setCheckable(true);
     m_actions.append(action);
+    m_modes.add(action);
     connect(action, &QAction::toggled, this, [this, action, picks = std::move(picks), done = std::move(done)](bool on) {
         if (!on)
             return m_tool->stop();
-        for (QAction* other : m_actions)
-            if (other != action) {
-                const QSignalBlocker blocker(other);
-                other->setChecked(false);
-            }
+        m_picking = action;
+        m_view.setMode(Qt::CrossCursor);
         m_tool->begin(action->text(), picks, done);
     });
 }

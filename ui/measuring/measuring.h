@@ -15,13 +15,14 @@ class QTimer;
 namespace knead {
 
 class MeasurePanel;
+class Modes;
 
 /// Measuring in a document: what one clicks, what is listed and what the view shows of it belong together here.
 /// Nothing of it changes the document. Window thread only.
 class Measuring final : public QObject {
     Q_OBJECT
 public:
-    Measuring(Document& document, ViewportWidget& view, QWidget* window);
+    Measuring(Document& document, ViewportWidget& view, Modes& modes, QWidget* window);
     ~Measuring() override;
 
     MeasurementList& list() { return *m_list; }
@@ -32,7 +33,7 @@ public:
     QAction* compareAction() const { return m_compare; }
     void fillMenu(QMenu* menu) const;
 
-    /// An action with which something else is picked; one at a time is checked. It goes with those that measure.
+    /// An action with which something else is picked, a mode as well. It goes with those that measure.
     void addPickAction(QAction* action, std::vector<PickWhat> picks, PickTool::Done done);
 
     /// Marks of others, painted with those of what was measured.
@@ -56,11 +57,13 @@ private:
 
     Document& m_document;
     ViewportWidget& m_view;
+    Modes& m_modes;
     MeasurementList* m_list;
     PickTool* m_tool;
     MarksOverlay* m_overlay;
     MeasurePanel* m_panel;
-    QList<QAction*> m_actions; ///< in the order of MeasureKind
+    QList<QAction*> m_actions;    ///< in the order of MeasureKind
+    QAction* m_picking = nullptr; ///< that the tool works for, or did last
     QAction* m_compare = nullptr;
     QTimer* m_soon; ///< many changes are shown at once
     FramePointer m_frame;

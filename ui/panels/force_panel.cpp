@@ -6,14 +6,18 @@
 #include <QAction>
 #include <QBoxLayout>
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QTimer>
 #include <QToolButton>
+
+#include <algorithm>
 
 namespace knead {
 
 namespace {
 
-constexpr int pace = 120; // between two looks [ms]
+constexpr int pace = 120;      // between two looks [ms]
+constexpr int restPerLook = 6; // times as long as a look takes, the window does something else
 
 } // namespace
 
@@ -65,9 +69,13 @@ void ForcePanel::showEvent(QShowEvent* event)
     m_soon->start();
 }
 
+/// Leaves the window most of its time, however long the timeline is.
 void ForcePanel::bringUpToDate()
 {
+    QElapsedTimer clock;
+    clock.start();
     m_plot->show(forceRecordOf(m_document.timeline()));
+    m_soon->setInterval(std::max(pace, restPerLook * static_cast<int>(clock.elapsed())));
 }
 
 } // namespace knead

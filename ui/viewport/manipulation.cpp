@@ -1,5 +1,7 @@
 #include "ui/viewport/manipulation.h"
 
+#include <utility>
+
 namespace knead {
 
 namespace {
@@ -129,6 +131,19 @@ void Manipulation::release()
         m_document.endGesture();
     m_drag.reset();
     emit hoverChanged();
+}
+
+/// While time runs the block goes back as it came.
+bool Manipulation::cancel()
+{
+    if (!m_drag)
+        return false;
+    const Drag drag = *std::exchange(m_drag, {});
+    if (m_document.isPlaying())
+        m_document.post(SetManipulatorMotion{drag.tool, GoTo{drag.start}});
+    m_document.takeBackGesture();
+    emit hoverChanged();
+    return true;
 }
 
 const ToolState* Manipulation::selectedTool() const

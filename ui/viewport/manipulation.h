@@ -32,6 +32,8 @@ public:
     void press(const Ray& ray);
     void drag(const Ray& ray, const Camera& camera);
     void release();
+    /// Puts the dragged block back. @return whether one was dragged
+    bool cancel();
 
     /// @param isSlow Shift is held
     /// @return false for keys that move nothing

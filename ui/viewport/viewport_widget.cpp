@@ -140,6 +140,19 @@ void ViewportWidget::forgetHover()
     m_regions->leave();
 }
 
+void ViewportWidget::setMode(std::optional<Qt::CursorShape> cursor)
+{
+    m_mode = cursor;
+    forgetHover();
+    updateMarks();
+}
+
+Qt::CursorShape ViewportWidget::usualCursor() const
+{
+    const Qt::CursorShape cursor = m_manipulation->cursor();
+    return cursor == Qt::ArrowCursor ? m_mode.value_or(cursor) : cursor;
+}
+
 void ViewportWidget::setHighlight(const std::optional<SceneMarks::Face>& face)
 {
     if (std::exchange(m_highlight, face) != face)
@@ -210,7 +223,7 @@ void ViewportWidget::updateMarks()
     marks.fixed = fixedFaces();
     marks.isFixing = m_manipulation->isFixing();
     m_scene->setMarks(marks);
-    setCursor(m_manipulation->cursor());
+    setCursor(usualCursor());
     requestRender();
 }
 

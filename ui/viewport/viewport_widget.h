@@ -30,6 +30,13 @@ public:
     void setFixing(bool on);
     RegionTool& regions() { return *m_regions; } ///< how the left button selects
     bool isFixing() const { return m_manipulation->isFixing(); }
+    /// Where the left button selects, a mode does something else with it. What is under way ends as it began.
+    /// @param cursor of the mode; empty: the button selects again
+    void setMode(std::optional<Qt::CursorShape> cursor);
+    bool hasMode() const { return m_mode.has_value(); }
+    Qt::CursorShape usualCursor() const; ///< as long as no button is pressed
+    /// Gives up what the left button draws or drags. @return whether it did
+    bool cancelDrag() { return m_regions->cancel() || m_manipulation->cancel(); }
     /// The mouse is busy with something on top of the scene.
     void forgetHover();
     /// What is shown and how, without what is selected or under the mouse.
@@ -105,7 +112,8 @@ private:
     Camera m_turnStart;
     Camera m_turnEnd;
     std::optional<SceneMarks::Face> m_highlight;
-    FramePointer m_past; ///< that is looked at; null: the present
+    std::optional<Qt::CursorShape> m_mode; ///< that has the left button
+    FramePointer m_past;                   ///< that is looked at; null: the present
     QLabel* m_caption;
     QPointF m_lastMouse;
     bool m_isNavigating = false;

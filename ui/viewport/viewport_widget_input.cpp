@@ -41,9 +41,9 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event)
         return;
     if (isForTools(event->position()))
         m_manipulation->press(rayAt(event->position()));
-    else
+    else if (!m_mode)
         m_regions->press(pixelOf(event->position()), event->modifiers());
-    setCursor(m_manipulation->cursor());
+    setCursor(usualCursor());
 }
 
 /// The rest of the view is for selecting.
@@ -57,7 +57,7 @@ void ViewportWidget::hover(const QPointF& position)
 {
     m_manipulation->hover(rayAt(position));
     m_regions->sight().look(m_camera, window());
-    if (m_manipulation->isFixing() || m_manipulation->hovered().kind == PickHit::Kind::Tool)
+    if (m_mode || m_manipulation->isFixing() || m_manipulation->hovered().kind == PickHit::Kind::Tool)
         m_regions->leave();
     else
         m_regions->hover(pixelOf(position));
@@ -88,7 +88,7 @@ void ViewportWidget::mouseReleaseEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::MiddleButton) {
         m_isNavigating = false;
-        setCursor(m_manipulation->cursor());
+        setCursor(usualCursor());
     } else if (event->button() == Qt::LeftButton) {
         if (m_regions->isPressed())
             m_regions->release();
