@@ -2,8 +2,7 @@
 #include "ui/main_window.h"
 
 #include "ui/actions.h"
-#include "ui/hands/hands.h"
-#include "ui/measuring/measuring.h"
+#include "ui/modes.h"
 #include "ui/panels/model_panel.h"
 #include "ui/panels/model_tree.h"
 #include "ui/panels/panel_area.h"

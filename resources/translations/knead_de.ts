@@ -20,8 +20,8 @@
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>&lt;b style='font-size:16pt'&gt;Knead %1&lt;/b&gt;&lt;br&gt;A CAD workbench in which a part is a lump of real material.</source>
-        <translation>&lt;b style='font-size:16pt'&gt;Knead %1&lt;/b&gt;&lt;br&gt;Eine CAD-Werkbank, in der ein Teil ein Klumpen echtes Material ist.</translation>
+        <source>&lt;b style=&apos;font-size:16pt&apos;&gt;Knead %1&lt;/b&gt;&lt;br&gt;A CAD workbench in which a part is a lump of real material.</source>
+        <translation>&lt;b style=&apos;font-size:16pt&apos;&gt;Knead %1&lt;/b&gt;&lt;br&gt;Eine CAD-Werkbank, in der ein Teil ein Klumpen echtes Material ist.</translation>
     </message>
     <message>
         <source>After Jansson, Horváth and Vergeest, &lt;i&gt;Implementation and analysis of a mechanics simulation module for use in a conceptual design system&lt;/i&gt;, 2000.</source>
@@ -371,6 +371,44 @@
     </message>
 </context>
 <context>
+    <name>ColorLegend</name>
+    <message>
+        <source>Looking back does not keep this of material that has flowed or is pressed: return to the present, or choose displacement or strain.</source>
+        <translation>Der Rückblick bewahrt dies nicht für Material, das geflossen ist oder gedrückt wird: kehren Sie zur Gegenwart zurück, oder wählen Sie Verschiebung oder Dehnung.</translation>
+    </message>
+    <message>
+        <source>This moment does not tell it yet: it comes with the next step.</source>
+        <translation>Für diesen Moment liegt dies noch nicht vor: es kommt mit dem nächsten Schritt.</translation>
+    </message>
+</context>
+<context>
+    <name>ColorScale</name>
+    <message>
+        <source>Displacement</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Von Mises stress</source>
+        <translation>Von-Mises-Spannung</translation>
+    </message>
+    <message>
+        <source>Plastic strain</source>
+        <translation>Plastische Dehnung</translation>
+    </message>
+    <message>
+        <source>Contact force</source>
+        <translation>Kontaktkraft</translation>
+    </message>
+    <message>
+        <source>Distance to the original</source>
+        <translation>Abstand zum Original</translation>
+    </message>
+</context>
+<context>
     <name>CommandPalette</name>
     <message>
         <source>What do you want to do?</source>
@@ -379,6 +417,281 @@
     <message>
         <source>Nothing is called like that: try fewer letters.</source>
         <translation>Nichts heißt so: versuchen Sie es mit weniger Buchstaben.</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonDialog</name>
+    <message>
+        <source>Compare with original</source>
+        <translation>Mit Original vergleichen</translation>
+    </message>
+    <message>
+        <source>How far the skin is from the nearest point of the original surface, at %1 of simulated time. The mean is by area.</source>
+        <translation>Wie weit die Haut vom nächsten Punkt der ursprünglichen Oberfläche entfernt ist, bei %1 simulierter Zeit. Das Mittel ist nach Fläche gewichtet.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Größter Abstand</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>Mittlerer Abstand</translation>
+    </message>
+    <message>
+        <source>Largest displacement</source>
+        <translation>Größte Verschiebung</translation>
+    </message>
+    <message>
+        <source>Volume at rest</source>
+        <translation>Volumen in Ruhe</translation>
+    </message>
+    <message>
+        <source>Volume now</source>
+        <translation>Volumen jetzt</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Write report...</source>
+        <translation>Bericht schreiben...</translation>
+    </message>
+    <message>
+        <source>A page with these numbers, what was measured and a picture of the view, as PDF or HTML</source>
+        <translation>Eine Seite mit diesen Zahlen, den Messungen und einem Bild der Ansicht, als PDF oder HTML</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonReport</name>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Größter Abstand</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>Mittlerer Abstand</translation>
+    </message>
+    <message>
+        <source>Largest displacement</source>
+        <translation>Größte Verschiebung</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Center of mass moved</source>
+        <translation>Verschiebung des Schwerpunkts</translation>
+    </message>
+    <message>
+        <source>%1 beside its original</source>
+        <translation>%1 im Vergleich zum Original</translation>
+    </message>
+    <message>
+        <source>At %1 of simulated time. Written by Knead on %2.</source>
+        <translation>Bei %1 simulierter Zeit. Von Knead geschrieben am %2.</translation>
+    </message>
+    <message>
+        <source>Distances are those of the deformed skin from the nearest point of the original surface; the mean is by area. A displacement is the way of a point of the skin since rest.</source>
+        <translation>Abstände sind die der verformten Haut vom nächsten Punkt der ursprünglichen Oberfläche; das Mittel ist nach Fläche gewichtet. Eine Verschiebung ist der Weg eines Punkts der Haut seit der Ruhe.</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+</context>
+<context>
+    <name>Display</name>
+    <message>
+        <source>Skin</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Show the surface of the part; as through glass when what is inside is shown too</source>
+        <translation>Die Oberfläche des Teils zeigen; wie durch Glas, wenn auch das Innere gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Connections</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Show the connections between objects as lines</source>
+        <translation>Die Verbindungen zwischen Objekten als Linien zeigen</translation>
+    </message>
+    <message>
+        <source>Original shape</source>
+        <translation>Ursprüngliche Form</translation>
+    </message>
+    <message>
+        <source>Show the shape at rest, translucent, around what became of it</source>
+        <translation>Die Form in Ruhe zeigen, durchscheinend um das, was aus ihr wurde</translation>
+    </message>
+    <message>
+        <source>Broken connections</source>
+        <translation>Gebrochene Verbindungen</translation>
+    </message>
+    <message>
+        <source>Mark where connections broke</source>
+        <translation>Kennzeichnen, wo Verbindungen brachen</translation>
+    </message>
+    <message>
+        <source>Section plane</source>
+        <translation>Schnittebene</translation>
+    </message>
+    <message>
+        <source>Cut the part open to look inside; drag the knob to move the plane</source>
+        <translation>Das Teil aufschneiden, um hineinzusehen; Ziehen am Knopf verschiebt die Ebene</translation>
+    </message>
+    <message>
+        <source>Flip section</source>
+        <translation>Schnitt umkehren</translation>
+    </message>
+    <message>
+        <source>Cut off the other side</source>
+        <translation>Die andere Seite abschneiden</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
+    </message>
+    <message>
+        <source>Divide the view: the original on the left, the part as it is on the right</source>
+        <translation>Die Ansicht teilen: links das Original, rechts das Teil, wie es ist</translation>
+    </message>
+    <message>
+        <source>Part colors</source>
+        <translation>Farben des Teils</translation>
+    </message>
+    <message>
+        <source>Faces have the colors of the part</source>
+        <translation>Flächen haben die Farben des Teils</translation>
+    </message>
+    <message>
+        <source>Color the skin by: %1</source>
+        <translation>Haut einfärben nach: %1</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>What is shown of the material, and how</source>
+        <translation>Was vom Material gezeigt wird, und wie</translation>
+    </message>
+    <message>
+        <source>Colors</source>
+        <translation>Farben</translation>
+    </message>
+</context>
+<context>
+    <name>DisplayPanel</name>
+    <message>
+        <source>Range as needed</source>
+        <translation>Bereich nach Bedarf</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Farbskala</translation>
+    </message>
+    <message>
+        <source>From, to</source>
+        <translation>Von, bis</translation>
+    </message>
+    <message>
+        <source>Hatched</source>
+        <translation>Schraffiert</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Colors of the skin</source>
+        <translation>Farben der Haut</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Gray</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>All have even lightness; cividis looks nearly alike to people who see few colors</source>
+        <translation>Alle haben gleichmäßige Helligkeit; Cividis sieht für Menschen, die wenige Farben sehen, fast gleich aus</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Look inside</source>
+        <translation>Hineinsehen</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Towards the eye</source>
+        <translation>Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Quer zu</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Bei</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Drag the line in the view: the original on the left, now on the right.</source>
+        <translation>Ziehen Sie die Linie in der Ansicht: links das Original, rechts der jetzige Stand.</translation>
+    </message>
+</context>
+<context>
+    <name>DividerHandle</name>
+    <message>
+        <source>Drag: the original on the left, the part as it is on the right</source>
+        <translation>Ziehen: links das Original, rechts das Teil, wie es ist</translation>
+    </message>
+    <message>
+        <source>Divider between before and after</source>
+        <translation>Trennlinie zwischen vorher und nachher</translation>
     </message>
 </context>
 <context>
@@ -400,7 +713,7 @@
         <translation>%1 entfernen</translation>
     </message>
     <message>
-        <source>"%1" is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.</source>
+        <source>&quot;%1&quot; is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.</source>
         <translation>„%1“ ist ein Netz ohne CAD-Flächen: öffnen Sie es als STEP, IGES oder BREP, um Flächen zu fixieren.</translation>
     </message>
     <message>
@@ -450,6 +763,46 @@
     <message>
         <source>The recipe has come to its end. Play goes on without it.</source>
         <translation>Das Rezept ist zu Ende. Starten geht ohne es weiter.</translation>
+    </message>
+    <message>
+        <source>Rename to %1</source>
+        <translation>In %1 umbenennen</translation>
+    </message>
+    <message>
+        <source>Color of %1</source>
+        <translation>Farbe von %1</translation>
+    </message>
+    <message>
+        <source>Something is called &quot;%1&quot; already: choose another name.</source>
+        <translation>Etwas heißt schon „%1“: wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is locked in the model tree: unlock it there to change it.</source>
+        <translation>„%1“ ist im Modellbaum gesperrt: entsperren Sie es dort, um es zu ändern.</translation>
+    </message>
+    <message>
+        <source>Fix selection</source>
+        <translation>Auswahl fixieren</translation>
+    </message>
+    <message>
+        <source>The selection holds no objects: it is smaller than the spacing. Choose a finer spacing and refill.</source>
+        <translation>Die Auswahl hält keine Objekte: sie ist kleiner als der Abstand. Wählen Sie einen feineren Abstand und füllen Sie neu.</translation>
+    </message>
+    <message>
+        <source>Material of selection</source>
+        <translation>Material der Auswahl</translation>
+    </message>
+    <message>
+        <source>Material of selection → %1</source>
+        <translation>Material der Auswahl → %1</translation>
+    </message>
+    <message>
+        <source>Re-normalize selection</source>
+        <translation>Auswahl renormieren</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names edges or connections of another filling: undo to go back to that, or select them again and save them under this name.</source>
+        <translation>„%1“ benennt Kanten oder Verbindungen einer anderen Füllung: gehen Sie mit Rückgängig dorthin zurück, oder wählen Sie sie noch einmal und speichern Sie sie unter diesem Namen.</translation>
     </message>
 </context>
 <context>
@@ -566,6 +919,18 @@
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
+    <message>
+        <source>Look of a part</source>
+        <translation>Aussehen eines Teils</translation>
+    </message>
+    <message>
+        <source>Look of %1</source>
+        <translation>Aussehen von %1</translation>
+    </message>
+    <message>
+        <source>Rename to %1</source>
+        <translation>In %1 umbenennen</translation>
+    </message>
 </context>
 <context>
     <name>ExportDialog</name>
@@ -598,7 +963,7 @@
         <translation>Sichtbare Teile</translation>
     </message>
     <message>
-        <source>Only "%1"</source>
+        <source>Only &quot;%1&quot;</source>
         <translation>Nur „%1“</translation>
     </message>
     <message>
@@ -795,12 +1160,224 @@
         <translation>Gehaltene Objekte</translation>
     </message>
     <message>
-        <source>With "Fix faces" on, a click on a face adds it to this fixture, or frees it.</source>
+        <source>With &quot;Fix faces&quot; on, a click on a face adds it to this fixture, or frees it.</source>
         <translation>Mit „Flächen fixieren“ fügt ein Klick auf eine Fläche sie dieser Einspannung hinzu oder gibt sie frei.</translation>
     </message>
     <message>
         <source>Remove fixture</source>
         <translation>Einspannung entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>ForcePanel</name>
+    <message>
+        <source>Magnitude</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>What of the force is plotted</source>
+        <translation>Was von der Kraft aufgetragen wird</translation>
+    </message>
+</context>
+<context>
+    <name>ForcePlot</name>
+    <message>
+        <source>Add a tool and press Space: forces over time appear here.</source>
+        <translation>Fügen Sie ein Werkzeug hinzu und drücken Sie die Leertaste: hier erscheinen Kräfte über der Zeit.</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>Force [%1]</source>
+        <translation>Kraft [%1]</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>HandPanel</name>
+    <message>
+        <source>Along the tool&apos;s own axes</source>
+        <translation>Entlang der eigenen Achsen des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Griffe</translation>
+    </message>
+    <message>
+        <source>Move step</source>
+        <translation>Schiebeschritt</translation>
+    </message>
+    <message>
+        <source>Handles move in steps of this length while Ctrl is held</source>
+        <translation>Griffe bewegen in Schritten dieser Länge, solange Strg gehalten wird</translation>
+    </message>
+    <message>
+        <source>Turn step</source>
+        <translation>Drehschritt</translation>
+    </message>
+    <message>
+        <source>Handles turn in steps of this angle while Ctrl is held</source>
+        <translation>Griffe drehen in Schritten dieses Winkels, solange Strg gehalten wird</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>Tastatur</translation>
+    </message>
+    <message>
+        <source>Key step</source>
+        <translation>Tastenschritt</translation>
+    </message>
+    <message>
+        <source>A key press moves a tool by this length</source>
+        <translation>Ein Tastendruck bewegt ein Werkzeug um diese Länge</translation>
+    </message>
+    <message>
+        <source>Steps per second</source>
+        <translation>Schritte je Sekunde</translation>
+    </message>
+    <message>
+        <source>While a key is held; a tool never goes faster than its speed limit</source>
+        <translation>Solange eine Taste gehalten wird; ein Werkzeug ist nie schneller als seine Höchstgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Pulling</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Spring stiffness</source>
+        <translation>Federsteifigkeit</translation>
+    </message>
+    <message>
+        <source>Of the spring between the mouse and the material</source>
+        <translation>Die der Feder zwischen der Maus und dem Material</translation>
+    </message>
+    <message>
+        <source>Largest pull</source>
+        <translation>Größte Zugkraft</translation>
+    </message>
+    <message>
+        <source>The hand does not pull harder than this</source>
+        <translation>Die Hand zieht nicht stärker als dies</translation>
+    </message>
+    <message>
+        <source>3D mouse</source>
+        <translation>3D-Maus</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Selected tool</source>
+        <translation>Gewähltes Werkzeug</translation>
+    </message>
+    <message>
+        <source>Drives</source>
+        <translation>Steuert</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Of its speeds; 1 is usual</source>
+        <translation>Als Vielfaches ihrer Geschwindigkeiten; üblich ist 1</translation>
+    </message>
+    <message>
+        <source>by the material</source>
+        <translation>nach dem Material</translation>
+    </message>
+    <message>
+        <source>Connected. First button: fit; second: camera or tool.</source>
+        <translation>Verbunden. Erste Taste: einpassen; zweite: Kamera oder Werkzeug.</translation>
+    </message>
+    <message>
+        <source>None: it works as soon as spacenavd runs.</source>
+        <translation>Keine: sie arbeitet, sobald spacenavd läuft.</translation>
+    </message>
+</context>
+<context>
+    <name>Hands</name>
+    <message>
+        <source>Handles</source>
+        <translation>Griffe</translation>
+    </message>
+    <message>
+        <source>Show handles on the selected tool to move and turn it; Ctrl: in steps; type numbers</source>
+        <translation>Am gewählten Werkzeug Griffe zeigen, um es zu bewegen und zu drehen; Strg: in Schritten; Zahlen tippen</translation>
+    </message>
+    <message>
+        <source>Drive by keys</source>
+        <translation>Mit Tasten fahren</translation>
+    </message>
+    <message>
+        <source>Drive up to three tools with the keyboard, each with keys of its own</source>
+        <translation>Bis zu drei Werkzeuge mit der Tastatur fahren, jedes mit eigenen Tasten</translation>
+    </message>
+    <message>
+        <source>Pull material</source>
+        <translation>Material ziehen</translation>
+    </message>
+    <message>
+        <source>Press on the part and pull its material with a spring</source>
+        <translation>Auf das Teil drücken und sein Material mit einer Feder ziehen</translation>
+    </message>
+    <message>
+        <source>3D mouse drives tool</source>
+        <translation>3D-Maus fährt Werkzeug</translation>
+    </message>
+    <message>
+        <source>The 3D mouse moves the selected tool, not the camera</source>
+        <translation>Die 3D-Maus bewegt das gewählte Werkzeug, nicht die Kamera</translation>
+    </message>
+    <message>
+        <source>Forces on tools</source>
+        <translation>Kräfte an Werkzeugen</translation>
+    </message>
+    <message>
+        <source>Show the force of the material on each tool as an arrow with its number</source>
+        <translation>Die Kraft des Materials auf jedes Werkzeug als Pfeil mit ihrer Zahl zeigen</translation>
+    </message>
+    <message>
+        <source>Plot of forces</source>
+        <translation>Diagramm der Kräfte</translation>
+    </message>
+    <message>
+        <source>Show forces over time</source>
+        <translation>Kräfte über der Zeit zeigen</translation>
+    </message>
+    <message>
+        <source>Forces as table...</source>
+        <translation>Kräfte als Tabelle...</translation>
+    </message>
+    <message>
+        <source>Write the forces over time as a CSV file</source>
+        <translation>Die Kräfte über der Zeit als CSV-Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Press on the part and pull   Esc: done</source>
+        <translation>Auf das Teil drücken und ziehen   Esc: fertig</translation>
+    </message>
+    <message>
+        <source>Keys drive tools   Shift: slower   Esc: done</source>
+        <translation>Tasten fahren Werkzeuge   Umschalt: langsamer   Esc: fertig</translation>
     </message>
 </context>
 <context>
@@ -1148,6 +1725,20 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>KeyCards</name>
+    <message>
+        <source>Tool %1: add one</source>
+        <translation>Werkzeug %1: hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>KeyHand</name>
+    <message>
+        <source>%1 per step, %2 steps per second, Shift: slower</source>
+        <translation>%1 je Schritt, %2 Schritte je Sekunde, Umschalt: langsamer</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>Knead</source>
@@ -1174,7 +1765,7 @@ Simuliert: %2, Schritt %3
         <translation>%1: %2, %3 Objekte im Abstand %4, %5 Verbindungen, Zeitschritt %6.</translation>
     </message>
     <message>
-        <source>%1 "%2"</source>
+        <source>%1 &quot;%2&quot;</source>
         <translation>%1: %2</translation>
     </message>
     <message>
@@ -1232,10 +1823,6 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Mouse and keys</source>
         <translation>Maus und Tasten</translation>
-    </message>
-    <message>
-        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;front, right, top, isometric; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Linke Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählen; ein Werkzeug ziehen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drehen; mit Umschalt oder Strg schieben&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zum Zeiger zoomen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pfeile, Bild auf, Bild ab&lt;/b&gt;&lt;/td&gt;&lt;td&gt;das gewählte Werkzeug fahren; mit Umschalt langsamer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Leertaste, . , Rücktaste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;starten oder anhalten, ein Schritt, zurücksetzen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Entf&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Block hinzufügen, Flächen fixieren, entfernen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Schwerkraft, renormieren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Objekte, Körper verbergen, Kanten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;vorne, rechts, oben, isometrisch; Strg: von der anderen Seite&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspektivisch oder parallel, einpassen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Strg+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Projekt speichern; Strg+Umschalt+S unter anderem Namen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Strg+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;jeden Befehl finden; F11: Vollbild&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;abbrechen&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
     <message>
         <source>Looking into %1</source>
@@ -1480,6 +2067,165 @@ Simuliert: %2, Schritt %3
         <source>Drag to move the timeline</source>
         <translation>Ziehen verschiebt die Zeitleiste</translation>
     </message>
+    <message>
+        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeric pad 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;top, isometric, front, right; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;clicks select parts, faces, edges, objects; Ctrl adds&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Linke Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählen; ein Werkzeug ziehen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drehen; mit Umschalt oder Strg schieben&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zum Zeiger zoomen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pfeile, Bild auf, Bild ab&lt;/b&gt;&lt;/td&gt;&lt;td&gt;das gewählte Werkzeug fahren; mit Umschalt langsamer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Leertaste, . , Rücktaste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;starten oder anhalten, ein Schritt, zurücksetzen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Entf&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Block hinzufügen, Flächen fixieren, entfernen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Schwerkraft, renormieren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Objekte, Körper verbergen, Kanten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, Ziffernblock 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;oben, isometrisch, vorne, rechts; Strg: von der anderen Seite&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Klicks wählen Teile, Flächen, Kanten, Objekte; Strg fügt hinzu&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspektivisch oder parallel, einpassen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Strg+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Projekt speichern; Strg+Umschalt+S unter anderem Namen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Strg+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;jeden Befehl finden; F11: Vollbild&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;abbrechen&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Hands</source>
+        <translation>Hände</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Kräfte</translation>
+    </message>
+    <message>
+        <source>Export forces over time</source>
+        <translation>Kräfte über der Zeit exportieren</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>There are no forces to write yet: press Play and let something happen first.</source>
+        <translation>Noch gibt es keine Kräfte zu schreiben: drücken Sie Starten und lassen Sie etwas geschehen.</translation>
+    </message>
+    <message>
+        <source>%1: the table could not be written. Make room on the disk, or choose another folder.</source>
+        <translation>%1: die Tabelle konnte nicht geschrieben werden. Schaffen Sie Platz auf der Platte, oder wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>%1: forces at %2 times written.</source>
+        <translation>%1: Kräfte zu %2 Zeitpunkten geschrieben.</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Measure the part</source>
+        <translation>Das Teil messen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written (%2). Choose another folder, or make room on the disk.</source>
+        <translation>%1 kann nicht geschrieben werden (%2). Wählen Sie einen anderen Ordner, oder schaffen Sie Platz auf dem Datenträger.</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Place probe</source>
+        <translation>Sonde setzen</translation>
+    </message>
+    <message>
+        <source>Click places of the part to plot what happens there over time (P)</source>
+        <translation>Stellen des Teils anklicken, um aufzutragen, was dort über der Zeit geschieht (P)</translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation>Sonden</translation>
+    </message>
+    <message>
+        <source>Write what the probes read</source>
+        <translation>Messwerte der Sonden schreiben</translation>
+    </message>
+    <message>
+        <source>Write what was measured</source>
+        <translation>Messungen schreiben</translation>
+    </message>
+    <message>
+        <source>Written: %1.</source>
+        <translation>Geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>Comparing with the original</source>
+        <translation>Vergleich mit dem Original</translation>
+    </message>
+    <message>
+        <source>Write a report</source>
+        <translation>Einen Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Web page (*.html *.htm)</source>
+        <translation>Webseite (*.html *.htm)</translation>
+    </message>
+    <message>
+        <source>Se&amp;lect</source>
+        <translation>Auswah&amp;l</translation>
+    </message>
+    <message>
+        <source>Selecting</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Selecting within %1</source>
+        <translation>Auswählen im Umkreis von %1</translation>
+    </message>
+    <message>
+        <source>Select something first.</source>
+        <translation>Wählen Sie zuerst etwas aus.</translation>
+    </message>
+    <message>
+        <source>Slower tools</source>
+        <translation>Langsamere Werkzeuge</translation>
+    </message>
+    <message>
+        <source>More damping</source>
+        <translation>Mehr Dämpfung</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Fill finer</source>
+        <translation>Feiner füllen</translation>
+    </message>
+</context>
+<context>
+    <name>MaterialComparisonDialog</name>
+    <message>
+        <source>same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-fach</translation>
+    </message>
+    <message>
+        <source>Compare materials</source>
+        <translation>Materialien vergleichen</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>Right by left</source>
+        <translation>Rechts durch links</translation>
+    </message>
+    <message>
+        <source>Shear modulus</source>
+        <translation>Schubmodul</translation>
+    </message>
+    <message>
+        <source>Speed of sound</source>
+        <translation>Schallgeschwindigkeit</translation>
+    </message>
 </context>
 <context>
     <name>MaterialPanel</name>
@@ -1504,11 +2250,11 @@ Simuliert: %2, Schritt %3
         <translation>Dichte</translation>
     </message>
     <message>
-        <source>Young's modulus</source>
+        <source>Young&apos;s modulus</source>
         <translation>Elastizitätsmodul</translation>
     </message>
     <message>
-        <source>Poisson's ratio</source>
+        <source>Poisson&apos;s ratio</source>
         <translation>Querkontraktionszahl</translation>
     </message>
     <message>
@@ -1636,46 +2382,6 @@ Simuliert: %2, Schritt %3
         <translation>Zellen quer</translation>
     </message>
     <message>
-        <source>Steps</source>
-        <translation>Schritte</translation>
-    </message>
-    <message>
-        <source>Semi-implicit Euler</source>
-        <translation>Semi-implizites Euler</translation>
-    </message>
-    <message>
-        <source>Forward Euler</source>
-        <translation>Vorwärts-Euler</translation>
-    </message>
-    <message>
-        <source>Implicit Euler</source>
-        <translation>Implizites Euler</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Keeps vibrations; stiff materials take small steps</source>
-        <translation>Behält Schwingungen; steife Materialien brauchen kleine Schritte</translation>
-    </message>
-    <message>
-        <source>As published; needs damping</source>
-        <translation>Wie veröffentlicht; braucht Dämpfung</translation>
-    </message>
-    <message>
-        <source>A step per frame for any stiffness; fast vibrations die out</source>
-        <translation>Ein Schritt je Bild für jede Steifigkeit; schnelle Schwingungen klingen ab</translation>
-    </message>
-    <message>
-        <source>Implicit where the semi-implicit scheme would be slower than real time</source>
-        <translation>Implizit, wo das semi-implizite Verfahren langsamer als Echtzeit wäre</translation>
-    </message>
-    <message>
-        <source>Integrator</source>
-        <translation>Zeitschrittverfahren</translation>
-    </message>
-    <message>
         <source>%1 objects, %2 connections
 %3 of material</source>
         <translation>%1 Objekte, %2 Verbindungen
@@ -1688,6 +2394,387 @@ Simuliert: %2, Schritt %3
     <message>
         <source>%1 of %2 → %3</source>
         <translation>%1 von %2 → %3</translation>
+    </message>
+    <message>
+        <source>What follows</source>
+        <translation>Was daraus folgt</translation>
+    </message>
+    <message>
+        <source>Speed of sound</source>
+        <translation>Schallgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Of a thin bar: the root of stiffness by density</source>
+        <translation>In einem dünnen Stab: die Wurzel aus Steifigkeit durch Dichte</translation>
+    </message>
+    <message>
+        <source>Stable time step</source>
+        <translation>Stabiler Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Longest step of an explicit scheme, for all bodies together; shorter for stiff, light and finely filled ones</source>
+        <translation>Längster Schritt eines expliziten Verfahrens, für alle Körper zusammen; kürzer für steife, leichte und fein gefüllte</translation>
+    </message>
+    <message>
+        <source>Expected speed</source>
+        <translation>Erwartetes Tempo</translation>
+    </message>
+    <message>
+        <source>Simulated by wall time on this machine: measured while time ran, else by a rule</source>
+        <translation>Simulierte je echter Zeit auf diesem Rechner: gemessen, während die Zeit lief, sonst nach einer Faustregel</translation>
+    </message>
+    <message>
+        <source>Cells across walls</source>
+        <translation>Zellen quer zur Wand</translation>
+    </message>
+    <message>
+        <source>Across the thinnest wall: with fewer than %1 its bending is mostly wrong</source>
+        <translation>Quer zur dünnsten Wand: mit weniger als %1 ist ihre Biegung meist falsch</translation>
+    </message>
+    <message>
+        <source>%1 to %2, with any unit; 1.2e6 and 1,2 are taken too</source>
+        <translation>%1 bis %2, in jeder Einheit; auch 1.2e6 und 1,2 werden angenommen</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>keeps up with real time</source>
+        <translation>hält mit der Echtzeit Schritt</translation>
+    </message>
+    <message>
+        <source>%1 of real time</source>
+        <translation>%1 der Echtzeit</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Save these numbers as a material of your own</source>
+        <translation>Diese Zahlen als eigenes Material speichern</translation>
+    </message>
+    <message>
+        <source>Rename this material of your own</source>
+        <translation>Dieses eigene Material umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete this material of your own; bodies keep its numbers</source>
+        <translation>Dieses eigene Material löschen; Körper behalten seine Zahlen</translation>
+    </message>
+    <message>
+        <source>Compare with another material, side by side</source>
+        <translation>Mit einem anderen Material vergleichen, nebeneinander</translation>
+    </message>
+    <message>
+        <source>Save material</source>
+        <translation>Material speichern</translation>
+    </message>
+    <message>
+        <source>Rename material</source>
+        <translation>Material umbenennen</translation>
+    </message>
+    <message>
+        <source>Name of the material</source>
+        <translation>Name des Materials</translation>
+    </message>
+    <message>
+        <source>%1 now</source>
+        <translation>%1 jetzt</translation>
+    </message>
+</context>
+<context>
+    <name>MaterialStore</name>
+    <message>
+        <source>Your own materials cannot be read: %1 Mend or remove the file; until then none can be saved.</source>
+        <translation>Ihre eigenen Materialien lassen sich nicht lesen: %1 Reparieren oder entfernen Sie die Datei; bis dahin kann keines gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>A material needs a name: type one.</source>
+        <translation>Ein Material braucht einen Namen: tippen Sie einen.</translation>
+    </message>
+    <message>
+        <source>There is a material named &quot;%1&quot; already: choose another name.</source>
+        <translation>Ein Material namens „%1“ gibt es schon: wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Saved by you</source>
+        <translation>Von Ihnen gespeichert</translation>
+    </message>
+    <message>
+        <source>The material was not saved: %1</source>
+        <translation>Das Material wurde nicht gespeichert: %1</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurePanel</name>
+    <message>
+        <source>Nothing is measured yet. Choose what to measure above, then click on the part; corners attract. Numbers follow the material while time runs.</source>
+        <translation>Noch wird nichts gemessen. Wählen Sie oben, was zu messen ist, und klicken Sie dann auf das Teil; Ecken ziehen den Zeiger an. Die Zahlen folgen dem Material, während die Zeit läuft.</translation>
+    </message>
+    <message>
+        <source>Compare...</source>
+        <translation>Vergleichen...</translation>
+    </message>
+    <message>
+        <source>Compare the parts with their original shape, and write a report</source>
+        <translation>Die Teile mit ihrer ursprünglichen Form vergleichen und einen Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the table (Ctrl+C)</source>
+        <translation>Die Tabelle kopieren (Strg+C)</translation>
+    </message>
+    <message>
+        <source>CSV...</source>
+        <translation>CSV...</translation>
+    </message>
+    <message>
+        <source>Write the table to a file, units in its columns</source>
+        <translation>Die Tabelle in eine Datei schreiben, Einheiten in ihren Spalten</translation>
+    </message>
+    <message>
+        <source>Delete the selected measurements, or all (Del)</source>
+        <translation>Die gewählten Messungen löschen, oder alle (Entf)</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>In Ruhe</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Messgröße</translation>
+    </message>
+</context>
+<context>
+    <name>Measurement</name>
+    <message>
+        <source>The face is not flat: it is up to %1 away from its mean plane.</source>
+        <translation>Die Fläche ist nicht eben: sie liegt bis zu %1 neben ihrer mittleren Ebene.</translation>
+    </message>
+    <message>
+        <source>The three places lie on a line: pick others, further around.</source>
+        <translation>Die drei Stellen liegen auf einer Geraden: wählen Sie andere, weiter um den Kreis verteilt.</translation>
+    </message>
+    <message>
+        <source>The face is flat and has no radius: click a round one, or measure with three places.</source>
+        <translation>Die Fläche ist eben und hat keinen Radius: klicken Sie eine runde an, oder messen Sie mit drei Stellen.</translation>
+    </message>
+    <message>
+        <source>The face is not quite round: it is up to %1 away from this radius.</source>
+        <translation>Die Fläche ist nicht ganz rund: sie liegt bis zu %1 neben diesem Radius.</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Bewegt um</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>along X</source>
+        <translation>entlang X</translation>
+    </message>
+    <message>
+        <source>along Y</source>
+        <translation>entlang Y</translation>
+    </message>
+    <message>
+        <source>along Z</source>
+        <translation>entlang Z</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Size X</source>
+        <translation>Größe X</translation>
+    </message>
+    <message>
+        <source>Size Y</source>
+        <translation>Größe Y</translation>
+    </message>
+    <message>
+        <source>Size Z</source>
+        <translation>Größe Z</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Center of mass X</source>
+        <translation>Schwerpunkt X</translation>
+    </message>
+    <message>
+        <source>Center of mass Y</source>
+        <translation>Schwerpunkt Y</translation>
+    </message>
+    <message>
+        <source>Center of mass Z</source>
+        <translation>Schwerpunkt Z</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Coordinates of a place, and how far it has moved</source>
+        <translation>Koordinaten einer Stelle, und wie weit sie sich bewegt hat</translation>
+    </message>
+    <message>
+        <source>Distance between two places</source>
+        <translation>Abstand zwischen zwei Stellen</translation>
+    </message>
+    <message>
+        <source>Distance to face</source>
+        <translation>Abstand zur Fläche</translation>
+    </message>
+    <message>
+        <source>Distance of a place from the nearest point of a face</source>
+        <translation>Abstand einer Stelle vom nächsten Punkt einer Fläche</translation>
+    </message>
+    <message>
+        <source>Angle at the second of three places</source>
+        <translation>Winkel an der zweiten von drei Stellen</translation>
+    </message>
+    <message>
+        <source>Angle of faces</source>
+        <translation>Winkel von Flächen</translation>
+    </message>
+    <message>
+        <source>Angle between the normals of two faces</source>
+        <translation>Winkel zwischen den Normalen zweier Flächen</translation>
+    </message>
+    <message>
+        <source>Radius of the circle through three places</source>
+        <translation>Radius des Kreises durch drei Stellen</translation>
+    </message>
+    <message>
+        <source>Radius of face</source>
+        <translation>Radius der Fläche</translation>
+    </message>
+    <message>
+        <source>Radius of a hole, a cylinder or a ball</source>
+        <translation>Radius eines Lochs, eines Zylinders oder einer Kugel</translation>
+    </message>
+    <message>
+        <source>Bounding box</source>
+        <translation>Hüllquader</translation>
+    </message>
+    <message>
+        <source>Sizes of a part along the axes</source>
+        <translation>Maße eines Teils entlang der Achsen</translation>
+    </message>
+    <message>
+        <source>Volume and mass</source>
+        <translation>Volumen und Masse</translation>
+    </message>
+    <message>
+        <source>Volume, mass and center of mass of a part</source>
+        <translation>Volumen, Masse und Schwerpunkt eines Teils</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurementList</name>
+    <message>
+        <source>Measurement,Reading,Unit,Now,At rest,Change</source>
+        <translation>Messung,Messgröße,Einheit,Jetzt,In Ruhe,Änderung</translation>
+    </message>
+</context>
+<context>
+    <name>Measuring</name>
+    <message>
+        <source>Compare with original...</source>
+        <translation>Mit Original vergleichen...</translation>
+    </message>
+    <message>
+        <source>Largest and mean distance, volume and mass beside the original, and a report (Shift+M)</source>
+        <translation>Größter und mittlerer Abstand, Volumen und Masse neben dem Original, und ein Bericht (Umschalt+M)</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Messgröße</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>In Ruhe</translation>
+    </message>
+</context>
+<context>
+    <name>ModelNotes</name>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Auswahl</translation>
+    </message>
+</context>
+<context>
+    <name>ModelPanel</name>
+    <message>
+        <source>Search (Ctrl+F)</source>
+        <translation>Suchen (Strg+F)</translation>
     </message>
 </context>
 <context>
@@ -1719,6 +2806,77 @@ Simuliert: %2, Schritt %3
     <message>
         <source>%1 faces</source>
         <translation>%1 Flächen</translation>
+    </message>
+    <message>
+        <source>Selections</source>
+        <translation>Auswahlsätze</translation>
+    </message>
+    <message>
+        <source>Exports</source>
+        <translation>Exporte</translation>
+    </message>
+    <message>
+        <source>In the file: %1</source>
+        <translation>In der Datei: %1</translation>
+    </message>
+    <message>
+        <source>%1 selected things; a click selects them again</source>
+        <translation>%1 ausgewählte Elemente; ein Klick wählt sie wieder aus</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Keep the present selection here</source>
+        <translation>Jetzige Auswahl hier aufbewahren</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Show in its folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be shown: look for it with your file manager.</source>
+        <translation>Der Ordner %1 lässt sich nicht zeigen: suchen Sie ihn mit Ihrer Dateiverwaltung.</translation>
+    </message>
+    <message>
+        <source>Take off the list</source>
+        <translation>Aus der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>There is a selection called &quot;%1&quot; already: choose another name.</source>
+        <translation>Einen Auswahlsatz namens „%1“ gibt es schon: wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Color of the part</source>
+        <translation>Farbe des Teils</translation>
+    </message>
+    <message>
+        <source>Color of %1 parts</source>
+        <translation>Farbe von %1 Teilen</translation>
+    </message>
+</context>
+<context>
+    <name>ModelTreeDelegate</name>
+    <message>
+        <source>Show (H)</source>
+        <translation>Zeigen (H)</translation>
+    </message>
+    <message>
+        <source>Hide (H)</source>
+        <translation>Verbergen (H)</translation>
+    </message>
+    <message>
+        <source>Unlock (L)</source>
+        <translation>Entsperren (L)</translation>
+    </message>
+    <message>
+        <source>Lock: keep it from being changed (L)</source>
+        <translation>Sperren: vor Änderungen bewahren (L)</translation>
     </message>
 </context>
 <context>
@@ -1822,6 +2980,41 @@ Simuliert: %2, Schritt %3
     <message>
         <source>%1 million connections per second, %2 objects</source>
         <translation>%1 Millionen Verbindungen je Sekunde, %2 Objekte</translation>
+    </message>
+</context>
+<context>
+    <name>PickTool</name>
+    <message>
+        <source>click a place</source>
+        <translation>Stelle anklicken</translation>
+    </message>
+    <message>
+        <source>click place %1 of %2</source>
+        <translation>Stelle %1 von %2 anklicken</translation>
+    </message>
+    <message>
+        <source>click a face</source>
+        <translation>Fläche anklicken</translation>
+    </message>
+    <message>
+        <source>click face %1 of %2</source>
+        <translation>Fläche %1 von %2 anklicken</translation>
+    </message>
+    <message>
+        <source>click a part</source>
+        <translation>Teil anklicken</translation>
+    </message>
+    <message>
+        <source>%1: %2   Esc: done</source>
+        <translation>%1: %2   Esc: fertig</translation>
+    </message>
+    <message>
+        <source>There is nothing at that place: click on a part.</source>
+        <translation>An dieser Stelle ist nichts: klicken Sie auf ein Teil.</translation>
+    </message>
+    <message>
+        <source>This part is a mesh without CAD faces: measure it with places instead.</source>
+        <translation>Dieses Teil ist ein Netz ohne CAD-Flächen: messen Sie es stattdessen mit Stellen.</translation>
     </message>
 </context>
 <context>
@@ -2020,6 +3213,76 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>ProbePanel</name>
+    <message>
+        <source>Displacement</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Equivalent strain</source>
+        <translation>Vergleichsdehnung</translation>
+    </message>
+    <message>
+        <source>Von Mises stress</source>
+        <translation>Von-Mises-Spannung</translation>
+    </message>
+    <message>
+        <source>Force on tools</source>
+        <translation>Kraft an Werkzeugen</translation>
+    </message>
+    <message>
+        <source>Force on all tools</source>
+        <translation>Kraft an allen Werkzeugen</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>No probes yet. Place one on the part: it goes along with the material and plots what it reads, also of what was simulated before.</source>
+        <translation>Noch keine Sonden. Setzen Sie eine auf das Teil: sie geht mit dem Material mit und trägt auf, was sie misst, auch aus dem, was davor simuliert wurde.</translation>
+    </message>
+    <message>
+        <source>What is plotted over time</source>
+        <translation>Was über der Zeit aufgetragen wird</translation>
+    </message>
+    <message>
+        <source>CSV...</source>
+        <translation>CSV...</translation>
+    </message>
+    <message>
+        <source>Write all readings over time to a file, units in its header</source>
+        <translation>Alle Messwerte über der Zeit in eine Datei schreiben, Einheiten in ihrer Kopfzeile</translation>
+    </message>
+    <message>
+        <source>Delete the selected probes, or all</source>
+        <translation>Die gewählten Sonden löschen, oder alle</translation>
+    </message>
+    <message>
+        <source>Probe %1</source>
+        <translation>Sonde %1</translation>
+    </message>
+    <message>
+        <source>All tools</source>
+        <translation>Alle Werkzeuge</translation>
+    </message>
+</context>
+<context>
+    <name>ProbeSet</name>
+    <message>
+        <source>Probe %1</source>
+        <translation>Sonde %1</translation>
+    </message>
+</context>
+<context>
     <name>ProjectKeeper</name>
     <message>
         <source>The work is kept for recovery again.</source>
@@ -2106,11 +3369,11 @@ Simuliert: %2, Schritt %3
         <translation>Nicht gespeicherte Änderungen</translation>
     </message>
     <message>
-        <source>Save the work on "%1" as a project?</source>
+        <source>Save the work on &quot;%1&quot; as a project?</source>
         <translation>Die Arbeit an „%1“ als Projekt speichern?</translation>
     </message>
     <message>
-        <source>Save the changes to "%1"?</source>
+        <source>Save the changes to &quot;%1&quot;?</source>
         <translation>Die Änderungen an „%1“ speichern?</translation>
     </message>
     <message>
@@ -2120,6 +3383,25 @@ Simuliert: %2, Schritt %3
     <message>
         <source>What was done since it was saved is lost otherwise.</source>
         <translation>Was seit dem Speichern getan wurde, geht sonst verloren.</translation>
+    </message>
+</context>
+<context>
+    <name>PullHand</name>
+    <message>
+        <source>%1 does not deform: make it deformable in the properties, or push it with a tool.</source>
+        <translation>%1 verformt sich nicht: machen Sie es in den Eigenschaften verformbar, oder drücken Sie es mit einem Werkzeug.</translation>
+    </message>
+    <message>
+        <source>%1 is held at this place: free it with Fix faces, or pull at another place.</source>
+        <translation>%1 wird an dieser Stelle gehalten: geben Sie sie mit „Flächen fixieren“ frei, oder ziehen Sie an einer anderen.</translation>
+    </message>
+    <message>
+        <source>Pull %1</source>
+        <translation>An %1 ziehen</translation>
+    </message>
+    <message>
+        <source>%1 (limit)</source>
+        <translation>%1 (Grenze)</translation>
     </message>
 </context>
 <context>
@@ -2156,7 +3438,7 @@ Simuliert: %2, Schritt %3
 <context>
     <name>QuantityField</name>
     <message>
-        <source>"%1" is not a number here; the value is still %2. Esc restores it.</source>
+        <source>&quot;%1&quot; is not a number here; the value is still %2. Esc restores it.</source>
         <translation>„%1“ ist hier keine Zahl; der Wert ist weiter %2. Esc stellt ihn wieder her.</translation>
     </message>
     <message>
@@ -2325,8 +3607,348 @@ Simuliert: %2, Schritt %3
         <translation>Nicht Gespeichertes verwerfen</translation>
     </message>
     <message>
-        <source>Discard the unsaved work on "%1"? It cannot be brought back.</source>
+        <source>Discard the unsaved work on &quot;%1&quot;? It cannot be brought back.</source>
         <translation>Die nicht gespeicherte Arbeit an „%1“ verwerfen? Sie lässt sich nicht zurückholen.</translation>
+    </message>
+</context>
+<context>
+    <name>Region</name>
+    <message>
+        <source>1 part, %2</source>
+        <translation>1 Teil, %2</translation>
+    </message>
+    <message>
+        <source>%1 parts, %2</source>
+        <translation>%1 Teile, %2</translation>
+    </message>
+    <message>
+        <source>1 face, %2</source>
+        <translation>1 Fläche, %2</translation>
+    </message>
+    <message>
+        <source>%1 faces, %2</source>
+        <translation>%1 Flächen, %2</translation>
+    </message>
+    <message>
+        <source>1 edge, %2</source>
+        <translation>1 Kante, %2</translation>
+    </message>
+    <message>
+        <source>%1 edges, %2</source>
+        <translation>%1 Kanten, %2</translation>
+    </message>
+    <message>
+        <source>1 object, %2</source>
+        <translation>1 Objekt, %2</translation>
+    </message>
+    <message>
+        <source>%1 objects, %2</source>
+        <translation>%1 Objekte, %2</translation>
+    </message>
+    <message>
+        <source>1 connection, %2</source>
+        <translation>1 Verbindung, %2</translation>
+    </message>
+    <message>
+        <source>%1 connections, %2</source>
+        <translation>%1 Verbindungen, %2</translation>
+    </message>
+</context>
+<context>
+    <name>SectionKnob</name>
+    <message>
+        <source>Drag to move the section plane; arrow keys move it by a hundredth of the part</source>
+        <translation>Ziehen verschiebt die Schnittebene; Pfeiltasten bewegen sie um ein Hundertstel des Teils</translation>
+    </message>
+    <message>
+        <source>Section plane</source>
+        <translation>Schnittebene</translation>
+    </message>
+</context>
+<context>
+    <name>SelectionActions</name>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Clicks select parts</source>
+        <translation>Klicks wählen Teile aus</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Clicks select faces</source>
+        <translation>Klicks wählen Flächen aus</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>Clicks select edges</source>
+        <translation>Klicks wählen Kanten aus</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objekte</translation>
+    </message>
+    <message>
+        <source>Clicks select the objects the material is made of</source>
+        <translation>Klicks wählen die Objekte aus, aus denen das Material besteht</translation>
+    </message>
+    <message>
+        <source>Connections</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Clicks select connections between objects</source>
+        <translation>Klicks wählen Verbindungen zwischen Objekten aus</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Drag a box: to the right for what lies in it, to the left also for what it touches</source>
+        <translation>Ein Rechteck ziehen: nach rechts für das, was darin liegt, nach links auch für das, was es berührt</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Draw a line around what is wanted</source>
+        <translation>Eine Linie um das Gewünschte zeichnen</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Paint over what is wanted</source>
+        <translation>Über das Gewünschte malen</translation>
+    </message>
+    <message>
+        <source>Through the part</source>
+        <translation>Durch das Teil hindurch</translation>
+    </message>
+    <message>
+        <source>Boxes, lassos and brushes select what is hidden behind the skin too</source>
+        <translation>Rechteck, Lasso und Pinsel wählen auch aus, was hinter der Haut verborgen ist</translation>
+    </message>
+    <message>
+        <source>Smaller brush</source>
+        <translation>Kleinerer Pinsel</translation>
+    </message>
+    <message>
+        <source>A smaller brush</source>
+        <translation>Ein kleinerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Larger brush</source>
+        <translation>Größerer Pinsel</translation>
+    </message>
+    <message>
+        <source>A larger brush</source>
+        <translation>Ein größerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Everything of the kind that clicks select</source>
+        <translation>Alles von der Art, die Klicks auswählen</translation>
+    </message>
+    <message>
+        <source>Select nothing</source>
+        <translation>Nichts auswählen</translation>
+    </message>
+    <message>
+        <source>Clear the selection</source>
+        <translation>Die Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>All within a distance...</source>
+        <translation>Alles innerhalb eines Abstands...</translation>
+    </message>
+    <message>
+        <source>The objects that lie no farther from the selection than a distance</source>
+        <translation>Die Objekte, die nicht weiter als ein Abstand von der Auswahl entfernt liegen</translation>
+    </message>
+    <message>
+        <source>Save selection...</source>
+        <translation>Auswahl speichern...</translation>
+    </message>
+    <message>
+        <source>Keep the selection under a name in the model tree</source>
+        <translation>Die Auswahl unter einem Namen im Modellbaum behalten</translation>
+    </message>
+    <message>
+        <source>Fix selection</source>
+        <translation>Auswahl fixieren</translation>
+    </message>
+    <message>
+        <source>Hold the selected faces or objects in place</source>
+        <translation>Die ausgewählten Flächen oder Objekte festhalten</translation>
+    </message>
+    <message>
+        <source>Re-normalize selection</source>
+        <translation>Auswahl renormieren</translation>
+    </message>
+    <message>
+        <source>The selection takes its present shape for its own</source>
+        <translation>Die Auswahl nimmt ihre jetzige Form als eigene an</translation>
+    </message>
+    <message>
+        <source>Make it glue</source>
+        <translation>Zu Klebstoff machen</translation>
+    </message>
+    <message>
+        <source>The selected parts keep shape and place and hold what touches them</source>
+        <translation>Die ausgewählten Teile behalten Form und Ort und halten, was sie berührt</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Another name for the selected part, group or selection</source>
+        <translation>Ein anderer Name für das ausgewählte Teil, die Gruppe oder die Auswahl</translation>
+    </message>
+    <message>
+        <source>Color...</source>
+        <translation>Farbe...</translation>
+    </message>
+    <message>
+        <source>Another color for the selected parts</source>
+        <translation>Eine andere Farbe für die ausgewählten Teile</translation>
+    </message>
+    <message>
+        <source>Color of the file</source>
+        <translation>Farbe der Datei</translation>
+    </message>
+    <message>
+        <source>The color that the part has in its file</source>
+        <translation>Die Farbe, die das Teil in seiner Datei hat</translation>
+    </message>
+    <message>
+        <source>Lock or unlock</source>
+        <translation>Sperren oder entsperren</translation>
+    </message>
+    <message>
+        <source>Keep what is selected from being changed</source>
+        <translation>Das Ausgewählte vor Änderungen schützen</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Put the selected parts into a group</source>
+        <translation>Die ausgewählten Teile in eine Gruppe legen</translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation>Gruppierung aufheben</translation>
+    </message>
+    <message>
+        <source>Take the selected parts out of their group, or all out of the selected one</source>
+        <translation>Die ausgewählten Teile aus ihrer Gruppe nehmen, oder alle aus der ausgewählten</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Isolieren</translation>
+    </message>
+    <message>
+        <source>Show nothing but the selected parts; again: what was shown before</source>
+        <translation>Nur die ausgewählten Teile zeigen; noch einmal: was vorher zu sehen war</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Hide no part</source>
+        <translation>Kein Teil verbergen</translation>
+    </message>
+    <message>
+        <source>Search the model</source>
+        <translation>Im Modell suchen</translation>
+    </message>
+    <message>
+        <source>Look for parts, tools, fixtures and selections by their names</source>
+        <translation>Teile, Werkzeuge, Einspannungen und Auswahlen nach Namen suchen</translation>
+    </message>
+</context>
+<context>
+    <name>SelectionPanel</name>
+    <message>
+        <source>Fix</source>
+        <translation>Fixieren</translation>
+    </message>
+    <message>
+        <source>Hold it in place (Shift+F)</source>
+        <translation>An Ort und Stelle halten (Umschalt+F)</translation>
+    </message>
+    <message>
+        <source>Re-normalize</source>
+        <translation>Renormieren</translation>
+    </message>
+    <message>
+        <source>It takes its present shape for its own (Shift+N)</source>
+        <translation>Sie nimmt ihre jetzige Form als eigene an (Umschalt+N)</translation>
+    </message>
+    <message>
+        <source>Enter keeps the selection under this name in the model tree</source>
+        <translation>Die Eingabetaste bewahrt die Auswahl unter diesem Namen im Modellbaum auf</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Keep the selection under this name</source>
+        <translation>Die Auswahl unter diesem Namen aufbewahren</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Speichern als</translation>
+    </message>
+    <message>
+        <source>Enter selects the objects that lie no farther from the selection than this</source>
+        <translation>Die Eingabetaste wählt die Objekte aus, die nicht weiter als dies von der Auswahl entfernt liegen</translation>
+    </message>
+    <message>
+        <source>All within</source>
+        <translation>Alles im Umkreis</translation>
+    </message>
+    <message>
+        <source>Material of its own</source>
+        <translation>Eigenes Material</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Wählen</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Takes effect at once, also while time runs. The rest of the part stays what it is.</source>
+        <translation>Wirkt sofort, auch während die Zeit läuft. Der Rest des Teils bleibt, was er ist.</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
+    </message>
+    <message>
+        <source>A selection needs a name: type one, then save it.</source>
+        <translation>Eine Auswahl braucht einen Namen: tippen Sie einen, und speichern Sie sie dann.</translation>
     </message>
 </context>
 <context>
@@ -2371,12 +3993,151 @@ Simuliert: %2, Schritt %3
         <translation>%1 %2: wählen Sie eine andere Taste.</translation>
     </message>
     <message>
-        <source>%1 already does "%2".</source>
+        <source>%1 already does &quot;%2&quot;.</source>
         <translation>%1 tut schon „%2“.</translation>
     </message>
     <message>
         <source>Take it from there</source>
         <translation>Von dort nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>SimulationPanel</name>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Earth</source>
+        <translation>Erde</translation>
+    </message>
+    <message>
+        <source>Moon</source>
+        <translation>Mond</translation>
+    </message>
+    <message>
+        <source>Mars</source>
+        <translation>Mars</translation>
+    </message>
+    <message>
+        <source>Jupiter</source>
+        <translation>Jupiter</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Echtzeit</translation>
+    </message>
+    <message>
+        <source>1/%1 of real time</source>
+        <translation>1/%1 der Echtzeit</translation>
+    </message>
+    <message>
+        <source>%1 times real time</source>
+        <translation>%1-fache Echtzeit</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>How fast simulated time runs when the machine keeps up: slow motion shows what is quick</source>
+        <translation>Wie schnell simulierte Zeit läuft, wenn der Rechner mitkommt: Zeitlupe zeigt, was schnell geht</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Simulated time of one step; the largest stable one with a margin</source>
+        <translation>Simulierte Zeit eines Schritts; der größte stabile mit einem Spielraum</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Simuliert</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Own numbers</source>
+        <translation>Eigene Zahlen</translation>
+    </message>
+    <message>
+        <source>As on</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Along %1</source>
+        <translation>Entlang %1</translation>
+    </message>
+    <message>
+        <source>Damping of all bodies</source>
+        <translation>Dämpfung aller Körper</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Semi-implicit Euler</source>
+        <translation>Semi-implizites Euler</translation>
+    </message>
+    <message>
+        <source>Forward Euler</source>
+        <translation>Vorwärts-Euler</translation>
+    </message>
+    <message>
+        <source>Implicit Euler</source>
+        <translation>Implizites Euler</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Keeps vibrations; stiff materials take small steps</source>
+        <translation>Behält Schwingungen; steife Materialien brauchen kleine Schritte</translation>
+    </message>
+    <message>
+        <source>As published; needs damping</source>
+        <translation>Wie veröffentlicht; braucht Dämpfung</translation>
+    </message>
+    <message>
+        <source>A step per frame for any stiffness; fast vibrations die out</source>
+        <translation>Ein Schritt je Bild für jede Steifigkeit; schnelle Schwingungen klingen ab</translation>
+    </message>
+    <message>
+        <source>Implicit where the semi-implicit scheme would be slower than real time</source>
+        <translation>Implizit, wo das semi-implizite Verfahren langsamer als Echtzeit wäre</translation>
+    </message>
+    <message>
+        <source>Integrator</source>
+        <translation>Zeitschrittverfahren</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>Alle %1</translation>
+    </message>
+    <message>
+        <source>How many threads compute; the results are the same bits with any number</source>
+        <translation>Wie viele Threads rechnen; die Ergebnisse sind bei jeder Zahl bitgleich</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Threads</translation>
+    </message>
+    <message>
+        <source>different</source>
+        <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>%1 of all bodies</source>
+        <translation>%1 aller Körper</translation>
     </message>
 </context>
 <context>
@@ -2468,6 +4229,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>%1 pieces</source>
         <translation>%1 Stücke</translation>
+    </message>
+    <message>
+        <source>%1x of %2x as chosen</source>
+        <translation>%1x von gewählten %2x</translation>
     </message>
 </context>
 <context>

@@ -13,19 +13,19 @@
     </message>
     <message>
         <source>For a report of something that went wrong</source>
-        <translation>Pour signaler quelque chose qui n'a pas marché</translation>
+        <translation>Pour signaler quelque chose qui n&apos;a pas marché</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>&lt;b style='font-size:16pt'&gt;Knead %1&lt;/b&gt;&lt;br&gt;A CAD workbench in which a part is a lump of real material.</source>
-        <translation>&lt;b style='font-size:16pt'&gt;Knead %1&lt;/b&gt;&lt;br&gt;Un atelier de CAO où une pièce est un morceau de vrai matériau.</translation>
+        <source>&lt;b style=&apos;font-size:16pt&apos;&gt;Knead %1&lt;/b&gt;&lt;br&gt;A CAD workbench in which a part is a lump of real material.</source>
+        <translation>&lt;b style=&apos;font-size:16pt&apos;&gt;Knead %1&lt;/b&gt;&lt;br&gt;Un atelier de CAO où une pièce est un morceau de vrai matériau.</translation>
     </message>
     <message>
         <source>After Jansson, Horváth and Vergeest, &lt;i&gt;Implementation and analysis of a mechanics simulation module for use in a conceptual design system&lt;/i&gt;, 2000.</source>
-        <translation>D'après Jansson, Horváth et Vergeest, &lt;i&gt;Implementation and analysis of a mechanics simulation module for use in a conceptual design system&lt;/i&gt;, 2000.</translation>
+        <translation>D&apos;après Jansson, Horváth et Vergeest, &lt;i&gt;Implementation and analysis of a mechanics simulation module for use in a conceptual design system&lt;/i&gt;, 2000.</translation>
     </message>
     <message>
         <source>Made with</source>
@@ -84,7 +84,7 @@
     </message>
     <message>
         <source>Look for work that was not saved when Knead ended</source>
-        <translation>Chercher le travail qui n'était pas enregistré quand Knead s'est arrêté</translation>
+        <translation>Chercher le travail qui n&apos;était pas enregistré quand Knead s&apos;est arrêté</translation>
     </message>
     <message>
         <source>&amp;Export...</source>
@@ -168,7 +168,7 @@
     </message>
     <message>
         <source>Write what was simulated as a sequence of pictures</source>
-        <translation>Écrire ce qui a été simulé comme une suite d'images</translation>
+        <translation>Écrire ce qui a été simulé comme une suite d&apos;images</translation>
     </message>
     <message>
         <source>Re-normalize</source>
@@ -176,7 +176,7 @@
     </message>
     <message>
         <source>The selected body, or every one, takes its present shape for its own: stress is gone, the shape stays</source>
-        <translation>Le corps choisi, ou chacun, prend sa forme présente pour sienne : la contrainte disparaît, la forme reste</translation>
+        <translation>Le corps choisi, ou chacun, prend sa forme présente pour sienne&#xa0;: la contrainte disparaît, la forme reste</translation>
     </message>
     <message>
         <source>Fix faces</source>
@@ -192,7 +192,7 @@
     </message>
     <message>
         <source>Remove the selected tool or fixture</source>
-        <translation>Supprimer l'outil ou la fixation choisis</translation>
+        <translation>Supprimer l&apos;outil ou la fixation choisis</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -292,7 +292,7 @@
     </message>
     <message>
         <source>Find any command by a few of its letters and do it</source>
-        <translation>Trouver toute commande par quelques lettres et l'exécuter</translation>
+        <translation>Trouver toute commande par quelques lettres et l&apos;exécuter</translation>
     </message>
     <message>
         <source>&amp;Preferences...</source>
@@ -308,7 +308,7 @@
     </message>
     <message>
         <source>Give commands other keys</source>
-        <translation>Donner d'autres touches aux commandes</translation>
+        <translation>Donner d&apos;autres touches aux commandes</translation>
     </message>
     <message>
         <source>Reset layout</source>
@@ -316,7 +316,7 @@
     </message>
     <message>
         <source>Put all panels back where they came</source>
-        <translation>Remettre tous les panneaux à leur place d'origine</translation>
+        <translation>Remettre tous les panneaux à leur place d&apos;origine</translation>
     </message>
     <message>
         <source>Full screen</source>
@@ -371,14 +371,327 @@
     </message>
 </context>
 <context>
+    <name>ColorLegend</name>
+    <message>
+        <source>Looking back does not keep this of material that has flowed or is pressed: return to the present, or choose displacement or strain.</source>
+        <translation>Le regard en arrière ne garde pas cette grandeur là où le matériau s&apos;est écoulé ou est pressé&#xa0;: revenez au présent, ou choisissez déplacement ou déformation.</translation>
+    </message>
+    <message>
+        <source>This moment does not tell it yet: it comes with the next step.</source>
+        <translation>Ce moment ne donne pas encore cette grandeur&#xa0;: elle vient avec le prochain pas.</translation>
+    </message>
+</context>
+<context>
+    <name>ColorScale</name>
+    <message>
+        <source>Displacement</source>
+        <translation>Déplacement</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Déformation</translation>
+    </message>
+    <message>
+        <source>Von Mises stress</source>
+        <translation>Contrainte de von Mises</translation>
+    </message>
+    <message>
+        <source>Plastic strain</source>
+        <translation>Déformation plastique</translation>
+    </message>
+    <message>
+        <source>Contact force</source>
+        <translation>Force de contact</translation>
+    </message>
+    <message>
+        <source>Distance to the original</source>
+        <translation>Distance à l&apos;original</translation>
+    </message>
+</context>
+<context>
     <name>CommandPalette</name>
     <message>
         <source>What do you want to do?</source>
-        <translation>Que voulez-vous faire ?</translation>
+        <translation>Que voulez-vous faire&#xa0;?</translation>
     </message>
     <message>
         <source>Nothing is called like that: try fewer letters.</source>
-        <translation>Rien ne s'appelle ainsi : essayez moins de lettres.</translation>
+        <translation>Rien ne s&apos;appelle ainsi&#xa0;: essayez moins de lettres.</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonDialog</name>
+    <message>
+        <source>Compare with original</source>
+        <translation>Comparer à l&apos;original</translation>
+    </message>
+    <message>
+        <source>How far the skin is from the nearest point of the original surface, at %1 of simulated time. The mean is by area.</source>
+        <translation>Distance de la peau au point le plus proche de la surface d&apos;origine, à %1 de temps simulé. La moyenne est pondérée par l&apos;aire.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Pièce</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Distance maximale</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>Distance moyenne</translation>
+    </message>
+    <message>
+        <source>Largest displacement</source>
+        <translation>Déplacement maximal</translation>
+    </message>
+    <message>
+        <source>Volume at rest</source>
+        <translation>Volume au repos</translation>
+    </message>
+    <message>
+        <source>Volume now</source>
+        <translation>Volume actuel</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Variation</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Write report...</source>
+        <translation>Écrire un rapport...</translation>
+    </message>
+    <message>
+        <source>A page with these numbers, what was measured and a picture of the view, as PDF or HTML</source>
+        <translation>Une page avec ces nombres, ce qui a été mesuré et une image de la vue, en PDF ou HTML</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonReport</name>
+    <message>
+        <source>Part</source>
+        <translation>Pièce</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Distance maximale</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>Distance moyenne</translation>
+    </message>
+    <message>
+        <source>Largest displacement</source>
+        <translation>Déplacement maximal</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Center of mass moved</source>
+        <translation>Déplacement du centre de masse</translation>
+    </message>
+    <message>
+        <source>%1 beside its original</source>
+        <translation>%1 à côté de son original</translation>
+    </message>
+    <message>
+        <source>At %1 of simulated time. Written by Knead on %2.</source>
+        <translation>À %1 de temps simulé. Écrit par Knead le %2.</translation>
+    </message>
+    <message>
+        <source>Distances are those of the deformed skin from the nearest point of the original surface; the mean is by area. A displacement is the way of a point of the skin since rest.</source>
+        <translation>Les distances sont celles de la peau déformée au point le plus proche de la surface d&apos;origine&#xa0;; la moyenne est pondérée par l&apos;aire. Un déplacement est le chemin d&apos;un point de la peau depuis le repos.</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mesures</translation>
+    </message>
+</context>
+<context>
+    <name>Display</name>
+    <message>
+        <source>Skin</source>
+        <translation>Peau</translation>
+    </message>
+    <message>
+        <source>Show the surface of the part; as through glass when what is inside is shown too</source>
+        <translation>Montrer la surface de la pièce&#xa0;; comme à travers du verre quand l&apos;intérieur est montré aussi</translation>
+    </message>
+    <message>
+        <source>Connections</source>
+        <translation>Liaisons</translation>
+    </message>
+    <message>
+        <source>Show the connections between objects as lines</source>
+        <translation>Montrer les liaisons entre objets par des lignes</translation>
+    </message>
+    <message>
+        <source>Original shape</source>
+        <translation>Forme d&apos;origine</translation>
+    </message>
+    <message>
+        <source>Show the shape at rest, translucent, around what became of it</source>
+        <translation>Montrer la forme au repos, translucide, autour de ce qu&apos;elle est devenue</translation>
+    </message>
+    <message>
+        <source>Broken connections</source>
+        <translation>Liaisons rompues</translation>
+    </message>
+    <message>
+        <source>Mark where connections broke</source>
+        <translation>Marquer où des liaisons ont rompu</translation>
+    </message>
+    <message>
+        <source>Section plane</source>
+        <translation>Plan de coupe</translation>
+    </message>
+    <message>
+        <source>Cut the part open to look inside; drag the knob to move the plane</source>
+        <translation>Couper la pièce pour regarder à l&apos;intérieur&#xa0;; tirez la poignée pour déplacer le plan</translation>
+    </message>
+    <message>
+        <source>Flip section</source>
+        <translation>Inverser la coupe</translation>
+    </message>
+    <message>
+        <source>Cut off the other side</source>
+        <translation>Couper l&apos;autre côté</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Avant et après</translation>
+    </message>
+    <message>
+        <source>Divide the view: the original on the left, the part as it is on the right</source>
+        <translation>Diviser la vue&#xa0;: l&apos;original à gauche, la pièce telle qu&apos;elle est à droite</translation>
+    </message>
+    <message>
+        <source>Part colors</source>
+        <translation>Couleurs de la pièce</translation>
+    </message>
+    <message>
+        <source>Faces have the colors of the part</source>
+        <translation>Les faces ont les couleurs de la pièce</translation>
+    </message>
+    <message>
+        <source>Color the skin by: %1</source>
+        <translation>Colorer la peau selon&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>What is shown of the material, and how</source>
+        <translation>Ce qui est montré du matériau, et comment</translation>
+    </message>
+    <message>
+        <source>Colors</source>
+        <translation>Couleurs</translation>
+    </message>
+</context>
+<context>
+    <name>DisplayPanel</name>
+    <message>
+        <source>Range as needed</source>
+        <translation>Plage automatique</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Palette</translation>
+    </message>
+    <message>
+        <source>From, to</source>
+        <translation>De, à</translation>
+    </message>
+    <message>
+        <source>Hatched</source>
+        <translation>Hachures</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Montrer</translation>
+    </message>
+    <message>
+        <source>Colors of the skin</source>
+        <translation>Couleurs de la peau</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Gray</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
+        <source>All have even lightness; cividis looks nearly alike to people who see few colors</source>
+        <translation>Toutes ont une clarté régulière&#xa0;; cividis paraît presque pareille à qui distingue peu de couleurs</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Look inside</source>
+        <translation>Voir l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Towards the eye</source>
+        <translation>Vers l&apos;œil</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Drag the line in the view: the original on the left, now on the right.</source>
+        <translation>Tirez la ligne dans la vue&#xa0;: l&apos;original à gauche, l&apos;état actuel à droite.</translation>
+    </message>
+</context>
+<context>
+    <name>DividerHandle</name>
+    <message>
+        <source>Drag: the original on the left, the part as it is on the right</source>
+        <translation>Tirez&#xa0;: l&apos;original à gauche, la pièce telle qu&apos;elle est à droite</translation>
+    </message>
+    <message>
+        <source>Divider between before and after</source>
+        <translation>Séparation entre avant et après</translation>
     </message>
 </context>
 <context>
@@ -400,8 +713,8 @@
         <translation>Supprimer %1</translation>
     </message>
     <message>
-        <source>"%1" is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.</source>
-        <translation>« %1 » est un maillage sans faces de CAO : ouvrez-le en STEP, IGES ou BREP pour fixer des faces.</translation>
+        <source>&quot;%1&quot; is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.</source>
+        <translation>«&#xa0;%1&#xa0;» est un maillage sans faces de CAO&#xa0;: ouvrez-le en STEP, IGES ou BREP pour fixer des faces.</translation>
     </message>
     <message>
         <source>Fix face</source>
@@ -413,7 +726,7 @@
     </message>
     <message>
         <source>%1 holds no objects: its faces are smaller than the spacing. Choose a finer spacing and refill.</source>
-        <translation>%1 ne tient aucun objet : ses faces sont plus petites que l'espacement. Choisissez un espacement plus fin et remplissez de nouveau.</translation>
+        <translation>%1 ne tient aucun objet&#xa0;: ses faces sont plus petites que l&apos;espacement. Choisissez un espacement plus fin et remplissez de nouveau.</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -429,11 +742,11 @@
     </message>
     <message>
         <source>%1 is still going on: wait for it, or cancel it with Esc, then go to %2.</source>
-        <translation>%1 est encore en cours : attendez ou annulez avec Échap, puis allez à %2.</translation>
+        <translation>%1 est encore en cours&#xa0;: attendez ou annulez avec Échap, puis allez à %2.</translation>
     </message>
     <message>
         <source>There is not enough memory for this moment. Close other programs and try again.</source>
-        <translation>La mémoire ne suffit pas pour ce moment. Fermez d'autres programmes et réessayez.</translation>
+        <translation>La mémoire ne suffit pas pour ce moment. Fermez d&apos;autres programmes et réessayez.</translation>
     </message>
     <message>
         <source>Branching from %1</source>
@@ -441,7 +754,7 @@
     </message>
     <message>
         <source>%1 is still going on: wait for it, or cancel it with Esc, then branch again.</source>
-        <translation>%1 est encore en cours : attendez ou annulez avec Échap, puis bifurquez de nouveau.</translation>
+        <translation>%1 est encore en cours&#xa0;: attendez ou annulez avec Échap, puis bifurquez de nouveau.</translation>
     </message>
     <message>
         <source>Branch at %1</source>
@@ -450,6 +763,46 @@
     <message>
         <source>The recipe has come to its end. Play goes on without it.</source>
         <translation>La recette est finie. Lecture continue sans elle.</translation>
+    </message>
+    <message>
+        <source>Rename to %1</source>
+        <translation>Renommer en %1</translation>
+    </message>
+    <message>
+        <source>Color of %1</source>
+        <translation>Couleur de %1</translation>
+    </message>
+    <message>
+        <source>Something is called &quot;%1&quot; already: choose another name.</source>
+        <translation>Quelque chose s&apos;appelle déjà «&#xa0;%1&#xa0;»&#xa0;: choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is locked in the model tree: unlock it there to change it.</source>
+        <translation>«&#xa0;%1&#xa0;» est verrouillé dans l&apos;arbre du modèle&#xa0;: déverrouillez-le là pour le modifier.</translation>
+    </message>
+    <message>
+        <source>Fix selection</source>
+        <translation>Fixer la sélection</translation>
+    </message>
+    <message>
+        <source>The selection holds no objects: it is smaller than the spacing. Choose a finer spacing and refill.</source>
+        <translation>La sélection ne tient aucun objet&#xa0;: elle est plus petite que l&apos;espacement. Choisissez un espacement plus fin et remplissez de nouveau.</translation>
+    </message>
+    <message>
+        <source>Material of selection</source>
+        <translation>Matériau de la sélection</translation>
+    </message>
+    <message>
+        <source>Material of selection → %1</source>
+        <translation>Matériau de la sélection → %1</translation>
+    </message>
+    <message>
+        <source>Re-normalize selection</source>
+        <translation>Renormaliser la sélection</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names edges or connections of another filling: undo to go back to that, or select them again and save them under this name.</source>
+        <translation>«&#xa0;%1&#xa0;» désigne des arêtes ou des liaisons d&apos;un autre remplissage&#xa0;: annulez pour y revenir, ou sélectionnez-les de nouveau et enregistrez-les sous ce nom.</translation>
     </message>
 </context>
 <context>
@@ -544,7 +897,7 @@
     </message>
     <message>
         <source>the tool</source>
-        <translation>l'outil</translation>
+        <translation>l&apos;outil</translation>
     </message>
     <message>
         <source>the fixture</source>
@@ -566,12 +919,24 @@
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
+    <message>
+        <source>Look of a part</source>
+        <translation>Aspect d&apos;une pièce</translation>
+    </message>
+    <message>
+        <source>Look of %1</source>
+        <translation>Aspect de %1</translation>
+    </message>
+    <message>
+        <source>Rename to %1</source>
+        <translation>Renommer en %1</translation>
+    </message>
 </context>
 <context>
     <name>ExportDialog</name>
     <message>
         <source>Smooth trimmed faces, one for each face of the part as it was opened, at the places where the material has them now. The file is read back and compared.</source>
-        <translation>Faces lisses délimitées, une pour chaque face de la pièce telle qu'elle a été ouverte, là où le matériau les a maintenant. Le fichier est relu et comparé.</translation>
+        <translation>Faces lisses délimitées, une pour chaque face de la pièce telle qu&apos;elle a été ouverte, là où le matériau les a maintenant. Le fichier est relu et comparé.</translation>
     </message>
     <message>
         <source>Triangles, as fine as the surface that is drawn.</source>
@@ -598,8 +963,8 @@
         <translation>Pièces visibles</translation>
     </message>
     <message>
-        <source>Only "%1"</source>
-        <translation>Seulement « %1 »</translation>
+        <source>Only &quot;%1&quot;</source>
+        <translation>Seulement «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Parts</source>
@@ -615,11 +980,11 @@
     </message>
     <message>
         <source>Automatic: 0.01 % of the size</source>
-        <translation>Automatique : 0,01 % de la taille</translation>
+        <translation>Automatique&#xa0;: 0,01 % de la taille</translation>
     </message>
     <message>
         <source>How far faces in the file may lie beside the surface of the material. A larger one gives smaller files.</source>
-        <translation>De combien les faces du fichier peuvent s'écarter de la surface du matériau. Plus grand donne des fichiers plus petits.</translation>
+        <translation>De combien les faces du fichier peuvent s&apos;écarter de la surface du matériau. Plus grand donne des fichiers plus petits.</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -627,7 +992,7 @@
     </message>
     <message>
         <source>For older programs: AP214 instead of AP242</source>
-        <translation>Pour les programmes plus anciens : AP214 au lieu d'AP242</translation>
+        <translation>Pour les programmes plus anciens&#xa0;: AP214 au lieu d&apos;AP242</translation>
     </message>
     <message>
         <source>As text, which is larger and can be read</source>
@@ -690,19 +1055,19 @@
     </message>
     <message>
         <source>Not as smooth faces: %1</source>
-        <translation>Pas en faces lisses : %1</translation>
+        <translation>Pas en faces lisses&#xa0;: %1</translation>
     </message>
     <message>
         <source>Its name was not found again.</source>
-        <translation>Son nom n'a pas été retrouvé.</translation>
+        <translation>Son nom n&apos;a pas été retrouvé.</translation>
     </message>
     <message>
         <source>Not all of its colors were found again.</source>
-        <translation>Ses couleurs n'ont pas toutes été retrouvées.</translation>
+        <translation>Ses couleurs n&apos;ont pas toutes été retrouvées.</translation>
     </message>
     <message>
         <source>Nothing was exported yet.</source>
-        <translation>Rien n'a encore été exporté.</translation>
+        <translation>Rien n&apos;a encore été exporté.</translation>
     </message>
     <message>
         <source>Part</source>
@@ -730,7 +1095,7 @@
     </message>
     <message>
         <source>Volume (since opened)</source>
-        <translation>Volume (depuis l'ouverture)</translation>
+        <translation>Volume (depuis l&apos;ouverture)</translation>
     </message>
     <message>
         <source>Mass</source>
@@ -742,7 +1107,7 @@
     </message>
     <message>
         <source>%1: %2, %3 MB in %4 s. %5</source>
-        <translation>%1 : %2, %3 Mo en %4 s. %5</translation>
+        <translation>%1&#xa0;: %2, %3 Mo en %4 s. %5</translation>
     </message>
     <message>
         <source>All parts are sound.</source>
@@ -757,7 +1122,7 @@
     <name>FilmWriter</name>
     <message>
         <source>There is no room left in %1. Free some, or record fewer or smaller pictures.</source>
-        <translation>Il n'y a plus de place dans %1. Libérez-en, ou enregistrez moins d'images ou de plus petites.</translation>
+        <translation>Il n&apos;y a plus de place dans %1. Libérez-en, ou enregistrez moins d&apos;images ou de plus petites.</translation>
     </message>
     <message>
         <source>%1 cannot be written. Choose another place.</source>
@@ -769,15 +1134,15 @@
     </message>
     <message>
         <source>%1 cannot be written: is there room on the disk?</source>
-        <translation>%1 ne peut pas être écrit : reste-t-il de la place sur le disque ?</translation>
+        <translation>%1 ne peut pas être écrit&#xa0;: reste-t-il de la place sur le disque&#xa0;?</translation>
     </message>
     <message>
         <source>%1 cannot be made: %2.</source>
-        <translation>%1 ne peut pas être créé : %2.</translation>
+        <translation>%1 ne peut pas être créé&#xa0;: %2.</translation>
     </message>
     <message>
         <source>No folder can be made in %1: %2. Choose another place.</source>
-        <translation>Aucun dossier ne peut être créé dans %1 : %2. Choisissez un autre endroit.</translation>
+        <translation>Aucun dossier ne peut être créé dans %1&#xa0;: %2. Choisissez un autre endroit.</translation>
     </message>
 </context>
 <context>
@@ -795,12 +1160,224 @@
         <translation>Objets tenus</translation>
     </message>
     <message>
-        <source>With "Fix faces" on, a click on a face adds it to this fixture, or frees it.</source>
-        <translation>Avec « Fixer des faces », un clic sur une face l'ajoute à cette fixation ou la libère.</translation>
+        <source>With &quot;Fix faces&quot; on, a click on a face adds it to this fixture, or frees it.</source>
+        <translation>Avec «&#xa0;Fixer des faces&#xa0;», un clic sur une face l&apos;ajoute à cette fixation ou la libère.</translation>
     </message>
     <message>
         <source>Remove fixture</source>
         <translation>Supprimer la fixation</translation>
+    </message>
+</context>
+<context>
+    <name>ForcePanel</name>
+    <message>
+        <source>Magnitude</source>
+        <translation>Norme</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>What of the force is plotted</source>
+        <translation>Ce qui est tracé de la force</translation>
+    </message>
+</context>
+<context>
+    <name>ForcePlot</name>
+    <message>
+        <source>Add a tool and press Space: forces over time appear here.</source>
+        <translation>Ajoutez un outil et appuyez sur Espace&#xa0;: les forces au cours du temps apparaissent ici.</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Temps [s]</translation>
+    </message>
+    <message>
+        <source>Force [%1]</source>
+        <translation>Force [%1]</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>HandPanel</name>
+    <message>
+        <source>Along the tool&apos;s own axes</source>
+        <translation>Selon les axes propres de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Poignées</translation>
+    </message>
+    <message>
+        <source>Move step</source>
+        <translation>Pas de déplacement</translation>
+    </message>
+    <message>
+        <source>Handles move in steps of this length while Ctrl is held</source>
+        <translation>Avec Ctrl, les poignées avancent par pas de cette longueur</translation>
+    </message>
+    <message>
+        <source>Turn step</source>
+        <translation>Pas de rotation</translation>
+    </message>
+    <message>
+        <source>Handles turn in steps of this angle while Ctrl is held</source>
+        <translation>Avec Ctrl, les poignées tournent par pas de cet angle</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>Clavier</translation>
+    </message>
+    <message>
+        <source>Key step</source>
+        <translation>Pas par appui</translation>
+    </message>
+    <message>
+        <source>A key press moves a tool by this length</source>
+        <translation>Un appui sur une touche déplace un outil de cette longueur</translation>
+    </message>
+    <message>
+        <source>Steps per second</source>
+        <translation>Pas par seconde</translation>
+    </message>
+    <message>
+        <source>While a key is held; a tool never goes faster than its speed limit</source>
+        <translation>Tant qu&apos;une touche est tenue&#xa0;; un outil ne dépasse jamais sa limite de vitesse</translation>
+    </message>
+    <message>
+        <source>Pulling</source>
+        <translation>Tirer</translation>
+    </message>
+    <message>
+        <source>Spring stiffness</source>
+        <translation>Raideur du ressort</translation>
+    </message>
+    <message>
+        <source>Of the spring between the mouse and the material</source>
+        <translation>Du ressort entre la souris et le matériau</translation>
+    </message>
+    <message>
+        <source>Largest pull</source>
+        <translation>Force maximale</translation>
+    </message>
+    <message>
+        <source>The hand does not pull harder than this</source>
+        <translation>La main ne tire pas plus fort que cela</translation>
+    </message>
+    <message>
+        <source>3D mouse</source>
+        <translation>Souris 3D</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Selected tool</source>
+        <translation>Outil choisi</translation>
+    </message>
+    <message>
+        <source>Drives</source>
+        <translation>Conduit</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Facteur</translation>
+    </message>
+    <message>
+        <source>Of its speeds; 1 is usual</source>
+        <translation>De ses vitesses&#xa0;; 1 est l&apos;usage</translation>
+    </message>
+    <message>
+        <source>by the material</source>
+        <translation>selon le matériau</translation>
+    </message>
+    <message>
+        <source>Connected. First button: fit; second: camera or tool.</source>
+        <translation>Connectée. Premier bouton&#xa0;: ajuster&#xa0;; deuxième&#xa0;: caméra ou outil.</translation>
+    </message>
+    <message>
+        <source>None: it works as soon as spacenavd runs.</source>
+        <translation>Aucune&#xa0;: elle marche dès que spacenavd est lancé.</translation>
+    </message>
+</context>
+<context>
+    <name>Hands</name>
+    <message>
+        <source>Handles</source>
+        <translation>Poignées</translation>
+    </message>
+    <message>
+        <source>Show handles on the selected tool to move and turn it; Ctrl: in steps; type numbers</source>
+        <translation>Montrer des poignées sur l&apos;outil choisi pour le déplacer et le tourner&#xa0;; Ctrl&#xa0;: par pas&#xa0;; tapez des nombres</translation>
+    </message>
+    <message>
+        <source>Drive by keys</source>
+        <translation>Conduire au clavier</translation>
+    </message>
+    <message>
+        <source>Drive up to three tools with the keyboard, each with keys of its own</source>
+        <translation>Conduire jusqu&apos;à trois outils au clavier, chacun avec ses propres touches</translation>
+    </message>
+    <message>
+        <source>Pull material</source>
+        <translation>Tirer le matériau</translation>
+    </message>
+    <message>
+        <source>Press on the part and pull its material with a spring</source>
+        <translation>Appuyer sur la pièce et tirer son matériau avec un ressort</translation>
+    </message>
+    <message>
+        <source>3D mouse drives tool</source>
+        <translation>Outil à la souris 3D</translation>
+    </message>
+    <message>
+        <source>The 3D mouse moves the selected tool, not the camera</source>
+        <translation>La souris 3D déplace l&apos;outil choisi, pas la caméra</translation>
+    </message>
+    <message>
+        <source>Forces on tools</source>
+        <translation>Forces sur les outils</translation>
+    </message>
+    <message>
+        <source>Show the force of the material on each tool as an arrow with its number</source>
+        <translation>Montrer la force du matériau sur chaque outil par une flèche avec son nombre</translation>
+    </message>
+    <message>
+        <source>Plot of forces</source>
+        <translation>Courbes des forces</translation>
+    </message>
+    <message>
+        <source>Show forces over time</source>
+        <translation>Montrer les forces au cours du temps</translation>
+    </message>
+    <message>
+        <source>Forces as table...</source>
+        <translation>Tableau des forces...</translation>
+    </message>
+    <message>
+        <source>Write the forces over time as a CSV file</source>
+        <translation>Écrire les forces au cours du temps dans un fichier CSV</translation>
+    </message>
+    <message>
+        <source>Press on the part and pull   Esc: done</source>
+        <translation>Appuyer sur la pièce et tirer   Échap&#xa0;: fini</translation>
+    </message>
+    <message>
+        <source>Keys drive tools   Shift: slower   Esc: done</source>
+        <translation>Les touches conduisent les outils   Maj&#xa0;: plus lent   Échap&#xa0;: fini</translation>
     </message>
 </context>
 <context>
@@ -831,7 +1408,7 @@
     </message>
     <message>
         <source>Key moments: memory is kept for them longest</source>
-        <translation>Moments clés : la mémoire leur est gardée le plus longtemps</translation>
+        <translation>Moments clés&#xa0;: la mémoire leur est gardée le plus longtemps</translation>
     </message>
     <message>
         <source> MB</source>
@@ -847,7 +1424,7 @@
     </message>
     <message>
         <source>A key moment; click: no longer one</source>
-        <translation>Un moment clé ; clic : ne l'est plus</translation>
+        <translation>Un moment clé&#xa0;; clic&#xa0;: ne l&apos;est plus</translation>
     </message>
     <message>
         <source>Mark as a key moment</source>
@@ -866,12 +1443,12 @@
 Simulated: %2, step %3
 %4</source>
         <translation>%1
-Simulé : %2, pas %3
+Simulé&#xa0;: %2, pas %3
 %4</translation>
     </message>
     <message>
         <source>Go here, and branch from here with what is done next</source>
-        <translation>Aller ici, et bifurquer d'ici avec ce qui est fait ensuite</translation>
+        <translation>Aller ici, et bifurquer d&apos;ici avec ce qui est fait ensuite</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -879,7 +1456,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>No longer a key moment</source>
-        <translation>N'est plus un moment clé</translation>
+        <translation>N&apos;est plus un moment clé</translation>
     </message>
     <message>
         <source>Mark as key moment</source>
@@ -969,7 +1546,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>How far the triangles that are drawn and filled may lie beside the surfaces of the file</source>
-        <translation>De combien les triangles dessinés et remplis peuvent s'écarter des surfaces du fichier</translation>
+        <translation>De combien les triangles dessinés et remplis peuvent s&apos;écarter des surfaces du fichier</translation>
     </message>
     <message>
         <source>Triangles</source>
@@ -981,7 +1558,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>The unit that the numbers in the file are taken in</source>
-        <translation>L'unité dans laquelle sont pris les nombres du fichier</translation>
+        <translation>L&apos;unité dans laquelle sont pris les nombres du fichier</translation>
     </message>
     <message>
         <source>Lengths</source>
@@ -1005,7 +1582,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Repair shapes: sew surfaces, close gaps</source>
-        <translation>Réparer les formes : coudre les surfaces, fermer les jours</translation>
+        <translation>Réparer les formes&#xa0;: coudre les surfaces, fermer les jours</translation>
     </message>
     <message>
         <source>Close flat openings, fill in spite of small holes</source>
@@ -1013,7 +1590,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Flat openings of any size get a plane face; other surfaces are filled where they wind around. What is open too wide is only shown.</source>
-        <translation>Les ouvertures planes de toute taille reçoivent une face plane ; les autres surfaces sont remplies là où elles entourent. Ce qui est trop ouvert est seulement montré.</translation>
+        <translation>Les ouvertures planes de toute taille reçoivent une face plane&#xa0;; les autres surfaces sont remplies là où elles entourent. Ce qui est trop ouvert est seulement montré.</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -1025,7 +1602,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Reading is given up after this processor time; automatic: by the size of the file</source>
-        <translation>La lecture est abandonnée après ce temps de calcul ; automatique : selon la taille du fichier</translation>
+        <translation>La lecture est abandonnée après ce temps de calcul&#xa0;; automatique&#xa0;: selon la taille du fichier</translation>
     </message>
     <message>
         <source> GiB</source>
@@ -1033,7 +1610,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Reading is given up when it wants more memory; automatic: by the size of the file</source>
-        <translation>La lecture est abandonnée si elle veut plus de mémoire ; automatique : selon la taille du fichier</translation>
+        <translation>La lecture est abandonnée si elle veut plus de mémoire&#xa0;; automatique&#xa0;: selon la taille du fichier</translation>
     </message>
     <message>
         <source>Give up after</source>
@@ -1045,7 +1622,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>About so many objects</source>
-        <translation>À peu près tant d'objets</translation>
+        <translation>À peu près tant d&apos;objets</translation>
     </message>
     <message>
         <source>Cells across the thinnest wall</source>
@@ -1057,7 +1634,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>How finely to fill with objects; finer is slower</source>
-        <translation>La finesse du remplissage en objets ; plus fin est plus lent</translation>
+        <translation>La finesse du remplissage en objets&#xa0;; plus fin est plus lent</translation>
     </message>
     <message>
         <source>Filling</source>
@@ -1084,11 +1661,11 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Opens the file again: flat openings get a plane face, other surfaces are filled where they wind around</source>
-        <translation>Ouvre de nouveau le fichier : les ouvertures planes reçoivent une face plane, les autres surfaces sont remplies là où elles entourent</translation>
+        <translation>Ouvre de nouveau le fichier&#xa0;: les ouvertures planes reçoivent une face plane, les autres surfaces sont remplies là où elles entourent</translation>
     </message>
     <message>
         <source>The unit that the numbers in the file are taken in. Another one opens the part anew in it.</source>
-        <translation>L'unité dans laquelle sont pris les nombres du fichier. Une autre ouvre la pièce de nouveau dans celle-ci.</translation>
+        <translation>L&apos;unité dans laquelle sont pris les nombres du fichier. Une autre ouvre la pièce de nouveau dans celle-ci.</translation>
     </message>
     <message>
         <source>Lengths in</source>
@@ -1136,15 +1713,29 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>was not filled: %1</source>
-        <translation>n'a pas été rempli : %1</translation>
+        <translation>n&apos;a pas été rempli&#xa0;: %1</translation>
     </message>
     <message>
         <source>Repaired: %1</source>
-        <translation>Réparé : %1</translation>
+        <translation>Réparé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Nothing was wrong with this file.</source>
-        <translation>Ce fichier n'avait aucun défaut.</translation>
+        <translation>Ce fichier n&apos;avait aucun défaut.</translation>
+    </message>
+</context>
+<context>
+    <name>KeyCards</name>
+    <message>
+        <source>Tool %1: add one</source>
+        <translation>Outil %1&#xa0;: ajoutez-en un</translation>
+    </message>
+</context>
+<context>
+    <name>KeyHand</name>
+    <message>
+        <source>%1 per step, %2 steps per second, Shift: slower</source>
+        <translation>%1 par pas, %2 pas par seconde, Maj&#xa0;: plus lent</translation>
     </message>
 </context>
 <context>
@@ -1159,23 +1750,23 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>%1: cancelled, nothing has changed.</source>
-        <translation>%1 : annulé, rien n'a changé.</translation>
+        <translation>%1&#xa0;: annulé, rien n&apos;a changé.</translation>
     </message>
     <message>
         <source>%1 is still going on: wait for it, or cancel it with Esc.</source>
-        <translation>%1 est encore en cours : attendez ou annulez avec Échap.</translation>
+        <translation>%1 est encore en cours&#xa0;: attendez ou annulez avec Échap.</translation>
     </message>
     <message>
         <source>%1: %2, %3 surfaces to look at, nothing to simulate.</source>
-        <translation>%1 : %2, %3 surfaces à regarder, rien à simuler.</translation>
+        <translation>%1&#xa0;: %2, %3 surfaces à regarder, rien à simuler.</translation>
     </message>
     <message>
         <source>%1: %2, %3 objects of spacing %4, %5 connections, time step %6.</source>
-        <translation>%1 : %2, %3 objets d'espacement %4, %5 liaisons, pas de temps %6.</translation>
+        <translation>%1&#xa0;: %2, %3 objets d&apos;espacement %4, %5 liaisons, pas de temps %6.</translation>
     </message>
     <message>
-        <source>%1 "%2"</source>
-        <translation>%1 : %2</translation>
+        <source>%1 &quot;%2&quot;</source>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -1191,15 +1782,15 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Click faces to hold or free them   Esc: done</source>
-        <translation>Cliquer des faces pour les tenir ou les libérer   Échap : fini</translation>
+        <translation>Cliquer des faces pour les tenir ou les libérer   Échap&#xa0;: fini</translation>
     </message>
     <message>
         <source>Arrows, PgUp, PgDn: drive   Shift: slower   Middle: orbit</source>
-        <translation>Flèches, Pg préc, Pg suiv : conduire   Maj : plus lent   Milieu : tourner</translation>
+        <translation>Flèches, Pg préc, Pg suiv&#xa0;: conduire   Maj&#xa0;: plus lent   Milieu&#xa0;: tourner</translation>
     </message>
     <message>
         <source>Middle: orbit   Shift+middle: pan   Wheel: zoom</source>
-        <translation>Milieu : tourner   Maj+milieu : glisser   Molette : zoomer</translation>
+        <translation>Milieu&#xa0;: tourner   Maj+milieu&#xa0;: glisser   Molette&#xa0;: zoomer</translation>
     </message>
     <message>
         <source>Parts (%1)</source>
@@ -1234,10 +1825,6 @@ Simulé : %2, pas %3
         <translation>Souris et touches</translation>
     </message>
     <message>
-        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;front, right, top, isometric; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Bouton gauche&lt;/b&gt;&lt;/td&gt;&lt;td&gt;choisir ; tirer un outil&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Bouton du milieu&lt;/b&gt;&lt;/td&gt;&lt;td&gt;tourner ; avec Maj ou Ctrl glisser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Molette&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomer vers le curseur&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Flèches, Pg préc, Pg suiv&lt;/b&gt;&lt;/td&gt;&lt;td&gt;conduire l'outil choisi ; Maj est plus lent&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Espace, . , Retour arrière&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lecture ou pause, un pas, réinitialiser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Suppr&lt;/b&gt;&lt;/td&gt;&lt;td&gt;ajouter un bloc, fixer des faces, supprimer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;pesanteur, renormaliser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objets, cacher le corps, arêtes&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;face, droite, dessus, isométrique ; Ctrl : de l'autre côté&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective ou parallèle, ajuster&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;enregistrer le projet ; Ctrl+Maj+S sous un autre nom&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;trouver toute commande ; F11 : plein écran&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Échap&lt;/b&gt;&lt;/td&gt;&lt;td&gt;annuler&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
-    </message>
-    <message>
         <source>Looking into %1</source>
         <translation>Examen de %1</translation>
     </message>
@@ -1248,7 +1835,7 @@ Simulé : %2, pas %3
     <message numerus="yes">
         <source>Opening %1 and %n more</source>
         <translation>
-            <numerusform>Ouverture de %1 et d'un autre fichier</numerusform>
+            <numerusform>Ouverture de %1 et d&apos;un autre fichier</numerusform>
             <numerusform>Ouverture de %1 et de %n autres fichiers</numerusform>
         </translation>
     </message>
@@ -1270,7 +1857,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Not everything in %1 is sound; the export report says what is not.</source>
-        <translation>Tout n'est pas sain dans %1 ; le rapport d'exportation dit quoi.</translation>
+        <translation>Tout n&apos;est pas sain dans %1&#xa0;; le rapport d&apos;exportation dit quoi.</translation>
     </message>
     <message>
         <source>Take as %1</source>
@@ -1278,7 +1865,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>%1 parts of the file are missing; the import report says which and why.</source>
-        <translation>%1 pièces du fichier manquent ; le rapport d'importation dit lesquelles et pourquoi.</translation>
+        <translation>%1 pièces du fichier manquent&#xa0;; le rapport d&apos;importation dit lesquelles et pourquoi.</translation>
     </message>
     <message>
         <source>Show report</source>
@@ -1286,7 +1873,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Nothing in this file is closed, so nothing can be filled and simulated; the import report says why. Open edges are drawn in color.</source>
-        <translation>Rien dans ce fichier n'est fermé, rien ne peut donc être rempli et simulé ; le rapport d'importation dit pourquoi. Les arêtes ouvertes sont dessinées en couleur.</translation>
+        <translation>Rien dans ce fichier n&apos;est fermé, rien ne peut donc être rempli et simulé&#xa0;; le rapport d&apos;importation dit pourquoi. Les arêtes ouvertes sont dessinées en couleur.</translation>
     </message>
     <message>
         <source>Taking lengths in %1</source>
@@ -1322,11 +1909,11 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Import report</source>
-        <translation>Rapport d'importation</translation>
+        <translation>Rapport d&apos;importation</translation>
     </message>
     <message>
         <source>Export report</source>
-        <translation>Rapport d'exportation</translation>
+        <translation>Rapport d&apos;exportation</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -1382,15 +1969,15 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>%1 is not there any more. It may have been moved: look for it with Ctrl+O.</source>
-        <translation>%1 n'est plus là. Il a peut-être été déplacé : cherchez-le avec Ctrl+O.</translation>
+        <translation>%1 n&apos;est plus là. Il a peut-être été déplacé&#xa0;: cherchez-le avec Ctrl+O.</translation>
     </message>
     <message>
         <source>A project is opened alone: choose one file, or only parts.</source>
-        <translation>Un projet s'ouvre seul : choisissez un fichier, ou seulement des pièces.</translation>
+        <translation>Un projet s&apos;ouvre seul&#xa0;: choisissez un fichier, ou seulement des pièces.</translation>
     </message>
     <message>
         <source>A recipe is opened alone: choose one file, or only parts.</source>
-        <translation>Une recette s'ouvre seule : choisissez un fichier, ou seulement des pièces.</translation>
+        <translation>Une recette s&apos;ouvre seule&#xa0;: choisissez un fichier, ou seulement des pièces.</translation>
     </message>
     <message>
         <source>Open %1</source>
@@ -1398,7 +1985,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Play carries out %1; what is done by hand comes on top of it.</source>
-        <translation>Lecture exécute %1 ; ce qui est fait à la main s'y ajoute.</translation>
+        <translation>Lecture exécute %1&#xa0;; ce qui est fait à la main s&apos;y ajoute.</translation>
     </message>
     <message>
         <source>Export as a recipe</source>
@@ -1414,7 +2001,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>There is nothing to record yet: press Play and let something happen first.</source>
-        <translation>Il n'y a encore rien à enregistrer : appuyez sur Lecture et laissez quelque chose se passer.</translation>
+        <translation>Il n&apos;y a encore rien à enregistrer&#xa0;: appuyez sur Lecture et laissez quelque chose se passer.</translation>
     </message>
     <message>
         <source>Save the video</source>
@@ -1438,39 +2025,39 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>%1: 1 picture recorded.</source>
-        <translation>%1 : 1 image enregistrée.</translation>
+        <translation>%1&#xa0;: 1 image enregistrée.</translation>
     </message>
     <message>
         <source>%1: %2 pictures recorded.</source>
-        <translation>%1 : %2 images enregistrées.</translation>
+        <translation>%1&#xa0;: %2 images enregistrées.</translation>
     </message>
     <message>
         <source>There is nothing to undo.</source>
-        <translation>Il n'y a rien à annuler.</translation>
+        <translation>Il n&apos;y a rien à annuler.</translation>
     </message>
     <message>
         <source>There is nothing to redo.</source>
-        <translation>Il n'y a rien à rétablir.</translation>
+        <translation>Il n&apos;y a rien à rétablir.</translation>
     </message>
     <message>
         <source>Open a part first.</source>
-        <translation>Ouvrez d'abord une pièce.</translation>
+        <translation>Ouvrez d&apos;abord une pièce.</translation>
     </message>
     <message>
         <source>Nothing in this part is closed, so nothing can be simulated.</source>
-        <translation>Rien dans cette pièce n'est fermé, rien ne peut donc être simulé.</translation>
+        <translation>Rien dans cette pièce n&apos;est fermé, rien ne peut donc être simulé.</translation>
     </message>
     <message>
         <source>Pause first.</source>
-        <translation>Mettez d'abord en pause.</translation>
+        <translation>Mettez d&apos;abord en pause.</translation>
     </message>
     <message>
         <source>Select a tool or a fixture first.</source>
-        <translation>Choisissez d'abord un outil ou une fixation.</translation>
+        <translation>Choisissez d&apos;abord un outil ou une fixation.</translation>
     </message>
     <message>
         <source>Not possible now.</source>
-        <translation>Impossible pour l'instant.</translation>
+        <translation>Impossible pour l&apos;instant.</translation>
     </message>
     <message>
         <source>Tool bar</source>
@@ -1479,6 +2066,165 @@ Simulé : %2, pas %3
     <message>
         <source>Drag to move the timeline</source>
         <translation>Tirer pour déplacer la chronologie</translation>
+    </message>
+    <message>
+        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeric pad 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;top, isometric, front, right; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;clicks select parts, faces, edges, objects; Ctrl adds&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Bouton gauche&lt;/b&gt;&lt;/td&gt;&lt;td&gt;choisir&#xa0;; tirer un outil&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Bouton du milieu&lt;/b&gt;&lt;/td&gt;&lt;td&gt;tourner&#xa0;; avec Maj ou Ctrl glisser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Molette&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomer vers le curseur&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Flèches, Pg préc, Pg suiv&lt;/b&gt;&lt;/td&gt;&lt;td&gt;conduire l&apos;outil choisi&#xa0;; Maj est plus lent&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Espace, . , Retour arrière&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lecture ou pause, un pas, réinitialiser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Suppr&lt;/b&gt;&lt;/td&gt;&lt;td&gt;ajouter un bloc, fixer des faces, supprimer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;pesanteur, renormaliser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objets, cacher le corps, arêtes&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, pavé numérique 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dessus, isométrique, face, droite&#xa0;; Ctrl&#xa0;: de l&apos;autre côté&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;les clics choisissent pièces, faces, arêtes, objets&#xa0;; Ctrl ajoute&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective ou parallèle, ajuster&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;enregistrer le projet&#xa0;; Ctrl+Maj+S sous un autre nom&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;trouver toute commande&#xa0;; F11&#xa0;: plein écran&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Échap&lt;/b&gt;&lt;/td&gt;&lt;td&gt;annuler&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>Hands</source>
+        <translation>Manipulation</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Forces</translation>
+    </message>
+    <message>
+        <source>Export forces over time</source>
+        <translation>Exporter les forces au cours du temps</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tableau (*.csv)</translation>
+    </message>
+    <message>
+        <source>There are no forces to write yet: press Play and let something happen first.</source>
+        <translation>Il n&apos;y a encore aucune force à écrire&#xa0;: appuyez sur Lecture et laissez quelque chose se passer.</translation>
+    </message>
+    <message>
+        <source>%1: the table could not be written. Make room on the disk, or choose another folder.</source>
+        <translation>%1&#xa0;: le tableau n&apos;a pas pu être écrit. Libérez de la place sur le disque, ou choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Écriture de %1</translation>
+    </message>
+    <message>
+        <source>%1: forces at %2 times written.</source>
+        <translation>%1&#xa0;: forces écrites pour %2 instants.</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Mesure</translation>
+    </message>
+    <message>
+        <source>Measure the part</source>
+        <translation>Mesurer la pièce</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written (%2). Choose another folder, or make room on the disk.</source>
+        <translation>%1 ne peut pas être écrit (%2). Choisissez un autre dossier ou libérez de la place sur le disque.</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Place probe</source>
+        <translation>Placer une sonde</translation>
+    </message>
+    <message>
+        <source>Click places of the part to plot what happens there over time (P)</source>
+        <translation>Cliquer des points de la pièce pour tracer ce qui s&apos;y passe au cours du temps (P)</translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation>Sondes</translation>
+    </message>
+    <message>
+        <source>Write what the probes read</source>
+        <translation>Écrire les valeurs des sondes</translation>
+    </message>
+    <message>
+        <source>Write what was measured</source>
+        <translation>Écrire les mesures</translation>
+    </message>
+    <message>
+        <source>Written: %1.</source>
+        <translation>Écrit&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Comparing with the original</source>
+        <translation>Comparaison à l&apos;original</translation>
+    </message>
+    <message>
+        <source>Write a report</source>
+        <translation>Écrire un rapport</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Web page (*.html *.htm)</source>
+        <translation>Page web (*.html *.htm)</translation>
+    </message>
+    <message>
+        <source>Se&amp;lect</source>
+        <translation>Sé&amp;lection</translation>
+    </message>
+    <message>
+        <source>Selecting</source>
+        <translation>Sélection</translation>
+    </message>
+    <message>
+        <source>Selecting within %1</source>
+        <translation>Sélection à moins de %1</translation>
+    </message>
+    <message>
+        <source>Select something first.</source>
+        <translation>Sélectionnez d&apos;abord quelque chose.</translation>
+    </message>
+    <message>
+        <source>Slower tools</source>
+        <translation>Outils plus lents</translation>
+    </message>
+    <message>
+        <source>More damping</source>
+        <translation>Plus d&apos;amortissement</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Fill finer</source>
+        <translation>Remplir plus fin</translation>
+    </message>
+</context>
+<context>
+    <name>MaterialComparisonDialog</name>
+    <message>
+        <source>same</source>
+        <translation>identique</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1 fois</translation>
+    </message>
+    <message>
+        <source>Compare materials</source>
+        <translation>Comparer des matériaux</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Right by left</source>
+        <translation>Droite / gauche</translation>
+    </message>
+    <message>
+        <source>Shear modulus</source>
+        <translation>Module de cisaillement</translation>
+    </message>
+    <message>
+        <source>Speed of sound</source>
+        <translation>Vitesse du son</translation>
     </message>
 </context>
 <context>
@@ -1504,16 +2250,16 @@ Simulé : %2, pas %3
         <translation>Masse volumique</translation>
     </message>
     <message>
-        <source>Young's modulus</source>
-        <translation>Module d'Young</translation>
+        <source>Young&apos;s modulus</source>
+        <translation>Module d&apos;Young</translation>
     </message>
     <message>
-        <source>Poisson's ratio</source>
+        <source>Poisson&apos;s ratio</source>
         <translation>Coefficient de Poisson</translation>
     </message>
     <message>
         <source>Damping ratio</source>
-        <translation>Taux d'amortissement</translation>
+        <translation>Taux d&apos;amortissement</translation>
     </message>
     <message>
         <source>Shape damping</source>
@@ -1525,11 +2271,11 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Yield stress</source>
-        <translation>Limite d'élasticité</translation>
+        <translation>Limite d&apos;élasticité</translation>
     </message>
     <message>
         <source>never yields</source>
-        <translation>ne s'écoule jamais</translation>
+        <translation>ne s&apos;écoule jamais</translation>
     </message>
     <message>
         <source>Hardening</source>
@@ -1541,7 +2287,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>flows at once</source>
-        <translation>s'écoule aussitôt</translation>
+        <translation>s&apos;écoule aussitôt</translation>
     </message>
     <message>
         <source>Tensile strength</source>
@@ -1557,7 +2303,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>flows without end</source>
-        <translation>s'écoule sans fin</translation>
+        <translation>s&apos;écoule sans fin</translation>
     </message>
     <message>
         <source>Adhesion</source>
@@ -1589,11 +2335,11 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Keeps its shape and moves as a whole</source>
-        <translation>Garde sa forme et se meut d'un bloc</translation>
+        <translation>Garde sa forme et se meut d&apos;un bloc</translation>
     </message>
     <message>
         <source>Keeps shape and place; its adhesion holds what touches it</source>
-        <translation>Garde forme et place ; son adhérence tient ce qui le touche</translation>
+        <translation>Garde forme et place&#xa0;; son adhérence tient ce qui le touche</translation>
     </message>
     <message>
         <source>Body</source>
@@ -1625,7 +2371,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Fill all bodies again with this spacing; the simulation starts anew</source>
-        <translation>Remplir de nouveau tous les corps avec cet espacement ; la simulation recommence</translation>
+        <translation>Remplir de nouveau tous les corps avec cet espacement&#xa0;; la simulation recommence</translation>
     </message>
     <message>
         <source>Spacing</source>
@@ -1634,46 +2380,6 @@ Simulé : %2, pas %3
     <message>
         <source>Cells across</source>
         <translation>Cellules en travers</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Pas</translation>
-    </message>
-    <message>
-        <source>Semi-implicit Euler</source>
-        <translation>Euler semi-implicite</translation>
-    </message>
-    <message>
-        <source>Forward Euler</source>
-        <translation>Euler explicite</translation>
-    </message>
-    <message>
-        <source>Implicit Euler</source>
-        <translation>Euler implicite</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatique</translation>
-    </message>
-    <message>
-        <source>Keeps vibrations; stiff materials take small steps</source>
-        <translation>Garde les vibrations ; les matériaux raides demandent de petits pas</translation>
-    </message>
-    <message>
-        <source>As published; needs damping</source>
-        <translation>Comme publié ; demande de l'amortissement</translation>
-    </message>
-    <message>
-        <source>A step per frame for any stiffness; fast vibrations die out</source>
-        <translation>Un pas par image pour toute raideur ; les vibrations rapides s'éteignent</translation>
-    </message>
-    <message>
-        <source>Implicit where the semi-implicit scheme would be slower than real time</source>
-        <translation>Implicite là où le schéma semi-implicite serait plus lent que le temps réel</translation>
-    </message>
-    <message>
-        <source>Integrator</source>
-        <translation>Intégrateur</translation>
     </message>
     <message>
         <source>%1 objects, %2 connections
@@ -1688,6 +2394,387 @@ Simulé : %2, pas %3
     <message>
         <source>%1 of %2 → %3</source>
         <translation>%1 de %2 → %3</translation>
+    </message>
+    <message>
+        <source>What follows</source>
+        <translation>Ce qui en découle</translation>
+    </message>
+    <message>
+        <source>Speed of sound</source>
+        <translation>Vitesse du son</translation>
+    </message>
+    <message>
+        <source>Of a thin bar: the root of stiffness by density</source>
+        <translation>Dans une barre mince&#xa0;: racine de la raideur divisée par la masse volumique</translation>
+    </message>
+    <message>
+        <source>Stable time step</source>
+        <translation>Pas de temps stable</translation>
+    </message>
+    <message>
+        <source>Longest step of an explicit scheme, for all bodies together; shorter for stiff, light and finely filled ones</source>
+        <translation>Le plus long pas d&apos;un schéma explicite, pour tous les corps ensemble&#xa0;; plus court pour ceux qui sont raides, légers ou finement remplis</translation>
+    </message>
+    <message>
+        <source>Expected speed</source>
+        <translation>Vitesse attendue</translation>
+    </message>
+    <message>
+        <source>Simulated by wall time on this machine: measured while time ran, else by a rule</source>
+        <translation>Temps simulé par temps réel sur cette machine&#xa0;: mesuré en marche, sinon estimé par une règle</translation>
+    </message>
+    <message>
+        <source>Cells across walls</source>
+        <translation>Cellules par paroi</translation>
+    </message>
+    <message>
+        <source>Across the thinnest wall: with fewer than %1 its bending is mostly wrong</source>
+        <translation>À travers la paroi la plus mince&#xa0;: avec moins de %1, sa flexion est le plus souvent fausse</translation>
+    </message>
+    <message>
+        <source>%1 to %2, with any unit; 1.2e6 and 1,2 are taken too</source>
+        <translation>De %1 à %2, en toute unité&#xa0;; 1.2e6 et 1,2 sont acceptés aussi</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>environ %1</translation>
+    </message>
+    <message>
+        <source>keeps up with real time</source>
+        <translation>suit le temps réel</translation>
+    </message>
+    <message>
+        <source>%1 of real time</source>
+        <translation>%1 fois le temps réel</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>non mesuré</translation>
+    </message>
+    <message>
+        <source>Save these numbers as a material of your own</source>
+        <translation>Enregistrer ces nombres comme matériau personnel</translation>
+    </message>
+    <message>
+        <source>Rename this material of your own</source>
+        <translation>Renommer ce matériau personnel</translation>
+    </message>
+    <message>
+        <source>Delete this material of your own; bodies keep its numbers</source>
+        <translation>Supprimer ce matériau personnel&#xa0;; les corps gardent ses nombres</translation>
+    </message>
+    <message>
+        <source>Compare with another material, side by side</source>
+        <translation>Comparer à un autre matériau, côte à côte</translation>
+    </message>
+    <message>
+        <source>Save material</source>
+        <translation>Enregistrer le matériau</translation>
+    </message>
+    <message>
+        <source>Rename material</source>
+        <translation>Renommer le matériau</translation>
+    </message>
+    <message>
+        <source>Name of the material</source>
+        <translation>Nom du matériau</translation>
+    </message>
+    <message>
+        <source>%1 now</source>
+        <translation>%1 (actuel)</translation>
+    </message>
+</context>
+<context>
+    <name>MaterialStore</name>
+    <message>
+        <source>Your own materials cannot be read: %1 Mend or remove the file; until then none can be saved.</source>
+        <translation>Vos matériaux personnels ne peuvent pas être lus&#xa0;: %1 Réparez ou supprimez le fichier&#xa0;; d&apos;ici là, aucun ne peut être enregistré.</translation>
+    </message>
+    <message>
+        <source>A material needs a name: type one.</source>
+        <translation>Un matériau a besoin d&apos;un nom&#xa0;: tapez-en un.</translation>
+    </message>
+    <message>
+        <source>There is a material named &quot;%1&quot; already: choose another name.</source>
+        <translation>Il y a déjà un matériau nommé «&#xa0;%1&#xa0;»&#xa0;: choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Saved by you</source>
+        <translation>Enregistré par vous</translation>
+    </message>
+    <message>
+        <source>The material was not saved: %1</source>
+        <translation>Le matériau n&apos;a pas été enregistré&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurePanel</name>
+    <message>
+        <source>Nothing is measured yet. Choose what to measure above, then click on the part; corners attract. Numbers follow the material while time runs.</source>
+        <translation>Rien n&apos;est encore mesuré. Choisissez ci-dessus quoi mesurer, puis cliquez sur la pièce&#xa0;; les sommets attirent. Les nombres suivent le matériau en marche.</translation>
+    </message>
+    <message>
+        <source>Compare...</source>
+        <translation>Comparer...</translation>
+    </message>
+    <message>
+        <source>Compare the parts with their original shape, and write a report</source>
+        <translation>Comparer les pièces à leur forme d&apos;origine, et écrire un rapport</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Copy the table (Ctrl+C)</source>
+        <translation>Copier le tableau (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>CSV...</source>
+        <translation>CSV...</translation>
+    </message>
+    <message>
+        <source>Write the table to a file, units in its columns</source>
+        <translation>Écrire le tableau dans un fichier, unités dans ses colonnes</translation>
+    </message>
+    <message>
+        <source>Delete the selected measurements, or all (Del)</source>
+        <translation>Supprimer les mesures choisies, ou toutes (Suppr)</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Mesure</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Actuel</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>Au repos</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Variation</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Grandeur</translation>
+    </message>
+</context>
+<context>
+    <name>Measurement</name>
+    <message>
+        <source>The face is not flat: it is up to %1 away from its mean plane.</source>
+        <translation>La face n&apos;est pas plane&#xa0;: elle s&apos;écarte jusqu&apos;à %1 de son plan moyen.</translation>
+    </message>
+    <message>
+        <source>The three places lie on a line: pick others, further around.</source>
+        <translation>Les trois points sont alignés&#xa0;: prenez-en d&apos;autres, plus loin sur le tour.</translation>
+    </message>
+    <message>
+        <source>The face is flat and has no radius: click a round one, or measure with three places.</source>
+        <translation>La face est plane et n&apos;a pas de rayon&#xa0;: cliquez-en une ronde, ou mesurez avec trois points.</translation>
+    </message>
+    <message>
+        <source>The face is not quite round: it is up to %1 away from this radius.</source>
+        <translation>La face n&apos;est pas tout à fait ronde&#xa0;: elle s&apos;écarte jusqu&apos;à %1 de ce rayon.</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Déplacement</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>along X</source>
+        <translation>selon X</translation>
+    </message>
+    <message>
+        <source>along Y</source>
+        <translation>selon Y</translation>
+    </message>
+    <message>
+        <source>along Z</source>
+        <translation>selon Z</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Diamètre</translation>
+    </message>
+    <message>
+        <source>Size X</source>
+        <translation>Taille X</translation>
+    </message>
+    <message>
+        <source>Size Y</source>
+        <translation>Taille Y</translation>
+    </message>
+    <message>
+        <source>Size Z</source>
+        <translation>Taille Z</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Center of mass X</source>
+        <translation>Centre de masse X</translation>
+    </message>
+    <message>
+        <source>Center of mass Y</source>
+        <translation>Centre de masse Y</translation>
+    </message>
+    <message>
+        <source>Center of mass Z</source>
+        <translation>Centre de masse Z</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>Coordinates of a place, and how far it has moved</source>
+        <translation>Coordonnées d&apos;un point, et de combien il s&apos;est déplacé</translation>
+    </message>
+    <message>
+        <source>Distance between two places</source>
+        <translation>Distance entre deux points</translation>
+    </message>
+    <message>
+        <source>Distance to face</source>
+        <translation>Distance à une face</translation>
+    </message>
+    <message>
+        <source>Distance of a place from the nearest point of a face</source>
+        <translation>Distance d&apos;un point au point le plus proche d&apos;une face</translation>
+    </message>
+    <message>
+        <source>Angle at the second of three places</source>
+        <translation>Angle au deuxième de trois points</translation>
+    </message>
+    <message>
+        <source>Angle of faces</source>
+        <translation>Angle de deux faces</translation>
+    </message>
+    <message>
+        <source>Angle between the normals of two faces</source>
+        <translation>Angle entre les normales de deux faces</translation>
+    </message>
+    <message>
+        <source>Radius of the circle through three places</source>
+        <translation>Rayon du cercle passant par trois points</translation>
+    </message>
+    <message>
+        <source>Radius of face</source>
+        <translation>Rayon d&apos;une face</translation>
+    </message>
+    <message>
+        <source>Radius of a hole, a cylinder or a ball</source>
+        <translation>Rayon d&apos;un trou, d&apos;un cylindre ou d&apos;une boule</translation>
+    </message>
+    <message>
+        <source>Bounding box</source>
+        <translation>Boîte englobante</translation>
+    </message>
+    <message>
+        <source>Sizes of a part along the axes</source>
+        <translation>Tailles d&apos;une pièce le long des axes</translation>
+    </message>
+    <message>
+        <source>Volume and mass</source>
+        <translation>Volume et masse</translation>
+    </message>
+    <message>
+        <source>Volume, mass and center of mass of a part</source>
+        <translation>Volume, masse et centre de masse d&apos;une pièce</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurementList</name>
+    <message>
+        <source>Measurement,Reading,Unit,Now,At rest,Change</source>
+        <translation>Mesure,Grandeur,Unité,Actuel,Au repos,Variation</translation>
+    </message>
+</context>
+<context>
+    <name>Measuring</name>
+    <message>
+        <source>Compare with original...</source>
+        <translation>Comparer à l&apos;original...</translation>
+    </message>
+    <message>
+        <source>Largest and mean distance, volume and mass beside the original, and a report (Shift+M)</source>
+        <translation>Distances maximale et moyenne, volume et masse à côté de l&apos;original, et un rapport (Maj+M)</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Sommet</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Mesure</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Actuel</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>Au repos</translation>
+    </message>
+</context>
+<context>
+    <name>ModelNotes</name>
+    <message>
+        <source>Group</source>
+        <translation>Groupe</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Sélection</translation>
+    </message>
+</context>
+<context>
+    <name>ModelPanel</name>
+    <message>
+        <source>Search (Ctrl+F)</source>
+        <translation>Chercher (Ctrl+F)</translation>
     </message>
 </context>
 <context>
@@ -1706,7 +2793,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Not a closed solid: it is not simulated.</source>
-        <translation>Pas un solide fermé : il n'est pas simulé.</translation>
+        <translation>Pas un solide fermé&#xa0;: il n&apos;est pas simulé.</translation>
     </message>
     <message>
         <source>objects</source>
@@ -1719,6 +2806,77 @@ Simulé : %2, pas %3
     <message>
         <source>%1 faces</source>
         <translation>%1 faces</translation>
+    </message>
+    <message>
+        <source>Selections</source>
+        <translation>Sélections</translation>
+    </message>
+    <message>
+        <source>Exports</source>
+        <translation>Exportations</translation>
+    </message>
+    <message>
+        <source>In the file: %1</source>
+        <translation>Dans le fichier&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 selected things; a click selects them again</source>
+        <translation>%1 éléments choisis&#xa0;; un clic les choisit de nouveau</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Sélectionner</translation>
+    </message>
+    <message>
+        <source>Keep the present selection here</source>
+        <translation>Garder ici la sélection présente</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Show in its folder</source>
+        <translation>Montrer dans son dossier</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be shown: look for it with your file manager.</source>
+        <translation>Le dossier %1 ne peut pas être montré&#xa0;: cherchez-le avec votre gestionnaire de fichiers.</translation>
+    </message>
+    <message>
+        <source>Take off the list</source>
+        <translation>Retirer de la liste</translation>
+    </message>
+    <message>
+        <source>There is a selection called &quot;%1&quot; already: choose another name.</source>
+        <translation>Il y a déjà une sélection nommée «&#xa0;%1&#xa0;»&#xa0;: choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Color of the part</source>
+        <translation>Couleur de la pièce</translation>
+    </message>
+    <message>
+        <source>Color of %1 parts</source>
+        <translation>Couleur de %1 pièces</translation>
+    </message>
+</context>
+<context>
+    <name>ModelTreeDelegate</name>
+    <message>
+        <source>Show (H)</source>
+        <translation>Montrer (H)</translation>
+    </message>
+    <message>
+        <source>Hide (H)</source>
+        <translation>Cacher (H)</translation>
+    </message>
+    <message>
+        <source>Unlock (L)</source>
+        <translation>Déverrouiller (L)</translation>
+    </message>
+    <message>
+        <source>Lock: keep it from being changed (L)</source>
+        <translation>Verrouiller&#xa0;: empêcher toute modification (L)</translation>
     </message>
 </context>
 <context>
@@ -1753,7 +2911,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Forces of structural connections, or the equations of an implicit step</source>
-        <translation>Forces des liaisons structurelles, ou les équations d'un pas implicite</translation>
+        <translation>Forces des liaisons structurelles, ou les équations d&apos;un pas implicite</translation>
     </message>
     <message>
         <source>Contacts</source>
@@ -1785,7 +2943,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Handing the state to the window</source>
-        <translation>Remise de l'état à la fenêtre</translation>
+        <translation>Remise de l&apos;état à la fenêtre</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -1801,7 +2959,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Time of a frame; its whole length is a sixtieth of a second</source>
-        <translation>Temps d'une image ; toute la longueur est un soixantième de seconde</translation>
+        <translation>Temps d&apos;une image&#xa0;; toute la longueur est un soixantième de seconde</translation>
     </message>
     <message>
         <source>Open a part and press play to see where the time goes.</source>
@@ -1822,6 +2980,41 @@ Simulé : %2, pas %3
     <message>
         <source>%1 million connections per second, %2 objects</source>
         <translation>%1 millions de liaisons par seconde, %2 objets</translation>
+    </message>
+</context>
+<context>
+    <name>PickTool</name>
+    <message>
+        <source>click a place</source>
+        <translation>cliquer un point</translation>
+    </message>
+    <message>
+        <source>click place %1 of %2</source>
+        <translation>cliquer le point %1 sur %2</translation>
+    </message>
+    <message>
+        <source>click a face</source>
+        <translation>cliquer une face</translation>
+    </message>
+    <message>
+        <source>click face %1 of %2</source>
+        <translation>cliquer la face %1 sur %2</translation>
+    </message>
+    <message>
+        <source>click a part</source>
+        <translation>cliquer une pièce</translation>
+    </message>
+    <message>
+        <source>%1: %2   Esc: done</source>
+        <translation>%1&#xa0;: %2   Échap&#xa0;: fini</translation>
+    </message>
+    <message>
+        <source>There is nothing at that place: click on a part.</source>
+        <translation>Il n&apos;y a rien à cet endroit&#xa0;: cliquez sur une pièce.</translation>
+    </message>
+    <message>
+        <source>This part is a mesh without CAD faces: measure it with places instead.</source>
+        <translation>Cette pièce est un maillage sans faces de CAO&#xa0;: mesurez-la plutôt avec des points.</translation>
     </message>
 </context>
 <context>
@@ -1892,7 +3085,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>For undo</source>
-        <translation>Pour l'annulation</translation>
+        <translation>Pour l&apos;annulation</translation>
     </message>
     <message>
         <source> MB</source>
@@ -1908,7 +3101,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>When it is full, every second picture of the older half goes.</source>
-        <translation>Quand elle est pleine, une image sur deux de la moitié la plus ancienne s'en va.</translation>
+        <translation>Quand elle est pleine, une image sur deux de la moitié la plus ancienne s&apos;en va.</translation>
     </message>
     <message>
         <source>Keep unsaved work every</source>
@@ -1952,7 +3145,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>How far the triangles that are drawn and filled may lie beside the surfaces of a file. Open with choices asks for each file.</source>
-        <translation>De combien les triangles dessinés et remplis peuvent s'écarter des surfaces d'un fichier. « Ouvrir avec des choix » le demande pour chaque fichier.</translation>
+        <translation>De combien les triangles dessinés et remplis peuvent s&apos;écarter des surfaces d&apos;un fichier. «&#xa0;Ouvrir avec des choix&#xa0;» le demande pour chaque fichier.</translation>
     </message>
     <message>
         <source>Give up reading after</source>
@@ -1976,7 +3169,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Automatic: by the size of the file.</source>
-        <translation>Automatique : selon la taille du fichier.</translation>
+        <translation>Automatique&#xa0;: selon la taille du fichier.</translation>
     </message>
     <message>
         <source>3D view</source>
@@ -2008,15 +3201,85 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Turn smoothly from one view to another</source>
-        <translation>Tourner en douceur d'une vue à l'autre</translation>
+        <translation>Tourner en douceur d&apos;une vue à l&apos;autre</translation>
     </message>
     <message>
         <source>Restore defaults</source>
-        <translation>Rétablir les valeurs d'origine</translation>
+        <translation>Rétablir les valeurs d&apos;origine</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>ProbePanel</name>
+    <message>
+        <source>Displacement</source>
+        <translation>Déplacement</translation>
+    </message>
+    <message>
+        <source>Equivalent strain</source>
+        <translation>Déformation équivalente</translation>
+    </message>
+    <message>
+        <source>Von Mises stress</source>
+        <translation>Contrainte de von Mises</translation>
+    </message>
+    <message>
+        <source>Force on tools</source>
+        <translation>Force sur les outils</translation>
+    </message>
+    <message>
+        <source>Force on all tools</source>
+        <translation>Force sur tous les outils</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Déformation</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Contrainte</translation>
+    </message>
+    <message>
+        <source>No probes yet. Place one on the part: it goes along with the material and plots what it reads, also of what was simulated before.</source>
+        <translation>Pas encore de sonde. Placez-en une sur la pièce&#xa0;: elle suit le matériau et trace ce qu&apos;elle lit, même de ce qui a été simulé avant.</translation>
+    </message>
+    <message>
+        <source>What is plotted over time</source>
+        <translation>Ce qui est tracé au cours du temps</translation>
+    </message>
+    <message>
+        <source>CSV...</source>
+        <translation>CSV...</translation>
+    </message>
+    <message>
+        <source>Write all readings over time to a file, units in its header</source>
+        <translation>Écrire toutes les valeurs au cours du temps dans un fichier, unités dans son en-tête</translation>
+    </message>
+    <message>
+        <source>Delete the selected probes, or all</source>
+        <translation>Supprimer les sondes choisies, ou toutes</translation>
+    </message>
+    <message>
+        <source>Probe %1</source>
+        <translation>Sonde %1</translation>
+    </message>
+    <message>
+        <source>All tools</source>
+        <translation>Tous les outils</translation>
+    </message>
+</context>
+<context>
+    <name>ProbeSet</name>
+    <message>
+        <source>Probe %1</source>
+        <translation>Sonde %1</translation>
     </message>
 </context>
 <context>
@@ -2047,7 +3310,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>%1 is still going on: wait for it, or cancel it with Esc.</source>
-        <translation>%1 est encore en cours : attendez ou annulez avec Échap.</translation>
+        <translation>%1 est encore en cours&#xa0;: attendez ou annulez avec Échap.</translation>
     </message>
     <message>
         <source>Open a copy</source>
@@ -2067,19 +3330,19 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Not whole: %1</source>
-        <translation>Pas intact : %1</translation>
+        <translation>Pas intact&#xa0;: %1</translation>
     </message>
     <message>
         <source>Not everything is whole</source>
-        <translation>Tout n'est pas intact</translation>
+        <translation>Tout n&apos;est pas intact</translation>
     </message>
     <message>
         <source>This could not be brought back:</source>
-        <translation>Ceci n'a pas pu être retrouvé :</translation>
+        <translation>Ceci n&apos;a pas pu être retrouvé&#xa0;:</translation>
     </message>
     <message>
         <source>There is no unsaved work to recover.</source>
-        <translation>Il n'y a pas de travail non enregistré à récupérer.</translation>
+        <translation>Il n&apos;y a pas de travail non enregistré à récupérer.</translation>
     </message>
     <message>
         <source>Save the project</source>
@@ -2087,11 +3350,11 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>%1 is there already: choose another name, or choose that file.</source>
-        <translation>%1 existe déjà : choisissez un autre nom, ou choisissez ce fichier.</translation>
+        <translation>%1 existe déjà&#xa0;: choisissez un autre nom, ou choisissez ce fichier.</translation>
     </message>
     <message>
         <source>%1 is still going on: wait for it, or cancel it with Esc, and save again.</source>
-        <translation>%1 est encore en cours : attendez ou annulez avec Échap, puis enregistrez de nouveau.</translation>
+        <translation>%1 est encore en cours&#xa0;: attendez ou annulez avec Échap, puis enregistrez de nouveau.</translation>
     </message>
     <message>
         <source>Saving %1</source>
@@ -2106,20 +3369,39 @@ Simulé : %2, pas %3
         <translation>Changements non enregistrés</translation>
     </message>
     <message>
-        <source>Save the work on "%1" as a project?</source>
-        <translation>Enregistrer le travail sur « %1 » comme projet ?</translation>
+        <source>Save the work on &quot;%1&quot; as a project?</source>
+        <translation>Enregistrer le travail sur «&#xa0;%1&#xa0;» comme projet&#xa0;?</translation>
     </message>
     <message>
-        <source>Save the changes to "%1"?</source>
-        <translation>Enregistrer les changements de « %1 » ?</translation>
+        <source>Save the changes to &quot;%1&quot;?</source>
+        <translation>Enregistrer les changements de «&#xa0;%1&#xa0;»&#xa0;?</translation>
     </message>
     <message>
         <source>It has never been saved.</source>
-        <translation>Il n'a jamais été enregistré.</translation>
+        <translation>Il n&apos;a jamais été enregistré.</translation>
     </message>
     <message>
         <source>What was done since it was saved is lost otherwise.</source>
-        <translation>Sinon, ce qui a été fait depuis l'enregistrement est perdu.</translation>
+        <translation>Sinon, ce qui a été fait depuis l&apos;enregistrement est perdu.</translation>
+    </message>
+</context>
+<context>
+    <name>PullHand</name>
+    <message>
+        <source>%1 does not deform: make it deformable in the properties, or push it with a tool.</source>
+        <translation>%1 ne se déforme pas&#xa0;: rendez-le déformable dans les propriétés, ou poussez-le avec un outil.</translation>
+    </message>
+    <message>
+        <source>%1 is held at this place: free it with Fix faces, or pull at another place.</source>
+        <translation>%1 est tenu à cet endroit&#xa0;: libérez-le avec «&#xa0;Fixer des faces&#xa0;», ou tirez à un autre endroit.</translation>
+    </message>
+    <message>
+        <source>Pull %1</source>
+        <translation>Tirer %1</translation>
+    </message>
+    <message>
+        <source>%1 (limit)</source>
+        <translation>%1 (limite)</translation>
     </message>
 </context>
 <context>
@@ -2156,20 +3438,20 @@ Simulé : %2, pas %3
 <context>
     <name>QuantityField</name>
     <message>
-        <source>"%1" is not a number here; the value is still %2. Esc restores it.</source>
-        <translation>« %1 » n'est pas un nombre ici ; la valeur reste %2. Échap la rétablit.</translation>
+        <source>&quot;%1&quot; is not a number here; the value is still %2. Esc restores it.</source>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un nombre ici&#xa0;; la valeur reste %2. Échap la rétablit.</translation>
     </message>
     <message>
         <source>Allowed is %1 to %2; the value is still %3. Esc restores it.</source>
-        <translation>De %1 à %2 est permis ; la valeur reste %3. Échap la rétablit.</translation>
+        <translation>De %1 à %2 est permis&#xa0;; la valeur reste %3. Échap la rétablit.</translation>
     </message>
     <message>
         <source>Allowed: %1 to %2</source>
-        <translation>Permis : de %1 à %2</translation>
+        <translation>Permis&#xa0;: de %1 à %2</translation>
     </message>
     <message>
         <source>Allowed: %1 or more</source>
-        <translation>Permis : %1 ou plus</translation>
+        <translation>Permis&#xa0;: %1 ou plus</translation>
     </message>
     <message>
         <source>A number, such as 0.5, 0,5 or 5e-1</source>
@@ -2177,7 +3459,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Units: %1</source>
-        <translation>Unités : %1</translation>
+        <translation>Unités&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -2240,11 +3522,11 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>%1: a video of %2 (Ogg Theora)</source>
-        <translation>%1 : une vidéo de %2 (Ogg Theora)</translation>
+        <translation>%1&#xa0;: une vidéo de %2 (Ogg Theora)</translation>
     </message>
     <message>
         <source>%1: PNG files in a folder of their own</source>
-        <translation>%1 : des fichiers PNG dans un dossier à part</translation>
+        <translation>%1&#xa0;: des fichiers PNG dans un dossier à part</translation>
     </message>
 </context>
 <context>
@@ -2262,7 +3544,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>today, %1</source>
-        <translation>aujourd'hui, %1</translation>
+        <translation>aujourd&apos;hui, %1</translation>
     </message>
     <message>
         <source>yesterday, %1</source>
@@ -2298,11 +3580,11 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Knead ended before this was saved</source>
-        <translation>Knead s'est arrêté avant que ceci soit enregistré</translation>
+        <translation>Knead s&apos;est arrêté avant que ceci soit enregistré</translation>
     </message>
     <message>
         <source>What is recovered opens unsaved, and stays here until you save or discard it.</source>
-        <translation>Ce qui est récupéré s'ouvre non enregistré et reste ici jusqu'à ce que vous l'enregistriez ou l'abandonniez.</translation>
+        <translation>Ce qui est récupéré s&apos;ouvre non enregistré et reste ici jusqu&apos;à ce que vous l&apos;enregistriez ou l&apos;abandonniez.</translation>
     </message>
     <message>
         <source>%1  ·  %2</source>
@@ -2325,15 +3607,355 @@ Simulé : %2, pas %3
         <translation>Abandonner le travail non enregistré</translation>
     </message>
     <message>
-        <source>Discard the unsaved work on "%1"? It cannot be brought back.</source>
-        <translation>Abandonner le travail non enregistré sur « %1 » ? On ne pourra pas le retrouver.</translation>
+        <source>Discard the unsaved work on &quot;%1&quot;? It cannot be brought back.</source>
+        <translation>Abandonner le travail non enregistré sur «&#xa0;%1&#xa0;»&#xa0;? On ne pourra pas le retrouver.</translation>
+    </message>
+</context>
+<context>
+    <name>Region</name>
+    <message>
+        <source>1 part, %2</source>
+        <translation>1 pièce, %2</translation>
+    </message>
+    <message>
+        <source>%1 parts, %2</source>
+        <translation>%1 pièces, %2</translation>
+    </message>
+    <message>
+        <source>1 face, %2</source>
+        <translation>1 face, %2</translation>
+    </message>
+    <message>
+        <source>%1 faces, %2</source>
+        <translation>%1 faces, %2</translation>
+    </message>
+    <message>
+        <source>1 edge, %2</source>
+        <translation>1 arête, %2</translation>
+    </message>
+    <message>
+        <source>%1 edges, %2</source>
+        <translation>%1 arêtes, %2</translation>
+    </message>
+    <message>
+        <source>1 object, %2</source>
+        <translation>1 objet, %2</translation>
+    </message>
+    <message>
+        <source>%1 objects, %2</source>
+        <translation>%1 objets, %2</translation>
+    </message>
+    <message>
+        <source>1 connection, %2</source>
+        <translation>1 liaison, %2</translation>
+    </message>
+    <message>
+        <source>%1 connections, %2</source>
+        <translation>%1 liaisons, %2</translation>
+    </message>
+</context>
+<context>
+    <name>SectionKnob</name>
+    <message>
+        <source>Drag to move the section plane; arrow keys move it by a hundredth of the part</source>
+        <translation>Tirez pour déplacer le plan de coupe&#xa0;; les flèches le déplacent d&apos;un centième de la pièce</translation>
+    </message>
+    <message>
+        <source>Section plane</source>
+        <translation>Plan de coupe</translation>
+    </message>
+</context>
+<context>
+    <name>SelectionActions</name>
+    <message>
+        <source>Parts</source>
+        <translation>Pièces</translation>
+    </message>
+    <message>
+        <source>Clicks select parts</source>
+        <translation>Les clics sélectionnent des pièces</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Faces</translation>
+    </message>
+    <message>
+        <source>Clicks select faces</source>
+        <translation>Les clics sélectionnent des faces</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Arêtes</translation>
+    </message>
+    <message>
+        <source>Clicks select edges</source>
+        <translation>Les clics sélectionnent des arêtes</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objets</translation>
+    </message>
+    <message>
+        <source>Clicks select the objects the material is made of</source>
+        <translation>Les clics sélectionnent les objets dont est fait le matériau</translation>
+    </message>
+    <message>
+        <source>Connections</source>
+        <translation>Liaisons</translation>
+    </message>
+    <message>
+        <source>Clicks select connections between objects</source>
+        <translation>Les clics sélectionnent des liaisons entre objets</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Rectangle</translation>
+    </message>
+    <message>
+        <source>Drag a box: to the right for what lies in it, to the left also for what it touches</source>
+        <translation>Tracer un rectangle&#xa0;: vers la droite pour ce qui s&apos;y trouve, vers la gauche aussi pour ce qu&apos;il touche</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Draw a line around what is wanted</source>
+        <translation>Tracer une ligne autour de ce qui est voulu</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinceau</translation>
+    </message>
+    <message>
+        <source>Paint over what is wanted</source>
+        <translation>Peindre sur ce qui est voulu</translation>
+    </message>
+    <message>
+        <source>Through the part</source>
+        <translation>À travers la pièce</translation>
+    </message>
+    <message>
+        <source>Boxes, lassos and brushes select what is hidden behind the skin too</source>
+        <translation>Rectangle, lasso et pinceau sélectionnent aussi ce qui est caché derrière la peau</translation>
+    </message>
+    <message>
+        <source>Smaller brush</source>
+        <translation>Pinceau plus petit</translation>
+    </message>
+    <message>
+        <source>A smaller brush</source>
+        <translation>Un pinceau plus petit</translation>
+    </message>
+    <message>
+        <source>Larger brush</source>
+        <translation>Pinceau plus grand</translation>
+    </message>
+    <message>
+        <source>A larger brush</source>
+        <translation>Un pinceau plus grand</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Tout sélectionner</translation>
+    </message>
+    <message>
+        <source>Everything of the kind that clicks select</source>
+        <translation>Tout ce qui est du genre que les clics sélectionnent</translation>
+    </message>
+    <message>
+        <source>Select nothing</source>
+        <translation>Ne rien sélectionner</translation>
+    </message>
+    <message>
+        <source>Clear the selection</source>
+        <translation>Effacer la sélection</translation>
+    </message>
+    <message>
+        <source>All within a distance...</source>
+        <translation>Tout à moins d&apos;une distance...</translation>
+    </message>
+    <message>
+        <source>The objects that lie no farther from the selection than a distance</source>
+        <translation>Les objets qui ne sont pas plus loin de la sélection qu&apos;une distance</translation>
+    </message>
+    <message>
+        <source>Save selection...</source>
+        <translation>Enregistrer la sélection...</translation>
+    </message>
+    <message>
+        <source>Keep the selection under a name in the model tree</source>
+        <translation>Garder la sélection sous un nom dans l&apos;arbre du modèle</translation>
+    </message>
+    <message>
+        <source>Fix selection</source>
+        <translation>Fixer la sélection</translation>
+    </message>
+    <message>
+        <source>Hold the selected faces or objects in place</source>
+        <translation>Maintenir en place les faces ou objets sélectionnés</translation>
+    </message>
+    <message>
+        <source>Re-normalize selection</source>
+        <translation>Renormaliser la sélection</translation>
+    </message>
+    <message>
+        <source>The selection takes its present shape for its own</source>
+        <translation>La sélection prend sa forme actuelle pour sienne</translation>
+    </message>
+    <message>
+        <source>Make it glue</source>
+        <translation>Changer en colle</translation>
+    </message>
+    <message>
+        <source>The selected parts keep shape and place and hold what touches them</source>
+        <translation>Les pièces sélectionnées gardent forme et place et retiennent ce qui les touche</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Another name for the selected part, group or selection</source>
+        <translation>Un autre nom pour la pièce, le groupe ou la sélection choisis</translation>
+    </message>
+    <message>
+        <source>Color...</source>
+        <translation>Couleur...</translation>
+    </message>
+    <message>
+        <source>Another color for the selected parts</source>
+        <translation>Une autre couleur pour les pièces sélectionnées</translation>
+    </message>
+    <message>
+        <source>Color of the file</source>
+        <translation>Couleur du fichier</translation>
+    </message>
+    <message>
+        <source>The color that the part has in its file</source>
+        <translation>La couleur que la pièce a dans son fichier</translation>
+    </message>
+    <message>
+        <source>Lock or unlock</source>
+        <translation>Verrouiller ou déverrouiller</translation>
+    </message>
+    <message>
+        <source>Keep what is selected from being changed</source>
+        <translation>Protéger ce qui est sélectionné des modifications</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Groupe</translation>
+    </message>
+    <message>
+        <source>Put the selected parts into a group</source>
+        <translation>Mettre les pièces sélectionnées dans un groupe</translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation>Dégrouper</translation>
+    </message>
+    <message>
+        <source>Take the selected parts out of their group, or all out of the selected one</source>
+        <translation>Retirer les pièces sélectionnées de leur groupe, ou toutes du groupe sélectionné</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Isoler</translation>
+    </message>
+    <message>
+        <source>Show nothing but the selected parts; again: what was shown before</source>
+        <translation>Ne montrer que les pièces sélectionnées&#xa0;; encore une fois&#xa0;: ce qui était montré avant</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Tout montrer</translation>
+    </message>
+    <message>
+        <source>Hide no part</source>
+        <translation>Ne cacher aucune pièce</translation>
+    </message>
+    <message>
+        <source>Search the model</source>
+        <translation>Chercher dans le modèle</translation>
+    </message>
+    <message>
+        <source>Look for parts, tools, fixtures and selections by their names</source>
+        <translation>Chercher pièces, outils, fixations et sélections par leur nom</translation>
+    </message>
+</context>
+<context>
+    <name>SelectionPanel</name>
+    <message>
+        <source>Fix</source>
+        <translation>Fixer</translation>
+    </message>
+    <message>
+        <source>Hold it in place (Shift+F)</source>
+        <translation>Le maintenir en place (Maj+F)</translation>
+    </message>
+    <message>
+        <source>Re-normalize</source>
+        <translation>Renormaliser</translation>
+    </message>
+    <message>
+        <source>It takes its present shape for its own (Shift+N)</source>
+        <translation>Elle prend sa forme présente pour sienne (Maj+N)</translation>
+    </message>
+    <message>
+        <source>Enter keeps the selection under this name in the model tree</source>
+        <translation>Entrée garde la sélection sous ce nom dans l&apos;arbre du modèle</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Keep the selection under this name</source>
+        <translation>Garder la sélection sous ce nom</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Enregistrer sous</translation>
+    </message>
+    <message>
+        <source>Enter selects the objects that lie no farther from the selection than this</source>
+        <translation>Entrée sélectionne les objets qui ne sont pas plus loin de la sélection que cela</translation>
+    </message>
+    <message>
+        <source>All within</source>
+        <translation>Tout à moins de</translation>
+    </message>
+    <message>
+        <source>Material of its own</source>
+        <translation>Matériau propre</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Choisir</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>Takes effect at once, also while time runs. The rest of the part stays what it is.</source>
+        <translation>L&apos;effet est immédiat, même en marche. Le reste de la pièce reste ce qu&apos;il est.</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>de %1</translation>
+    </message>
+    <message>
+        <source>A selection needs a name: type one, then save it.</source>
+        <translation>Une sélection a besoin d&apos;un nom&#xa0;: tapez-en un, puis enregistrez-la.</translation>
     </message>
 </context>
 <context>
     <name>Shortcuts</name>
     <message>
         <source>drives the selected tool</source>
-        <translation>conduit l'outil choisi</translation>
+        <translation>conduit l&apos;outil choisi</translation>
     </message>
 </context>
 <context>
@@ -2344,7 +3966,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>As it came</source>
-        <translation>Comme à l'origine</translation>
+        <translation>Comme à l&apos;origine</translation>
     </message>
     <message>
         <source>Search an action or a key</source>
@@ -2360,7 +3982,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Press the new key:</source>
-        <translation>Appuyez sur la nouvelle touche :</translation>
+        <translation>Appuyez sur la nouvelle touche&#xa0;:</translation>
     </message>
     <message>
         <source>Elsewhere</source>
@@ -2368,15 +3990,154 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>%1 %2: choose another key.</source>
-        <translation>%1 %2 : choisissez une autre touche.</translation>
+        <translation>%1 %2&#xa0;: choisissez une autre touche.</translation>
     </message>
     <message>
-        <source>%1 already does "%2".</source>
-        <translation>%1 fait déjà « %2 ».</translation>
+        <source>%1 already does &quot;%2&quot;.</source>
+        <translation>%1 fait déjà «&#xa0;%2&#xa0;».</translation>
     </message>
     <message>
         <source>Take it from there</source>
         <translation>La prendre de là</translation>
+    </message>
+</context>
+<context>
+    <name>SimulationPanel</name>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Earth</source>
+        <translation>Terre</translation>
+    </message>
+    <message>
+        <source>Moon</source>
+        <translation>Lune</translation>
+    </message>
+    <message>
+        <source>Mars</source>
+        <translation>Mars</translation>
+    </message>
+    <message>
+        <source>Jupiter</source>
+        <translation>Jupiter</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Temps réel</translation>
+    </message>
+    <message>
+        <source>1/%1 of real time</source>
+        <translation>1/%1 du temps réel</translation>
+    </message>
+    <message>
+        <source>%1 times real time</source>
+        <translation>%1 fois le temps réel</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>How fast simulated time runs when the machine keeps up: slow motion shows what is quick</source>
+        <translation>La vitesse à laquelle court le temps simulé quand la machine suit&#xa0;: le ralenti montre ce qui est rapide</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Simulated time of one step; the largest stable one with a margin</source>
+        <translation>Temps simulé d&apos;un pas&#xa0;; le plus grand stable, avec une marge</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Simulé</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Pas de temps</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Pesanteur</translation>
+    </message>
+    <message>
+        <source>Own numbers</source>
+        <translation>Nombres propres</translation>
+    </message>
+    <message>
+        <source>As on</source>
+        <translation>Comme sur</translation>
+    </message>
+    <message>
+        <source>Along %1</source>
+        <translation>Selon %1</translation>
+    </message>
+    <message>
+        <source>Damping of all bodies</source>
+        <translation>Amortissement de tous les corps</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Semi-implicit Euler</source>
+        <translation>Euler semi-implicite</translation>
+    </message>
+    <message>
+        <source>Forward Euler</source>
+        <translation>Euler explicite</translation>
+    </message>
+    <message>
+        <source>Implicit Euler</source>
+        <translation>Euler implicite</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Keeps vibrations; stiff materials take small steps</source>
+        <translation>Garde les vibrations&#xa0;; les matériaux raides demandent de petits pas</translation>
+    </message>
+    <message>
+        <source>As published; needs damping</source>
+        <translation>Comme publié&#xa0;; demande de l&apos;amortissement</translation>
+    </message>
+    <message>
+        <source>A step per frame for any stiffness; fast vibrations die out</source>
+        <translation>Un pas par image pour toute raideur&#xa0;; les vibrations rapides s&apos;éteignent</translation>
+    </message>
+    <message>
+        <source>Implicit where the semi-implicit scheme would be slower than real time</source>
+        <translation>Implicite là où le schéma semi-implicite serait plus lent que le temps réel</translation>
+    </message>
+    <message>
+        <source>Integrator</source>
+        <translation>Intégrateur</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>Tous (%1)</translation>
+    </message>
+    <message>
+        <source>How many threads compute; the results are the same bits with any number</source>
+        <translation>Combien de fils calculent&#xa0;; les résultats sont identiques au bit près pour tout nombre</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Fils de calcul</translation>
+    </message>
+    <message>
+        <source>different</source>
+        <translation>divers</translation>
+    </message>
+    <message>
+        <source>%1 of all bodies</source>
+        <translation>%1 de tous les corps</translation>
     </message>
 </context>
 <context>
@@ -2407,11 +4168,11 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Structural connections that broke so far</source>
-        <translation>Liaisons structurelles rompues jusqu'ici</translation>
+        <translation>Liaisons structurelles rompues jusqu&apos;ici</translation>
     </message>
     <message>
         <source>Connected pieces of material</source>
-        <translation>Morceaux de matériau d'un seul tenant</translation>
+        <translation>Morceaux de matériau d&apos;un seul tenant</translation>
     </message>
     <message>
         <source>Units of what is shown</source>
@@ -2469,6 +4230,10 @@ Simulé : %2, pas %3
         <source>%1 pieces</source>
         <translation>%1 morceaux</translation>
     </message>
+    <message>
+        <source>%1x of %2x as chosen</source>
+        <translation>%1x sur %2x choisis</translation>
+    </message>
 </context>
 <context>
     <name>TaskReading</name>
@@ -2500,7 +4265,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Play what was simulated, from where you look</source>
-        <translation>Jouer ce qui a été simulé, d'où vous regardez</translation>
+        <translation>Jouer ce qui a été simulé, d&apos;où vous regardez</translation>
     </message>
     <message>
         <source>One picture on</source>
@@ -2520,7 +4285,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Go on from what you see: a new branch of the history</source>
-        <translation>Continuer depuis ce que vous voyez : une nouvelle branche de l'historique</translation>
+        <translation>Continuer depuis ce que vous voyez&#xa0;: une nouvelle branche de l&apos;historique</translation>
     </message>
     <message>
         <source>Branch here</source>
@@ -2536,7 +4301,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Looking back at %1   Esc: return</source>
-        <translation>Regard en arrière sur %1   Échap : revenir</translation>
+        <translation>Regard en arrière sur %1   Échap&#xa0;: revenir</translation>
     </message>
 </context>
 <context>
@@ -2583,7 +4348,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Largest so far</source>
-        <translation>La plus grande jusqu'ici</translation>
+        <translation>La plus grande jusqu&apos;ici</translation>
     </message>
     <message>
         <source>Form</source>
@@ -2599,11 +4364,11 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Arrow keys and PgUp/PgDn drive at this speed; dragging is never faster</source>
-        <translation>Les flèches et Pg préc/suiv conduisent à cette vitesse ; tirer n'est jamais plus rapide</translation>
+        <translation>Les flèches et Pg préc/suiv conduisent à cette vitesse&#xa0;; tirer n&apos;est jamais plus rapide</translation>
     </message>
     <message>
         <source>The tool stalls rather than push harder</source>
-        <translation>L'outil cale plutôt que de pousser plus fort</translation>
+        <translation>L&apos;outil cale plutôt que de pousser plus fort</translation>
     </message>
     <message>
         <source>Speed limit</source>
@@ -2619,7 +4384,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>Remove tool</source>
-        <translation>Supprimer l'outil</translation>
+        <translation>Supprimer l&apos;outil</translation>
     </message>
 </context>
 <context>
@@ -2658,19 +4423,19 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>What there is</source>
-        <translation>Ce qu'il y a</translation>
+        <translation>Ce qu&apos;il y a</translation>
     </message>
     <message>
         <source>Parts, tools and fixtures are listed here. A click selects; the selected one shows in the view, too.</source>
-        <translation>Pièces, outils et fixations sont listés ici. Un clic choisit ; ce qui est choisi se voit aussi dans la vue.</translation>
+        <translation>Pièces, outils et fixations sont listés ici. Un clic choisit&#xa0;; ce qui est choisi se voit aussi dans la vue.</translation>
     </message>
     <message>
         <source>What it is made of</source>
-        <translation>De quoi c'est fait</translation>
+        <translation>De quoi c&apos;est fait</translation>
     </message>
     <message>
         <source>Choose a material or type its numbers, with any unit: 2 MPa, 0,5 mm, 1.2e3 kg/m³. It takes effect while time runs.</source>
-        <translation>Choisissez un matériau ou tapez ses nombres, en toute unité : 2 MPa, 0,5 mm, 1.2e3 kg/m³. L'effet est immédiat, même en marche.</translation>
+        <translation>Choisissez un matériau ou tapez ses nombres, en toute unité&#xa0;: 2 MPa, 0,5 mm, 1.2e3 kg/m³. L&apos;effet est immédiat, même en marche.</translation>
     </message>
     <message>
         <source>Hold, push, run</source>
@@ -2678,7 +4443,7 @@ Simulé : %2, pas %3
     </message>
     <message>
         <source>X fixes faces that you click, B adds a block, Space runs time. Drag the block with the left button or drive it with the arrow keys; the middle button turns the view.</source>
-        <translation>X fixe les faces que vous cliquez, B ajoute un bloc, Espace fait courir le temps. Tirez le bloc avec le bouton gauche ou conduisez-le avec les flèches ; le bouton du milieu tourne la vue.</translation>
+        <translation>X fixe les faces que vous cliquez, B ajoute un bloc, Espace fait courir le temps. Tirez le bloc avec le bouton gauche ou conduisez-le avec les flèches&#xa0;; le bouton du milieu tourne la vue.</translation>
     </message>
     <message>
         <source>Back and forth in time</source>

@@ -20,8 +20,8 @@
         <translation>Sluiten</translation>
     </message>
     <message>
-        <source>&lt;b style='font-size:16pt'&gt;Knead %1&lt;/b&gt;&lt;br&gt;A CAD workbench in which a part is a lump of real material.</source>
-        <translation>&lt;b style='font-size:16pt'&gt;Knead %1&lt;/b&gt;&lt;br&gt;Een CAD-werkbank waarin een onderdeel een klomp echt materiaal is.</translation>
+        <source>&lt;b style=&apos;font-size:16pt&apos;&gt;Knead %1&lt;/b&gt;&lt;br&gt;A CAD workbench in which a part is a lump of real material.</source>
+        <translation>&lt;b style=&apos;font-size:16pt&apos;&gt;Knead %1&lt;/b&gt;&lt;br&gt;Een CAD-werkbank waarin een onderdeel een klomp echt materiaal is.</translation>
     </message>
     <message>
         <source>After Jansson, Horváth and Vergeest, &lt;i&gt;Implementation and analysis of a mechanics simulation module for use in a conceptual design system&lt;/i&gt;, 2000.</source>
@@ -371,6 +371,44 @@
     </message>
 </context>
 <context>
+    <name>ColorLegend</name>
+    <message>
+        <source>Looking back does not keep this of material that has flowed or is pressed: return to the present, or choose displacement or strain.</source>
+        <translation>Terugblikken bewaart dit niet voor materiaal dat gevloeid heeft of ingedrukt is: ga terug naar het heden, of kies verplaatsing of rek.</translation>
+    </message>
+    <message>
+        <source>This moment does not tell it yet: it comes with the next step.</source>
+        <translation>Dit moment geeft het nog niet aan: het komt met de volgende stap.</translation>
+    </message>
+</context>
+<context>
+    <name>ColorScale</name>
+    <message>
+        <source>Displacement</source>
+        <translation>Verplaatsing</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Rek</translation>
+    </message>
+    <message>
+        <source>Von Mises stress</source>
+        <translation>Von Mises-spanning</translation>
+    </message>
+    <message>
+        <source>Plastic strain</source>
+        <translation>Plastische rek</translation>
+    </message>
+    <message>
+        <source>Contact force</source>
+        <translation>Contactkracht</translation>
+    </message>
+    <message>
+        <source>Distance to the original</source>
+        <translation>Afstand tot het origineel</translation>
+    </message>
+</context>
+<context>
     <name>CommandPalette</name>
     <message>
         <source>What do you want to do?</source>
@@ -379,6 +417,281 @@
     <message>
         <source>Nothing is called like that: try fewer letters.</source>
         <translation>Niets heet zo: probeer minder letters.</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonDialog</name>
+    <message>
+        <source>Compare with original</source>
+        <translation>Met origineel vergelijken</translation>
+    </message>
+    <message>
+        <source>How far the skin is from the nearest point of the original surface, at %1 of simulated time. The mean is by area.</source>
+        <translation>Hoe ver de huid van het dichtstbijzijnde punt van het oorspronkelijke oppervlak ligt, bij %1 gesimuleerde tijd. Het gemiddelde is gewogen naar oppervlakte.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Onderdeel</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Grootste afstand</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>Gemiddelde afstand</translation>
+    </message>
+    <message>
+        <source>Largest displacement</source>
+        <translation>Grootste verplaatsing</translation>
+    </message>
+    <message>
+        <source>Volume at rest</source>
+        <translation>Volume in rust</translation>
+    </message>
+    <message>
+        <source>Volume now</source>
+        <translation>Volume nu</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Verandering</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Massa</translation>
+    </message>
+    <message>
+        <source>Write report...</source>
+        <translation>Verslag schrijven...</translation>
+    </message>
+    <message>
+        <source>A page with these numbers, what was measured and a picture of the view, as PDF or HTML</source>
+        <translation>Een pagina met deze getallen, wat er gemeten is en een beeld van het aanzicht, als PDF of HTML</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonReport</name>
+    <message>
+        <source>Part</source>
+        <translation>Onderdeel</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Grootste afstand</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>Gemiddelde afstand</translation>
+    </message>
+    <message>
+        <source>Largest displacement</source>
+        <translation>Grootste verplaatsing</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Massa</translation>
+    </message>
+    <message>
+        <source>Center of mass moved</source>
+        <translation>Verplaatsing massamiddelpunt</translation>
+    </message>
+    <message>
+        <source>%1 beside its original</source>
+        <translation>%1 naast het origineel</translation>
+    </message>
+    <message>
+        <source>At %1 of simulated time. Written by Knead on %2.</source>
+        <translation>Bij %1 gesimuleerde tijd. Geschreven door Knead op %2.</translation>
+    </message>
+    <message>
+        <source>Distances are those of the deformed skin from the nearest point of the original surface; the mean is by area. A displacement is the way of a point of the skin since rest.</source>
+        <translation>Afstanden zijn die van de vervormde huid tot het dichtstbijzijnde punt van het oorspronkelijke oppervlak; het gemiddelde is gewogen naar oppervlakte. Een verplaatsing is de weg van een punt van de huid sinds de rusttoestand.</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Metingen</translation>
+    </message>
+</context>
+<context>
+    <name>Display</name>
+    <message>
+        <source>Skin</source>
+        <translation>Huid</translation>
+    </message>
+    <message>
+        <source>Show the surface of the part; as through glass when what is inside is shown too</source>
+        <translation>Het oppervlak van het onderdeel tonen; als door glas wanneer ook de binnenkant getoond wordt</translation>
+    </message>
+    <message>
+        <source>Connections</source>
+        <translation>Verbindingen</translation>
+    </message>
+    <message>
+        <source>Show the connections between objects as lines</source>
+        <translation>De verbindingen tussen objecten als lijnen tonen</translation>
+    </message>
+    <message>
+        <source>Original shape</source>
+        <translation>Oorspronkelijke vorm</translation>
+    </message>
+    <message>
+        <source>Show the shape at rest, translucent, around what became of it</source>
+        <translation>De vorm in rust doorschijnend tonen, rond wat ervan geworden is</translation>
+    </message>
+    <message>
+        <source>Broken connections</source>
+        <translation>Gebroken verbindingen</translation>
+    </message>
+    <message>
+        <source>Mark where connections broke</source>
+        <translation>Aangeven waar verbindingen braken</translation>
+    </message>
+    <message>
+        <source>Section plane</source>
+        <translation>Doorsnedevlak</translation>
+    </message>
+    <message>
+        <source>Cut the part open to look inside; drag the knob to move the plane</source>
+        <translation>Het onderdeel opensnijden om erin te kijken; sleep de knop om het vlak te verplaatsen</translation>
+    </message>
+    <message>
+        <source>Flip section</source>
+        <translation>Doorsnede omkeren</translation>
+    </message>
+    <message>
+        <source>Cut off the other side</source>
+        <translation>De andere kant wegsnijden</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Voor en na</translation>
+    </message>
+    <message>
+        <source>Divide the view: the original on the left, the part as it is on the right</source>
+        <translation>Het aanzicht delen: links het origineel, rechts het onderdeel zoals het is</translation>
+    </message>
+    <message>
+        <source>Part colors</source>
+        <translation>Onderdeelkleuren</translation>
+    </message>
+    <message>
+        <source>Faces have the colors of the part</source>
+        <translation>Vlakken hebben de kleuren van het onderdeel</translation>
+    </message>
+    <message>
+        <source>Color the skin by: %1</source>
+        <translation>Huid kleuren naar: %1</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Weergave</translation>
+    </message>
+    <message>
+        <source>What is shown of the material, and how</source>
+        <translation>Wat van het materiaal getoond wordt, en hoe</translation>
+    </message>
+    <message>
+        <source>Colors</source>
+        <translation>Kleuren</translation>
+    </message>
+</context>
+<context>
+    <name>DisplayPanel</name>
+    <message>
+        <source>Range as needed</source>
+        <translation>Bereik naar behoefte</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Kleurschaal</translation>
+    </message>
+    <message>
+        <source>From, to</source>
+        <translation>Van, tot</translation>
+    </message>
+    <message>
+        <source>Hatched</source>
+        <translation>Gearceerd</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Tonen</translation>
+    </message>
+    <message>
+        <source>Colors of the skin</source>
+        <translation>Kleuren van de huid</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Gray</source>
+        <translation>Grijs</translation>
+    </message>
+    <message>
+        <source>All have even lightness; cividis looks nearly alike to people who see few colors</source>
+        <translation>Alle hebben een gelijkmatige helderheid; cividis ziet er bijna hetzelfde uit voor mensen die weinig kleuren zien</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Grootheid</translation>
+    </message>
+    <message>
+        <source>Look inside</source>
+        <translation>Naar binnen kijken</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Towards the eye</source>
+        <translation>Kijkrichting</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Dwars op</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Op</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergelijken</translation>
+    </message>
+    <message>
+        <source>Drag the line in the view: the original on the left, now on the right.</source>
+        <translation>Sleep de lijn in het aanzicht: links het origineel, rechts nu.</translation>
+    </message>
+</context>
+<context>
+    <name>DividerHandle</name>
+    <message>
+        <source>Drag: the original on the left, the part as it is on the right</source>
+        <translation>Slepen: links het origineel, rechts het onderdeel zoals het is</translation>
+    </message>
+    <message>
+        <source>Divider between before and after</source>
+        <translation>Scheiding tussen voor en na</translation>
     </message>
 </context>
 <context>
@@ -400,7 +713,7 @@
         <translation>%1 verwijderen</translation>
     </message>
     <message>
-        <source>"%1" is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.</source>
+        <source>&quot;%1&quot; is a mesh without CAD faces: open it as STEP, IGES or BREP to fix faces.</source>
         <translation>„%1” is een net zonder CAD-vlakken: open het als STEP, IGES of BREP om vlakken vast te zetten.</translation>
     </message>
     <message>
@@ -433,7 +746,7 @@
     </message>
     <message>
         <source>There is not enough memory for this moment. Close other programs and try again.</source>
-        <translation>Er is niet genoeg geheugen voor dit moment. Sluit andere programma's en probeer het opnieuw.</translation>
+        <translation>Er is niet genoeg geheugen voor dit moment. Sluit andere programma&apos;s en probeer het opnieuw.</translation>
     </message>
     <message>
         <source>Branching from %1</source>
@@ -450,6 +763,46 @@
     <message>
         <source>The recipe has come to its end. Play goes on without it.</source>
         <translation>Het recept is afgelopen. Afspelen gaat zonder verder.</translation>
+    </message>
+    <message>
+        <source>Rename to %1</source>
+        <translation>Hernoemen naar %1</translation>
+    </message>
+    <message>
+        <source>Color of %1</source>
+        <translation>Kleur van %1</translation>
+    </message>
+    <message>
+        <source>Something is called &quot;%1&quot; already: choose another name.</source>
+        <translation>Er heet al iets „%1”: kies een andere naam.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is locked in the model tree: unlock it there to change it.</source>
+        <translation>„%1” is vergrendeld in de modelboom: ontgrendel het daar om het te wijzigen.</translation>
+    </message>
+    <message>
+        <source>Fix selection</source>
+        <translation>Selectie vastzetten</translation>
+    </message>
+    <message>
+        <source>The selection holds no objects: it is smaller than the spacing. Choose a finer spacing and refill.</source>
+        <translation>De selectie bevat geen objecten: ze is kleiner dan de afstand. Kies een fijnere afstand en vul opnieuw.</translation>
+    </message>
+    <message>
+        <source>Material of selection</source>
+        <translation>Materiaal van selectie</translation>
+    </message>
+    <message>
+        <source>Material of selection → %1</source>
+        <translation>Materiaal van selectie → %1</translation>
+    </message>
+    <message>
+        <source>Re-normalize selection</source>
+        <translation>Selectie hernormaliseren</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names edges or connections of another filling: undo to go back to that, or select them again and save them under this name.</source>
+        <translation>„%1” benoemt randen of verbindingen van een andere vulling: ga daar met Ongedaan maken naar terug, of kies ze opnieuw en sla ze onder deze naam op.</translation>
     </message>
 </context>
 <context>
@@ -566,6 +919,18 @@
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
+    <message>
+        <source>Look of a part</source>
+        <translation>Uiterlijk van een onderdeel</translation>
+    </message>
+    <message>
+        <source>Look of %1</source>
+        <translation>Uiterlijk van %1</translation>
+    </message>
+    <message>
+        <source>Rename to %1</source>
+        <translation>Hernoemen naar %1</translation>
+    </message>
 </context>
 <context>
     <name>ExportDialog</name>
@@ -598,7 +963,7 @@
         <translation>Zichtbare onderdelen</translation>
     </message>
     <message>
-        <source>Only "%1"</source>
+        <source>Only &quot;%1&quot;</source>
         <translation>Alleen „%1”</translation>
     </message>
     <message>
@@ -627,7 +992,7 @@
     </message>
     <message>
         <source>For older programs: AP214 instead of AP242</source>
-        <translation>Voor oudere programma's: AP214 in plaats van AP242</translation>
+        <translation>Voor oudere programma&apos;s: AP214 in plaats van AP242</translation>
     </message>
     <message>
         <source>As text, which is larger and can be read</source>
@@ -795,12 +1160,224 @@
         <translation>Vastgehouden objecten</translation>
     </message>
     <message>
-        <source>With "Fix faces" on, a click on a face adds it to this fixture, or frees it.</source>
+        <source>With &quot;Fix faces&quot; on, a click on a face adds it to this fixture, or frees it.</source>
         <translation>Met „Vlakken vastzetten” voegt een klik op een vlak het toe aan deze inklemming, of geeft het vrij.</translation>
     </message>
     <message>
         <source>Remove fixture</source>
         <translation>Inklemming verwijderen</translation>
+    </message>
+</context>
+<context>
+    <name>ForcePanel</name>
+    <message>
+        <source>Magnitude</source>
+        <translation>Grootte</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>What of the force is plotted</source>
+        <translation>Wat van de kracht uitgezet wordt</translation>
+    </message>
+</context>
+<context>
+    <name>ForcePlot</name>
+    <message>
+        <source>Add a tool and press Space: forces over time appear here.</source>
+        <translation>Voeg gereedschap toe en druk op Spatie: krachten over de tijd verschijnen hier.</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Tijd [s]</translation>
+    </message>
+    <message>
+        <source>Force [%1]</source>
+        <translation>Kracht [%1]</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>HandPanel</name>
+    <message>
+        <source>Along the tool&apos;s own axes</source>
+        <translation>Langs de eigen assen van het gereedschap</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Grepen</translation>
+    </message>
+    <message>
+        <source>Move step</source>
+        <translation>Verplaatsstap</translation>
+    </message>
+    <message>
+        <source>Handles move in steps of this length while Ctrl is held</source>
+        <translation>Grepen verplaatsen in stappen van deze lengte zolang Ctrl ingedrukt is</translation>
+    </message>
+    <message>
+        <source>Turn step</source>
+        <translation>Draaistap</translation>
+    </message>
+    <message>
+        <source>Handles turn in steps of this angle while Ctrl is held</source>
+        <translation>Grepen draaien in stappen van deze hoek zolang Ctrl ingedrukt is</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>Toetsenbord</translation>
+    </message>
+    <message>
+        <source>Key step</source>
+        <translation>Toetsstap</translation>
+    </message>
+    <message>
+        <source>A key press moves a tool by this length</source>
+        <translation>Een toetsdruk verplaatst gereedschap over deze lengte</translation>
+    </message>
+    <message>
+        <source>Steps per second</source>
+        <translation>Stappen per seconde</translation>
+    </message>
+    <message>
+        <source>While a key is held; a tool never goes faster than its speed limit</source>
+        <translation>Zolang een toets ingedrukt is; gereedschap gaat nooit sneller dan zijn snelheidsgrens</translation>
+    </message>
+    <message>
+        <source>Pulling</source>
+        <translation>Trekken</translation>
+    </message>
+    <message>
+        <source>Spring stiffness</source>
+        <translation>Veerstijfheid</translation>
+    </message>
+    <message>
+        <source>Of the spring between the mouse and the material</source>
+        <translation>Van de veer tussen de muis en het materiaal</translation>
+    </message>
+    <message>
+        <source>Largest pull</source>
+        <translation>Grootste trekkracht</translation>
+    </message>
+    <message>
+        <source>The hand does not pull harder than this</source>
+        <translation>De hand trekt niet harder dan dit</translation>
+    </message>
+    <message>
+        <source>3D mouse</source>
+        <translation>3D-muis</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Camera</translation>
+    </message>
+    <message>
+        <source>Selected tool</source>
+        <translation>Gekozen gereedschap</translation>
+    </message>
+    <message>
+        <source>Drives</source>
+        <translation>Bestuurt</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Snelheid</translation>
+    </message>
+    <message>
+        <source>Of its speeds; 1 is usual</source>
+        <translation>Factor op zijn snelheden; 1 is gebruikelijk</translation>
+    </message>
+    <message>
+        <source>by the material</source>
+        <translation>naar het materiaal</translation>
+    </message>
+    <message>
+        <source>Connected. First button: fit; second: camera or tool.</source>
+        <translation>Aangesloten. Eerste knop: passend; tweede: camera of gereedschap.</translation>
+    </message>
+    <message>
+        <source>None: it works as soon as spacenavd runs.</source>
+        <translation>Geen: werkt zodra spacenavd draait.</translation>
+    </message>
+</context>
+<context>
+    <name>Hands</name>
+    <message>
+        <source>Handles</source>
+        <translation>Grepen</translation>
+    </message>
+    <message>
+        <source>Show handles on the selected tool to move and turn it; Ctrl: in steps; type numbers</source>
+        <translation>Grepen op het gekozen gereedschap tonen om het te verplaatsen en te draaien; Ctrl: in stappen; typ getallen</translation>
+    </message>
+    <message>
+        <source>Drive by keys</source>
+        <translation>Rijden met toetsen</translation>
+    </message>
+    <message>
+        <source>Drive up to three tools with the keyboard, each with keys of its own</source>
+        <translation>Tot drie stuks gereedschap met het toetsenbord rijden, elk met eigen toetsen</translation>
+    </message>
+    <message>
+        <source>Pull material</source>
+        <translation>Aan materiaal trekken</translation>
+    </message>
+    <message>
+        <source>Press on the part and pull its material with a spring</source>
+        <translation>Op het onderdeel drukken en met een veer aan zijn materiaal trekken</translation>
+    </message>
+    <message>
+        <source>3D mouse drives tool</source>
+        <translation>3D-muis bestuurt gereedschap</translation>
+    </message>
+    <message>
+        <source>The 3D mouse moves the selected tool, not the camera</source>
+        <translation>De 3D-muis beweegt het gekozen gereedschap, niet de camera</translation>
+    </message>
+    <message>
+        <source>Forces on tools</source>
+        <translation>Krachten op gereedschap</translation>
+    </message>
+    <message>
+        <source>Show the force of the material on each tool as an arrow with its number</source>
+        <translation>De kracht van het materiaal op elk gereedschap tonen als pijl met getal</translation>
+    </message>
+    <message>
+        <source>Plot of forces</source>
+        <translation>Krachtgrafiek</translation>
+    </message>
+    <message>
+        <source>Show forces over time</source>
+        <translation>Krachten over de tijd tonen</translation>
+    </message>
+    <message>
+        <source>Forces as table...</source>
+        <translation>Krachten als tabel...</translation>
+    </message>
+    <message>
+        <source>Write the forces over time as a CSV file</source>
+        <translation>De krachten over de tijd als CSV-bestand schrijven</translation>
+    </message>
+    <message>
+        <source>Press on the part and pull   Esc: done</source>
+        <translation>Op het onderdeel drukken en trekken   Esc: klaar</translation>
+    </message>
+    <message>
+        <source>Keys drive tools   Shift: slower   Esc: done</source>
+        <translation>Toetsen besturen gereedschap   Shift: langzamer   Esc: klaar</translation>
     </message>
 </context>
 <context>
@@ -1148,6 +1725,20 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>KeyCards</name>
+    <message>
+        <source>Tool %1: add one</source>
+        <translation>Gereedschap %1: toevoegen</translation>
+    </message>
+</context>
+<context>
+    <name>KeyHand</name>
+    <message>
+        <source>%1 per step, %2 steps per second, Shift: slower</source>
+        <translation>%1 per stap, %2 stappen per seconde, Shift: langzamer</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>Knead</source>
@@ -1174,7 +1765,7 @@ Gesimuleerd: %2, stap %3
         <translation>%1: %2, %3 objecten met afstand %4, %5 verbindingen, tijdstap %6.</translation>
     </message>
     <message>
-        <source>%1 "%2"</source>
+        <source>%1 &quot;%2&quot;</source>
         <translation>%1: %2</translation>
     </message>
     <message>
@@ -1232,10 +1823,6 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Mouse and keys</source>
         <translation>Muis en toetsen</translation>
-    </message>
-    <message>
-        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;front, right, top, isometric; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Linkerknop&lt;/b&gt;&lt;/td&gt;&lt;td&gt;kiezen; gereedschap slepen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middelste knop&lt;/b&gt;&lt;/td&gt;&lt;td&gt;draaien; met Shift of Ctrl schuiven&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wiel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;naar de aanwijzer zoomen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pijlen, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;het gekozen gereedschap rijden; Shift is langzamer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Spatie, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;afspelen of pauzeren, één stap, terugzetten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;blok toevoegen, vlakken vastzetten, verwijderen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zwaartekracht, hernormaliseren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objecten, lichaam verbergen, randen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 3, 7, 0&lt;/b&gt;&lt;/td&gt;&lt;td&gt;voor, rechts, boven, isometrisch; Ctrl: van de andere kant&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspectief of parallel, passend&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;het project opslaan; Ctrl+Shift+S onder een andere naam&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;elke opdracht vinden; F11: volledig scherm&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;annuleren&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
     <message>
         <source>Looking into %1</source>
@@ -1480,6 +2067,165 @@ Gesimuleerd: %2, stap %3
         <source>Drag to move the timeline</source>
         <translation>Sleep om de tijdlijn te verplaatsen</translation>
     </message>
+    <message>
+        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeric pad 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;top, isometric, front, right; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;clicks select parts, faces, edges, objects; Ctrl adds&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Linkerknop&lt;/b&gt;&lt;/td&gt;&lt;td&gt;kiezen; gereedschap slepen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middelste knop&lt;/b&gt;&lt;/td&gt;&lt;td&gt;draaien; met Shift of Ctrl schuiven&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wiel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;naar de aanwijzer zoomen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pijlen, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;het gekozen gereedschap rijden; Shift is langzamer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Spatie, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;afspelen of pauzeren, één stap, terugzetten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;blok toevoegen, vlakken vastzetten, verwijderen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zwaartekracht, hernormaliseren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objecten, lichaam verbergen, randen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeriek blok 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;boven, isometrisch, voor, rechts; Ctrl: van de andere kant&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;klikken kiest onderdelen, vlakken, randen, objecten; Ctrl voegt toe&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspectief of parallel, passend&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;het project opslaan; Ctrl+Shift+S onder een andere naam&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;elke opdracht vinden; F11: volledig scherm&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;annuleren&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Weergave</translation>
+    </message>
+    <message>
+        <source>Hands</source>
+        <translation>Handbediening</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Krachten</translation>
+    </message>
+    <message>
+        <source>Export forces over time</source>
+        <translation>Krachten over de tijd exporteren</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabel (*.csv)</translation>
+    </message>
+    <message>
+        <source>There are no forces to write yet: press Play and let something happen first.</source>
+        <translation>Er zijn nog geen krachten te schrijven: druk op Afspelen en laat eerst iets gebeuren.</translation>
+    </message>
+    <message>
+        <source>%1: the table could not be written. Make room on the disk, or choose another folder.</source>
+        <translation>%1: de tabel kon niet geschreven worden. Maak ruimte op de schijf, of kies een andere map.</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wordt geschreven</translation>
+    </message>
+    <message>
+        <source>%1: forces at %2 times written.</source>
+        <translation>%1: krachten op %2 tijdstippen geschreven.</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Meten</translation>
+    </message>
+    <message>
+        <source>Measure the part</source>
+        <translation>Het onderdeel meten</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written (%2). Choose another folder, or make room on the disk.</source>
+        <translation>%1 kan niet worden geschreven (%2). Kies een andere map of maak ruimte vrij op de schijf.</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Metingen</translation>
+    </message>
+    <message>
+        <source>Place probe</source>
+        <translation>Meetpunt plaatsen</translation>
+    </message>
+    <message>
+        <source>Click places of the part to plot what happens there over time (P)</source>
+        <translation>Plaatsen van het onderdeel aanklikken om uit te zetten wat daar in de tijd gebeurt (P)</translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation>Meetpunten</translation>
+    </message>
+    <message>
+        <source>Write what the probes read</source>
+        <translation>Meetwaarden van de meetpunten schrijven</translation>
+    </message>
+    <message>
+        <source>Write what was measured</source>
+        <translation>Metingen schrijven</translation>
+    </message>
+    <message>
+        <source>Written: %1.</source>
+        <translation>Geschreven: %1.</translation>
+    </message>
+    <message>
+        <source>Comparing with the original</source>
+        <translation>Met het origineel vergelijken</translation>
+    </message>
+    <message>
+        <source>Write a report</source>
+        <translation>Een verslag schrijven</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Web page (*.html *.htm)</source>
+        <translation>Webpagina (*.html *.htm)</translation>
+    </message>
+    <message>
+        <source>Se&amp;lect</source>
+        <translation>Se&amp;lectie</translation>
+    </message>
+    <message>
+        <source>Selecting</source>
+        <translation>Selectie</translation>
+    </message>
+    <message>
+        <source>Selecting within %1</source>
+        <translation>Objecten binnen %1 worden gekozen</translation>
+    </message>
+    <message>
+        <source>Select something first.</source>
+        <translation>Selecteer eerst iets.</translation>
+    </message>
+    <message>
+        <source>Slower tools</source>
+        <translation>Langzamer gereedschap</translation>
+    </message>
+    <message>
+        <source>More damping</source>
+        <translation>Meer demping</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulatie</translation>
+    </message>
+    <message>
+        <source>Fill finer</source>
+        <translation>Fijner vullen</translation>
+    </message>
+</context>
+<context>
+    <name>MaterialComparisonDialog</name>
+    <message>
+        <source>same</source>
+        <translation>gelijk</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1 maal</translation>
+    </message>
+    <message>
+        <source>Compare materials</source>
+        <translation>Materialen vergelijken</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Kengetal</translation>
+    </message>
+    <message>
+        <source>Right by left</source>
+        <translation>Rechts / links</translation>
+    </message>
+    <message>
+        <source>Shear modulus</source>
+        <translation>Glijdingsmodulus</translation>
+    </message>
+    <message>
+        <source>Speed of sound</source>
+        <translation>Geluidssnelheid</translation>
+    </message>
 </context>
 <context>
     <name>MaterialPanel</name>
@@ -1504,11 +2250,11 @@ Gesimuleerd: %2, stap %3
         <translation>Dichtheid</translation>
     </message>
     <message>
-        <source>Young's modulus</source>
+        <source>Young&apos;s modulus</source>
         <translation>Elasticiteitsmodulus</translation>
     </message>
     <message>
-        <source>Poisson's ratio</source>
+        <source>Poisson&apos;s ratio</source>
         <translation>Dwarscontractiecoëfficiënt</translation>
     </message>
     <message>
@@ -1636,46 +2382,6 @@ Gesimuleerd: %2, stap %3
         <translation>Cellen dwars</translation>
     </message>
     <message>
-        <source>Steps</source>
-        <translation>Stappen</translation>
-    </message>
-    <message>
-        <source>Semi-implicit Euler</source>
-        <translation>Semi-impliciete Euler</translation>
-    </message>
-    <message>
-        <source>Forward Euler</source>
-        <translation>Voorwaartse Euler</translation>
-    </message>
-    <message>
-        <source>Implicit Euler</source>
-        <translation>Impliciete Euler</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Keeps vibrations; stiff materials take small steps</source>
-        <translation>Behoudt trillingen; stijve materialen nemen kleine stappen</translation>
-    </message>
-    <message>
-        <source>As published; needs damping</source>
-        <translation>Zoals gepubliceerd; heeft demping nodig</translation>
-    </message>
-    <message>
-        <source>A step per frame for any stiffness; fast vibrations die out</source>
-        <translation>Een stap per beeld voor elke stijfheid; snelle trillingen sterven uit</translation>
-    </message>
-    <message>
-        <source>Implicit where the semi-implicit scheme would be slower than real time</source>
-        <translation>Impliciet waar het semi-impliciete schema langzamer dan ware tijd zou zijn</translation>
-    </message>
-    <message>
-        <source>Integrator</source>
-        <translation>Integrator</translation>
-    </message>
-    <message>
         <source>%1 objects, %2 connections
 %3 of material</source>
         <translation>%1 objecten, %2 verbindingen
@@ -1688,6 +2394,387 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>%1 of %2 → %3</source>
         <translation>%1 van %2 → %3</translation>
+    </message>
+    <message>
+        <source>What follows</source>
+        <translation>Wat daaruit volgt</translation>
+    </message>
+    <message>
+        <source>Speed of sound</source>
+        <translation>Geluidssnelheid</translation>
+    </message>
+    <message>
+        <source>Of a thin bar: the root of stiffness by density</source>
+        <translation>Van een dunne staaf: de wortel uit stijfheid gedeeld door dichtheid</translation>
+    </message>
+    <message>
+        <source>Stable time step</source>
+        <translation>Stabiele tijdstap</translation>
+    </message>
+    <message>
+        <source>Longest step of an explicit scheme, for all bodies together; shorter for stiff, light and finely filled ones</source>
+        <translation>Langste stap van een expliciet schema, voor alle lichamen samen; korter voor stijve, lichte en fijn gevulde lichamen</translation>
+    </message>
+    <message>
+        <source>Expected speed</source>
+        <translation>Verwachte snelheid</translation>
+    </message>
+    <message>
+        <source>Simulated by wall time on this machine: measured while time ran, else by a rule</source>
+        <translation>Gesimuleerde per ware tijd op deze computer: gemeten terwijl de tijd liep, anders volgens een vuistregel</translation>
+    </message>
+    <message>
+        <source>Cells across walls</source>
+        <translation>Cellen dwars op wanden</translation>
+    </message>
+    <message>
+        <source>Across the thinnest wall: with fewer than %1 its bending is mostly wrong</source>
+        <translation>Dwars op de dunste wand: met minder dan %1 klopt de buiging ervan meestal niet</translation>
+    </message>
+    <message>
+        <source>%1 to %2, with any unit; 1.2e6 and 1,2 are taken too</source>
+        <translation>%1 tot %2, in elke eenheid; ook 1.2e6 en 1,2 mogen</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>ongeveer %1</translation>
+    </message>
+    <message>
+        <source>keeps up with real time</source>
+        <translation>houdt ware tijd bij</translation>
+    </message>
+    <message>
+        <source>%1 of real time</source>
+        <translation>%1 maal ware tijd</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>niet gemeten</translation>
+    </message>
+    <message>
+        <source>Save these numbers as a material of your own</source>
+        <translation>Deze getallen als eigen materiaal opslaan</translation>
+    </message>
+    <message>
+        <source>Rename this material of your own</source>
+        <translation>Dit eigen materiaal hernoemen</translation>
+    </message>
+    <message>
+        <source>Delete this material of your own; bodies keep its numbers</source>
+        <translation>Dit eigen materiaal verwijderen; lichamen behouden de getallen</translation>
+    </message>
+    <message>
+        <source>Compare with another material, side by side</source>
+        <translation>Met een ander materiaal vergelijken, naast elkaar</translation>
+    </message>
+    <message>
+        <source>Save material</source>
+        <translation>Materiaal opslaan</translation>
+    </message>
+    <message>
+        <source>Rename material</source>
+        <translation>Materiaal hernoemen</translation>
+    </message>
+    <message>
+        <source>Name of the material</source>
+        <translation>Naam van het materiaal</translation>
+    </message>
+    <message>
+        <source>%1 now</source>
+        <translation>%1 nu</translation>
+    </message>
+</context>
+<context>
+    <name>MaterialStore</name>
+    <message>
+        <source>Your own materials cannot be read: %1 Mend or remove the file; until then none can be saved.</source>
+        <translation>Uw eigen materialen kunnen niet gelezen worden: %1 Herstel of verwijder het bestand; tot dan kan er geen opgeslagen worden.</translation>
+    </message>
+    <message>
+        <source>A material needs a name: type one.</source>
+        <translation>Een materiaal heeft een naam nodig: typ er een.</translation>
+    </message>
+    <message>
+        <source>There is a material named &quot;%1&quot; already: choose another name.</source>
+        <translation>Er is al een materiaal met de naam „%1”: kies een andere naam.</translation>
+    </message>
+    <message>
+        <source>Saved by you</source>
+        <translation>Door u opgeslagen</translation>
+    </message>
+    <message>
+        <source>The material was not saved: %1</source>
+        <translation>Het materiaal werd niet opgeslagen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurePanel</name>
+    <message>
+        <source>Nothing is measured yet. Choose what to measure above, then click on the part; corners attract. Numbers follow the material while time runs.</source>
+        <translation>Er is nog niets gemeten. Kies hierboven wat u wilt meten en klik dan op het onderdeel; hoekpunten trekken aan. De getallen volgen het materiaal terwijl de tijd loopt.</translation>
+    </message>
+    <message>
+        <source>Compare...</source>
+        <translation>Vergelijken...</translation>
+    </message>
+    <message>
+        <source>Compare the parts with their original shape, and write a report</source>
+        <translation>De onderdelen met hun oorspronkelijke vorm vergelijken, en een verslag schrijven</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiëren</translation>
+    </message>
+    <message>
+        <source>Copy the table (Ctrl+C)</source>
+        <translation>De tabel kopiëren (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>CSV...</source>
+        <translation>CSV...</translation>
+    </message>
+    <message>
+        <source>Write the table to a file, units in its columns</source>
+        <translation>De tabel naar een bestand schrijven, met eenheden in de kolommen</translation>
+    </message>
+    <message>
+        <source>Delete the selected measurements, or all (Del)</source>
+        <translation>De gekozen metingen verwijderen, of alle (Del)</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Meting</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Nu</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>In rust</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Verandering</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>geen</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Meetwaarde</translation>
+    </message>
+</context>
+<context>
+    <name>Measurement</name>
+    <message>
+        <source>The face is not flat: it is up to %1 away from its mean plane.</source>
+        <translation>Het vlak is niet plat: het wijkt tot %1 af van zijn gemiddelde vlak.</translation>
+    </message>
+    <message>
+        <source>The three places lie on a line: pick others, further around.</source>
+        <translation>De drie punten liggen op één lijn: kies andere, verder rondom.</translation>
+    </message>
+    <message>
+        <source>The face is flat and has no radius: click a round one, or measure with three places.</source>
+        <translation>Het vlak is plat en heeft geen straal: klik een rond vlak aan, of meet met drie punten.</translation>
+    </message>
+    <message>
+        <source>The face is not quite round: it is up to %1 away from this radius.</source>
+        <translation>Het vlak is niet helemaal rond: het wijkt tot %1 af van deze straal.</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Verplaatst</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Afstand</translation>
+    </message>
+    <message>
+        <source>along X</source>
+        <translation>langs X</translation>
+    </message>
+    <message>
+        <source>along Y</source>
+        <translation>langs Y</translation>
+    </message>
+    <message>
+        <source>along Z</source>
+        <translation>langs Z</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Hoek</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Straal</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Diameter</translation>
+    </message>
+    <message>
+        <source>Size X</source>
+        <translation>Grootte X</translation>
+    </message>
+    <message>
+        <source>Size Y</source>
+        <translation>Grootte Y</translation>
+    </message>
+    <message>
+        <source>Size Z</source>
+        <translation>Grootte Z</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Massa</translation>
+    </message>
+    <message>
+        <source>Center of mass X</source>
+        <translation>Massamiddelpunt X</translation>
+    </message>
+    <message>
+        <source>Center of mass Y</source>
+        <translation>Massamiddelpunt Y</translation>
+    </message>
+    <message>
+        <source>Center of mass Z</source>
+        <translation>Massamiddelpunt Z</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punt</translation>
+    </message>
+    <message>
+        <source>Coordinates of a place, and how far it has moved</source>
+        <translation>Coördinaten van een punt, en hoe ver het verplaatst is</translation>
+    </message>
+    <message>
+        <source>Distance between two places</source>
+        <translation>Afstand tussen twee punten</translation>
+    </message>
+    <message>
+        <source>Distance to face</source>
+        <translation>Afstand tot vlak</translation>
+    </message>
+    <message>
+        <source>Distance of a place from the nearest point of a face</source>
+        <translation>Afstand van een punt tot het dichtstbijzijnde punt van een vlak</translation>
+    </message>
+    <message>
+        <source>Angle at the second of three places</source>
+        <translation>Hoek bij het tweede van drie punten</translation>
+    </message>
+    <message>
+        <source>Angle of faces</source>
+        <translation>Hoek tussen vlakken</translation>
+    </message>
+    <message>
+        <source>Angle between the normals of two faces</source>
+        <translation>Hoek tussen de normalen van twee vlakken</translation>
+    </message>
+    <message>
+        <source>Radius of the circle through three places</source>
+        <translation>Straal van de cirkel door drie punten</translation>
+    </message>
+    <message>
+        <source>Radius of face</source>
+        <translation>Straal van vlak</translation>
+    </message>
+    <message>
+        <source>Radius of a hole, a cylinder or a ball</source>
+        <translation>Straal van een gat, een cilinder of een bol</translation>
+    </message>
+    <message>
+        <source>Bounding box</source>
+        <translation>Begrenzingskader</translation>
+    </message>
+    <message>
+        <source>Sizes of a part along the axes</source>
+        <translation>Afmetingen van een onderdeel langs de assen</translation>
+    </message>
+    <message>
+        <source>Volume and mass</source>
+        <translation>Volume en massa</translation>
+    </message>
+    <message>
+        <source>Volume, mass and center of mass of a part</source>
+        <translation>Volume, massa en massamiddelpunt van een onderdeel</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurementList</name>
+    <message>
+        <source>Measurement,Reading,Unit,Now,At rest,Change</source>
+        <translation>Meting,Meetwaarde,Eenheid,Nu,In rust,Verandering</translation>
+    </message>
+</context>
+<context>
+    <name>Measuring</name>
+    <message>
+        <source>Compare with original...</source>
+        <translation>Met origineel vergelijken...</translation>
+    </message>
+    <message>
+        <source>Largest and mean distance, volume and mass beside the original, and a report (Shift+M)</source>
+        <translation>Grootste en gemiddelde afstand, volume en massa naast het origineel, en een verslag (Shift+M)</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Hoekpunt</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Meting</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Meetwaarde</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Nu</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>In rust</translation>
+    </message>
+</context>
+<context>
+    <name>ModelNotes</name>
+    <message>
+        <source>Group</source>
+        <translation>Groep</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Selectie</translation>
+    </message>
+</context>
+<context>
+    <name>ModelPanel</name>
+    <message>
+        <source>Search (Ctrl+F)</source>
+        <translation>Zoeken (Ctrl+F)</translation>
     </message>
 </context>
 <context>
@@ -1719,6 +2806,77 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>%1 faces</source>
         <translation>%1 vlakken</translation>
+    </message>
+    <message>
+        <source>Selections</source>
+        <translation>Selecties</translation>
+    </message>
+    <message>
+        <source>Exports</source>
+        <translation>Exportbestanden</translation>
+    </message>
+    <message>
+        <source>In the file: %1</source>
+        <translation>In het bestand: %1</translation>
+    </message>
+    <message>
+        <source>%1 selected things; a click selects them again</source>
+        <translation>%1 gekozen elementen; een klik kiest ze opnieuw</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Kiezen</translation>
+    </message>
+    <message>
+        <source>Keep the present selection here</source>
+        <translation>De huidige selectie hier bewaren</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Verwijderen</translation>
+    </message>
+    <message>
+        <source>Show in its folder</source>
+        <translation>In de map tonen</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be shown: look for it with your file manager.</source>
+        <translation>De map %1 kan niet getoond worden: zoek hem met uw bestandsbeheerder.</translation>
+    </message>
+    <message>
+        <source>Take off the list</source>
+        <translation>Van de lijst halen</translation>
+    </message>
+    <message>
+        <source>There is a selection called &quot;%1&quot; already: choose another name.</source>
+        <translation>Er is al een selectie met de naam „%1”: kies een andere naam.</translation>
+    </message>
+    <message>
+        <source>Color of the part</source>
+        <translation>Kleur van het onderdeel</translation>
+    </message>
+    <message>
+        <source>Color of %1 parts</source>
+        <translation>Kleur van %1 onderdelen</translation>
+    </message>
+</context>
+<context>
+    <name>ModelTreeDelegate</name>
+    <message>
+        <source>Show (H)</source>
+        <translation>Tonen (H)</translation>
+    </message>
+    <message>
+        <source>Hide (H)</source>
+        <translation>Verbergen (H)</translation>
+    </message>
+    <message>
+        <source>Unlock (L)</source>
+        <translation>Ontgrendelen (L)</translation>
+    </message>
+    <message>
+        <source>Lock: keep it from being changed (L)</source>
+        <translation>Vergrendelen: tegen wijzigen beschermen (L)</translation>
     </message>
 </context>
 <context>
@@ -1822,6 +2980,41 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>%1 million connections per second, %2 objects</source>
         <translation>%1 miljoen verbindingen per seconde, %2 objecten</translation>
+    </message>
+</context>
+<context>
+    <name>PickTool</name>
+    <message>
+        <source>click a place</source>
+        <translation>klik een punt aan</translation>
+    </message>
+    <message>
+        <source>click place %1 of %2</source>
+        <translation>klik punt %1 van %2 aan</translation>
+    </message>
+    <message>
+        <source>click a face</source>
+        <translation>klik een vlak aan</translation>
+    </message>
+    <message>
+        <source>click face %1 of %2</source>
+        <translation>klik vlak %1 van %2 aan</translation>
+    </message>
+    <message>
+        <source>click a part</source>
+        <translation>klik een onderdeel aan</translation>
+    </message>
+    <message>
+        <source>%1: %2   Esc: done</source>
+        <translation>%1: %2   Esc: klaar</translation>
+    </message>
+    <message>
+        <source>There is nothing at that place: click on a part.</source>
+        <translation>Op die plaats is niets: klik op een onderdeel.</translation>
+    </message>
+    <message>
+        <source>This part is a mesh without CAD faces: measure it with places instead.</source>
+        <translation>Dit onderdeel is een net zonder CAD-vlakken: meet het in plaats daarvan met punten.</translation>
     </message>
 </context>
 <context>
@@ -2020,6 +3213,76 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>ProbePanel</name>
+    <message>
+        <source>Displacement</source>
+        <translation>Verplaatsing</translation>
+    </message>
+    <message>
+        <source>Equivalent strain</source>
+        <translation>Equivalente rek</translation>
+    </message>
+    <message>
+        <source>Von Mises stress</source>
+        <translation>Von Mises-spanning</translation>
+    </message>
+    <message>
+        <source>Force on tools</source>
+        <translation>Kracht op gereedschap</translation>
+    </message>
+    <message>
+        <source>Force on all tools</source>
+        <translation>Kracht op al het gereedschap</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Meetpunt</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Rek</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Spanning</translation>
+    </message>
+    <message>
+        <source>No probes yet. Place one on the part: it goes along with the material and plots what it reads, also of what was simulated before.</source>
+        <translation>Nog geen meetpunten. Plaats er een op het onderdeel: het gaat met het materiaal mee en zet uit wat het meet, ook van wat eerder gesimuleerd werd.</translation>
+    </message>
+    <message>
+        <source>What is plotted over time</source>
+        <translation>Wat over de tijd uitgezet wordt</translation>
+    </message>
+    <message>
+        <source>CSV...</source>
+        <translation>CSV...</translation>
+    </message>
+    <message>
+        <source>Write all readings over time to a file, units in its header</source>
+        <translation>Alle meetwaarden over de tijd naar een bestand schrijven, met eenheden in de kop</translation>
+    </message>
+    <message>
+        <source>Delete the selected probes, or all</source>
+        <translation>De gekozen meetpunten verwijderen, of alle</translation>
+    </message>
+    <message>
+        <source>Probe %1</source>
+        <translation>Meetpunt %1</translation>
+    </message>
+    <message>
+        <source>All tools</source>
+        <translation>Al het gereedschap</translation>
+    </message>
+</context>
+<context>
+    <name>ProbeSet</name>
+    <message>
+        <source>Probe %1</source>
+        <translation>Meetpunt %1</translation>
+    </message>
+</context>
+<context>
     <name>ProjectKeeper</name>
     <message>
         <source>The work is kept for recovery again.</source>
@@ -2106,11 +3369,11 @@ Gesimuleerd: %2, stap %3
         <translation>Niet-opgeslagen wijzigingen</translation>
     </message>
     <message>
-        <source>Save the work on "%1" as a project?</source>
+        <source>Save the work on &quot;%1&quot; as a project?</source>
         <translation>Het werk aan „%1” als project opslaan?</translation>
     </message>
     <message>
-        <source>Save the changes to "%1"?</source>
+        <source>Save the changes to &quot;%1&quot;?</source>
         <translation>De wijzigingen aan „%1” opslaan?</translation>
     </message>
     <message>
@@ -2120,6 +3383,25 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>What was done since it was saved is lost otherwise.</source>
         <translation>Wat sinds het opslaan gedaan is, gaat anders verloren.</translation>
+    </message>
+</context>
+<context>
+    <name>PullHand</name>
+    <message>
+        <source>%1 does not deform: make it deformable in the properties, or push it with a tool.</source>
+        <translation>%1 vervormt niet: maak het vervormbaar in de eigenschappen, of duw ertegen met gereedschap.</translation>
+    </message>
+    <message>
+        <source>%1 is held at this place: free it with Fix faces, or pull at another place.</source>
+        <translation>%1 is op deze plaats vastgezet: geef het vrij met „Vlakken vastzetten”, of trek op een andere plaats.</translation>
+    </message>
+    <message>
+        <source>Pull %1</source>
+        <translation>Trekken aan %1</translation>
+    </message>
+    <message>
+        <source>%1 (limit)</source>
+        <translation>%1 (grens)</translation>
     </message>
 </context>
 <context>
@@ -2156,7 +3438,7 @@ Gesimuleerd: %2, stap %3
 <context>
     <name>QuantityField</name>
     <message>
-        <source>"%1" is not a number here; the value is still %2. Esc restores it.</source>
+        <source>&quot;%1&quot; is not a number here; the value is still %2. Esc restores it.</source>
         <translation>„%1” is hier geen getal; de waarde is nog %2. Esc herstelt die.</translation>
     </message>
     <message>
@@ -2325,8 +3607,348 @@ Gesimuleerd: %2, stap %3
         <translation>Niet-opgeslagen werk weggooien</translation>
     </message>
     <message>
-        <source>Discard the unsaved work on "%1"? It cannot be brought back.</source>
+        <source>Discard the unsaved work on &quot;%1&quot;? It cannot be brought back.</source>
         <translation>Het niet-opgeslagen werk aan „%1” weggooien? Het kan niet worden teruggehaald.</translation>
+    </message>
+</context>
+<context>
+    <name>Region</name>
+    <message>
+        <source>1 part, %2</source>
+        <translation>1 onderdeel, %2</translation>
+    </message>
+    <message>
+        <source>%1 parts, %2</source>
+        <translation>%1 onderdelen, %2</translation>
+    </message>
+    <message>
+        <source>1 face, %2</source>
+        <translation>1 vlak, %2</translation>
+    </message>
+    <message>
+        <source>%1 faces, %2</source>
+        <translation>%1 vlakken, %2</translation>
+    </message>
+    <message>
+        <source>1 edge, %2</source>
+        <translation>1 rand, %2</translation>
+    </message>
+    <message>
+        <source>%1 edges, %2</source>
+        <translation>%1 randen, %2</translation>
+    </message>
+    <message>
+        <source>1 object, %2</source>
+        <translation>1 object, %2</translation>
+    </message>
+    <message>
+        <source>%1 objects, %2</source>
+        <translation>%1 objecten, %2</translation>
+    </message>
+    <message>
+        <source>1 connection, %2</source>
+        <translation>1 verbinding, %2</translation>
+    </message>
+    <message>
+        <source>%1 connections, %2</source>
+        <translation>%1 verbindingen, %2</translation>
+    </message>
+</context>
+<context>
+    <name>SectionKnob</name>
+    <message>
+        <source>Drag to move the section plane; arrow keys move it by a hundredth of the part</source>
+        <translation>Sleep om het doorsnedevlak te verplaatsen; pijltoetsen verplaatsen het met een honderdste van het onderdeel</translation>
+    </message>
+    <message>
+        <source>Section plane</source>
+        <translation>Doorsnedevlak</translation>
+    </message>
+</context>
+<context>
+    <name>SelectionActions</name>
+    <message>
+        <source>Parts</source>
+        <translation>Onderdelen</translation>
+    </message>
+    <message>
+        <source>Clicks select parts</source>
+        <translation>Klikken selecteert onderdelen</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Vlakken</translation>
+    </message>
+    <message>
+        <source>Clicks select faces</source>
+        <translation>Klikken selecteert vlakken</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Randen</translation>
+    </message>
+    <message>
+        <source>Clicks select edges</source>
+        <translation>Klikken selecteert randen</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objecten</translation>
+    </message>
+    <message>
+        <source>Clicks select the objects the material is made of</source>
+        <translation>Klikken selecteert de objecten waaruit het materiaal bestaat</translation>
+    </message>
+    <message>
+        <source>Connections</source>
+        <translation>Verbindingen</translation>
+    </message>
+    <message>
+        <source>Clicks select connections between objects</source>
+        <translation>Klikken selecteert verbindingen tussen objecten</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Rechthoek</translation>
+    </message>
+    <message>
+        <source>Drag a box: to the right for what lies in it, to the left also for what it touches</source>
+        <translation>Een rechthoek slepen: naar rechts voor wat erin ligt, naar links ook voor wat hij raakt</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Draw a line around what is wanted</source>
+        <translation>Een lijn trekken om wat gewenst is</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Penseel</translation>
+    </message>
+    <message>
+        <source>Paint over what is wanted</source>
+        <translation>Over het gewenste schilderen</translation>
+    </message>
+    <message>
+        <source>Through the part</source>
+        <translation>Door het onderdeel heen</translation>
+    </message>
+    <message>
+        <source>Boxes, lassos and brushes select what is hidden behind the skin too</source>
+        <translation>Rechthoek, lasso en penseel selecteren ook wat achter de huid verborgen is</translation>
+    </message>
+    <message>
+        <source>Smaller brush</source>
+        <translation>Kleiner penseel</translation>
+    </message>
+    <message>
+        <source>A smaller brush</source>
+        <translation>Een kleiner penseel</translation>
+    </message>
+    <message>
+        <source>Larger brush</source>
+        <translation>Groter penseel</translation>
+    </message>
+    <message>
+        <source>A larger brush</source>
+        <translation>Een groter penseel</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alles selecteren</translation>
+    </message>
+    <message>
+        <source>Everything of the kind that clicks select</source>
+        <translation>Alles van de soort die klikken selecteert</translation>
+    </message>
+    <message>
+        <source>Select nothing</source>
+        <translation>Niets selecteren</translation>
+    </message>
+    <message>
+        <source>Clear the selection</source>
+        <translation>De selectie opheffen</translation>
+    </message>
+    <message>
+        <source>All within a distance...</source>
+        <translation>Alles binnen een afstand...</translation>
+    </message>
+    <message>
+        <source>The objects that lie no farther from the selection than a distance</source>
+        <translation>De objecten die niet verder dan een afstand van de selectie liggen</translation>
+    </message>
+    <message>
+        <source>Save selection...</source>
+        <translation>Selectie opslaan...</translation>
+    </message>
+    <message>
+        <source>Keep the selection under a name in the model tree</source>
+        <translation>De selectie onder een naam in de modelboom bewaren</translation>
+    </message>
+    <message>
+        <source>Fix selection</source>
+        <translation>Selectie vastzetten</translation>
+    </message>
+    <message>
+        <source>Hold the selected faces or objects in place</source>
+        <translation>De geselecteerde vlakken of objecten op hun plaats houden</translation>
+    </message>
+    <message>
+        <source>Re-normalize selection</source>
+        <translation>Selectie hernormaliseren</translation>
+    </message>
+    <message>
+        <source>The selection takes its present shape for its own</source>
+        <translation>De selectie neemt haar huidige vorm als eigen vorm aan</translation>
+    </message>
+    <message>
+        <source>Make it glue</source>
+        <translation>Tot lijm maken</translation>
+    </message>
+    <message>
+        <source>The selected parts keep shape and place and hold what touches them</source>
+        <translation>De geselecteerde onderdelen behouden vorm en plaats en houden vast wat ze raakt</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Hernoemen</translation>
+    </message>
+    <message>
+        <source>Another name for the selected part, group or selection</source>
+        <translation>Een andere naam voor het geselecteerde onderdeel, de groep of de selectie</translation>
+    </message>
+    <message>
+        <source>Color...</source>
+        <translation>Kleur...</translation>
+    </message>
+    <message>
+        <source>Another color for the selected parts</source>
+        <translation>Een andere kleur voor de geselecteerde onderdelen</translation>
+    </message>
+    <message>
+        <source>Color of the file</source>
+        <translation>Kleur van het bestand</translation>
+    </message>
+    <message>
+        <source>The color that the part has in its file</source>
+        <translation>De kleur die het onderdeel in zijn bestand heeft</translation>
+    </message>
+    <message>
+        <source>Lock or unlock</source>
+        <translation>Vergrendelen of ontgrendelen</translation>
+    </message>
+    <message>
+        <source>Keep what is selected from being changed</source>
+        <translation>Het geselecteerde tegen wijzigingen beschermen</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Groep</translation>
+    </message>
+    <message>
+        <source>Put the selected parts into a group</source>
+        <translation>De geselecteerde onderdelen in een groep zetten</translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation>Groep opheffen</translation>
+    </message>
+    <message>
+        <source>Take the selected parts out of their group, or all out of the selected one</source>
+        <translation>De geselecteerde onderdelen uit hun groep halen, of alle uit de geselecteerde</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Isoleren</translation>
+    </message>
+    <message>
+        <source>Show nothing but the selected parts; again: what was shown before</source>
+        <translation>Alleen de geselecteerde onderdelen tonen; nogmaals: wat eerder te zien was</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alles tonen</translation>
+    </message>
+    <message>
+        <source>Hide no part</source>
+        <translation>Geen onderdeel verbergen</translation>
+    </message>
+    <message>
+        <source>Search the model</source>
+        <translation>In het model zoeken</translation>
+    </message>
+    <message>
+        <source>Look for parts, tools, fixtures and selections by their names</source>
+        <translation>Onderdelen, gereedschappen, inklemmingen en selecties op naam zoeken</translation>
+    </message>
+</context>
+<context>
+    <name>SelectionPanel</name>
+    <message>
+        <source>Fix</source>
+        <translation>Vastzetten</translation>
+    </message>
+    <message>
+        <source>Hold it in place (Shift+F)</source>
+        <translation>Op zijn plaats houden (Shift+F)</translation>
+    </message>
+    <message>
+        <source>Re-normalize</source>
+        <translation>Hernormaliseren</translation>
+    </message>
+    <message>
+        <source>It takes its present shape for its own (Shift+N)</source>
+        <translation>De selectie neemt haar huidige vorm aan als eigen vorm (Shift+N)</translation>
+    </message>
+    <message>
+        <source>Enter keeps the selection under this name in the model tree</source>
+        <translation>Enter bewaart de selectie onder deze naam in de modelboom</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Opslaan</translation>
+    </message>
+    <message>
+        <source>Keep the selection under this name</source>
+        <translation>De selectie onder deze naam bewaren</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Opslaan als</translation>
+    </message>
+    <message>
+        <source>Enter selects the objects that lie no farther from the selection than this</source>
+        <translation>Enter kiest de objecten die niet verder dan dit van de selectie liggen</translation>
+    </message>
+    <message>
+        <source>All within</source>
+        <translation>Alles binnen</translation>
+    </message>
+    <message>
+        <source>Material of its own</source>
+        <translation>Eigen materiaal</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Kiezen</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Materiaal</translation>
+    </message>
+    <message>
+        <source>Takes effect at once, also while time runs. The rest of the part stays what it is.</source>
+        <translation>Werkt meteen, ook terwijl de tijd loopt. De rest van het onderdeel blijft wat het is.</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>van %1</translation>
+    </message>
+    <message>
+        <source>A selection needs a name: type one, then save it.</source>
+        <translation>Een selectie heeft een naam nodig: typ er een en sla haar dan op.</translation>
     </message>
 </context>
 <context>
@@ -2371,12 +3993,151 @@ Gesimuleerd: %2, stap %3
         <translation>%1 %2: kies een andere toets.</translation>
     </message>
     <message>
-        <source>%1 already does "%2".</source>
+        <source>%1 already does &quot;%2&quot;.</source>
         <translation>%1 doet al „%2”.</translation>
     </message>
     <message>
         <source>Take it from there</source>
         <translation>Daar weghalen</translation>
+    </message>
+</context>
+<context>
+    <name>SimulationPanel</name>
+    <message>
+        <source>None</source>
+        <translation>Geen</translation>
+    </message>
+    <message>
+        <source>Earth</source>
+        <translation>Aarde</translation>
+    </message>
+    <message>
+        <source>Moon</source>
+        <translation>Maan</translation>
+    </message>
+    <message>
+        <source>Mars</source>
+        <translation>Mars</translation>
+    </message>
+    <message>
+        <source>Jupiter</source>
+        <translation>Jupiter</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Ware tijd</translation>
+    </message>
+    <message>
+        <source>1/%1 of real time</source>
+        <translation>1/%1 van ware tijd</translation>
+    </message>
+    <message>
+        <source>%1 times real time</source>
+        <translation>%1 maal ware tijd</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tijd</translation>
+    </message>
+    <message>
+        <source>How fast simulated time runs when the machine keeps up: slow motion shows what is quick</source>
+        <translation>Hoe snel de gesimuleerde tijd loopt als de computer het bijhoudt: vertraagde weergave toont wat snel gaat</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Snelheid</translation>
+    </message>
+    <message>
+        <source>Simulated time of one step; the largest stable one with a margin</source>
+        <translation>Gesimuleerde tijd van één stap; de grootste stabiele met een marge</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Gesimuleerd</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Tijdstap</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Zwaartekracht</translation>
+    </message>
+    <message>
+        <source>Own numbers</source>
+        <translation>Eigen getallen</translation>
+    </message>
+    <message>
+        <source>As on</source>
+        <translation>Zoals op</translation>
+    </message>
+    <message>
+        <source>Along %1</source>
+        <translation>Langs %1</translation>
+    </message>
+    <message>
+        <source>Damping of all bodies</source>
+        <translation>Demping van alle lichamen</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Stappen</translation>
+    </message>
+    <message>
+        <source>Semi-implicit Euler</source>
+        <translation>Semi-impliciete Euler</translation>
+    </message>
+    <message>
+        <source>Forward Euler</source>
+        <translation>Voorwaartse Euler</translation>
+    </message>
+    <message>
+        <source>Implicit Euler</source>
+        <translation>Impliciete Euler</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Keeps vibrations; stiff materials take small steps</source>
+        <translation>Behoudt trillingen; stijve materialen nemen kleine stappen</translation>
+    </message>
+    <message>
+        <source>As published; needs damping</source>
+        <translation>Zoals gepubliceerd; heeft demping nodig</translation>
+    </message>
+    <message>
+        <source>A step per frame for any stiffness; fast vibrations die out</source>
+        <translation>Een stap per beeld voor elke stijfheid; snelle trillingen sterven uit</translation>
+    </message>
+    <message>
+        <source>Implicit where the semi-implicit scheme would be slower than real time</source>
+        <translation>Impliciet waar het semi-impliciete schema langzamer dan ware tijd zou zijn</translation>
+    </message>
+    <message>
+        <source>Integrator</source>
+        <translation>Integrator</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>Alle %1</translation>
+    </message>
+    <message>
+        <source>How many threads compute; the results are the same bits with any number</source>
+        <translation>Hoeveel threads rekenen; de resultaten zijn met elk aantal tot op de bit gelijk</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Threads</translation>
+    </message>
+    <message>
+        <source>different</source>
+        <translation>verschillend</translation>
+    </message>
+    <message>
+        <source>%1 of all bodies</source>
+        <translation>%1 van alle lichamen</translation>
     </message>
 </context>
 <context>
@@ -2468,6 +4229,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>%1 pieces</source>
         <translation>%1 stukken</translation>
+    </message>
+    <message>
+        <source>%1x of %2x as chosen</source>
+        <translation>%1x van de gekozen %2x</translation>
     </message>
 </context>
 <context>
