@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -18,7 +19,7 @@ namespace knead {
 namespace {
 
 constexpr double checkDeflection = 1.0 / 300; // of the size of the smallest part
-constexpr double finerTriangles = 0.6;
+constexpr double otherTriangles[] = {0.8, 1.2, 0.6, 0.45, 0.36};
 
 /// The exact shape of a part; none for a mesh.
 class ShapeStore {
@@ -77,19 +78,22 @@ std::ptrdiff_t partsWithHoles(const Model& model)
                          [](const Part& part) { return !part.watertight && part.openEdges.empty(); });
 }
 
-/// Now and then a face cannot be covered with triangles of just this size; one that passes through itself with none.
-Model readBackWithoutHoles(FormatKind kind, const std::string& bytes, const ExportJob& job,
-                           const std::vector<ReadyPart>& ready, TaskControl& control)
+/// Now and then a face cannot be covered with triangles of just this size.
+Model readBackWithoutHoles(FormatKind kind, const std::string& bytes, const ExportJob& job, TaskControl& control)
 {
     TaskPortion reading(control, 0, 0.5);
     Model model = readBack(kind, bytes, job, 1, reading);
-    const bool crosses =
-        std::any_of(ready.begin(), ready.end(), [](const auto& part) { return part.report.crossesItself; });
-    if (crosses || partsWithHoles(model) == 0)
-        return model;
-    TaskPortion again(control, 0.5, 1);
-    Model finer = readBack(kind, bytes, job, finerTriangles, again);
-    return partsWithHoles(finer) < partsWithHoles(model) ? finer : model;
+    for (double done = 0.5; const double fineness : otherTriangles) {
+        if (partsWithHoles(model) == 0)
+            break;
+        constexpr double share = 0.5 / std::size(otherTriangles);
+        TaskPortion again(control, done, done + share);
+        Model other = readBack(kind, bytes, job, fineness, again);
+        if (partsWithHoles(other) < partsWithHoles(model))
+            model = std::move(other);
+        done += share;
+    }
+    return model;
 }
 
 /// A file, and what to try where a part did not come back sound.
@@ -114,7 +118,7 @@ Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Manners& m
         file.bytes = writeCad(kind, out, job.tree, job.options, writing);
     }
     TaskPortion reading(control, 0.65, 0.9);
-    const Model back = readBackWithoutHoles(kind, file.bytes, job, ready, reading);
+    const Model back = readBackWithoutHoles(kind, file.bytes, job, reading);
     {
         const OcctSession session;
         TaskPortion comparing(control, 0.9, 1);
