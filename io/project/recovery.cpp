@@ -9,10 +9,12 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
+#include <thread>
 
 namespace knead {
 
@@ -51,6 +53,19 @@ std::string newFolder(const std::string& parent, FileLock& lock)
     return ready;
 }
 
+/// Whoever only looks what could be recovered holds it for milliseconds, too.
+FileLock patientLock(const std::string& folder)
+{
+    constexpr auto patience = std::chrono::milliseconds(500);
+    const auto end = std::chrono::steady_clock::now() + patience;
+    FileLock lock(recovery_files::lock(folder), false);
+    while (lock.result() == FileLock::Result::taken && std::chrono::steady_clock::now() < end) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        lock = FileLock(recovery_files::lock(folder), false);
+    }
+    return lock;
+}
+
 void dropTables(SQLite::Database& database)
 {
     for (const auto tables : {projectTables(), recoveryTables()})
@@ -72,7 +87,7 @@ RecoveryFile::RecoveryFile(const std::string& folder)
 }
 
 RecoveryFile::RecoveryFile(const Recovery& recovery)
-    : m_lock(recovery_files::lock(recovery.folder), false)
+    : m_lock(patientLock(recovery.folder))
     , m_folder(recovery.folder)
 {
     if (!m_lock.isHeld())

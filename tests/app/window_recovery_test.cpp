@@ -297,9 +297,9 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
         clickOn<QPushButton>("recoveryLater");
         QTRY_VERIFY(find<QListWidget>("recoveryList") == nullptr);
+        QTRY_VERIFY(find<QWidget>("waitingWork")->isVisible()); // on the first page, after looking for it
         QCOMPARE(findRecoveries().size(), std::size_t{1});
-        QTRY_VERIFY(find<QWidget>("waitingWork")->isVisible()); // on the first page
-        QVERIFY(find<QLabel>("waitingNames")->text().contains("bar"));
+        QVERIFY(find<QLabel>("waitingNames")->text().contains("Bar"));
         picture("home-waiting");
         clickOn<QPushButton>("homeRecover");
         QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);

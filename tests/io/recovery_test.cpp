@@ -1,3 +1,4 @@
+#include "io/project/file_lock.h"
 #include "io/project/recovery.h"
 #include "io/project/recovery_files.h"
 #include "support/same_values.h"
@@ -10,6 +11,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include <sys/mount.h>
 
@@ -145,6 +147,20 @@ private slots:
         QVERIFY(!complaint([&] { dropRecovery(found); }).empty());
         QVERIFY(findRecoveries(m_folder).empty());
         QVERIFY(same::values(quicker.read().project, m_project));
+    }
+
+    void lookingForWorkDoesNotKeepOthersFromIt()
+    {
+        RecoveryFile(m_folder).begin(m_project, {});
+        const Recovery found = findRecoveries(m_folder).at(0);
+        FileLock looking(recovery_files::lock(found.folder), false);
+        QVERIFY(looking.isHeld());
+        std::thread soon([&] {
+            QTest::qSleep(50);
+            looking = FileLock();
+        });
+        QCOMPARE(complaint([&] { RecoveryFile next(found); }), std::string());
+        soon.join();
     }
 
     void aSecondCrashLosesNothing()

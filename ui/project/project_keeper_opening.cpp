@@ -74,6 +74,7 @@ void ProjectKeeper::offerRemedy(const ProjectWish& wish, const ReadProject& read
 void ProjectKeeper::show(ReadProject read)
 {
     const QString path = QFile::decodeName(read.path.c_str());
+    const bool isRecovered = read.kept != nullptr;
     if (!showContent(read))
         return;
     m_saving.reset();
@@ -98,6 +99,8 @@ void ProjectKeeper::show(ReadProject read)
     }
     m_wasModified = isModified();
     emit changed();
+    if (isRecovered)
+        tellOfWaiting(); // one less
     if (!read.sentence.empty())
         emit problem(QString::fromStdString(read.sentence), tr("Save as..."), [this] { saveAs(); });
     if (!read.missing.empty())
@@ -173,7 +176,7 @@ void ProjectKeeper::showRecoveries(std::vector<Recovery> found, bool saysNone)
     dialog->open();
 }
 
-/// After what was asked for in the dialog.
+/// After what was asked for in the dialog, and when it is done.
 void ProjectKeeper::tellOfWaiting()
 {
     m_autosave.find([this](const std::vector<Recovery>& found) {
