@@ -81,6 +81,20 @@ private slots:
         plot.grab();
         QCOMPARE(plot.lines().size(), std::size_t{1});
     }
+
+    /// The grid has as many lines as there is room for, also when all is of one moment.
+    void aSingleMomentIsPaintedSwiftly()
+    {
+        PlotView plot;
+        plot.resize(700, 150);
+        for (const double time : {0.0, 0.5, 3600.0}) {
+            plot.show({{"a", Qt::red, {{time, 0}}}}, Quantity::Length, "Way");
+            QElapsedTimer clock;
+            clock.start();
+            plot.grab();
+            QVERIFY2(clock.elapsed() < 200, qPrintable(QString::number(clock.elapsed())));
+        }
+    }
 };
 
 QTEST_MAIN(PlotViewTest)

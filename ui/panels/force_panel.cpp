@@ -75,6 +75,7 @@ void ForcePanel::bringUpToDate()
     QElapsedTimer clock;
     clock.start();
     m_plot->show(forceRecordOf(m_document.timeline()));
+    m_plot->repaint(); // now: it is part of what a look takes
     m_soon->setInterval(std::max(pace, restPerLook * static_cast<int>(clock.elapsed())));
 }
 

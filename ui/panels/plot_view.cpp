@@ -17,12 +17,13 @@ constexpr double left = 78; // of the area [pixels]
 constexpr double right = 14;
 constexpr double top = 24;
 constexpr double bottom = 28;
-constexpr double labelSpacing = 90; // along x [pixels]
-constexpr double rowSpacing = 34;   // along y [pixels]
+constexpr double labelSpacing = 90;   // along x [pixels]
+constexpr double rowSpacing = 34;     // along y [pixels]
+constexpr double shortestTime = 1e-6; // that is plotted, also of a single moment [s]
 
-bool hasPoints(const std::vector<PlotLine>& lines)
+bool hasPoints(const std::vector<PlotLine>& all)
 {
-    return std::any_of(lines.begin(), lines.end(), [](const PlotLine& line) { return !line.points.empty(); });
+    return std::any_of(all.begin(), all.end(), [](const PlotLine& line) { return !line.points.empty(); });
 }
 
 /// The last value at or before x; none where the line has not begun or is interrupted.
@@ -154,9 +155,11 @@ void PlotView::fitAxes()
                 highest = std::max(highest, point.y());
             }
         }
-    m_x = fitted(std::min(first, last), last, area().width() / labelSpacing);
-    m_x.begin = std::min(first, last);
-    m_x.end = std::max(last, m_x.begin + 1e-6);
+    first = std::min(first, last);
+    last = std::max(last, first + shortestTime);
+    m_x = fitted(first, last, area().width() / labelSpacing);
+    m_x.begin = first;
+    m_x.end = last;
     m_y = fitted(lowest, highest, area().height() / rowSpacing);
     if (m_y.end <= m_y.begin)
         m_y.end = m_y.begin + m_y.step;
@@ -205,8 +208,10 @@ void PlotView::paintGrid(QPainter& painter) const
         painter.setPen(QPen(line, 1));
         painter.drawLine(QPointF(at.x(), box.top()), QPointF(at.x(), box.bottom()));
         painter.setPen(words);
-        painter.drawText(QRectF(at.x() - 50, box.bottom() + 4, 100, 20), Qt::AlignHCenter | Qt::AlignTop,
-                         formatReading(std::abs(x) < 1e-9 * m_x.step ? 0 : x, Quantity::Time));
+        const QString time = formatReading(std::abs(x) < 1e-9 * m_x.step ? 0 : x, Quantity::Time);
+        const double size = painter.fontMetrics().horizontalAdvance(time) + 2;
+        const double from = std::min(at.x() - size / 2, width() - size); // the last one would be cut off
+        painter.drawText(QRectF(from, box.bottom() + 4, size, 20), Qt::AlignHCenter | Qt::AlignTop, time);
     }
     const int rows = static_cast<int>(std::lround((m_y.end - m_y.begin) / m_y.step));
     for (int row = 0; row <= rows; ++row) {
