@@ -18,7 +18,7 @@ namespace knead {
 
 namespace {
 
-constexpr QSize startSize(620, 560);
+constexpr QSize dialogSize(620, 560);
 
 /// Translated where the panel of materials has it.
 QString wordOfCore(const char* text)
@@ -68,7 +68,7 @@ MaterialComparisonDialog::MaterialComparisonDialog(std::vector<MaterialPreset> c
 {
     setObjectName("materialComparison");
     setWindowTitle(tr("Compare materials"));
-    resize(startSize);
+    resize(dialogSize);
     auto* row = new QHBoxLayout;
     for (QComboBox* choice : {m_left, m_right}) {
         choice->setIconSize({24, 24});

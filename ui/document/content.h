@@ -36,6 +36,11 @@ struct BodyFrame {
     std::vector<Vec3> places;   ///< of the vertices of ContentBody::mesh [m]
     std::vector<float> points;  ///< x y z per render vertex [m]
     std::vector<float> normals; ///< x y z per render vertex
+
+    Vec3 point(std::uint32_t vertex) const ///< of a render vertex [m]
+    {
+        return Eigen::Map<const Eigen::Vector3f>(points.data() + std::size_t{3} * vertex).cast<double>();
+    }
 };
 
 /// A part without an inside to fill: it is shown as it is and takes no part in the simulation.

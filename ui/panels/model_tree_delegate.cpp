@@ -13,8 +13,8 @@ namespace knead {
 
 namespace {
 
-constexpr int side = 16;  // of eye and lock [pixels]
-constexpr int margin = 5; // around them
+constexpr int iconSide = 16; // of eye and lock [pixels]
+constexpr int margin = 5;    // around them
 
 bool hasEye(const QModelIndex& index)
 {
@@ -35,12 +35,12 @@ bool isHiddenLine(const QModelIndex& index)
 
 QRect ModelTreeDelegate::eyeRect(const QRect& line)
 {
-    return {line.right() - margin - side, line.center().y() - side / 2, side, side};
+    return {line.right() - margin - iconSide, line.center().y() - iconSide / 2, iconSide, iconSide};
 }
 
 QRect ModelTreeDelegate::lockRect(const QRect& line)
 {
-    return eyeRect(line).translated(-side - margin, 0);
+    return eyeRect(line).translated(-iconSide - margin, 0);
 }
 
 void ModelTreeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const

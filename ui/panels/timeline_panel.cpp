@@ -20,7 +20,7 @@ namespace knead {
 
 namespace {
 
-constexpr int updateTime = 40;  // [ms]
+constexpr int drawingTime = 40; // [ms]
 constexpr int pictureTime = 33; // between pictures while the film is played [ms]
 constexpr std::array<double, 7> rates{0.1, 0.25, 0.5, 1, 2, 4, 8};
 constexpr int usualRate = 3; // index
@@ -42,7 +42,7 @@ TimelinePanel::TimelinePanel(Document& document, QWidget* parent)
     setObjectName("timelinePanel");
     makeButtons();
     m_soon->setSingleShot(true);
-    m_soon->setInterval(updateTime);
+    m_soon->setInterval(drawingTime);
     m_player->setInterval(pictureTime);
     connect(m_soon, &QTimer::timeout, this, &TimelinePanel::bringUpToDate);
     connect(m_player, &QTimer::timeout, this, &TimelinePanel::playOn);

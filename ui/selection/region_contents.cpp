@@ -15,11 +15,6 @@ namespace {
 
 constexpr double edgeReach = 0.87; // [a]: half the diagonal of a cell, so that no edge passes between objects
 
-Vec3 pointAt(const BodyFrame& frame, std::uint32_t vertex)
-{
-    return Eigen::Map<const Eigen::Vector3f>(frame.points.data() + std::size_t{3} * vertex).cast<double>();
-}
-
 double areaOf(const ContentBody& body, const BodyFrame& frame, const Region::Items& faces)
 {
     const RenderMesh& mesh = body.render;
@@ -27,8 +22,8 @@ double areaOf(const ContentBody& body, const BodyFrame& frame, const Region::Ite
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         if (!std::binary_search(faces.begin(), faces.end(), mesh.faceOfTriangle[t]))
             continue;
-        const Vec3 a = pointAt(frame, mesh.triangles[t][0]);
-        sum += (pointAt(frame, mesh.triangles[t][1]) - a).cross(pointAt(frame, mesh.triangles[t][2]) - a).norm() / 2;
+        const Vec3 a = frame.point(mesh.triangles[t][0]);
+        sum += (frame.point(mesh.triangles[t][1]) - a).cross(frame.point(mesh.triangles[t][2]) - a).norm() / 2;
     }
     return sum;
 }
@@ -47,7 +42,7 @@ double lengthOfEdges(const ContentBody& body, const BodyFrame& frame, const Regi
     double sum = 0;
     for (std::size_t e = 0; e < body.render.edges.size(); ++e)
         if (std::binary_search(chains.begin(), chains.end(), body.render.chainOfEdge[e]))
-            sum += (pointAt(frame, body.render.edges[e][1]) - pointAt(frame, body.render.edges[e][0])).norm();
+            sum += (frame.point(body.render.edges[e][1]) - frame.point(body.render.edges[e][0])).norm();
     return sum;
 }
 

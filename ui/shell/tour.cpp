@@ -19,7 +19,7 @@ namespace {
 
 constexpr int cardWidth = 340;
 constexpr int gap = 14;       // between the place and the card [pixels]
-constexpr int rim = 5;        // around the place
+constexpr int frameRim = 5;   // around the place
 constexpr int darkness = 150; // of 255
 
 } // namespace
@@ -115,7 +115,7 @@ QRect Tour::spot() const
     if (m_place == nullptr || !m_place->isVisible())
         return {};
     const QRect place(m_place->mapTo(&m_window, QPoint(0, 0)), m_place->size());
-    return place.adjusted(-rim, -rim, rim, rim).intersected(rect());
+    return place.adjusted(-frameRim, -frameRim, frameRim, frameRim).intersected(rect());
 }
 
 /// The card goes where there is room: right of the place, left, below, above; else into the middle.

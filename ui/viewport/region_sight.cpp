@@ -13,13 +13,8 @@ namespace {
 
 constexpr double edgeReach = 7;          // [pixels]
 constexpr double connectionReach = 5;    // [pixels]
-constexpr double objectRadius = 0.5;     // [a], as drawn
+constexpr double ballRadius = 0.5;       // [a], as drawn
 constexpr std::size_t nearestEdges = 12; // that are looked at under the cursor
-
-Vec3 pointAt(const BodyFrame& frame, std::uint32_t vertex)
-{
-    return Eigen::Map<const Eigen::Vector3f>(frame.points.data() + std::size_t{3} * vertex).cast<double>();
-}
 
 Eigen::Vector2d vec(const Pixel& pixel)
 {
@@ -151,8 +146,8 @@ Region RegionSight::edgeAt(const Pixel& pixel)
         const RenderMesh& mesh = m_document.content().bodies[b]->render;
         const BodyFrame& frame = *m_document.frame()->bodies[b];
         for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-            const Vec3 a = pointAt(frame, mesh.edges[e][0]);
-            const Vec3 z = pointAt(frame, mesh.edges[e][1]);
+            const Vec3 a = frame.point(mesh.edges[e][0]);
+            const Vec3 z = frame.point(mesh.edges[e][1]);
             const std::optional<Pixel> first = project(a);
             const std::optional<Pixel> second = project(z);
             if (!first || !second)
@@ -179,7 +174,7 @@ Region RegionSight::objectAt(const Pixel& pixel) const
         if (!isShown(b))
             continue;
         const ContentBody& body = *m_document.content().bodies[b];
-        const double radius = objectRadius * body.aggregate->lattice.spacing;
+        const double radius = ballRadius * body.aggregate->lattice.spacing;
         const std::vector<Vec3>& places = m_document.frame()->snapshot->bodies[b].positions;
         for (const ObjectIndex object : body.surfaceObjects) {
             const Vec3 offset = places[object] - ray.origin;

@@ -14,10 +14,10 @@ namespace knead {
 
 namespace {
 
-constexpr int dividerWidth = 34; // with its knob [pixels]
-constexpr int lineWidth = 10;    // of what can be grabbed of the line beside its knob [pixels]
-constexpr int knobSize = 30;     // [pixels]
-constexpr double keyStep = 0.02; // of the width
+constexpr int dividerWidth = 34;     // with its knob [pixels]
+constexpr int lineWidth = 10;        // of what can be grabbed of the line beside its knob [pixels]
+constexpr int knobSize = 30;         // [pixels]
+constexpr double dividerStep = 0.02; // of the width
 constexpr double leastShare = 0.02;
 
 /// Two triangles that point away from the middle, along x.
@@ -116,7 +116,7 @@ void DividerHandle::mouseReleaseEvent(QMouseEvent* event)
 void DividerHandle::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)
-        moveTo(m_share + (event->key() == Qt::Key_Left ? -keyStep : keyStep));
+        moveTo(m_share + (event->key() == Qt::Key_Left ? -dividerStep : dividerStep));
     else
         QWidget::keyPressEvent(event);
 }

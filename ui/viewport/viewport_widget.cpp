@@ -1,6 +1,7 @@
 #include "ui/viewport/viewport_widget.h"
 
 #include "ui/units.h"
+#include "ui/viewport/pixel_of.h"
 #include "ui/viewport/region_overlay.h"
 #include "ui/viewport/sight_overlay.h"
 #include "ui/viewport/sight_preparer.h"
@@ -20,11 +21,6 @@ namespace {
 constexpr int turnTime = 220;          // [ms]
 constexpr double drawingShare = 0.4;   // of the window's time at most; without a graphics card drawing is slow
 constexpr double labelledForce = 1e-6; // [N]
-
-Pixel pixelOf(const QPointF& position)
-{
-    return {position.x(), position.y()};
-}
 
 } // namespace
 
