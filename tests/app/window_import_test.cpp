@@ -1,4 +1,5 @@
 #include "support/window_on_test.h"
+#include "support/window_watchdog.h"
 #include "ui/dialogs/import_dialog.h"
 #include "ui/panels/model_tree_delegate.h"
 #include "ui/run_window.h"
@@ -16,8 +17,6 @@
 #include <QTreeWidget>
 #include <QtTest>
 
-#include <algorithm>
-#include <ctime>
 
 using namespace knead;
 
@@ -56,32 +55,6 @@ std::vector<std::array<Vec3, 3>> box(double side, bool isOpen)
         }
     return triangles;
 }
-
-/// Processor time of this thread [s]: how long the window was busy, whatever else the machine does.
-double ownTime()
-{
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-/// Knows how long this thread has drawn the view: on a machine without a graphics card that is done by the processor.
-class TimedApplication final : public QApplication {
-public:
-    using QApplication::QApplication;
-
-    bool notify(QObject* receiver, QEvent* event) override
-    {
-        if (event->type() != QEvent::Paint || receiver->objectName() != "viewport")
-            return QApplication::notify(receiver, event);
-        const double start = ownTime();
-        const bool result = QApplication::notify(receiver, event);
-        drawing += ownTime() - start;
-        return result;
-    }
-
-    double drawing = 0; ///< so far [s]
-};
 
 } // namespace
 
@@ -274,33 +247,21 @@ private slots:
     void theWindowAnswersAllThroughAnImport()
     {
         openExample("bar.step"); // graphics and fonts are loaded
-        const double& drawing = static_cast<TimedApplication*>(qApp)->drawing;
-        double longest = 0;
-        double longestDrawing = 0;
-        double before = ownTime();
-        double drawnBefore = drawing;
-        QTimer pulse;
-        connect(&pulse, &QTimer::timeout, this, [&] {
-            const double drawn = drawing - drawnBefore;
-            longest = std::max(longest, ownTime() - before - drawn);
-            longestDrawing = std::max(longestDrawing, drawn);
-            before = ownTime();
-            drawnBefore = drawing;
-        });
-        pulse.start(0);
+        auto& watched = *static_cast<WatchedApplication*>(qApp);
+        watched.clear();
         openAndWait({example("handle.step"), example("bracket.step")});
         QTest::qWait(500);
-        pulse.stop();
         QCOMPARE(document().content().model->tree.children.size(), std::size_t{2});
-        qInfo("Busy for %.1f ms at most, and drawing for %.1f ms.", 1000 * longest, 1000 * longestDrawing);
-        QVERIFY2(longest < 0.05, qPrintable(QString::number(1000 * longest)));
+        qInfo("Busy for %.1f ms at most (%s), and drawing for %.1f ms.", 1000 * watched.longest().time,
+              qPrintable(watched.longest().what), 1000 * watched.longestDrawing());
+        QVERIFY2(watched.longest().time < 0.05, qPrintable(watched.longest().what));
     }
 };
 
 int main(int argc, char** argv)
 {
     prepareGraphics();
-    TimedApplication application(argc, argv);
+    WatchedApplication application(argc, argv);
     WindowImportTest test;
     return QTest::qExec(&test, argc, argv);
 }

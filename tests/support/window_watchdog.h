@@ -1,0 +1,93 @@
+#pragma once
+
+#include <QApplication>
+#include <QEvent>
+#include <QThread>
+
+#include <algorithm>
+#include <ctime>
+#include <vector>
+
+namespace knead {
+
+/// Processor time of this thread [s]: how long the window was busy, whatever else the machine does.
+inline double ownTime()
+{
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// An application that watches how long each event keeps the window's thread from the next one. Drawing the view is told
+/// apart: on a machine without a graphics card the processor does it. Loops of dialogs are not the event that opened them.
+class WatchedApplication final : public QApplication {
+public:
+    using QApplication::QApplication;
+
+    /// The event that took longest since clear().
+    struct Longest {
+        double time = 0; ///< [s] without drawing
+        QString what;    ///< receiver and type of the event
+    };
+
+    void clear()
+    {
+        m_longest = {};
+        m_longestDrawing = 0;
+    }
+    const Longest& longest() const { return m_longest; }
+    double longestDrawing() const { return m_longestDrawing; } ///< of one picture of the view [s]
+
+    bool notify(QObject* receiver, QEvent* event) override
+    {
+        if (QThread::currentThread() != thread())
+            return QApplication::notify(receiver, event);
+        if (event->type() == QEvent::Paint && receiver->objectName() == "viewport")
+            return draw(receiver, event);
+        const int level = thread()->loopLevel();
+        if (!m_running.empty() && m_running.back().level == level)
+            return QApplication::notify(receiver, event); // part of another event
+        const QString name = nameOf(receiver);
+        const QEvent::Type type = event->type();
+        const double start = ownTime();
+        m_running.push_back({level, 0});
+        const bool result = QApplication::notify(receiver, event);
+        const double elsewhere = m_running.back().elsewhere;
+        m_running.pop_back();
+        const double total = ownTime() - start;
+        if (!m_running.empty())
+            m_running.back().elsewhere += total;
+        if (total - elsewhere > m_longest.time)
+            m_longest = {total - elsewhere, QStringLiteral("event %1 of %2").arg(int(type)).arg(name)};
+        return result;
+    }
+
+private:
+    struct Running {
+        int level = 0;        ///< of the event loop
+        double elsewhere = 0; ///< in drawing and in events of loops within [s]
+    };
+
+    bool draw(QObject* receiver, QEvent* event)
+    {
+        const double start = ownTime();
+        const bool result = QApplication::notify(receiver, event);
+        const double time = ownTime() - start;
+        if (!m_running.empty())
+            m_running.back().elsewhere += time;
+        m_longestDrawing = std::max(m_longestDrawing, time);
+        return result;
+    }
+
+    static QString nameOf(const QObject* object)
+    {
+        const QString name = object->objectName();
+        return name.isEmpty() ? QString(object->metaObject()->className()) : name;
+    }
+
+    std::vector<Running> m_running;
+    Longest m_longest;
+    double m_longestDrawing = 0;
+};
+
+} // namespace knead
