@@ -158,11 +158,20 @@ void Display::insideToggled()
     m_skin->setChecked(!m_objects->isChecked() && !m_connections->isChecked());
 }
 
+void Display::lendObjects(bool on)
+{
+    if (on == m_lendsObjects || (on && m_objects->isChecked()))
+        return;
+    m_lendsObjects = on; // before they are switched, which writes what is to be remembered
+    m_objects->setChecked(on);
+}
+
 void Display::apply()
 {
     QSettings settings;
     for (const QAction* action : m_shown)
-        settings.setValue(settingOf(action), action->isChecked());
+        if (!m_lendsObjects || (action != m_objects && action != m_skin))
+            settings.setValue(settingOf(action), action->isChecked());
     SceneOptions options = m_view.options();
     options.skin = m_skin->isChecked();
     options.connections = m_connections->isChecked();

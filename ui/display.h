@@ -35,6 +35,9 @@ public:
     /// As it was when the program ended.
     void restore();
 
+    /// Objects are seen while they are to be selected, also when nobody chose to see them; that is not remembered.
+    void lendObjects(bool on);
+
     void setQuantity(std::optional<SurfaceQuantity> quantity);
     void setMap(ColorMap map);
     /// @param range from, to in SI; none: as needed
@@ -87,6 +90,7 @@ private:
     Section m_plane;
     Box m_placedIn;             ///< what the plane was placed in [m]; empty at first
     bool m_isFollowing = false; ///< actions only show what the view has
+    bool m_lendsObjects = false;
 };
 
 } // namespace knead

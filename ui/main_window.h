@@ -229,7 +229,6 @@ private:
     std::unique_ptr<SelectionActions> m_selection;
     SelectionPanel* m_selectionPanel = nullptr;
     QLabel* m_selectionReading = nullptr;
-    bool m_showsObjects = false; ///< only for the sake of selecting them
     Banner* m_banner = nullptr;
     QStackedWidget* m_pages = nullptr;
     HomePage* m_home = nullptr;

@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include "ui/actions.h"
+#include "ui/display.h"
 #include "ui/modes.h"
 #include "ui/panels/model_panel.h"
 #include "ui/panels/model_tree.h"
@@ -260,13 +261,7 @@ void MainWindow::showLevel()
     const Level level = selected.level();
     m_selection->levels.at(static_cast<int>(level))->setChecked(true);
     m_selection->through->setChecked(selected.isThrough());
-    const bool wantsObjects = level == Level::Object || level == Level::Connection;
-    if (wantsObjects && !m_actions->objects->isChecked()) {
-        m_actions->objects->setChecked(true);
-        m_showsObjects = true;
-    } else if (!wantsObjects && std::exchange(m_showsObjects, false)) {
-        m_actions->objects->setChecked(false);
-    }
+    m_display->lendObjects(level == Level::Object || level == Level::Connection);
 }
 
 /// What can be done with it; how much it is says the selection panel.

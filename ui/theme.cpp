@@ -190,6 +190,8 @@ QToolBar QToolButton { padding: 4px 7px; border: 1px solid transparent; border-r
 QToolBar QToolButton:hover { background: @button; border-color: @line; }
 QToolBar QToolButton:checked { background: @tint; border-color: @accent; }
 QToolBar QToolButton:checked:disabled { background: transparent; border-color: @line; }
+QToolBar QToolButton[popupMode="InstantPopup"] { padding-right: 12px; }
+QToolBar QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: right center; right: 1px; }
 QDockWidget { font-weight: 600; }
 QDockWidget::title { padding: 3px 8px; background: @window; border-bottom: 1px solid @line; }
 QTreeView, QPlainTextEdit { border: none; background: @base; }
@@ -198,13 +200,14 @@ QLineEdit { padding: 3px 6px; min-height: 18px; border: 1px solid @line; border-
 QLineEdit:focus { border-color: @accent; }
 QLineEdit:disabled { color: @disabled; background: @window; }
 QLineEdit[problem="true"] { border: 1px solid @problem; color: @problem; }
-QComboBox { min-height: 22px; }
+QComboBox, QSpinBox { min-height: 22px; }
 QPushButton { padding: 5px 12px; border: 1px solid @line; border-radius: 5px; background: @button; }
 QPushButton:hover { border-color: @accent; }
 QPushButton:pressed { background: @line; }
 QPushButton:disabled { color: @disabled; }
 QPushButton[role="primary"] { background: @accent; color: @accentText; border-color: @accent; font-weight: 600; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
+QHeaderView::section { padding: 4px 6px; border: none; border-bottom: 1px solid @line; background: @window; }
 QListWidget { border: 1px solid @line; border-radius: 6px; background: @base; outline: none; }
 QListWidget::item { padding: 7px 8px; border-radius: 4px; }
 QListWidget::item:selected { background: @accent; color: @accentText; }

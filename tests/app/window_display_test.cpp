@@ -310,6 +310,7 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
         QVERIFY(!view().options().section.plane && !find<QCheckBox>("sectionBox")->isChecked());
         QTRY_VERIFY(!knob->isVisible());
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
         choose("sectionAxis", "X");
         type("sectionOffset", "2 cm");
         QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ShiftModifier);
@@ -349,6 +350,7 @@ private slots:
         stretchBar();
         const double end = document().frame()->bodies[0]->places[farthestVertex()].x();
         QVERIFY(end > 0.165);
+        click(find<QCheckBox>("sectionBox"));
         choose("sectionAxis", "X");
         type("sectionOffset", "0.164 m"); // at rest the bar ends at 0.16 m
         QCOMPARE(view().options().section.plane->offset, 0.164);
@@ -514,7 +516,7 @@ private:
         for (QWidget* parent = widget->parentWidget(); parent != nullptr; parent = parent->parentWidget())
             if (auto* area = qobject_cast<QScrollArea*>(parent))
                 area->ensureWidgetVisible(widget);
-        QVERIFY(widget->isVisible());
+        QTRY_VERIFY(widget->isVisible()); // one that was just made comes a moment later
     }
 
     using WindowOnTest::click;

@@ -3,6 +3,7 @@
 #include "ui/measuring/comparison.h"
 #include "ui/measuring/measuring.h"
 #include "ui/panels/measure_panel.h"
+#include "ui/panels/probe_panel.h"
 #include "ui/probes/probe_set.h"
 #include "ui/run_window.h"
 
@@ -234,7 +235,9 @@ private slots:
         // A place that cannot be written to: a sentence, and nothing is left there.
         m_window->writeComparison(folder.filePath("none/report.pdf"), comparison);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
-        QVERIFY2(m_window->banner().sentence().contains("none"), qPrintable(m_window->banner().sentence()));
+        QCOMPARE(m_window->banner().sentence(),
+                 QString("report.pdf: the file cannot be written (No such file or directory); choose another place or "
+                         "make room."));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 2);
     }
 
@@ -343,6 +346,7 @@ private slots:
     void namesFollowTheLanguage()
     {
         openExample("bar.step");
+        m_window->probes().add({0, 0, Vec3(1, 0, 0)});
         measure("measureDistance", {at(0, 0, 0), at(160, 0, 0)});
         Preferences chosen = readPreferences();
         for (const char* code : {"de", "en"}) {
@@ -350,6 +354,7 @@ private slots:
             m_window->setPreferences(chosen);
             QTRY_COMPARE(find<QTreeWidget>("measurements")->topLevelItem(0)->text(0),
                          nameOf(m_window->measuring().list().all()[0]));
+            QCOMPARE(find<QTreeWidget>("probes")->topLevelItem(0)->text(0), ProbePanel::tr("Probe %1").arg(1));
             QVERIFY(m_window->measuring().tool().prompt().startsWith(action("measureDistance")->text()));
         }
     }

@@ -150,6 +150,14 @@ private slots:
         QCOMPARE(selected().region().count(), std::size_t{1});
         const double length = sizeOf(selected().region(), document().content(), *document().frame()).length;
         QVERIFY(std::abs(length - box.sizes().x()) < 1e-3 * length);
+        QTest::mouseMove(&view(), QPoint(8, 8));
+        QTRY_VERIFY(view().regions().hovered().isEmpty());
+        QTest::qWait(200); // until it is drawn
+        const QImage seen = view().grabFramebuffer();
+        for (const int aside : {-1, 0, 1}) { // it is wide
+            const QColor color = seen.pixelColor(at(edge) + QPoint(0, aside));
+            QVERIFY2(color.blue() > 2 * color.red(), qPrintable(color.name()));
+        }
         picture("selection-edge");
         click(topOf(box)); // far from any edge
         QVERIFY(selected().region().isEmpty());
@@ -227,6 +235,7 @@ private slots:
         QVERIFY(inLasso > 0 && inLasso < snapshot().bodies[0].positions.size());
         for (const Region::Item object : selected().region().items.at(0))
             QVERIFY((at(snapshot().bodies[0].positions[object]) - center).manhattanLength() < 1.5 * reach);
+        QTest::qWait(100);
         picture("selection-lasso");
 
         key(Qt::Key_3, Qt::AltModifier);
@@ -241,6 +250,7 @@ private slots:
                 std::lround(snapshot().bodies[0].positions[object].x() / document().content().spacing)));
         QVERIFY(static_cast<int>(columns.size()) >= *columns.rbegin() - *columns.begin());
         QVERIFY(columns.size() > 10);
+        QTest::qWait(100);
         picture("selection-brush");
         const std::size_t before = painted.count();
         drag({left, left + QPoint(30, 0)}, Qt::ShiftModifier);
@@ -296,9 +306,28 @@ private slots:
         SceneOptions options = view().options();
         options.section.plane = CutPlane{Vec3::UnitZ(), box.center().z()};
         view().setOptions(options);
-        click(topOf(box)); // through where the top was, at the bottom
+        click(topOf(box)); // where the top was, on the cut, which is no face
+        QVERIFY(selected().region().isEmpty());
+        action("selectThrough")->trigger();
+        const QRect all = screenBox(box).marginsAdded({20, 20, 20, 20});
+        drag({all.topLeft(), all.center(), all.bottomRight()});
+        QCOMPARE(selected().region().count(), std::size_t{5}); // all but the top
+        QVERIFY(!selected().region().contains(0, top.items.at(0).front()));
+        view().lookFrom(Vec3(0, 0, -1));
+        QTest::qWait(400);
+        click(Vec3(box.center().x(), box.center().y(), box.min().z())); // what is left has its face
         QCOMPARE(selected().region().count(), std::size_t{1});
         QVERIFY(selected().region() != top);
+    }
+
+    void objectsThatAreShownToSelectThemAreNotRemembered()
+    {
+        openExample("bar.step");
+        key(Qt::Key_4);
+        QVERIFY(action("objects")->isChecked() && !action("skin")->isChecked());
+        m_window.reset();
+        show(m_services);
+        QVERIFY(!action("objects")->isChecked() && action("skin")->isChecked());
     }
 
     void selectingLeavesOtherModesOfTheMouse()
@@ -351,6 +380,7 @@ private slots:
         QCOMPARE(selected().region().level, Level::Connection);
         QCOMPARE(selected().region().count(), std::size_t{1});
         QVERIFY(reading().startsWith("1 connection, "));
+        QTest::qWait(100);
         picture("selection-connection");
     }
 
@@ -363,6 +393,7 @@ private slots:
         QVERIFY(reading().startsWith("2 parts, "));
         auto* tree = find<QTreeWidget>("modelTree");
         QCOMPARE(tree->selectedItems().size(), 2);
+        QTest::qWait(100);
         picture("selection-parts");
         key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(selected().region().isEmpty());
@@ -471,6 +502,7 @@ private slots:
             key(Qt::Key_F, Qt::ShiftModifier);
             QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
             key(Qt::Key_1);
+            key(Qt::Key_1, Qt::KeypadModifier); // from the front, where one sees it bend
             key(Qt::Key_G);
             const double start = document().content().box.min().z();
             key(Qt::Key_Space);

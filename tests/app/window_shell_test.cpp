@@ -321,6 +321,7 @@ private slots:
         QTRY_COMPARE(dialog()->windowTitle(), QString("Einstellungen"));
         QTRY_COMPARE(dialog()->findChild<QListWidget*>("preferencesIndex")->item(1)->text(),
                      QString("Speicher und Sicherheit"));
+        QTest::qWait(500);
         picture("german");
         dialog()->close();
         const auto untranslated =
@@ -332,6 +333,7 @@ private slots:
             Preferences other = readPreferences();
             other.language = code;
             m_window->setPreferences(other);
+            QTest::qWait(500);
             picture(code);
         }
         QCOMPARE(m_window->menuBar()->actions().front()->text(), QString("&File"));

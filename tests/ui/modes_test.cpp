@@ -53,5 +53,5 @@ private:
     QAction m_measure{nullptr};
 };
 
-QTEST_GUILESS_MAIN(ModesTest)
+QTEST_MAIN(ModesTest)
 #include "modes_test.moc"

@@ -1,6 +1,7 @@
 #include "ui/hands/gizmo_hand.h"
 
 #include "ui/hands/gizmo_painter.h"
+#include "ui/viewport/pixel_of.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QKeyEvent>
@@ -8,16 +9,12 @@
 #include <QPainter>
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace knead {
 
 namespace {
-
-Pixel pixelOf(const QPointF& position)
-{
-    return {position.x(), position.y()};
-}
 
 /// Names of the directions of a handle's values.
 std::array<const char*, 2> namesOf(GizmoPart part)
@@ -38,7 +35,9 @@ QString valueText(double value, Quantity quantity)
 {
     constexpr double finest = 1e-8; // [m], [rad]; rounding is not worth a digit
     constexpr int digits = 4;
-    return formatQuantity(std::abs(value) < finest ? 0 : QString::number(value, 'g', digits).toDouble(), quantity);
+    const double unit = quantity == Quantity::Angle ? std::numbers::pi / 180 : 1; // digits of what is read
+    const double shown = std::abs(value) < finest ? 0 : QString::number(value / unit, 'g', digits).toDouble();
+    return formatQuantity(shown * unit, quantity);
 }
 
 } // namespace
@@ -128,6 +127,8 @@ bool GizmoHand::mouseMoved(QMouseEvent& event)
     if (m_drag) {
         if (event.buttons() & Qt::MiddleButton) // the view turns
             return false;
+        if (!(event.buttons() & Qt::LeftButton)) // let go while a number is typed
+            return true;
         m_drag->byMouse = m_drag->gizmo.amount(m_drag->part, m_drag->from, pixelOf(m_cursor), m_drag->byMouse);
         follow(event.modifiers() & Qt::ControlModifier);
         return true;

@@ -35,6 +35,10 @@ QString keyName(int key)
         return QStringLiteral("←");
     case Qt::Key_Right:
         return QStringLiteral("→");
+    case Qt::Key_PageUp: // Qt's names of these two are too long for a cap
+        return QStringLiteral("PgUp");
+    case Qt::Key_PageDown:
+        return QStringLiteral("PgDn");
     default:
         return QKeySequence(key).toString(QKeySequence::NativeText);
     }

@@ -18,7 +18,7 @@ namespace {
 constexpr int pictureWidth = 640; // [pixels] on the page
 constexpr int dotsPerInch = 150;
 
-struct Words {
+struct ReportWords {
     Q_DECLARE_TR_FUNCTIONS(ComparisonReport)
 };
 
@@ -51,8 +51,9 @@ QString tableOf(const Comparison& comparison)
 {
     QString text = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"5\"><tr>";
     for (const QString& heading :
-         {Words::tr("Part"), Words::tr("Largest distance"), Words::tr("Mean distance"),
-          Words::tr("Largest displacement"), Words::tr("Volume"), Words::tr("Mass"), Words::tr("Center of mass moved")})
+         {ReportWords::tr("Part"), ReportWords::tr("Largest distance"), ReportWords::tr("Mean distance"),
+          ReportWords::tr("Largest displacement"), ReportWords::tr("Volume"), ReportWords::tr("Mass"),
+          ReportWords::tr("Center of mass moved")})
         text += cell(heading, "th");
     text += "</tr>";
     for (const BodyComparison& body : comparison.bodies)
@@ -100,9 +101,9 @@ QString htmlOf(const ComparisonReport& report)
     QString text = "<!DOCTYPE html><html><head><meta charset=\"utf-8\"><title>" + report.part.toHtmlEscaped() +
                    "</title><style>body { font-family: sans-serif; color: #1d2126; } table { border-collapse: "
                    "collapse; } th { background-color: #e9ecef; }</style></head><body>";
-    text += "<h2>" + Words::tr("%1 beside its original").arg(report.part).toHtmlEscaped() + "</h2>";
+    text += "<h2>" + ReportWords::tr("%1 beside its original").arg(report.part).toHtmlEscaped() + "</h2>";
     text += "<p>" +
-            Words::tr("At %1 of simulated time. Written by Knead on %2.")
+            ReportWords::tr("At %1 of simulated time. Written by Knead on %2.")
                 .arg(formatReading(report.comparison.time, Quantity::Time),
                      QLocale().toString(report.when, QLocale::ShortFormat))
                 .toHtmlEscaped() +
@@ -110,13 +111,13 @@ QString htmlOf(const ComparisonReport& report)
     text += pictureOf(report.picture) + tableOf(report.comparison);
     text +=
         "<p><small>" +
-        Words::tr(
+        ReportWords::tr(
             "Distances are those of the deformed skin from the nearest point of the original surface; the mean is by "
             "area. A displacement is the way of a point of the skin since rest.")
             .toHtmlEscaped() +
         "</small></p>";
     if (!report.measurements.isEmpty())
-        text += "<h3>" + Words::tr("Measurements").toHtmlEscaped() + "</h3>" + report.measurements;
+        text += "<h3>" + ReportWords::tr("Measurements").toHtmlEscaped() + "</h3>" + report.measurements;
     return text + "</body></html>";
 }
 

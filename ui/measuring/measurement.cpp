@@ -16,7 +16,7 @@ namespace {
 constexpr int arcPieces = 32;
 constexpr double leastLength = 5e-9; // of what the skin carries, in single precision; below it is rounding [m]
 
-struct Words {
+struct MeasurementWords {
     Q_DECLARE_TR_FUNCTIONS(Measurement)
 };
 
@@ -112,9 +112,10 @@ Figure angleFigure(const Setting& setting)
 QString remarkOn(const PlaneFit& fit, double size)
 {
     constexpr double flat = 1e-3; // in sizes of the part
-    return fit.deviation <= flat * size ? QString()
-                                        : Words::tr("The face is not flat: it is up to %1 away from its mean plane.")
-                                              .arg(formatReading(fit.deviation, Quantity::Length));
+    return fit.deviation <= flat * size
+               ? QString()
+               : MeasurementWords::tr("The face is not flat: it is up to %1 away from its mean plane.")
+                     .arg(formatReading(fit.deviation, Quantity::Length));
 }
 
 Figure angleOfFacesFigure(const Setting& setting)
@@ -143,7 +144,7 @@ Figure radiusFigure(const Setting& setting)
     const auto circle = circleThrough(setting.place(0), setting.place(1), setting.place(2));
     if (!circle) {
         figure.values.clear();
-        figure.remark = Words::tr("The three places lie on a line: pick others, further around.");
+        figure.remark = MeasurementWords::tr("The three places lie on a line: pick others, further around.");
         return figure;
     }
     figure.values = {circle->radius};
@@ -160,8 +161,8 @@ Figure radiusOfFaceFigure(const Setting& setting)
     Figure figure{{}, {.points = {clicked}, .label = clicked}, {}};
     const auto fit = fitRound(body.mesh, setting.face(0), setting.places(0), trueVertices(setting.content, body));
     if (!fit) {
-        figure.remark =
-            Words::tr("The face is flat and has no radius: click a round one, or measure with three places.");
+        figure.remark = MeasurementWords::tr(
+            "The face is flat and has no radius: click a round one, or measure with three places.");
         return figure;
     }
     figure.values = {fit->radius, 2 * fit->radius};
@@ -173,7 +174,7 @@ Figure radiusOfFaceFigure(const Setting& setting)
     figure.mark.points.push_back(center);
     constexpr double round = 5e-3; // share of the radius
     if (fit->deviation > round * fit->radius)
-        figure.remark = Words::tr("The face is not quite round: it is up to %1 away from this radius.")
+        figure.remark = MeasurementWords::tr("The face is not quite round: it is up to %1 away from this radius.")
                             .arg(formatReading(fit->deviation, Quantity::Length));
     return figure;
 }
@@ -198,27 +199,29 @@ std::vector<Reading> namesOf(MeasureKind kind)
     const auto length = [](const QString& name) { return Reading{name, Quantity::Length}; };
     switch (kind) {
     case MeasureKind::point:
-        return {length(Words::tr("Moved")), length(Words::tr("X")), length(Words::tr("Y")), length(Words::tr("Z"))};
+        return {length(MeasurementWords::tr("Moved")), length(MeasurementWords::tr("X")),
+                length(MeasurementWords::tr("Y")), length(MeasurementWords::tr("Z"))};
     case MeasureKind::distance:
-        return {length(Words::tr("Distance")), length(Words::tr("along X")), length(Words::tr("along Y")),
-                length(Words::tr("along Z"))};
+        return {length(MeasurementWords::tr("Distance")), length(MeasurementWords::tr("along X")),
+                length(MeasurementWords::tr("along Y")), length(MeasurementWords::tr("along Z"))};
     case MeasureKind::distanceToFace:
-        return {length(Words::tr("Distance"))};
+        return {length(MeasurementWords::tr("Distance"))};
     case MeasureKind::angle:
     case MeasureKind::angleOfFaces:
-        return {{Words::tr("Angle"), Quantity::Angle}};
+        return {{MeasurementWords::tr("Angle"), Quantity::Angle}};
     case MeasureKind::radius:
-        return {length(Words::tr("Radius"))};
+        return {length(MeasurementWords::tr("Radius"))};
     case MeasureKind::radiusOfFace:
-        return {length(Words::tr("Radius")), length(Words::tr("Diameter"))};
+        return {length(MeasurementWords::tr("Radius")), length(MeasurementWords::tr("Diameter"))};
     case MeasureKind::box:
-        return {length(Words::tr("Size X")), length(Words::tr("Size Y")), length(Words::tr("Size Z"))};
+        return {length(MeasurementWords::tr("Size X")), length(MeasurementWords::tr("Size Y")),
+                length(MeasurementWords::tr("Size Z"))};
     case MeasureKind::mass:
-        return {{Words::tr("Volume"), Quantity::Volume},
-                {Words::tr("Mass"), Quantity::Mass},
-                length(Words::tr("Center of mass X")),
-                length(Words::tr("Center of mass Y")),
-                length(Words::tr("Center of mass Z"))};
+        return {{MeasurementWords::tr("Volume"), Quantity::Volume},
+                {MeasurementWords::tr("Mass"), Quantity::Mass},
+                length(MeasurementWords::tr("Center of mass X")),
+                length(MeasurementWords::tr("Center of mass Y")),
+                length(MeasurementWords::tr("Center of mass Z"))};
     }
     return {};
 }
@@ -385,7 +388,7 @@ Measured measured(const Measurement& measurement, const Content& content, const 
 
 QString nameOf(const Measurement& measurement)
 {
-    return QStringLiteral("%1 %2").arg(Words::tr(lookOf(measurement.kind).text)).arg(measurement.number);
+    return QStringLiteral("%1 %2").arg(MeasurementWords::tr(lookOf(measurement.kind).text)).arg(measurement.number);
 }
 
 } // namespace knead

@@ -131,6 +131,10 @@ void Measuring::addPickAction(QAction* action, std::vector<PickWhat> picks, Pick
         m_view.setMode(Qt::CrossCursor);
         m_tool->begin(action->text(), picks, done);
     });
+    connect(action, &QAction::changed, this, [this, action] {
+        if (m_picking == action && m_tool->isPicking())
+            m_tool->setTitle(action->text()); // in another language
+    });
 }
 
 void Measuring::setOtherMarks(std::vector<OverlayMark> marks)

@@ -38,6 +38,12 @@ void PickTool::begin(const QString& title, std::vector<PickWhat> picks, Done don
     emit changed();
 }
 
+void PickTool::setTitle(const QString& title)
+{
+    m_title = title;
+    emit changed();
+}
+
 void PickTool::stop()
 {
     if (!isPicking())

@@ -23,6 +23,8 @@ public:
     using Done = std::function<void(const std::vector<SkinPlace>& places)>;
     /// @param title of what is done: "Distance"
     void begin(const QString& title, std::vector<PickWhat> picks, Done done);
+    /// The same in another language.
+    void setTitle(const QString& title);
     void stop();
     bool isPicking() const { return !m_wanted.empty(); }
 

@@ -83,6 +83,7 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
     column->addStretch();
     auto* row = new QHBoxLayout(page);
     row->setContentsMargins(14, 18, 14, 18);
+    row->setSpacing(0); // six cards in a row have room in the smallest window that is usual
     row->addStretch();
     row->addLayout(column);
     row->addStretch();

@@ -22,7 +22,7 @@ namespace knead {
 
 namespace {
 
-enum Column { nameColumn, nowColumn, restColumn, changeColumn, columnCount };
+enum MeasureColumn { nameColumn, nowColumn, restColumn, changeColumn, measureColumns };
 
 /// "+1.25 mm"; nothing where rounding is all there is.
 QString changeText(const Reading& reading)
@@ -176,6 +176,7 @@ void MeasurePanel::show(const std::vector<Measured>& results)
     if (shape != m_shape)
         makeRows();
     m_shape = shape;
+    showNames();
     showNumbers();
     showState();
 }
@@ -186,11 +187,23 @@ void MeasurePanel::makeRows()
     m_tree->clear();
     for (std::size_t i = 0; i < m_results.size(); ++i) {
         const Measurement& measurement = m_list.all()[i];
-        auto* row = new QTreeWidgetItem(m_tree, {nameOf(measurement)});
+        auto* row = new QTreeWidgetItem(m_tree);
         row->setIcon(nameColumn, icon(lookOf(measurement.kind).icon));
         for (std::size_t r = hasMain(measurement.kind) ? 1 : 0; r < m_results[i].readings.size(); ++r)
-            new QTreeWidgetItem(row, {m_results[i].readings[r].name});
+            new QTreeWidgetItem(row);
         row->setExpanded(!hasMain(measurement.kind));
+    }
+}
+
+/// Each time, since the language may be another one.
+void MeasurePanel::showNames()
+{
+    for (std::size_t i = 0; i < m_results.size(); ++i) {
+        QTreeWidgetItem* row = m_tree->topLevelItem(static_cast<int>(i));
+        row->setText(nameColumn, nameOf(m_list.all()[i]));
+        const int first = hasMain(m_list.all()[i].kind) ? 1 : 0;
+        for (int child = 0; child < row->childCount(); ++child)
+            row->child(child)->setText(nameColumn, m_results[i].readings[static_cast<std::size_t>(first + child)].name);
     }
 }
 
@@ -210,7 +223,7 @@ void MeasurePanel::showNumbers()
         }
         if (row->toolTip(nowColumn).isEmpty() != result.remark.isEmpty())
             row->setIcon(nowColumn, result.remark.isEmpty() ? QIcon() : icon("warning"));
-        for (int c = 0; c < columnCount; ++c)
+        for (int c = 0; c < measureColumns; ++c)
             row->setToolTip(c, result.remark);
     }
 }

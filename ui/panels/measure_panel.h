@@ -34,6 +34,7 @@ private:
     QToolButton* makeButton(const char* name, const char* picture, const QString& text, const QString& tip);
     void makeTree();
     void makeRows();
+    void showNames();
     void showNumbers();
     void copy();
     void removeSelected();

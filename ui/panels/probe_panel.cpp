@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QSplitter>
@@ -21,8 +22,8 @@ namespace knead {
 
 namespace {
 
-constexpr int updateTime = 80; // [ms]
-constexpr int swatchSize = 12; // [pixels]
+constexpr int readingTime = 80; // [ms]
+constexpr int swatchSize = 12;  // [pixels]
 
 struct QuantityLook {
     const char* name;
@@ -93,7 +94,7 @@ ProbePanel::ProbePanel(ProbeSet& probes, QAction* place, QWidget* parent)
     halves->setChildrenCollapsible(false);
     column->addWidget(halves, 1);
     m_soon->setSingleShot(true);
-    m_soon->setInterval(updateTime);
+    m_soon->setInterval(readingTime);
     connect(m_soon, &QTimer::timeout, this, &ProbePanel::showReadings);
     connect(&probes, &ProbeSet::changed, this, &ProbePanel::makeRows);
     connect(&probes, &ProbeSet::sampled, this, [this] {
@@ -153,7 +154,7 @@ void ProbePanel::makeRows()
 {
     m_list->clear();
     for (const Probe& probe : m_probes.all()) {
-        auto* row = new QTreeWidgetItem(m_list, {tr("Probe %1").arg(probe.number)});
+        auto* row = new QTreeWidgetItem(m_list);
         row->setIcon(0, swatch(probe.color));
     }
     for (QToolButton* button : {m_csv, m_delete})
@@ -171,6 +172,7 @@ void ProbePanel::showReadings()
         if (!isOneForAll || i == 0)
             lines.push_back(lineOf(probes[i]));
         QTreeWidgetItem* row = m_list->topLevelItem(static_cast<int>(i));
+        row->setText(0, tr("Probe %1").arg(probes[i].number)); // each time: the language may be another one
         if (probes[i].samples.empty())
             continue;
         const ProbeSample& now = probes[i].samples.back();
@@ -203,6 +205,13 @@ void ProbePanel::removeSelected()
     std::sort(rows.rbegin(), rows.rend());
     for (const int row : rows)
         m_probes.remove(static_cast<std::size_t>(row));
+}
+
+void ProbePanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        showReadings();
 }
 
 void ProbePanel::showEvent(QShowEvent* event)

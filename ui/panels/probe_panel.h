@@ -27,6 +27,7 @@ signals:
     void csvWanted();
 
 protected:
+    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:

@@ -38,15 +38,31 @@ void QuantityField::setZeroText(const QString& text)
     restore();
 }
 
-/// Nothing for a 0 that has words, which the placeholder says.
+/// Nothing where the placeholder says it in words: for a 0 that has some, and without a value.
 QString QuantityField::shown() const
 {
+    if (m_hasNoValue)
+        return {};
     return m_value == 0 && !m_zeroText.isEmpty() ? QString() : formatQuantity(m_value, m_quantity);
 }
 
 void QuantityField::setValue(double value)
 {
     m_value = value;
+    m_hasNoValue = false;
+    showValue();
+}
+
+void QuantityField::setNoValue(const QString& words)
+{
+    m_value = 0;
+    m_hasNoValue = true;
+    setPlaceholderText(words);
+    showValue();
+}
+
+void QuantityField::showValue()
+{
     if (!isModified() && !m_isBeingEdited)
         setText(shown());
 }
@@ -147,6 +163,7 @@ void QuantityField::commit()
         return;
     }
     m_value = *read;
+    m_hasNoValue = false;
     restore();
     emit committed(m_value);
 }

@@ -27,6 +27,8 @@ public:
     /// Shows a value without emitting. From a click into the field to Enter, Esc or leaving it, text and selection are left
     /// alone; what came in meanwhile shows then.
     void setValue(double value);
+    /// Words instead of a value, until there is one again; as setValue() otherwise.
+    void setNoValue(const QString& words);
 
     /// Drops what is being typed and shows the value.
     void restore();
@@ -48,11 +50,13 @@ protected:
 
 private:
     void commit();
+    void showValue();
     void showProblem(const QString& problem);
     QString shown() const;
 
     Quantity m_quantity;
     double m_value = 0;
+    bool m_hasNoValue = false;
     double m_minimum = -std::numeric_limits<double>::infinity();
     double m_maximum = std::numeric_limits<double>::infinity();
     QString m_zeroText;

@@ -15,7 +15,7 @@ namespace knead {
 namespace {
 
 constexpr std::array<double, 9> speeds{0.01, 0.05, 0.1, 0.25, 0.5, 1, 2, 4, 10};
-constexpr int realTime = 5; // index
+constexpr int realTimeIndex = 5;       // index
 constexpr double largestGravity = 1e4; // [m/s^2]
 
 struct Planet {
@@ -69,7 +69,7 @@ void SimulationPanel::makeTimeRows(QFormLayout* form)
     m_speed = makeChoice("simulationSpeed", this);
     for (const double speed : speeds)
         m_speed->addItem(speedText(speed));
-    m_speed->setCurrentIndex(realTime);
+    m_speed->setCurrentIndex(realTimeIndex);
     m_speed->setToolTip(tr("How fast simulated time runs when the machine keeps up: slow motion shows what is quick"));
     connect(m_speed, &QComboBox::activated, this, &SimulationPanel::chooseSpeed);
     form->addRow(tr("Speed"), m_speed);
@@ -198,12 +198,10 @@ void SimulationPanel::showDamping(const Snapshot& now)
 {
     for (const auto& [field, value] :
          {std::pair(m_damping, &Material::dampingRatio), std::pair(m_shapeDamping, &Material::shapeDamping)}) {
-        const auto all = common(now.materials, value);
-        field->setValue(all.value_or(0));
-        if (!all && !field->hasFocus() && !field->isModified()) {
-            field->setText({});
-            field->setPlaceholderText(tr("different"));
-        }
+        if (const auto all = common(now.materials, value))
+            field->setValue(*all);
+        else
+            field->setNoValue(tr("different"));
     }
 }
 

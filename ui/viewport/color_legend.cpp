@@ -1,6 +1,7 @@
 #include "ui/viewport/color_legend.h"
 
 #include <QCoreApplication>
+#include <QEvent>
 #include <QPainter>
 
 #include <algorithm>
@@ -107,16 +108,30 @@ void ColorLegend::show(const ColorScale& scale, bool isPast)
     if (isVisible() && scale == m_scale && remark == m_remark)
         return;
     m_scale = scale;
-    m_text = textOf(scale);
     m_remark = remark;
+    say();
+    QWidget::show();
+}
+
+/// In words and units of now.
+void ColorLegend::say()
+{
+    m_text = textOf(m_scale);
     QStringList numbers;
     for (const ScaleText::Tick& tick : m_text.ticks)
         numbers << tick.text;
     setAccessibleName(m_text.title);
-    setAccessibleDescription(remark.isEmpty() ? numbers.join(", ") : remark);
+    setAccessibleDescription(m_remark.isEmpty() ? numbers.join(", ") : m_remark);
     resize(sizeHint());
     update();
-    QWidget::show();
+}
+
+/// Comes with another unit of lengths, too.
+void ColorLegend::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && isVisible())
+        say();
 }
 
 QSize ColorLegend::sizeHint() const

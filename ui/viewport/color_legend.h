@@ -23,9 +23,12 @@ public:
     QSize sizeHint() const override;
 
 protected:
+    void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void say();
+
     ColorScale m_scale;
     ScaleText m_text;
     QString m_remark;

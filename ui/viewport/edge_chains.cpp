@@ -55,7 +55,7 @@ public:
     }
     void join(std::uint32_t a, std::uint32_t b)
     {
-        const auto [low, high] = std::minmax(find(a), find(b));
+        const auto [low, high] = std::minmax({find(a), find(b)});
         m_parent[high] = low;
     }
 

@@ -119,7 +119,7 @@ void Manipulation::drag(const Ray& ray, const Camera& camera)
     }
     Pose target = m_drag->start;
     target.position += onPlane(ray, m_drag->grabbed, camera.towardsEye()) - m_drag->grabbed;
-    if (m_document.frame()->snapshot->playing)
+    if (m_document.isPlaying())
         m_document.post(SetManipulatorMotion{m_drag->tool, GoTo{target}});
     else
         m_document.post(PlaceManipulator{m_drag->tool, target});
@@ -158,7 +158,7 @@ bool Manipulation::keyPressed(int key, bool isSlow, const Camera& camera)
         return false;
     m_camera = camera;
     m_isSlow = isSlow;
-    if (!m_document.frame()->snapshot->playing) {
+    if (!m_document.isPlaying()) {
         nudge(key, isSlow);
         return true;
     }

@@ -22,8 +22,8 @@ namespace knead {
 
 namespace {
 
-constexpr float lineWidth = 4.5F;    // [pixels]
-constexpr double objectRadius = 0.5; // [a]
+constexpr float lineWidth = 4.5F;  // [pixels]
+constexpr double markRadius = 0.5; // [a]
 
 } // namespace
 
@@ -53,6 +53,8 @@ RegionActor::RegionActor(vtkRenderer* renderer)
     m_parts->objectActor->SetMapper(m_parts->objectMapper);
     m_parts->lineActor->GetProperty()->SetLineWidth(lineWidth);
     m_parts->lineActor->GetProperty()->LightingOff();
+    // Some drivers draw every line one pixel wide, which the skin's own edges cover; a shader draws tubes.
+    m_parts->lineActor->GetProperty()->RenderLinesAsTubesOn();
     m_parts->objectActor->GetProperty()->SetAmbient(0.3);
     for (vtkActor* actor : {m_parts->lineActor.Get(), m_parts->objectActor.Get()}) {
         actor->VisibilityOff();
@@ -147,7 +149,7 @@ void RegionActor::addObjects(const Region& region, const ContentBodies& bodies, 
     m_parts->objectPoints->Modified();
     m_parts->objects->SetVerts(vertices);
     m_parts->objects->Modified();
-    m_parts->objectMapper->SetRadius(static_cast<float>(scale * objectRadius * spacing));
+    m_parts->objectMapper->SetRadius(static_cast<float>(scale * markRadius * spacing));
     m_parts->objectActor->VisibilityOn();
 }
 

@@ -13,11 +13,6 @@ constexpr double objectTolerance = 1.2; // [a]: objects this deep under the skin
 constexpr std::size_t seenSamples = 16; // places at which a face or an edge is looked for
 constexpr double probesAcross = 24;     // rays along each side of a shape, at least 2 pixels apart
 
-Vec3 pointAt(const BodyFrame& frame, std::uint32_t vertex)
-{
-    return Eigen::Map<const Eigen::Vector3f>(frame.points.data() + std::size_t{3} * vertex).cast<double>();
-}
-
 Eigen::AlignedBox2d boxOf(const ScreenShape& shape)
 {
     Eigen::AlignedBox2d box;
@@ -77,7 +72,7 @@ std::vector<bool> RegionSight::verticesWithin(BodyId body, const ScreenShape& sh
     const Eigen::AlignedBox2d box = boxOf(shape); // most vertices are far from a brush
     std::vector<bool> result(frame.points.size() / 3);
     for (std::uint32_t v = 0; v < result.size(); ++v)
-        if (const std::optional<Pixel> pixel = project(pointAt(frame, v)))
+        if (const std::optional<Pixel> pixel = project(frame.point(v)))
             result[v] = box.contains(Eigen::Vector2d(pixel->x, pixel->y)) && contains(shape, *pixel);
     return result;
 }
@@ -96,9 +91,12 @@ Region::Items RegionSight::facesWithin(BodyId body, const ScreenShape& shape, co
     if (!hasFaces(m_document.content(), body))
         return {};
     const RenderMesh& mesh = m_document.content().bodies[body]->render;
+    const BodyFrame& frame = *m_document.frame()->bodies[body];
     const std::vector<bool> within = verticesWithin(body, shape);
     std::map<std::uint32_t, Tally> tallies;
-    for (std::size_t v = 0; v < within.size(); ++v) {
+    for (std::uint32_t v = 0; v < within.size(); ++v) {
+        if (isCutOff(frame.point(v)))
+            continue;
         Tally& tally = tallies[mesh.face[v]];
         ++tally.all;
         tally.within += within[v] ? 1 : 0;
@@ -126,7 +124,7 @@ bool RegionSight::isFaceSeen(BodyId body, std::uint32_t face, const std::vector<
     const std::vector<std::uint32_t> some = someOf(triangles);
     return std::any_of(some.begin(), some.end(), [&](std::uint32_t triangle) {
         const auto& t = mesh.triangles[triangle];
-        const Vec3 center = (pointAt(frame, t[0]) + pointAt(frame, t[1]) + pointAt(frame, t[2])) / 3;
+        const Vec3 center = (frame.point(t[0]) + frame.point(t[1]) + frame.point(t[2])) / 3;
         const std::optional<Pixel> pixel = projector()(center);
         if (!pixel)
             return false;
@@ -174,6 +172,8 @@ Region::Items RegionSight::edgesWithin(BodyId body, const ScreenShape& shape, co
     for (std::size_t e = 0; e < mesh.edges.size(); ++e)
         for (const std::uint32_t end : mesh.edges[e]) {
             const std::uint32_t chain = mesh.chainOfEdge[e];
+            if (isCutOff(frame.point(end)))
+                continue;
             ++tallies[chain].all;
             if (!within[end])
                 continue;
@@ -186,7 +186,7 @@ Region::Items RegionSight::edgesWithin(BodyId body, const ScreenShape& shape, co
             continue;
         const auto some = someOf(places[chain]);
         if (query.isThrough || std::any_of(some.begin(), some.end(), [&](std::uint32_t vertex) {
-                return isSeen(pointAt(frame, vertex), tolerance());
+                return isSeen(frame.point(vertex), tolerance());
             }))
             edges.push_back(chain);
     }

@@ -1,4 +1,5 @@
 // Mouse and keys in the view: navigating, selecting, moving tools.
+#include "ui/viewport/pixel_of.h"
 #include "ui/viewport/view_cube.h"
 #include "ui/viewport/viewport_widget.h"
 
@@ -14,11 +15,6 @@ namespace {
 
 constexpr double zoomPerNotch = 0.86;
 constexpr double anglePerNotch = 120; // of a mouse wheel, in Qt's eighths of a degree
-
-Pixel pixelOf(const QPointF& position)
-{
-    return {position.x(), position.y()};
-}
 
 } // namespace
 
@@ -115,7 +111,7 @@ void ViewportWidget::wheelEvent(QWheelEvent* event)
 void ViewportWidget::keyPressEvent(QKeyEvent* event)
 {
     const bool isSlow = event->modifiers() & Qt::ShiftModifier;
-    const bool isRepeated = event->isAutoRepeat() && m_document.frame() && m_document.frame()->snapshot->playing;
+    const bool isRepeated = event->isAutoRepeat() && m_document.isPlaying();
     if (m_past)
         ViewportBridge::keyPressEvent(event);
     else if (!isRepeated && !m_manipulation->keyPressed(event->key(), isSlow, m_camera))
