@@ -12,11 +12,10 @@ namespace knead {
 
 namespace {
 
-constexpr double farthest = 1e5;          // [m]
-constexpr double smallest = 1e-6;         // [m]; ten times the tolerance of the modeler
-constexpr double endless = 1e50;          // [m]; planes without edges reach to 1e97
-constexpr double widestGapShare = 0.05;   // of the size; one hundredth is warned of
-constexpr double leastVolumeShare = 1e-9; // of the cube of the size; a solid with less is flat
+constexpr double farthest = 1e5;        // [m]
+constexpr double smallestSize = 1e-6;   // [m]; ten times the tolerance of the modeler
+constexpr double endless = 1e50;        // [m]; planes without edges reach to 1e97
+constexpr double widestGapShare = 0.05; // of the size; one hundredth is warned of
 
 /// A curve that leads away from its face takes triangles along, and the b-rep knows nothing of it.
 bool hasTrianglesFarOutside(const Part& part)
@@ -56,7 +55,7 @@ std::optional<std::string> sicknessOf(const Part& part)
         return "it reaches farther than 100 km from the origin; check the length unit and the position";
     if (hasTrianglesFarOutside(part))
         return "its faces lead far away from their edges: numbers in it are damaged";
-    if (size < smallest)
+    if (size < smallestSize)
         return "it is smaller than a micrometre; check the length unit";
     if (part.maxTolerance > widestGapShare * size)
         return "its faces and edges are up to " + lengthWords(part.maxTolerance) + " apart, at a size of " +

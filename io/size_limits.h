@@ -7,6 +7,8 @@
 
 namespace knead {
 
+constexpr double leastVolumeShare = 1e-9; ///< of the cube of the size; a solid with less is flat
+
 /// Whether a box is finite and no part of it is farther than 100 km from the origin, where positions lose their digits.
 bool isWithinReach(const Box& box);
 

@@ -1,5 +1,7 @@
 #include "io/volume_fit.h"
 
+#include "io/millimeter.h"
+
 #include <BRepAdaptor_Surface.hxx>
 #include <Eigen/Eigenvalues>
 #include <Poly_Triangulation.hxx>
@@ -12,13 +14,12 @@ namespace knead {
 
 namespace {
 
-constexpr double millimeter = 1e-3;
 /// Of a paraboloid over its triangle: the volume is so much of area times height in the middle.
 constexpr double meanHeight = 0.75;
 /// Faces that meet at less than some 35 degrees move a common point along their common normal: exactly along both would be
 /// far along the edge.
-constexpr double leastShare = 0.09; // of the sum of the eigenvalues
-constexpr double sameNormal = 1e-9; // squared angle
+constexpr double leastShare = 0.09;       // of the sum of the eigenvalues
+constexpr double sameSquaredAngle = 1e-9; // squared angle
 
 /// Twice the area, along the normal.
 Vec3 crossOf(const std::vector<Vec3>& vertices, const TriangleMesh::Triangle& t)
@@ -46,7 +47,7 @@ public:
         Eigen::Matrix3d free = Eigen::Matrix3d::Identity();
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> flat(m_flat);
         for (int i = 0; i < 3; ++i)
-            if (flat.eigenvalues()[i] > sameNormal)
+            if (flat.eigenvalues()[i] > sameSquaredAngle)
                 free -= flat.eigenvectors().col(i) * flat.eigenvectors().col(i).transpose();
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> curved(free * m_curved * free);
         Vec3 result = Vec3::Zero();

@@ -138,6 +138,11 @@ public:
     template <typename Visit>
     void forEachConnection(ObjectIndex object, Visit&& visit) const;
 
+    /// Calls visit(lower, upper) with the two objects of every live connection. Goes along the lattice, which is many times as
+    /// fast as asking each object.
+    template <typename Visit>
+    void forEachConnection(Visit&& visit) const;
+
     /// Stiffness for contacts of an object [N/m]: as much as adds a half or so to omega^2. 0 <= k <= 6 mu a.
     double contactStiffness(ObjectIndex object) const;
 
@@ -223,6 +228,16 @@ void StructuralConnections::forEachConnection(ObjectIndex object, Visit&& visit)
         if (m_stiffness[d][lower] > 0)
             visit(lower, ConnectionId{d, lower});
     }
+}
+
+template <typename Visit>
+void StructuralConnections::forEachConnection(Visit&& visit) const
+{
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+        for (const Lattice::Segment& segment : m_aggregate->lattice.segments[d])
+            for (ObjectIndex lower = segment.begin; lower < segment.end; ++lower)
+                if (m_stiffness[d][lower] > 0)
+                    visit(lower, lower + static_cast<ObjectIndex>(segment.offset));
 }
 
 } // namespace knead

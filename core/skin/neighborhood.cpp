@@ -1,89 +1,200 @@
 #include "core/skin/neighborhood.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <limits>
+#include <span>
+#include <utility>
 
 namespace knead {
 
 namespace {
 
-constexpr std::int32_t reach = 3;            // steps
-constexpr std::int32_t side = 2 * reach + 2; // nodes per axis: a cell and three steps on either side
-constexpr ObjectIndex nothing = 0xffffffffU;
+constexpr std::int32_t reach = 3;                  // steps
+constexpr std::int32_t corners = 4;                // nodes per axis at corners of a cell and of those around it
+constexpr std::int32_t side = 2 * reach + corners; // nodes per axis: three steps more on either side
+constexpr double window = 1.5; // kept cells farther from a point than the nearest, by this factor, have no part in it
 
-std::int32_t placeInBlock(const Lattice::Node& node)
+constexpr Lattice::Node sum(const Lattice::Node& a, const Lattice::Node& b)
+{
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+constexpr Lattice::Node difference(const Lattice::Node& a, const Lattice::Node& b)
+{
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+constexpr std::int32_t placeInBlock(const Lattice::Node& node)
 {
     return (node[0] * side + node[1]) * side + node[2];
 }
 
-/// The objects of a cube of nodes, and how many steps they are from where a walk began.
+/// The steps to the neighbors of a place in a block: forward in all directions, then backward.
+constexpr std::array<std::int32_t, 2 * Lattice::isotropicCount> stepsInBlock = [] {
+    std::array<std::int32_t, 2 * Lattice::isotropicCount> steps{};
+    for (std::size_t d = 0; d < Lattice::isotropicCount; ++d) {
+        steps[d] = placeInBlock(Lattice::directions[d]);
+        steps[d + Lattice::isotropicCount] = -steps[d];
+    }
+    return steps;
+}();
+
+/// Numbers different sets of walks in the order in which they come.
+class SetNumbers {
+public:
+    explicit SetNumbers(std::vector<std::uint64_t>& sets)
+        : m_sets(sets)
+    {
+        m_numbers.fill(none);
+    }
+
+    /// @param set not empty
+    std::uint16_t numberOf(std::uint64_t set)
+    {
+        constexpr std::uint64_t scatter = 0x9e3779b97f4a7c15U;
+        std::size_t slot = (set * scatter) >> (64 - slotBits);
+        while (m_numbers[slot] != none && m_sets[m_numbers[slot]] != set)
+            slot = (slot + 1) % m_numbers.size();
+        if (m_numbers[slot] == none) {
+            m_numbers[slot] = static_cast<std::uint16_t>(m_sets.size());
+            m_sets.push_back(set);
+        }
+        return m_numbers[slot];
+    }
+
+private:
+    static constexpr std::uint16_t none = 0xffff;
+    static constexpr int slotBits = 11; // twice as many as there are places in a block
+    std::vector<std::uint64_t>& m_sets;
+    std::array<std::uint16_t, std::size_t{1} << slotBits> m_numbers;
+};
+
+/// The objects of a cube of nodes, and which of several walks have come to them.
 class Block {
 public:
     /// @param low the lowest node of the cube
-    Block(const Aggregate& aggregate, const LatticeRows& rows, const Lattice::Node& low)
-        : m_aggregate(aggregate)
+    explicit Block(const Lattice::Node& low)
+        : m_low(low)
     {
-        m_objects.fill(nothing);
-        for (std::int32_t u = 0; u < side; ++u)
-            for (std::int32_t v = 0; v < side; ++v) {
-                const LatticeRows::Row row = rows.row(low[0] + u, low[1] + v);
-                for (ObjectIndex object = rows.lowerBound(row, low[2]); object < row.end; ++object) {
-                    const std::int32_t w = aggregate.lattice.nodes[object][2] - low[2];
-                    if (w >= side)
+    }
+
+    /// Takes in the objects that walks can come to from a box of nodes. To be called once.
+    /// @param links per object: a bit for each direction with a forward connection
+    void takeAround(const Eigen::AlignedBox3i& starts, const Lattice& lattice, const LatticeRows& rows,
+                    std::span<const std::uint16_t> links)
+    {
+        const std::int32_t lowest = starts.min().z() - reach;
+        const std::int32_t highest = starts.max().z() + reach;
+        for (std::int32_t u = starts.min().x() - reach; u <= starts.max().x() + reach; ++u)
+            for (std::int32_t v = starts.min().y() - reach; v <= starts.max().y() + reach; ++v) {
+                const LatticeRows::Row row = rows.row(u, v);
+                for (ObjectIndex object = rows.lowerBound(row, lowest); object < row.end; ++object) {
+                    const std::int32_t w = lattice.nodes[object][2];
+                    if (w > highest)
                         break;
-                    m_objects[static_cast<std::size_t>(placeInBlock({u, v, w}))] = object;
+                    const auto place = static_cast<std::size_t>(placeInBlock(difference({u, v, w}, m_low)));
+                    m_objects[place] = object;
+                    m_links[place] = links[object];
                 }
             }
     }
 
-    void start(const Lattice::Node& node) { reachPlace(placeInBlock(node)); }
+    /// @param walks a bit for each walk that begins here
+    void start(const Lattice::Node& node, std::uint64_t walks)
+    {
+        reachPlace(placeInBlock(difference(node, m_low)), walks);
+    }
 
-    /// One step along all connections of the objects reached last.
+    /// All walks take one step along all connections of the objects they reached last.
     void step()
     {
-        const std::vector<std::int32_t> front = std::move(m_front);
-        m_front.clear();
-        for (const std::int32_t place : front)
-            for (std::size_t d = 0; d < Lattice::isotropicCount; ++d) {
-                const std::int32_t offset = placeInBlock(Lattice::directions[d]);
-                if (isConnected(place, d))
-                    reachPlace(place + offset);
-                if (isConnected(place - offset, d))
-                    reachPlace(place - offset);
-            }
+        std::swap(m_front, m_next);
+        m_next.clear();
+        for (Arrival& arrival : m_front)
+            arrival.walks = std::exchange(m_last[static_cast<std::size_t>(arrival.place)], std::uint64_t{0});
+        for (const auto& [place, walks] : m_front)
+            for (std::uint32_t links = linksOf(place); links != 0; links &= links - 1)
+                reachPlace(place + stepsInBlock[static_cast<std::size_t>(std::countr_zero(links))], walks);
     }
 
     /// In the order of their nodes, which is ascending.
-    std::vector<ObjectIndex> reached() const
+    void tell(Neighborhood& around) const
     {
-        std::vector<ObjectIndex> objects;
+        SetNumbers numbers(around.walks);
         for (std::size_t place = 0; place < m_objects.size(); ++place)
-            if (m_reached[place])
-                objects.push_back(m_objects[place]);
-        return objects;
+            if (m_reached[place] != 0) {
+                around.objects.push_back(m_objects[place]);
+                around.walksOf.push_back(numbers.numberOf(m_reached[place]));
+            }
     }
 
 private:
-    bool isConnected(std::int32_t place, std::size_t d) const
+    struct Arrival {
+        std::int32_t place;
+        std::uint64_t walks;
+    };
+
+    /// A bit for each step that can be taken from a place.
+    std::uint32_t linksOf(std::int32_t place) const
     {
-        const ObjectIndex object = m_objects[static_cast<std::size_t>(place)];
-        return object != nothing && m_aggregate.weight[d][object] > 0;
+        std::uint32_t links = m_links[static_cast<std::size_t>(place)];
+        for (std::size_t d = 0; d < Lattice::isotropicCount; ++d) {
+            const std::uint32_t before = m_links[static_cast<std::size_t>(place - stepsInBlock[d])];
+            links |= (before >> d & 1U) << (d + Lattice::isotropicCount);
+        }
+        return links;
     }
 
-    void reachPlace(std::int32_t place)
+    void reachPlace(std::int32_t place, std::uint64_t walks)
     {
-        bool& reachedBefore = m_reached[static_cast<std::size_t>(place)];
-        if (!reachedBefore)
-            m_front.push_back(place);
-        reachedBefore = true;
+        std::uint64_t& reached = m_reached[static_cast<std::size_t>(place)];
+        std::uint64_t& last = m_last[static_cast<std::size_t>(place)];
+        const std::uint64_t isNew = walks & ~reached;
+        if (isNew == 0)
+            return;
+        if (last == 0)
+            m_next.push_back({place, 0});
+        last |= isNew;
+        reached |= isNew;
     }
 
-    const Aggregate& m_aggregate;
-    std::array<ObjectIndex, side * side * side> m_objects;
-    std::array<bool, side * side * side> m_reached{};
-    std::vector<std::int32_t> m_front;
+    Lattice::Node m_low;
+    std::array<ObjectIndex, side * side * side> m_objects; // where any walk has come
+    std::array<std::uint16_t, side * side * side> m_links{};
+    std::array<std::uint64_t, side * side * side> m_reached{}; // by which walks
+    std::array<std::uint64_t, side * side * side> m_last{};    // by which of them in the last step
+    std::vector<Arrival> m_front;
+    std::vector<Arrival> m_next; // where any came in the last step
 };
+
+/// The walk from a node at corners of a cell and of those around it.
+/// @param local from the lowest corner of the cell, -1 to 2 along each axis
+std::size_t walkFrom(const Lattice::Node& local)
+{
+    return static_cast<std::size_t>(((local[0] + 1) * corners + local[1] + 1) * corners + local[2] + 1);
+}
+
+constexpr std::array<Lattice::Node, 8> cellCorners{
+    {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {0, 1, 1}, {1, 0, 0}, {1, 0, 1}, {1, 1, 0}, {1, 1, 1}}};
+
+/// Per corner of a cell: a bit for each direction in which its neighbor is in the cell, too.
+constexpr std::array<std::uint16_t, cellCorners.size()> linksInCell = [] {
+    std::array<std::uint16_t, cellCorners.size()> links{};
+    for (std::size_t corner = 0; corner < cellCorners.size(); ++corner)
+        for (std::size_t d = 0; d < Lattice::isotropicCount; ++d)
+            if (std::ranges::find(cellCorners, sum(cellCorners[corner], Lattice::directions[d])) != cellCorners.end())
+                links[corner] |= static_cast<std::uint16_t>(1U << d);
+    return links;
+}();
+
+/// From 0 to 1, flat at both ends and beyond.
+double smoothStep(double x)
+{
+    const double t = std::clamp(x, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
 
 double squaredDistanceToCell(const Vec3& coordinates, const Lattice::Node& cell)
 {
@@ -91,69 +202,138 @@ double squaredDistanceToCell(const Vec3& coordinates, const Lattice::Node& cell)
     return Box(low, low + Vec3::Ones()).squaredExteriorDistance(coordinates);
 }
 
+/// Parts that cells have in a point, which sum to 1.
+std::vector<double> partsOf(const std::vector<Lattice::Node>& cells, const Vec3& coordinates)
+{
+    std::vector<double> parts(cells.size());
+    std::transform(cells.begin(), cells.end(), parts.begin(),
+                   [&](const Lattice::Node& cell) { return std::sqrt(squaredDistanceToCell(coordinates, cell)); });
+    const double least = *std::min_element(parts.begin(), parts.end());
+    if (least == 0 || cells.size() == 1) { // those that contain the point all say the same of it
+        const auto first = std::find(parts.begin(), parts.end(), least);
+        std::fill(parts.begin(), parts.end(), 0);
+        *first = 1;
+        return parts;
+    }
+    double all = 0;
+    for (double& part : parts)
+        all += part = smoothStep((window - part / least) / (window - 1));
+    for (double& part : parts)
+        part /= all;
+    return parts;
+}
+
 } // namespace
 
-NeighborhoodFinder::NeighborhoodFinder(const Aggregate& aggregate)
-    : m_aggregate(aggregate)
-    , m_rows(aggregate.lattice)
+std::vector<double> Neighborhood::shares(const Vec3& coordinates) const
 {
+    std::vector<double> shares(objects.size(), 1);
+    if (cells.empty())
+        return shares;
+    std::array<double, corners * corners * corners> ofWalk{};
+    const std::vector<double> parts = partsOf(cells, coordinates);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (parts[i] == 0)
+            continue;
+        std::array<Vec3, 2> along;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto component = static_cast<Eigen::Index>(axis);
+            along[1][component] = smoothStep(coordinates[component] - cells[i][axis]);
+            along[0][component] = 1 - along[1][component];
+        }
+        for (const Lattice::Node& corner : cellCorners)
+            ofWalk[walkFrom(sum(difference(cells[i], owner.node), corner))] +=
+                parts[i] * along[static_cast<std::size_t>(corner[0])].x() *
+                along[static_cast<std::size_t>(corner[1])].y() * along[static_cast<std::size_t>(corner[2])].z();
+    }
+    std::vector<double> ofSet(walks.size(), 0);
+    std::uint64_t all = 0;
+    for (std::size_t walk = 0; walk < ofWalk.size(); ++walk)
+        if (ofWalk[walk] > 0) {
+            all |= std::uint64_t{1} << walk;
+            for (std::size_t set = 0; set < ofSet.size(); ++set)
+                ofSet[set] += (walks[set] >> walk & 1U) != 0 ? ofWalk[walk] : 0;
+        }
+    for (std::size_t set = 0; set < ofSet.size(); ++set)
+        if ((walks[set] & all) == all)
+            ofSet[set] = 1; // without rounding
+    std::transform(walksOf.begin(), walksOf.end(), shares.begin(), [&](std::uint16_t set) { return ofSet[set]; });
+    return shares;
+}
+
+NeighborhoodFinder::NeighborhoodFinder(const Aggregate& aggregate)
+    : m_lattice(aggregate.lattice)
+    , m_rows(aggregate.lattice)
+    , m_links(aggregate.size(), 0)
+{
+    for (std::size_t d = 0; d < Lattice::isotropicCount; ++d)
+        for (ObjectIndex object = 0; object < m_links.size(); ++object)
+            if (aggregate.weight[d][object] > 0)
+                m_links[object] |= static_cast<std::uint16_t>(1U << d);
 }
 
 /// The edges and face diagonals of a kept cell are all connections. Only an empty cell enclosed by kept ones on all
 /// sides looks the same, and there it makes no difference.
 bool NeighborhoodFinder::isKept(const Lattice::Node& cell) const
 {
-    const auto inCell = [](std::int32_t c) { return c == 0 || c == 1; };
-    for (std::int32_t corner = 0; corner < 8; ++corner) {
-        const Lattice::Node local{corner >> 2, corner >> 1 & 1, corner & 1};
-        const ObjectIndex object = m_rows.find({cell[0] + local[0], cell[1] + local[1], cell[2] + local[2]});
-        if (object == m_aggregate.size())
+    for (std::size_t corner = 0; corner < cellCorners.size(); ++corner) {
+        const ObjectIndex object = m_rows.find(sum(cell, cellCorners[corner]));
+        if (object == m_lattice.size() || (m_links[object] & linksInCell[corner]) != linksInCell[corner])
             return false;
-        for (std::size_t d = 0; d < Lattice::isotropicCount; ++d) {
-            const Lattice::Node& step = Lattice::directions[d];
-            const bool within = inCell(local[0] + step[0]) && inCell(local[1] + step[1]) && inCell(local[2] + step[2]);
-            if (within && m_aggregate.weight[d][object] <= 0)
-                return false;
-        }
     }
     return true;
 }
 
-NeighborhoodFinder::Owner NeighborhoodFinder::owner(const Vec3& coordinates) const
+std::vector<Lattice::Node> NeighborhoodFinder::keptAround(const Lattice::Node& cell, std::size_t most) const
+{
+    std::vector<Lattice::Node> kept;
+    for (std::int32_t u = -1; u <= 1; ++u)
+        for (std::int32_t v = -1; v <= 1; ++v)
+            for (std::int32_t w = -1; w <= 1 && kept.size() < most; ++w)
+                if (const Lattice::Node other = sum(cell, {u, v, w}); isKept(other))
+                    kept.push_back(other);
+    return kept;
+}
+
+SkinOwner NeighborhoodFinder::owner(const Vec3& coordinates) const
 {
     const Lattice::Node home{static_cast<std::int32_t>(std::floor(coordinates.x())),
                              static_cast<std::int32_t>(std::floor(coordinates.y())),
                              static_cast<std::int32_t>(std::floor(coordinates.z()))};
     if (isKept(home))
-        return {home, true};
-    Owner best;
-    double bestDistance = std::numeric_limits<double>::infinity();
-    for (std::int32_t u = -1; u <= 1; ++u)
-        for (std::int32_t v = -1; v <= 1; ++v)
-            for (std::int32_t w = -1; w <= 1; ++w) {
-                const Lattice::Node cell{home[0] + u, home[1] + v, home[2] + w};
-                const double distance = squaredDistanceToCell(coordinates, cell);
-                if (distance < bestDistance && isKept(cell)) {
-                    best = {cell, true};
-                    bestDistance = distance;
-                }
-            }
-    if (best.isCell)
-        return best;
-    return {m_aggregate.lattice.nodes[m_rows.nearest(coordinates)], false};
+        return {home, SkinOwner::Kind::cell};
+    if (!keptAround(home, 1).empty())
+        return {home, SkinOwner::Kind::around};
+    return {m_lattice.nodes[m_rows.nearest(coordinates)], SkinOwner::Kind::object};
 }
 
-std::vector<ObjectIndex> NeighborhoodFinder::gather(const Owner& owner) const
+Neighborhood NeighborhoodFinder::gather(const SkinOwner& owner) const
 {
-    Block block(m_aggregate, m_rows, {owner.node[0] - reach, owner.node[1] - reach, owner.node[2] - reach});
-    const std::int32_t last = owner.isCell ? reach + 1 : reach;
-    for (std::int32_t u = reach; u <= last; ++u)
-        for (std::int32_t v = reach; v <= last; ++v)
-            for (std::int32_t w = reach; w <= last; ++w)
-                block.start({u, v, w});
+    Neighborhood around{.owner = owner, .cells = {}, .objects = {}, .walks = {}};
+    if (owner.kind == SkinOwner::Kind::cell)
+        around.cells = {owner.node};
+    else if (owner.kind == SkinOwner::Kind::around)
+        around.cells = keptAround(owner.node, 27);
+
+    std::vector<Lattice::Node> starts;
+    if (around.cells.empty())
+        starts.push_back(owner.node);
+    for (const Lattice::Node& cell : around.cells)
+        for (const Lattice::Node& corner : cellCorners)
+            starts.push_back(sum(cell, corner));
+    Eigen::AlignedBox3i box;
+    for (const Lattice::Node& start : starts)
+        box.extend(Eigen::Vector3i(start[0], start[1], start[2]));
+
+    constexpr std::int32_t margin = reach + 1;
+    Block block(difference(owner.node, {margin, margin, margin}));
+    block.takeAround(box, m_lattice, m_rows, m_links);
+    for (const Lattice::Node& start : starts)
+        block.start(start, std::uint64_t{1} << walkFrom(difference(start, owner.node)));
     for (std::int32_t steps = 0; steps < reach; ++steps)
         block.step();
-    return block.reached();
+    block.tell(around);
+    return around;
 }
 
 } // namespace knead

@@ -4,9 +4,40 @@
 #include "core/aggregate/lattice_rows.h"
 
 #include <compare>
+#include <cstdint>
 #include <vector>
 
 namespace knead {
+
+/// The material that points of one cell of the lattice belong to.
+struct SkinOwner {
+    enum class Kind : std::uint8_t {
+        cell,   ///< itself, since it is kept
+        around, ///< the kept cells around it, as these are near to a point
+        object, ///< one object, since none of them is kept
+    };
+    Lattice::Node node{}; ///< the lowest corner of the cell, or the object
+    Kind kind = Kind::object;
+    auto operator<=>(const SkinOwner&) const = default;
+};
+
+/// The objects that may carry the points of an owner.
+struct Neighborhood {
+    SkinOwner owner;
+    std::vector<Lattice::Node> cells; ///< the owner's kept cells, by their lowest corners; none for an object
+    std::vector<ObjectIndex> objects; ///< ascending
+
+    /// From which corners of these cells objects were reached; each set is there once. Bit 16 (u + 1) + 4 (v + 1) + w + 1 stands
+    /// for the corner at (u, v, w) from the owner.
+    std::vector<std::uint64_t> walks;
+    std::vector<std::uint16_t> walksOf; ///< per object: which of these
+
+    /// How far objects belong to the material around a point, from 0 to 1: what they are to the corners of the cell that it is in,
+    /// interpolated between these; beside all kept cells, of the nearest of them, those about as near each having its part. So it
+    /// changes continuously from place to place, where objects that can only be reached around a gap come in.
+    /// @param coordinates of the point in the lattice
+    std::vector<double> shares(const Vec3& coordinates) const;
+};
 
 /// The objects that may carry a point of the surface: those reached along connections from the cell that owns it.
 /// The aggregate must outlive it; its members may be called from any thread.
@@ -14,25 +45,20 @@ class NeighborhoodFinder {
 public:
     explicit NeighborhoodFinder(const Aggregate& aggregate);
 
-    /// The material a point belongs to: a kept cell, or one object where no kept cell is close.
-    struct Owner {
-        Lattice::Node node{}; ///< the lowest corner of the cell, or the object
-        bool isCell = false;
-        auto operator<=>(const Owner&) const = default;
-    };
+    /// The cell that contains a point [lattice coordinates], or the nearest object where no kept cell is close.
+    SkinOwner owner(const Vec3& coordinates) const;
 
-    /// The kept cell that contains a point [lattice coordinates], else the nearest of the kept cells around it, else
-    /// the nearest object.
-    Owner owner(const Vec3& coordinates) const;
-
-    /// Objects at most three steps along connections from the owner's, ascending.
-    std::vector<ObjectIndex> gather(const Owner& owner) const;
+    /// Objects at most three steps along connections from the corners of the owner's cells, or from its object.
+    Neighborhood gather(const SkinOwner& owner) const;
 
 private:
     bool isKept(const Lattice::Node& cell) const;
+    /// Kept cells among those around a cell, not more than so many.
+    std::vector<Lattice::Node> keptAround(const Lattice::Node& cell, std::size_t most) const;
 
-    const Aggregate& m_aggregate;
+    const Lattice& m_lattice;
     LatticeRows m_rows;
+    std::vector<std::uint16_t> m_links; ///< per object: a bit for each direction with a forward connection
 };
 
 } // namespace knead

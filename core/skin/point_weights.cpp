@@ -22,19 +22,54 @@ constexpr int mostSteps = 60;
 /// So many objects are counted at a time.
 using Lanes = Eigen::Array<double, 4, 1>;
 
+struct Group {
+    Lanes distance = Lanes::Constant(std::numeric_limits<double>::infinity());
+    Lanes share = Lanes::Zero();
+};
+
+/// The objects that a support may hold.
+struct Candidates {
+    std::vector<Group> groups;
+    double nearest = 0; ///< distance of the nearest object
+    double most = 0;    ///< the largest support, so that it holds some
+
+    Candidates(const std::vector<Vec3>& offsets, const std::vector<double>& shares)
+    {
+        std::vector<double> squares(offsets.size());
+        std::transform(offsets.begin(), offsets.end(), squares.begin(),
+                       [](const Vec3& offset) { return offset.squaredNorm(); });
+        nearest = std::sqrt(*std::min_element(squares.begin(), squares.end()));
+        most = std::max(widest, nearest + nodesWithin);
+        groups.reserve(offsets.size() / Lanes::SizeAtCompileTime + 1);
+        Eigen::Index lane = Lanes::SizeAtCompileTime;
+        for (std::size_t i = 0; i < offsets.size(); ++i) {
+            if (squares[i] >= most * most || shares[i] == 0)
+                continue;
+            if (lane == Lanes::SizeAtCompileTime) {
+                groups.emplace_back();
+                lane = 0;
+            }
+            groups.back().distance[lane] = squares[i];
+            groups.back().share[lane++] = shares[i];
+        }
+        for (Group& group : groups)
+            group.distance = group.distance.sqrt();
+    }
+};
+
 struct Content {
     double count;
     double slope; ///< over the support
 };
 
 /// Objects in a support, counted by their weight as shape functions have it.
-Content contentOf(const std::vector<Lanes>& distances, double support)
+Content contentOf(const std::vector<Group>& groups, double support)
 {
     Lanes count = Lanes::Zero();
     Lanes slope = Lanes::Zero();
-    for (const Lanes& distance : distances) {
+    for (const auto& [distance, share] : groups) {
         const Lanes r = (distance * (1 / support)).min(1);
-        const Lanes square = (1 - r) * (1 - r);
+        const Lanes square = share * (1 - r) * (1 - r);
         count += square * (1 - r) * (3 * r + 1);
         slope += r * r * square;
     }
@@ -44,21 +79,14 @@ Content contentOf(const std::vector<Lanes>& distances, double support)
 /// The radius of a sphere around a point that holds enough objects for what is asked of them, and hardly more, by Newton's method.
 /// It changes as smoothly as the point moves: with one fixed radius, a layer of objects would come in and go out again along a
 /// flat face.
-double supportFor(const std::vector<Vec3>& offsets)
+double supportFor(const Candidates& candidates)
 {
-    std::vector<Lanes> distances((offsets.size() + Lanes::SizeAtCompileTime - 1) / Lanes::SizeAtCompileTime,
-                                 Lanes::Constant(std::numeric_limits<double>::infinity()));
-    double low = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < offsets.size(); ++i) {
-        const double distance = offsets[i].norm();
-        distances[i / Lanes::SizeAtCompileTime][static_cast<Eigen::Index>(i % Lanes::SizeAtCompileTime)] = distance;
-        low = std::min(low, distance);
-    }
-    const double most = std::max(widest, low + nodesWithin);
+    const auto& [groups, nearest, most] = candidates;
+    double low = nearest;
     double high = most;
-    double support = std::min(most, std::max(usual, low + nodesWithin));
+    double support = std::min(most, std::max(usual, nearest + nodesWithin));
     for (int i = 0; i < mostSteps; ++i) {
-        const auto [count, slope] = contentOf(distances, support);
+        const auto [count, slope] = contentOf(groups, support);
         if (support == most && count <= wanted)
             return most;
         (count > wanted ? high : low) = support;
@@ -72,14 +100,15 @@ double supportFor(const std::vector<Vec3>& offsets)
 
 } // namespace
 
-std::vector<double> pointWeights(const Lattice& lattice, std::span<const ObjectIndex> objects, const Vec3& coordinates)
+std::vector<double> pointWeights(const Lattice& lattice, const Neighborhood& around, const Vec3& coordinates)
 {
-    std::vector<Vec3> offsets(objects.size());
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        const Lattice::Node& node = lattice.nodes[objects[i]];
+    std::vector<Vec3> offsets(around.objects.size());
+    for (std::size_t i = 0; i < offsets.size(); ++i) {
+        const Lattice::Node& node = lattice.nodes[around.objects[i]];
         offsets[i] = Vec3(node[0], node[1], node[2]) - coordinates;
     }
-    return shapeFunctions(offsets, supportFor(offsets));
+    const std::vector<double> shares = around.shares(coordinates);
+    return shapeFunctions(offsets, supportFor(Candidates(offsets, shares)), shares);
 }
 
 } // namespace knead

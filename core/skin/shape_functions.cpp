@@ -84,14 +84,15 @@ struct WeightedNodes {
     std::vector<std::uint32_t> indices; ///< of the nodes
 };
 
-WeightedNodes weigh(std::span<const Vec3> offsets, double support)
+WeightedNodes weigh(std::span<const Vec3> offsets, double support, std::span<const double> shares)
 {
     WeightedNodes nodes;
     nodes.indices.reserve(offsets.size());
     nodes.groups.reserve(offsets.size() / lanes + 1);
     for (std::uint32_t i = 0; i < offsets.size(); ++i) {
         const double squared = offsets[i].squaredNorm() / (support * support);
-        if (squared >= 1)
+        const double share = shares.empty() ? 1 : shares[i];
+        if (squared >= 1 || share == 0)
             continue;
         const std::size_t lane = nodes.indices.size() % lanes;
         if (lane == 0)
@@ -99,7 +100,7 @@ WeightedNodes weigh(std::span<const Vec3> offsets, double support)
         WeightedNodes::Group& group = nodes.groups.back();
         const double r = std::sqrt(squared);
         const double rest = (1 - r) * (1 - r);
-        group.weight[lane] = rest * (1 - r) * (3 * r + 1);
+        group.weight[lane] = share * rest * (1 - r) * (3 * r + 1);
         for (Eigen::Index c = 0; c < 3; ++c)
             group.place[c][lane] = offsets[i][c] / support;
         nodes.indices.push_back(i);
@@ -218,10 +219,10 @@ double trustIn(const Eigen::Ref<const Eigen::VectorXd>& pivots)
 
 } // namespace
 
-std::vector<double> shapeFunctions(std::span<const Vec3> offsets, double support)
+std::vector<double> shapeFunctions(std::span<const Vec3> offsets, double support, std::span<const double> shares)
 {
     std::vector<double> all(offsets.size(), 0);
-    const WeightedNodes nodes = weigh(offsets, support);
+    const WeightedNodes nodes = weigh(offsets, support, shares);
     const std::array<double, Monomials::count> moments = momentsOf(nodes);
     double rest = 1; // of the trust, for functions less exact but safer
     const auto take = [&](const Functions& functions, double share) {

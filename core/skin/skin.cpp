@@ -13,8 +13,6 @@ namespace knead {
 
 namespace {
 
-using Owner = NeighborhoodFinder::Owner;
-
 constexpr std::size_t pointsPerBlock = 512;
 
 /// Influences of consecutive points of some order.
@@ -23,15 +21,14 @@ struct InfluenceList {
     std::vector<Skin::Influence> influences;
 };
 
-void addPoint(InfluenceList& list, const Lattice& lattice, const std::vector<ObjectIndex>& objects,
-              const Vec3& coordinates)
+void addPoint(InfluenceList& list, const Lattice& lattice, const Neighborhood& around, const Vec3& coordinates)
 {
-    const std::vector<double> functions = pointWeights(lattice, objects, coordinates);
+    const std::vector<double> functions = pointWeights(lattice, around, coordinates);
     std::uint32_t count = 0;
-    for (std::size_t i = 0; i < objects.size(); ++i) {
+    for (std::size_t i = 0; i < functions.size(); ++i) {
         if (functions[i] == 0)
             continue;
-        list.influences.push_back({objects[i], static_cast<float>(functions[i])});
+        list.influences.push_back({around.objects[i], static_cast<float>(functions[i])});
         ++count;
     }
     list.count.push_back(count);
@@ -83,12 +80,12 @@ private:
     InfluenceList attach(std::size_t begin, std::size_t end) const
     {
         InfluenceList list;
-        std::vector<ObjectIndex> objects;
+        Neighborhood around;
         for (std::size_t i = begin; i < end; ++i) {
-            const Owner& owner = m_owners[m_order[i]];
+            const SkinOwner& owner = m_owners[m_order[i]];
             if (i == begin || owner != m_owners[m_order[i - 1]])
-                objects = m_finder.gather(owner);
-            addPoint(list, m_lattice, objects, m_lattice.coordinates(m_points[m_order[i]]));
+                around = m_finder.gather(owner);
+            addPoint(list, m_lattice, around, m_lattice.coordinates(m_points[m_order[i]]));
         }
         return list;
     }
@@ -96,7 +93,7 @@ private:
     const Lattice& m_lattice;
     std::span<const Vec3> m_points;
     NeighborhoodFinder m_finder;
-    std::vector<Owner> m_owners;
+    std::vector<SkinOwner> m_owners;
     std::vector<std::uint32_t> m_order; // points, by owner
     std::vector<InfluenceList> m_lists; // per block of that order
 };

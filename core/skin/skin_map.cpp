@@ -4,6 +4,7 @@
 #include "core/task/parallel.h"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -18,7 +19,7 @@ constexpr std::size_t pointsPerBlock = 512;
 
 SkinMap::SkinMap(const Aggregate& aggregate, std::vector<Vec3> displacements)
     : m_aggregate(aggregate)
-    , m_finder(aggregate)
+    , m_neighborhoods(aggregate)
     , m_displacements(std::move(displacements))
 {
     if (aggregate.size() == 0)
@@ -31,29 +32,30 @@ SkinMap::SkinMap(const Aggregate& aggregate, std::vector<Vec3> displacements)
 void SkinMap::evaluate(std::span<const Vec3> points, std::span<Vec3> places) const
 {
     const Lattice& lattice = m_aggregate.lattice;
-    std::vector<NeighborhoodFinder::Owner> owners(points.size());
+    std::vector<SkinOwner> owners(points.size());
     forEachBlock(points.size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t point = begin; point < end; ++point)
-            owners[point] = m_finder.owner(lattice.coordinates(points[point]));
+            owners[point] = m_neighborhoods.owner(lattice.coordinates(points[point]));
     });
     std::vector<std::uint32_t> order(points.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return owners[a] < owners[b]; });
     forEachBlock(order.size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
-        std::vector<ObjectIndex> objects;
+        std::shared_ptr<const Neighborhood> around;
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t point = order[i];
             if (i == begin || owners[point] != owners[order[i - 1]])
-                objects = m_finder.gather(owners[point]);
-            places[point] = place(points[point], objects);
+                around = m_neighborhoods.around(owners[point]);
+            places[point] = place(points[point], *around);
         }
     });
 }
 
-Vec3 SkinMap::place(const Vec3& point, const std::vector<ObjectIndex>& objects) const
+Vec3 SkinMap::place(const Vec3& point, const Neighborhood& around) const
 {
     const Lattice& lattice = m_aggregate.lattice;
-    const std::vector<double> weights = pointWeights(lattice, objects, lattice.coordinates(point));
+    const std::vector<double> weights = pointWeights(lattice, around, lattice.coordinates(point));
+    const std::vector<ObjectIndex>& objects = around.objects;
     const Vec3 common = m_displacements[objects.front()];
     Vec3 sum = Vec3::Zero();
     for (std::size_t k = 0; k < objects.size(); ++k)

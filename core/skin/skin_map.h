@@ -2,7 +2,7 @@
 
 #include "core/aggregate/aggregate.h"
 #include "core/geometry/smooth_map.h"
-#include "core/skin/neighborhood.h"
+#include "core/skin/neighborhood_cache.h"
 
 #include <vector>
 
@@ -24,11 +24,11 @@ public:
     double featureSize() const override { return m_aggregate.lattice.spacing; }
 
 private:
-    /// @param objects that may carry the point
-    Vec3 place(const Vec3& point, const std::vector<ObjectIndex>& objects) const;
+    /// @param around the objects that may carry the point
+    Vec3 place(const Vec3& point, const Neighborhood& around) const;
 
     const Aggregate& m_aggregate;
-    NeighborhoodFinder m_finder;
+    mutable NeighborhoodCache m_neighborhoods; // of use to many calls for a few points each
     std::vector<Vec3> m_displacements;
 };
 
