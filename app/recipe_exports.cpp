@@ -18,18 +18,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t mostTriangles = 400'000; // of a body in a picture
+constexpr std::size_t mostTrianglesDrawn = 400'000; // of a body in a picture
 constexpr Color toolColor{0.42F, 0.64F, 0.56F};
 
 /// Bodies that have come apart as their pieces.
 std::vector<MeshBody> deformedBodies(const ExportJob& job, TaskControl& control)
 {
     std::vector<MeshBody> bodies;
-    for (PartToExport& part : withPieces(job, mostTriangles, control).parts) {
+    for (PartToExport& part : withPieces(job, mostTrianglesDrawn, control).parts) {
         MeshBody& body = bodies.emplace_back(MeshBody{part.part.name, part.part.color.value_or(Color{}), {}});
-        body.mesh = part.aggregate == nullptr
-                        ? std::move(part.part.mesh)
-                        : deformedSurface(part.part.mesh, *part.aggregate, part.displacements, mostTriangles, control);
+        body.mesh = part.aggregate == nullptr ? std::move(part.part.mesh)
+                                              : deformedSurface(part.part.mesh, *part.aggregate, part.displacements,
+                                                                mostTrianglesDrawn, control);
     }
     return bodies;
 }

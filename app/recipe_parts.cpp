@@ -1,9 +1,9 @@
 #include "app/recipe_parts.h"
 
 #include "app/cad_process.h"
+#include "io/cad_format.h"
 #include "io/project/project_file.h"
 
-#include <filesystem>
 #include <map>
 
 namespace knead {
@@ -30,11 +30,6 @@ auto asInput(Read read)
     }
 }
 
-std::string fileName(const std::string& path)
-{
-    return std::filesystem::path(path).filename().string();
-}
-
 Opened opened(Model model, const std::string& file, bool fillsOpenParts)
 {
     Opened opened{{}, model.warnings};
@@ -50,7 +45,7 @@ Opened opened(Model model, const std::string& file, bool fillsOpenParts)
     model.tree = {};
     opened.source = std::move(model);
     if (opened.parts.empty())
-        throw UnusableInput(fileName(file) +
+        throw UnusableInput(shortName(file) +
                             ": no closed body found. Close the surfaces in the CAD program and export again.");
     return opened;
 }
@@ -96,7 +91,7 @@ public:
         const auto parts = toolPartsOf(project(manipulator.partFile));
         const std::size_t number = manipulator.partNumber.value_or(0);
         if (number >= parts.size())
-            throw UnusableInput(fileName(manipulator.partFile) + " has no tool part " + std::to_string(number) +
+            throw UnusableInput(shortName(manipulator.partFile) + " has no tool part " + std::to_string(number) +
                                 "; it has " + std::to_string(parts.size()) + " of them, counted from 0.");
         return parts[number];
     }
@@ -113,7 +108,7 @@ private:
     Model modelOf(const std::string& file)
     {
         if (project(file).model == nullptr)
-            throw UnusableInput(fileName(file) + ": the project has no parts.");
+            throw UnusableInput(shortName(file) + ": the project has no parts.");
         return *project(file).model;
     }
 

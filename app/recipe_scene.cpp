@@ -2,9 +2,9 @@
 
 #include "core/aggregate/fill.h"
 #include "core/aggregate/published_fill.h"
+#include "io/cad_format.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 namespace knead {
@@ -14,14 +14,9 @@ namespace {
 // Shares of the progress of making a scene.
 constexpr double importShare = 0.5;
 
-std::string fileName(const std::string& path)
-{
-    return std::filesystem::path(path).filename().string();
-}
-
 [[noreturn]] void refuse(const Recipe& recipe, const std::string& saying)
 {
-    throw UnusableInput(fileName(recipe.file) + ": " + saying);
+    throw UnusableInput(shortName(recipe.file) + ": " + saying);
 }
 
 /// @param control of measuring walls, where the choice is by them
@@ -69,14 +64,14 @@ void fillParts(const Recipe& recipe, RecipeScene& result, TaskControl& control)
 void assignBodyMaterials(const Recipe& recipe, RecipeScene& result)
 {
     for (const auto& [name, material] : recipe.bodyMaterials)
-        for (const BodyId body : bodiesNamed(name, result.parts, fileName(recipe.file) + ": body_materials"))
+        for (const BodyId body : bodiesNamed(name, result.parts, shortName(recipe.file) + ": body_materials"))
             result.scene.bodies[body].material = material;
 }
 
 void startBodies(const Recipe& recipe, RecipeScene& result)
 {
     for (const RecipeBody& start : recipe.bodies)
-        for (const BodyId id : bodiesNamed(start.name, result.parts, fileName(recipe.file) + ": bodies")) {
+        for (const BodyId id : bodiesNamed(start.name, result.parts, shortName(recipe.file) + ": bodies")) {
             Body& body = result.scene.bodies[id];
             body.kind = start.kind;
             body.velocity = start.velocity;
@@ -109,7 +104,7 @@ std::vector<ObjectIndex> objectsAtFaces(const Recipe& recipe, const NamedRegion&
 std::vector<BodyObjects> objectsOf(const Recipe& recipe, const NamedRegion& named, const RecipeScene& ready)
 {
     const RecipeRegion& region = named.region;
-    const std::string place = fileName(recipe.file) + ": " + named.saying();
+    const std::string place = shortName(recipe.file) + ": " + named.saying();
     if (region.box || region.objects)
         return objectsWithin(ready, region.body, region.box, region.objects, place);
     const std::vector<BodyId> bodies = bodiesNamed(region.body, ready.parts, place);

@@ -15,11 +15,11 @@ namespace {
 constexpr std::chrono::milliseconds interval{100};
 constexpr int barWidth = 24;
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t isInterrupted = 0;
 
 void handleSignal(int)
 {
-    interrupted = 1;
+    isInterrupted = 1;
 }
 
 void install(int signal)
@@ -36,7 +36,7 @@ void install(int signal)
 TerminalControl::TerminalControl()
     : m_isTerminal(isatty(STDERR_FILENO) != 0)
 {
-    interrupted = 0;
+    isInterrupted = 0;
     install(SIGINT);
     install(SIGTERM);
 }
@@ -64,7 +64,7 @@ void TerminalControl::report(double fraction, std::string_view stage)
 
 bool TerminalControl::isCancelled() const
 {
-    return interrupted != 0;
+    return isInterrupted != 0;
 }
 
 void TerminalControl::clear()

@@ -18,7 +18,7 @@ Json numbers(const Vec3& v)
     return {v.x(), v.y(), v.z()};
 }
 
-Vec3 vector(const Json& json)
+Vec3 vectorIn(const Json& json)
 {
     return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
@@ -138,10 +138,10 @@ Lattice nextLattice(BlockReader& blocks)
 {
     const Json json = Json::parse(blocks.next());
     Lattice lattice;
-    lattice.origin = vector(json.at("origin"));
+    lattice.origin = vectorIn(json.at("origin"));
     lattice.spacing = json.at("spacing").get<double>();
     for (int axis = 0; axis < 3; ++axis)
-        lattice.axes.col(axis) = vector(json.at("axes").at(static_cast<std::size_t>(axis)));
+        lattice.axes.col(axis) = vectorIn(json.at("axes").at(static_cast<std::size_t>(axis)));
     lattice.nodes = blocks.nextArray<Lattice::Node>();
     return lattice;
 }

@@ -3,6 +3,7 @@
 #include "core/geometry/mass_properties.h"
 #include "io/face_integral.h"
 #include "io/free_edges.h"
+#include "io/millimeter.h"
 #include "io/number_words.h"
 #include "io/open_borders.h"
 #include "io/shape_box.h"
@@ -30,8 +31,6 @@
 namespace knead {
 
 namespace {
-
-constexpr double millimeter = 1e-3;
 
 double maxToleranceOf(const TopoDS_Shape& shape)
 {

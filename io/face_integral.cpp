@@ -23,7 +23,7 @@ namespace knead {
 
 namespace {
 
-constexpr double nothing = 1e-14; // of the range of a parameter
+constexpr double emptyRange = 1e-14; // of the range of a parameter
 
 /// By Green's theorem the integral of f over a face is that of F dv around it, where F(u, v) is the integral of f from the
 /// lowest u to u.
@@ -105,7 +105,7 @@ private:
             curve.D1(from + half * (1 + rule.points[g]), point, tangent);
             const double weight = direction * half * rule.weights[g] * tangent.Y();
             const double u = std::clamp(point.X(), m_u.first(), m_u.last());
-            if (std::abs(weight) > nothing * m_v.width() && u - m_u.first() > nothing * m_u.width())
+            if (std::abs(weight) > emptyRange * m_v.width() && u - m_u.first() > emptyRange * m_u.width())
                 m_rows.push_back({u, std::clamp(point.Y(), m_v.first(), m_v.last()), weight});
         }
     }

@@ -1,6 +1,7 @@
 #include "io/face_sewing.h"
 
 #include "io/free_edges.h"
+#include "io/millimeter.h"
 #include "io/number_words.h"
 #include "io/shape_measure.h"
 
@@ -24,10 +25,9 @@ namespace knead {
 
 namespace {
 
-constexpr double millimeter = 1e-3;
 constexpr std::array toleranceShares{1e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3}; // of the diagonal
 constexpr double sameArea = 1e-3; // relative; the area of trimmed curved faces is not integrated better
-constexpr int samplesPerEdge = 16;
+constexpr int seamSamples = 16;
 
 /// The largest distance between the two sides of an edge that two faces share [mm].
 double widestGap(const TopoDS_Shape& shape)
@@ -44,8 +44,8 @@ double widestGap(const TopoDS_Shape& shape)
         const BRepAdaptor_Curve other(edge, TopoDS::Face(faces.Last()));
         const double first = one.FirstParameter();
         const double last = one.LastParameter();
-        for (int sample = 0; sample <= samplesPerEdge; ++sample) {
-            const double parameter = first + (last - first) * sample / samplesPerEdge;
+        for (int sample = 0; sample <= seamSamples; ++sample) {
+            const double parameter = first + (last - first) * sample / seamSamples;
             gap = std::max(gap, one.Value(parameter).Distance(other.Value(parameter)));
         }
     }

@@ -1,5 +1,6 @@
 #include "io/foreign_content.h"
 
+#include "io/lower_case.h"
 #include "io/readable_name.h"
 #include "io/zip_names.h"
 
@@ -13,13 +14,6 @@ namespace knead {
 namespace {
 
 constexpr const char* plainZip = "this is a zip archive; unpack it and open the file inside.";
-
-std::string lowerCase(std::string_view text)
-{
-    std::string lower(text);
-    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-    return lower;
-}
 
 struct Signature {
     std::size_t place; ///< of the bytes in the file
@@ -67,7 +61,7 @@ std::optional<std::string> markup(std::string_view head)
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
     if (!text.starts_with('<'))
         return std::nullopt;
-    const std::string lower = lowerCase(text);
+    const std::string lower = lowerCase(std::string(text));
     if (lower.starts_with("<!doctype html") || lower.starts_with("<html"))
         return "this is a web page, not a CAD file; the download may have failed.";
     if (lower.find("10303-28") != std::string::npos || lower.find("iso_10303_28") != std::string::npos ||

@@ -1,5 +1,6 @@
 #include "io/free_edges.h"
 
+#include "io/millimeter.h"
 #include "io/open_borders.h"
 
 #include <BRepAdaptor_Curve.hxx>
@@ -19,11 +20,8 @@ namespace knead {
 
 namespace {
 
-constexpr double millimeter = 1e-3;
 constexpr int segmentsPerEdge = 16;
 constexpr int mostEdgesCompared = 2000; // each with each
-
-using Polyline = std::vector<Vec3>;
 
 /// Points along an edge [mm], as its faces run along it; empty for an edge without a curve.
 Polyline pointsOf(const TopoDS_Edge& edge)
@@ -44,14 +42,6 @@ Polyline pointsOf(const TopoDS_Edge& edge)
     if (edge.Orientation() == TopAbs_REVERSED)
         std::reverse(points.begin(), points.end());
     return points;
-}
-
-double lengthOf(const Polyline& line)
-{
-    double length = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-        length += (line[i + 1] - line[i]).norm();
-    return length;
 }
 
 double distanceToSegment(const Vec3& point, const Vec3& a, const Vec3& b)

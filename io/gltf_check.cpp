@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t deepestNesting = 500; // of nodes; the mesh reader recurses once a level
+constexpr std::size_t deepestNodes = 500; // of nodes; the mesh reader recurses once a level
 constexpr const char* damaged = "the glTF file is damaged and cannot be read; export it again.";
 
 /// The JSON is all of a .gltf, and the first chunk of a .glb (glTF 2.0, section 4.4).
@@ -119,9 +119,9 @@ void checkNodes(const std::string& path, const Json& json)
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         std::size_t depth = 0;
         for (std::size_t above = i; above != nodes.size(); above = parents[above])
-            if (++depth > deepestNesting)
+            if (++depth > deepestNodes)
                 failReading(path, "nodes of the glTF hold themselves or are nested more than " +
-                                      std::to_string(deepestNesting) + " deep; export it again.");
+                                      std::to_string(deepestNodes) + " deep; export it again.");
     }
 }
 

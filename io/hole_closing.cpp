@@ -16,7 +16,7 @@ namespace knead {
 namespace {
 
 constexpr double largestBump = 0.1; // of the width of the hole, off its plane
-constexpr std::size_t longestLoop = 2000;
+constexpr std::size_t longestHoleBorder = 2000;
 
 using Point2 = Eigen::Vector2d;
 using Triangle = TriangleMesh::Triangle;
@@ -99,7 +99,7 @@ HoleClosing closeHoles(TriangleMesh mesh, double largestShare)
         return result;
     const double area = massProperties(result.mesh).area;
     for (const OpenLoop& loop : loops) {
-        if (loop.vertices.size() < 3 || loop.vertices.size() > longestLoop)
+        if (loop.vertices.size() < 3 || loop.vertices.size() > longestHoleBorder)
             continue;
         const Vec3 hole = areaVector(result.mesh, loop.vertices);
         const Vec3 normal = hole.normalized();

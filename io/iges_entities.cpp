@@ -13,7 +13,7 @@ namespace knead {
 namespace {
 
 constexpr std::size_t numberColumn = 73; // of the number of a line, counted from 0
-constexpr int deepestNesting = 500;      // honest files stay under 20; the reader recurses once a level
+constexpr int deepestReferences = 500;   // honest files stay under 20; the reader recurses once a level
 
 /// Types of entities by number, as IGES 5.3 has them.
 namespace type {
@@ -73,7 +73,7 @@ std::optional<long long> integerAt(const std::vector<std::string_view>& values, 
 }
 
 /// 0 for what starts with none.
-int numberIn(std::string_view text)
+int integerIn(std::string_view text)
 {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     int number = 0;
@@ -85,13 +85,13 @@ int numberIn(std::string_view text)
 int fieldOf(std::string_view line, std::size_t field)
 {
     constexpr std::size_t columns = 8;
-    return numberIn(line.substr(columns * field, columns));
+    return integerIn(line.substr(columns * field, columns));
 }
 
 /// Whether walking down from any entity comes back to it, or does not end in time.
-class CycleSearch {
+class CircularEntitySearch {
 public:
-    explicit CycleSearch(const std::map<long long, std::vector<long long>>& references)
+    explicit CircularEntitySearch(const std::map<long long, std::vector<long long>>& references)
         : m_references(references)
     {
     }
@@ -101,7 +101,7 @@ public:
         const auto found = m_references.find(entity);
         if (found == m_references.end())
             return false;
-        if (depth > deepestNesting)
+        if (depth > deepestReferences)
             return true;
         const auto [known, isNew] = m_isLeft.try_emplace(entity, false);
         if (!isNew)
@@ -126,7 +126,7 @@ void IgesEntities::takeDirectoryLine(std::string_view line)
     else
         m_forms.push_back(fieldOf(line, 4));
     const std::size_t number = m_types.size() + m_forms.size();
-    if (m_failure.empty() && numberIn(line.substr(std::min(numberColumn, line.size()))) != static_cast<int>(number))
+    if (m_failure.empty() && integerIn(line.substr(std::min(numberColumn, line.size()))) != static_cast<int>(number))
         m_failure = shortName(m_path) + ": line " + std::to_string(number) +
                     " of section D of the IGES file has another number; lines are lost, get the file again.";
 }
@@ -210,12 +210,12 @@ void IgesEntities::finish() const
 {
     if (!m_failure.empty())
         throw std::runtime_error(m_failure);
-    CycleSearch search(m_references);
+    CircularEntitySearch search(m_references);
     for (const auto& [entity, to] : m_references)
         if (search.leadsTooDeep(entity))
             failReading(m_path, "entity " + std::to_string(entity) +
                                     " of the IGES file holds itself, or the entities are nested more than " +
-                                    std::to_string(deepestNesting) + " deep; export it again.");
+                                    std::to_string(deepestReferences) + " deep; export it again.");
     for (const auto& [entity, references] : m_references)
         for (const long long to : references)
             if (!m_recorded.contains(to))

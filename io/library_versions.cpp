@@ -2,6 +2,8 @@
 
 #include "core/computing_versions.h"
 
+#include <Model/COM/NMR_DLLInterfaces.h>
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <Standard_Version.hxx>
 #include <assimp/version.h>
 #include <nlohmann/json.hpp>
@@ -20,6 +22,22 @@ std::string assimpVersion()
            std::to_string(aiGetVersionPatch());
 }
 
+std::string lib3mfVersion()
+{
+    DWORD major = 0;
+    DWORD minor = 0;
+    DWORD micro = 0;
+    NMR::lib3mf_getinterfaceversion(&major, &minor, &micro);
+    return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(micro);
+}
+
+std::string sqliteCppVersion()
+{
+    constexpr int number = SQLITECPP_VERSION_NUMBER;
+    return std::to_string(number / 1'000'000) + '.' + std::to_string(number / 1000 % 1000) + '.' +
+           std::to_string(number % 1000);
+}
+
 std::string jsonVersion()
 {
     return std::to_string(NLOHMANN_JSON_VERSION_MAJOR) + '.' + std::to_string(NLOHMANN_JSON_VERSION_MINOR) + '.' +
@@ -34,10 +52,12 @@ std::vector<LibraryVersion> libraryVersions()
             {"Eigen", eigenVersion(), "MPL 2"},
             {"oneTBB", tbbVersion(), "Apache 2"},
             {"SQLite", sqlite3_libversion(), "public domain"},
+            {"SQLiteC++", sqliteCppVersion(), "MIT"},
             {"Zstandard", ZSTD_versionString(), "BSD"},
             {"zlib", zlibVersion(), "zlib"},
             {"libpng", png_get_libpng_ver(nullptr), "libpng"},
             {"Assimp", assimpVersion(), "BSD"},
+            {"lib3mf", lib3mfVersion(), "BSD"},
             {"JSON for Modern C++", jsonVersion(), "MIT"}};
 }
 

@@ -2,8 +2,10 @@
 
 #include "core/geometry/mass_properties.h"
 #include "io/gltf_check.h"
+#include "io/lower_case.h"
 #include "io/mesh_colors.h"
 #include "io/mesh_repair.h"
+#include "io/millimeter.h"
 #include "io/open_borders.h"
 #include "io/part_selection.h"
 #include "io/ply_check.h"
@@ -33,7 +35,6 @@ namespace knead {
 
 namespace {
 
-constexpr double millimeter = 1e-3;
 constexpr double weldingShare = 2e-7; // of the diagonal: what single precision of the files leaves of equal points
 
 class AssimpProgress final : public Assimp::ProgressHandler {
@@ -52,12 +53,6 @@ public:
 private:
     TaskControl& m_control;
 };
-
-std::string lowerCase(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
-}
 
 /// assimp goes by the ending, we by the content: shows it the file under a name that ends as its content is. Files
 /// beside it, which hold colors and numbers, are found as usual.

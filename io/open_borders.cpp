@@ -15,20 +15,10 @@ namespace {
 
 constexpr std::size_t mostLinesChained = 5000; // each with each
 
-using Polyline = std::vector<Vec3>;
-
 struct OpenEdge {
     std::uint32_t end;
     std::uint32_t face;
 };
-
-double lengthOf(const Polyline& line)
-{
-    double length = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-        length += (line[i + 1] - line[i]).norm();
-    return length;
-}
 
 double extentOf(const Polyline& line)
 {
@@ -58,6 +48,14 @@ bool isFlatLoop(const Polyline& line)
 }
 
 } // namespace
+
+double lengthOf(const Polyline& line)
+{
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        length += (line[i + 1] - line[i]).norm();
+    return length;
+}
 
 /// Runs against the direction of the triangles. As many open edges start at a vertex as end there, so every walk comes
 /// back to its start.

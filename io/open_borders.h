@@ -18,8 +18,12 @@ struct OpenLoop {
 /// Every edge along which the triangles of a mesh end belongs to one loop.
 std::vector<OpenLoop> openLoopsOf(const TriangleMesh& mesh);
 
-/// The loops as polylines [m] that end where they began.
-std::vector<std::vector<Vec3>> openBordersOf(const TriangleMesh& mesh);
+using Polyline = std::vector<Vec3>; ///< [m]
+
+double lengthOf(const Polyline& line); ///< [m]
+
+/// The loops as polylines that end where they began.
+std::vector<Polyline> openBordersOf(const TriangleMesh& mesh);
 
 /// Joins polylines at ends closer than `tolerance` [m]; each runs on as long as there is a next one.
 std::vector<std::vector<Vec3>> chained(std::vector<std::vector<Vec3>> lines, double tolerance);

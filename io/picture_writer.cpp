@@ -5,6 +5,7 @@
 #include "io/ground_shadow.h"
 #include "io/rasterizer.h"
 #include "io/safe_file.h"
+#include "io/srgb.h"
 
 #include <png.h>
 
@@ -20,24 +21,14 @@ namespace knead {
 
 namespace {
 
-constexpr int fineness = 3;         // samples per pixel along each side
-constexpr int rowsPerBand = 32;     // pixels
-constexpr double margin = 0.09;     // of the picture, on each side
-constexpr int largestSide = 16'384; // pixels
+constexpr int fineness = 3;            // samples per pixel along each side
+constexpr int rowsPerBand = 32;        // pixels
+constexpr double pictureMargin = 0.09; // of the picture, on each side
+constexpr int largestSide = 16'384;    // pixels
 
 using Rgb = Eigen::Vector3f; // linear light
 
-float toLinear(float s)
-{
-    return s <= 0.04045F ? s / 12.92F : std::pow((s + 0.055F) / 1.055F, 2.4F);
-}
-
-float toSrgb(float l)
-{
-    return l <= 0.0031308F ? 12.92F * l : 1.055F * std::pow(l, 1 / 2.4F) - 0.055F;
-}
-
-Rgb toLinear(const Color& color)
+Rgb linearLight(const Color& color)
 {
     return {toLinear(color.r), toLinear(color.g), toLinear(color.b)};
 }
@@ -61,7 +52,7 @@ Projection fit(const std::vector<MeshBody>& bodies, const PictureOptions& option
     const double width = fineness * options.width;
     const double height = fineness * options.height;
     const double least = std::numeric_limits<double>::min();
-    p.samplesPerMeter = (1 - 2 * margin) *
+    p.samplesPerMeter = (1 - 2 * pictureMargin) *
                         std::min(width / std::max(box.sizes().x(), least), height / std::max(box.sizes().y(), least));
     p.offsetX = 0.5 * width - p.samplesPerMeter * box.center().x();
     p.offsetY = 0.5 * height - p.samplesPerMeter * box.center().y();
@@ -139,7 +130,7 @@ public:
         , m_pixels(3 * static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height))
     {
         for (const MeshBody& body : bodies)
-            m_colors.push_back(toLinear(body.color));
+            m_colors.push_back(linearLight(body.color));
         std::vector<const TriangleMesh*> meshes;
         for (const MeshBody& body : bodies)
             meshes.push_back(&body.mesh);

@@ -16,7 +16,7 @@ namespace knead {
 
 namespace {
 
-constexpr std::size_t longestLine = 4096; // of a header; honest ones stay under 100
+constexpr std::size_t longestHeaderLine = 4096; // of a header; honest ones stay under 100
 
 /// Bytes of a number in a binary file; nothing for what is no type.
 std::optional<std::uint64_t> sizeOf(const std::string& type)
@@ -74,9 +74,9 @@ private:
     {
         std::string line;
         char character = '\0';
-        while (m_file.get(character) && character != '\n' && line.size() < longestLine)
+        while (m_file.get(character) && character != '\n' && line.size() < longestHeaderLine)
             line += character;
-        if (!m_file || line.size() == longestLine)
+        if (!m_file || line.size() == longestHeaderLine)
             failEndless();
         line.resize(line.find_last_not_of(" \t\r") + 1); // npos + 1 is 0
         return line;

@@ -17,8 +17,7 @@ namespace {
 
 constexpr double longestDuration = 3600;  // [s]; a longer run is a mistyped number
 constexpr double shortestTimeStep = 1e-9; // [s]
-constexpr std::uint64_t mostSteps = 1ULL << 40U;
-constexpr double longestTimeStep = 1; // [s]
+constexpr double longestTimeStep = 1;     // [s]
 
 SpacingChoice readSpacing(const JsonNode& root)
 {

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double longestAnnealing = 3600; // [s]
 constexpr double fastestGrip = 1e5;       // [mm/s]
-constexpr std::uint64_t mostSteps = 1ULL << 40U;
 
 std::string readOptionalText(const JsonNode& node, const std::string& key)
 {

@@ -8,13 +8,12 @@ namespace knead {
 
 namespace {
 
-constexpr double fastest = 1e7;     // [mm/s]; the simulation says what is too fast for a tool
-constexpr double fastestTurn = 1e5; // [rad/s]
-constexpr std::uint64_t mostSteps = 1ULL << 40U;
+constexpr double fastestDrive = 1e7; // [mm/s]; the simulation says what is too fast for a tool
+constexpr double fastestTurn = 1e5;  // [rad/s]
 
 DriveAt readDrive(const JsonNode& node)
 {
-    DriveAt drive{readMillimeters(node.at("velocity_mm_s"), fastest), Vec3::Zero()};
+    DriveAt drive{readMillimeters(node.at("velocity_mm_s"), fastestDrive), Vec3::Zero()};
     if (const auto turn = node.find("angular_velocity_rad_s"))
         drive.angularVelocity = readVector(*turn, fastestTurn);
     return drive;

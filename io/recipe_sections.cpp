@@ -6,14 +6,12 @@
 
 #include <cstdint>
 #include <limits>
-#include <numbers>
 
 namespace knead {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-constexpr double fastest = 1e5;                // [mm/s] and [degrees/s]
+constexpr double fastestStart = 1e5;           // [mm/s] and [degrees/s]
 constexpr std::uint64_t mostObjects = 1 << 28; // of a body
 
 Material readPreset(const JsonNode& node, const std::vector<MaterialPreset>& presets)
@@ -141,15 +139,15 @@ RecipeBody readRecipeBody(const JsonNode& node, const std::string& name)
     if (const auto kind = node.find("kind"))
         body.kind = readBodyKind(*kind);
     if (const auto velocity = node.find("velocity_mm_s"))
-        body.velocity = readMillimeters(*velocity, fastest);
+        body.velocity = readMillimeters(*velocity, fastestStart);
     const auto turns = node.find("angular_velocity_deg_s");
     const auto radians = node.find("angular_velocity_rad_s");
     if (turns && radians)
         node.fail("must have only one of the keys angular_velocity_deg_s and angular_velocity_rad_s.");
     if (turns)
-        body.angularVelocity = degree * readVector(*turns, fastest);
+        body.angularVelocity = radiansPerDegree * readVector(*turns, fastestStart);
     if (radians)
-        body.angularVelocity = readVector(*radians, fastest);
+        body.angularVelocity = readVector(*radians, fastestStart);
     return body;
 }
 
@@ -158,7 +156,7 @@ RecipeFixture readRecipeFixture(const JsonNode& node)
     node.allowOnly({"name", "body", "faces", "box_mm", "objects", "objects_in_body", "velocity_mm_s"});
     RecipeFixture fixture{readRegion(node)};
     if (const auto velocity = node.find("velocity_mm_s"))
-        fixture.velocity = readMillimeters(*velocity, fastest);
+        fixture.velocity = readMillimeters(*velocity, fastestStart);
     return fixture;
 }
 

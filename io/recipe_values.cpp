@@ -4,17 +4,10 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 
 namespace knead {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-constexpr double degree = std::numbers::pi / 180;
-
-} // namespace
 
 Vec3 readVector(const JsonNode& node, double limit)
 {
@@ -48,7 +41,7 @@ Box readBox(const JsonNode& node)
 
 Quaternion readRotation(const JsonNode& node)
 {
-    const Vec3 angles = degree * readVector(node, 3600);
+    const Vec3 angles = radiansPerDegree * readVector(node, 3600);
     return Quaternion(Eigen::AngleAxisd(angles.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(angles.y(), Vec3::UnitY()) *
                       Eigen::AngleAxisd(angles.x(), Vec3::UnitX()));
 }

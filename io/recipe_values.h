@@ -3,6 +3,8 @@
 #include "core/geometry/vec3.h"
 #include "io/json_reader.h"
 
+#include <cstdint>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,7 +13,9 @@ namespace knead {
 
 // What the sections of a recipe have in common. All readers throw as readRecipe() does.
 
-constexpr double farAway = 1e6; ///< [mm]; a kilometer is no workbench
+constexpr double farAway = 1e6;                  ///< [mm]; a kilometer is no workbench
+constexpr std::uint64_t mostSteps = 1ULL << 40U; ///< of a run
+constexpr double radiansPerDegree = std::numbers::pi / 180;
 
 /// Words of a recipe with what they mean, in the order of messages.
 template <class Choice>

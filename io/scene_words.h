@@ -3,7 +3,17 @@
 #include "core/simulation/scene.h"
 #include "io/recipe_values.h"
 
+#include <algorithm>
+#include <string>
+
 namespace knead {
+
+/// @pre there is one
+template <class Choice>
+const std::string& wordFor(Choice wanted, const Choices<Choice>& words)
+{
+    return std::find_if(words.begin(), words.end(), [&](const auto& word) { return word.second == wanted; })->first;
+}
 
 // The words that recipes and projects have for the choices of a scene.
 

@@ -1,5 +1,6 @@
 #include "io/shape_box.h"
 
+#include "io/millimeter.h"
 #include "io/size_limits.h"
 
 #include <BRepAdaptor_Curve.hxx>
@@ -22,8 +23,7 @@ namespace knead {
 
 namespace {
 
-constexpr double millimeter = 1e-3;
-constexpr int samplesPerEdge = 8;
+constexpr int boxSamplesPerEdge = 8;
 
 Box toBox(const Bnd_Box& bounds)
 {
@@ -49,8 +49,8 @@ Box boxOfEdges(const TopoDS_Shape& shape)
         const double last = curve.LastParameter();
         if (Precision::IsInfinite(first) || Precision::IsInfinite(last))
             continue;
-        for (int sample = 0; sample <= samplesPerEdge; ++sample) {
-            const gp_Pnt point = curve.Value(first + (last - first) * sample / samplesPerEdge);
+        for (int sample = 0; sample <= boxSamplesPerEdge; ++sample) {
+            const gp_Pnt point = curve.Value(first + (last - first) * sample / boxSamplesPerEdge);
             box.extend(millimeter * Vec3(point.X(), point.Y(), point.Z()));
         }
     }

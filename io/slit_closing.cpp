@@ -12,8 +12,8 @@ namespace knead {
 
 namespace {
 
-constexpr double largestShare = 1e-4; // of the area of the mesh, for all slits together
-constexpr std::size_t longestLoop = 200;
+constexpr double largestSlitShare = 1e-4; // of the area of the mesh, for all slits together
+constexpr std::size_t longestSlit = 200;
 
 double areaOf(const TriangleMesh& mesh, const TriangleMesh::Triangle& t)
 {
@@ -57,7 +57,7 @@ TriangleMesh closeSlits(TriangleMesh mesh)
     TriangleMesh closed = mesh;
     double area = 0;
     for (const OpenLoop& loop : loops) {
-        if (loop.vertices.size() > longestLoop)
+        if (loop.vertices.size() > longestSlit)
             return mesh;
         for (const TriangleMesh::Triangle& triangle : triangulated(mesh, loop.vertices)) {
             area += areaOf(mesh, triangle);
@@ -66,7 +66,7 @@ TriangleMesh closeSlits(TriangleMesh mesh)
                 closed.faceOfTriangle.push_back(loop.face);
         }
     }
-    return area <= largestShare * massProperties(mesh).area ? closed : mesh;
+    return area <= largestSlitShare * massProperties(mesh).area ? closed : mesh;
 }
 
 } // namespace knead

@@ -3,6 +3,7 @@
 #include "io/free_edges.h"
 #include "io/number_words.h"
 #include "io/shape_measure.h"
+#include "io/size_limits.h"
 
 #include <BRepBndLib.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
@@ -27,8 +28,6 @@
 namespace knead {
 
 namespace {
-
-constexpr double leastVolumeShare = 1e-9; // of the cube of the diagonal; what has less is flat
 
 struct ClosedShell {
     TopoDS_Shell shell;      // outward

@@ -72,9 +72,9 @@ private:
 };
 
 /// Walks down every assembly once; a product that is met again before it was left holds itself.
-class CycleSearch {
+class CircularPartSearch {
 public:
-    explicit CycleSearch(const PartsOfProduct& parts)
+    explicit CircularPartSearch(const PartsOfProduct& parts)
         : m_parts(parts)
     {
     }
@@ -117,7 +117,7 @@ int countUnfoldedParts(const STEPControl_Reader& reader, int enough)
 bool isCyclic(const STEPControl_Reader& reader)
 {
     const Handle(Interface_InterfaceModel) model = reader.Model();
-    return !model.IsNull() && CycleSearch(partsOfProducts(*model)).run();
+    return !model.IsNull() && CircularPartSearch(partsOfProducts(*model)).run();
 }
 
 } // namespace knead

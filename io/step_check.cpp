@@ -13,8 +13,8 @@ namespace knead {
 
 namespace {
 
-constexpr int deepestNesting = 500; // honest files stay under 10; the reader recurses once a level
-constexpr std::size_t longestName = 65'536;
+constexpr int deepestParentheses = 500; // honest files stay under 10; the reader recurses once a level
+constexpr std::size_t longestString = 65'536;
 constexpr std::size_t longestWord = 64;
 constexpr std::size_t blockLength = 1U << 20U;
 
@@ -113,7 +113,7 @@ private:
         }
         if (m_wantsSchema && m_schema.size() < longestWord)
             m_schema += static_cast<char>(std::toupper(static_cast<unsigned char>(character)));
-        if (++m_stringLength > longestName)
+        if (++m_stringLength > longestString)
             failReading(m_path, "a name in the STEP file is longer than 65 thousand letters; the file is damaged.");
     }
 
@@ -122,7 +122,7 @@ private:
         if (mark == '\'') {
             m_inString = true;
             m_stringLength = 0;
-        } else if (mark == '(' && ++m_depth > deepestNesting) {
+        } else if (mark == '(' && ++m_depth > deepestParentheses) {
             failReading(m_path, "lists in the STEP file are nested more than 500 deep; the file is damaged.");
         } else if (mark == ')') {
             --m_depth;

@@ -11,7 +11,7 @@ namespace knead {
 namespace {
 
 constexpr std::string_view firstStyle = "= MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION(";
-constexpr std::size_t lineLength = 72;
+constexpr std::size_t stepLineLength = 72;
 
 using Number = unsigned long;
 
@@ -161,7 +161,7 @@ private:
         std::string line = '#' + std::to_string(numberOf(number));
         line += " =" + entity.texts[0];
         for (std::size_t i = 0; i < entity.references.size(); ++i) {
-            if (line.size() > lineLength) {
+            if (line.size() > stepLineLength) {
                 text += line + "\n";
                 line = "  ";
             }

@@ -1,5 +1,6 @@
 #include "io/tessellation.h"
 
+#include "io/millimeter.h"
 #include "io/volume_fit.h"
 
 #include <BRepMesh_IncrementalMesh.hxx>
@@ -24,7 +25,6 @@ namespace knead {
 
 namespace {
 
-constexpr double millimeter = 1e-3;
 constexpr double finestDeflection = 1e-4; // [mm]
 
 Vec3 toVec3(const gp_Pnt& point)

@@ -1,6 +1,7 @@
 #include "app/commands/convert_command.h"
 
 #include "app/cad_process.h"
+#include "app/complaint.h"
 #include "app/exit_status.h"
 #include "app/export_file.h"
 #include "app/import_arguments.h"
@@ -71,12 +72,6 @@ void writeTo(const ConvertOptions& options, Model& model, TaskControl& control)
         return;
     for (const std::string& line : linesOf(report))
         std::cerr << "knead: " << line << '\n';
-}
-
-int complain(const std::string& sentence, int status)
-{
-    std::cerr << "knead: " << sentence << '\n';
-    return status;
 }
 
 std::optional<Model> read(const ConvertOptions& options, int& status)

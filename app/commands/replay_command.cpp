@@ -1,5 +1,6 @@
 #include "app/commands/replay_command.h"
 
+#include "app/complaint.h"
 #include "app/exit_status.h"
 #include "app/hexadecimal.h"
 #include "app/project_replay.h"
@@ -38,12 +39,6 @@ struct ReplayOptions {
     std::vector<std::string> exports;
     bool json = false;
 };
-
-int complain(const std::string& sentence, int status)
-{
-    std::cerr << "knead: " << sentence << '\n';
-    return status;
-}
 
 std::string fileName(const ReplayOptions& options)
 {

@@ -1,5 +1,6 @@
 #include "app/commands/run_command.h"
 
+#include "app/complaint.h"
 #include "app/exit_status.h"
 #include "app/hexadecimal.h"
 #include "app/recipe_runner.h"
@@ -39,12 +40,6 @@ struct RunOptions {
     bool json = false;
     bool endsWithParent = false;
 };
-
-int complain(const std::string& sentence, int status)
-{
-    std::cerr << "knead: " << sentence << '\n';
-    return status;
-}
 
 nlohmann::ordered_json list(const Vec3& vector)
 {

@@ -1,5 +1,6 @@
 #include "app/commands/sweep_command.h"
 
+#include "app/complaint.h"
 #include "app/exit_status.h"
 #include "app/set_argument.h"
 #include "app/sweep/local_engine.h"
@@ -30,12 +31,6 @@ struct SweepOptions {
     bool goTogether = false;
     bool beginsAnew = false;
 };
-
-int complain(const std::string& sentence, int status)
-{
-    std::cerr << "knead: " << sentence << '\n';
-    return status;
-}
 
 /// A sweep that is ready to go.
 struct Sweep {

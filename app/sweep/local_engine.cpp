@@ -13,7 +13,7 @@ namespace knead {
 
 namespace {
 
-constexpr std::chrono::milliseconds pause{50};
+constexpr std::chrono::milliseconds pauseOfRuns{50};
 
 /// The runs of a sweep: threads that take one point after another, and what they tell the thread that waits for them.
 class LocalRuns final : private TaskControl {
@@ -37,7 +37,7 @@ public:
             isRunning = m_running > 0;
             tell();
             if (isRunning)
-                std::this_thread::sleep_for(pause);
+                std::this_thread::sleep_for(pauseOfRuns);
         }
         if (m_failure)
             std::rethrow_exception(m_failure);

@@ -22,15 +22,15 @@ namespace {
 
 constexpr std::size_t arrayLength =
     1000; // Slurm's own limit on the numbers of tasks, unless it is configured otherwise
-constexpr std::chrono::milliseconds pause{200};  // between looks at the folder
-constexpr std::chrono::seconds queueInterval{5}; // between questions to Slurm, who serves many
-constexpr std::chrono::seconds lateness{10};     // of files of a task that has ended, on network file systems
-constexpr std::size_t tailLength = 300;          // of what a task printed, in a sentence
+constexpr std::chrono::milliseconds pauseOfTasks{200}; // between looks at the folder
+constexpr std::chrono::seconds queueInterval{5};       // between questions to Slurm, who serves many
+constexpr std::chrono::seconds lateness{10};           // of files of a task that has ended, on network file systems
+constexpr std::size_t tailLength = 300;                // of what a task printed, in a sentence
 
 constexpr const char* jobsName = "slurm/jobs.json";
 
 /// For a shell.
-std::string quoted(const std::string& text)
+std::string quotedForShell(const std::string& text)
 {
     std::string result = "'";
     for (const char character : text)
@@ -44,8 +44,8 @@ std::string scriptFor(const SweepFolder& folder, unsigned threads)
     return "#!/bin/sh\n"
            "# Carries out one point of a sweep: its number is that of the task plus the first argument.\n"
            "exec " +
-           quoted(program) + " sweep-point " + quoted(folder.path()) + " $((SLURM_ARRAY_TASK_ID + $1)) --threads " +
-           std::to_string(threads) + "\n";
+           quotedForShell(program) + " sweep-point " + quotedForShell(folder.path()) +
+           " $((SLURM_ARRAY_TASK_ID + $1)) --threads " + std::to_string(threads) + "\n";
 }
 
 std::string jobName(const SweepPlan& plan)
@@ -82,7 +82,7 @@ public:
             m_progress.show(std::to_string(m_queued.size()) +
                             (m_answers ? " in Slurm" : " in Slurm, which does not answer"));
             if (!m_missing.empty())
-                std::this_thread::sleep_for(pause);
+                std::this_thread::sleep_for(pauseOfTasks);
         }
         return m_lost;
     }

@@ -86,7 +86,7 @@ Cells cellsOf(const std::string& report)
     return cells;
 }
 
-std::string quoted(const std::string& text)
+std::string quotedCell(const std::string& text)
 {
     if (text.find_first_of(",\"\r\n") == std::string::npos)
         return text;
@@ -101,7 +101,7 @@ std::string lineOf(const std::vector<std::string>& cells)
 {
     std::string line;
     for (const std::string& cell : cells)
-        line.append(&cell == &cells.front() ? "" : ",").append(quoted(cell));
+        line.append(&cell == &cells.front() ? "" : ",").append(quotedCell(cell));
     line += '\n';
     return line;
 }

@@ -1,5 +1,7 @@
 #include "core/document/moment_check.h"
 
+#include "core/simulation/scene_limits.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,11 +13,8 @@ namespace knead {
 
 namespace {
 
-constexpr double farthest = 1e9;         // [m], [m/s]: beyond what any run comes to
-constexpr double fastestFixture = 100;   // [m/s]
-constexpr double strongestGravity = 1e4; // [m/s^2]
-constexpr double farthestFloor = 1e4;    // [m]
-constexpr double longestTimeStep = 1;    // [s]
+constexpr double farthest = 1e9;      // [m], [m/s]: beyond what any run comes to
+constexpr double longestTimeStep = 1; // [s]
 
 bool isWithin(double value, double low, double high)
 {

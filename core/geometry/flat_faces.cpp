@@ -12,11 +12,11 @@ namespace knead {
 
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffU;
+constexpr std::uint32_t noGroup = 0xffffffffU;
 constexpr double parallel = 0.9; // cosine of normals in one plane; smaller triangles can be tilted within the tolerance
 
-using Triangles = std::vector<std::uint32_t>;
-using Loop = std::vector<std::uint32_t>; // of half-edges
+using TriangleGroup = std::vector<std::uint32_t>;
+using EdgeLoop = std::vector<std::uint32_t>; // of half-edges
 
 std::uint32_t following(std::uint32_t halfEdge)
 {
@@ -30,7 +30,7 @@ public:
         : m_mesh(mesh)
         , m_halfEdges(halfEdges)
         , m_tolerance(tolerance)
-        , m_group(mesh.triangles.size(), none)
+        , m_group(mesh.triangles.size(), noGroup)
     {
         for (const TriangleMesh::Triangle& t : mesh.triangles)
             m_area.push_back(
@@ -40,7 +40,7 @@ public:
             takeMeetingsApart(static_cast<std::uint32_t>(i));
     }
 
-    const std::vector<Triangles>& groups() const { return m_groups; }
+    const std::vector<TriangleGroup>& groups() const { return m_groups; }
     const Vec3& area(std::uint32_t triangle) const { return m_area[triangle]; } ///< twice
 
     bool isBorder(std::uint32_t halfEdge) const
@@ -53,15 +53,15 @@ public:
     std::uint32_t endOf(std::uint32_t halfEdge) const { return startOf(following(halfEdge)); }
 
     /// The borders of a group, each once around.
-    std::vector<Loop> loopsOf(std::uint32_t group) const
+    std::vector<EdgeLoop> loopsOf(std::uint32_t group) const
     {
-        std::vector<Loop> loops;
+        std::vector<EdgeLoop> loops;
         std::unordered_set<std::uint32_t> seen;
         for (const std::uint32_t triangle : m_groups[group])
             for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
                 if (!isBorder(h) || seen.contains(h))
                     continue;
-                Loop loop;
+                EdgeLoop loop;
                 for (std::uint32_t at = h; seen.insert(at).second; at = nextOnBorder(at))
                     loop.push_back(at);
                 loops.push_back(std::move(loop));
@@ -73,20 +73,20 @@ private:
     /// From the largest triangles, whose planes are the surest.
     void growAll()
     {
-        Triangles order(m_mesh.triangles.size());
+        TriangleGroup order(m_mesh.triangles.size());
         std::iota(order.begin(), order.end(), 0U);
         std::stable_sort(order.begin(), order.end(),
                          [this](auto a, auto b) { return m_area[a].squaredNorm() > m_area[b].squaredNorm(); });
         for (const std::uint32_t seed : order)
-            if (m_group[seed] == none)
-                grow(seed, [this, seed](std::uint32_t t) { return m_group[t] == none && isInPlane(t, seed); });
+            if (m_group[seed] == noGroup)
+                grow(seed, [this, seed](std::uint32_t t) { return m_group[t] == noGroup && isInPlane(t, seed); });
     }
 
     template <typename Accept>
     void grow(std::uint32_t seed, Accept accept)
     {
         const auto number = static_cast<std::uint32_t>(m_groups.size());
-        Triangles group{seed};
+        TriangleGroup group{seed};
         m_group[seed] = number;
         for (std::size_t i = 0; i < group.size(); ++i)
             for (std::uint32_t h = 3 * group[i]; h < 3 * group[i] + 3; ++h) {
@@ -126,9 +126,9 @@ private:
         const std::unordered_set<std::uint32_t> meetings = meetingsOf(group);
         if (meetings.empty())
             return;
-        const Triangles all = std::move(m_groups[group]);
+        const TriangleGroup all = std::move(m_groups[group]);
         m_groups[group].clear();
-        Triangles rest;
+        TriangleGroup rest;
         for (const std::uint32_t triangle : all) {
             const TriangleMesh::Triangle& t = m_mesh.triangles[triangle];
             if (std::any_of(t.begin(), t.end(), [&](std::uint32_t vertex) { return meetings.contains(vertex); }))
@@ -145,7 +145,7 @@ private:
     {
         std::unordered_set<std::uint32_t> meetings;
         std::unordered_set<std::uint32_t> seen;
-        for (const Loop& loop : loopsOf(group))
+        for (const EdgeLoop& loop : loopsOf(group))
             for (const std::uint32_t halfEdge : loop)
                 if (!seen.insert(startOf(halfEdge)).second)
                     meetings.insert(startOf(halfEdge));
@@ -165,8 +165,8 @@ private:
     const HalfEdges& m_halfEdges;
     double m_tolerance;
     std::vector<Vec3> m_area;
-    std::vector<std::uint32_t> m_group; // of triangles
-    std::vector<Triangles> m_groups;    // those taken apart are empty
+    std::vector<std::uint32_t> m_group;  // of triangles
+    std::vector<TriangleGroup> m_groups; // those taken apart are empty
 };
 
 /// Which vertices the borders of groups need.
@@ -211,11 +211,11 @@ private:
     std::vector<std::uint32_t> chainFrom(std::uint32_t first)
     {
         std::vector<std::uint32_t> chain{m_grouping.startOf(first)};
-        for (std::uint32_t h = first; h != none;) {
+        for (std::uint32_t h = first; h != HalfEdges::none;) {
             see(h);
             const std::uint32_t vertex = m_grouping.endOf(h);
             chain.push_back(vertex);
-            h = none;
+            h = HalfEdges::none;
             if (degree(vertex) == 2)
                 for (const std::uint32_t next : m_halfEdges.leaving(vertex))
                     if (m_grouping.isBorder(next) && m_isSeen[next] == 0)
@@ -281,7 +281,7 @@ private:
     std::vector<std::uint8_t> m_isSeen;   // per half-edge
 };
 
-std::vector<std::uint32_t> cornersOf(const Loop& loop, const Grouping& grouping, const Borders& borders)
+std::vector<std::uint32_t> cornersOf(const EdgeLoop& loop, const Grouping& grouping, const Borders& borders)
 {
     std::vector<std::uint32_t> corners;
     for (const std::uint32_t halfEdge : loop)
@@ -290,7 +290,7 @@ std::vector<std::uint32_t> cornersOf(const Loop& loop, const Grouping& grouping,
     return corners;
 }
 
-FlatFace faceOf(const TriangleMesh& mesh, const Grouping& grouping, const Triangles& triangles)
+FlatFace faceOf(const TriangleMesh& mesh, const Grouping& grouping, const TriangleGroup& triangles)
 {
     FlatFace face;
     face.triangle = triangles.front();
@@ -320,7 +320,7 @@ std::vector<FlatFace> flatFaces(const TriangleMesh& mesh, double tolerance)
     const Grouping grouping(mesh, halfEdges, tolerance);
     Borders borders(mesh, halfEdges, grouping, tolerance);
     std::vector<FlatFace> faces;
-    std::vector<std::vector<Loop>> loops;
+    std::vector<std::vector<EdgeLoop>> loops;
     for (std::uint32_t group = 0; group < grouping.groups().size(); ++group)
         if (!grouping.groups()[group].empty()) {
             faces.push_back(faceOf(mesh, grouping, grouping.groups()[group]));
@@ -329,8 +329,8 @@ std::vector<FlatFace> flatFaces(const TriangleMesh& mesh, double tolerance)
     // A border that became a line or a point needs all of its vertices, and its neighbors then have them too.
     for (bool isChanged = true; isChanged;) {
         isChanged = false;
-        for (const std::vector<Loop>& all : loops)
-            for (const Loop& loop : all)
+        for (const std::vector<EdgeLoop>& all : loops)
+            for (const EdgeLoop& loop : all)
                 if (const std::size_t left = cornersOf(loop, grouping, borders).size();
                     left < 3 && left < loop.size()) {
                     for (const std::uint32_t halfEdge : loop)
@@ -339,7 +339,7 @@ std::vector<FlatFace> flatFaces(const TriangleMesh& mesh, double tolerance)
                 }
     }
     for (std::size_t i = 0; i < faces.size(); ++i)
-        for (const Loop& loop : loops[i])
+        for (const EdgeLoop& loop : loops[i])
             faces[i].loops.push_back(cornersOf(loop, grouping, borders));
     return faces;
 }

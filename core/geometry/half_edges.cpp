@@ -9,7 +9,7 @@ namespace knead {
 
 namespace {
 
-constexpr std::size_t blockSize = 8192; // of vertices
+constexpr std::size_t verticesPerBlock = 8192;
 
 bool usesVertexTwice(const TriangleMesh::Triangle& t)
 {
@@ -43,7 +43,7 @@ void gatherFans(const TriangleMesh& mesh, HalfEdges& result)
 
 void sortFans(const TriangleMesh& mesh, HalfEdges& result)
 {
-    forEachBlock(mesh.vertices.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+    forEachBlock(mesh.vertices.size(), verticesPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v)
             std::sort(result.fans.begin() + result.fanBegin[v], result.fans.begin() + result.fanBegin[v + 1],
                       [&](std::uint32_t a, std::uint32_t b) {
@@ -96,10 +96,10 @@ HalfEdges findHalfEdges(const TriangleMesh& mesh)
     result.twin.assign(3 * mesh.triangles.size(), HalfEdges::none);
     gatherFans(mesh, result);
     sortFans(mesh, result);
-    std::vector<std::size_t> unpaired((mesh.vertices.size() + blockSize - 1) / blockSize, 0);
-    forEachBlock(mesh.vertices.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::size_t> unpaired((mesh.vertices.size() + verticesPerBlock - 1) / verticesPerBlock, 0);
+    forEachBlock(mesh.vertices.size(), verticesPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v)
-            unpaired[begin / blockSize] += pair(mesh, static_cast<std::uint32_t>(v), result);
+            unpaired[begin / verticesPerBlock] += pair(mesh, static_cast<std::uint32_t>(v), result);
     });
     result.unpaired = std::reduce(unpaired.begin(), unpaired.end());
     return result;

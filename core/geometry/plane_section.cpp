@@ -15,14 +15,14 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 using Loop = std::vector<Vec2>;
 
-constexpr std::uint32_t none = 0xffffffffU;
-constexpr double rounding = 1e-12; // of the size: corners so near to each other are one
+constexpr std::uint32_t noFace = 0xffffffffU;
+constexpr double crossingDistance = 1e-12; // of the size: corners so near to each other are one
 
 /// The sides of the outline, from crossing to crossing. A crossing belongs to an edge of the surface, so that triangles that
 /// share it agree on it.
-class Crossings {
+class PlaneCrossings {
 public:
-    Crossings(std::span<const Vec3> places, const CutPlane& plane, const Mat3& frame)
+    PlaneCrossings(std::span<const Vec3> places, const CutPlane& plane, const Mat3& frame)
         : m_places(places)
         , m_plane(plane)
         , m_frame(frame)
@@ -166,7 +166,7 @@ bool isInside(const Loop& loop, const Vec2& point)
 std::vector<std::vector<const Loop*>> facesOf(const std::vector<Loop>& loops, const std::vector<double>& areas)
 {
     std::vector<std::vector<const Loop*>> faces;
-    std::vector<std::size_t> faceOf(loops.size(), none);
+    std::vector<std::size_t> faceOf(loops.size(), noFace);
     for (std::size_t i = 0; i < loops.size(); ++i)
         if (areas[i] > 0) {
             faceOf[i] = faces.size();
@@ -233,14 +233,14 @@ PlaneSection planeSection(std::span<const Vec3> places, std::span<const Triangle
                           const CutPlane& plane, double tolerance)
 {
     const Mat3 frame = frameOf(plane);
-    Crossings crossings(places, plane, frame);
+    PlaneCrossings crossings(places, plane, frame);
     for (const TriangleMesh::Triangle& triangle : triangles)
         crossings.add(triangle);
     std::vector<Loop> loops;
     std::vector<double> areas;
     for (Loop& loop : crossings.loops()) {
         const double reach = loop.front().norm() + (loop[loop.size() / 2] - loop.front()).norm();
-        Loop simple = simplified(std::move(loop), std::max(tolerance, rounding * reach));
+        Loop simple = simplified(std::move(loop), std::max(tolerance, crossingDistance * reach));
         if (simple.size() < 3)
             continue;
         areas.push_back(twiceArea(simple));

@@ -7,7 +7,7 @@ namespace knead {
 namespace {
 
 using Place = Eigen::Vector3f;
-using Triangle = std::array<Place, 3>;
+using PlacedTriangle = std::array<Place, 3>;
 
 /// Axes for points near a plane: across it, and in it along the side in which they spread most.
 Eigen::Matrix3f axesOf(std::span<const Place> points, const Place& across)
@@ -62,12 +62,12 @@ TurnedBox boxAround(std::span<const Place> points, const Eigen::Matrix3f& axes, 
 
 } // namespace
 
-TurnedBox boxAround(std::span<const Triangle> triangles)
+TurnedBox boxAround(std::span<const PlacedTriangle> triangles)
 {
     if (triangles.empty())
         return {};
     Place across = Place::Zero();
-    for (const Triangle& t : triangles)
+    for (const PlacedTriangle& t : triangles)
         across += (t[1] - t[0]).cross(t[2] - t[0]);
     const std::span<const Place> points(triangles.front().data(), 3 * triangles.size());
     Eigen::AlignedBox3f upright;

@@ -9,7 +9,7 @@ namespace knead {
 
 namespace {
 
-constexpr double rounding = 1e-9; // [a]: objects on a border belong to it whatever their last bits are
+constexpr double depthRounding = 1e-9; // [a]: objects on a border belong to it whatever their last bits are
 
 /// A set of CAD faces with fast look-up.
 class FaceSet {
@@ -64,11 +64,11 @@ std::vector<ObjectIndex> objectsAtFaces(const Aggregate& aggregate, const Triang
     std::vector<std::uint8_t> marks(aggregate.size(), 0);
     forEachBlock(aggregate.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            if (aggregate.depth[i] > (within + rounding) * a)
+            if (aggregate.depth[i] > (within + depthRounding) * a)
                 continue;
             const double distance = surface.nearest(aggregate.lattice.position(static_cast<ObjectIndex>(i))).distance;
-            const bool outside = aggregate.depth[i] < -rounding * a && chosen.contains(aggregate.face[i]);
-            marks[i] = distance <= ((outside ? beyond : within) + rounding) * a ? 1 : 0;
+            const bool outside = aggregate.depth[i] < -depthRounding * a && chosen.contains(aggregate.face[i]);
+            marks[i] = distance <= ((outside ? beyond : within) + depthRounding) * a ? 1 : 0;
         }
     });
     return markedObjects(marks);
@@ -76,7 +76,7 @@ std::vector<ObjectIndex> objectsAtFaces(const Aggregate& aggregate, const Triang
 
 std::vector<ObjectIndex> objectsInBox(const Aggregate& aggregate, const Box& box)
 {
-    const Vec3 margin = Vec3::Constant(rounding * aggregate.lattice.spacing);
+    const Vec3 margin = Vec3::Constant(depthRounding * aggregate.lattice.spacing);
     const Box wider(box.min() - margin, box.max() + margin);
     std::vector<ObjectIndex> objects;
     for (ObjectIndex object = 0; object < aggregate.size(); ++object)

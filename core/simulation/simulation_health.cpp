@@ -59,14 +59,19 @@ void Simulation::State::checkHealth()
                 return material.soundSpeed();
             }));
     const double speed = largestTravel / lastStep;
+    const auto slower = [&] {
+        const bool hasTools =
+            std::any_of(tools.begin(), tools.end(), [](const auto& tool) { return tool.has_value(); });
+        return hasTools ? "Make the tools slower" : "Lower gravity";
+    };
     std::ostringstream cause;
     Trouble trouble = Trouble::none;
     if (!std::isfinite(speed)) {
         trouble = Trouble::notANumber;
-        cause << "a position is no longer a number. Make the tools slower or the material softer, then reset.";
+        cause << "a position is no longer a number. " << slower() << " or make the material softer, then reset.";
     } else if (speed > limit) {
         trouble = Trouble::runaway;
-        cause << "objects moved at " << speed << " m/s. Make the tools slower, raise the damping ratio, then reset.";
+        cause << "objects moved at " << speed << " m/s. " << slower() << " or raise the damping ratio, then reset.";
     } else if (step % (isImplicit() ? implicitCheckpointInterval : checkpointInterval) == 0) {
         if (const std::string name = squashedBody(); !name.empty()) {
             trouble = Trouble::squashed;
@@ -103,17 +108,14 @@ std::size_t Simulation::State::components()
     for (const auto& run : runs)
         first.push_back(first.back() + run->state.size());
     DisjointSets sets(first.back());
-    for (std::size_t b = 0; b < runs.size(); ++b)
-        for (ObjectIndex i = 0; i < runs[b]->state.size(); ++i) {
-            if (!runs[b]->deforms()) {
+    for (std::size_t b = 0; b < runs.size(); ++b) {
+        if (runs[b]->deforms())
+            runs[b]->connections.forEachConnection(
+                [&](ObjectIndex lower, ObjectIndex upper) { sets.join(first[b] + lower, first[b] + upper); });
+        else
+            for (ObjectIndex i = 0; i < runs[b]->state.size(); ++i)
                 sets.join(first[b] + i, first[b]);
-                continue;
-            }
-            runs[b]->connections.forEachConnection(i, [&](ObjectIndex neighbor, const ConnectionId& connection) {
-                if (connection.lower == i)
-                    sets.join(first[b] + i, first[b] + neighbor);
-            });
-        }
+    }
     for (const Joint& joint : contacts->joints().all())
         sets.join(first[joint.first.body] + joint.first.object, first[joint.second.body] + joint.second.object);
     componentsVersion = version;

@@ -189,7 +189,8 @@ struct Simulation::State::WaySearch {
     int tries = 0;
 };
 
-/// Tools that are at their limit begin with as much of their way as their force is likely to allow.
+/// Tools that are at their limit begin with as much of their way as their force is likely to allow; away from what they press
+/// they go as they like.
 std::vector<Simulation::State::WaySearch> Simulation::State::beginWays() const
 {
     std::vector<WaySearch> ways(tools.size());
@@ -200,9 +201,11 @@ std::vector<Simulation::State::WaySearch> Simulation::State::beginWays() const
         ways[t].forceBelow = tool.force.norm();
         const double left = (1 - forceLimitShare) * tool.manipulator.forceLimit - tool.force.norm();
         const Pose next = advance(tool.manipulator, time, timeStep);
-        const double way = (next.position - tool.manipulator.pose.position).norm();
-        if (tool.force.norm() > 0 && tool.resistance * way > left)
-            ways[t].share = std::max(0.0, left / (tool.resistance * way));
+        const Vec3 way = next.position - tool.manipulator.pose.position;
+        if (way.dot(tool.force) > 0)
+            continue; // the material pushes it that way
+        if (tool.force.norm() > 0 && tool.resistance * way.norm() > left)
+            ways[t].share = std::max(0.0, left / (tool.resistance * way.norm()));
     }
     return ways;
 }

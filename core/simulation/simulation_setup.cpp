@@ -1,5 +1,6 @@
 // How a simulation begins: masses, fixtures, the time step, the state at the start.
 #include "core/integration/time_step.h"
+#include "core/simulation/scene_limits.h"
 #include "core/simulation/simulation_state.h"
 
 #include <algorithm>
@@ -11,11 +12,8 @@ namespace knead {
 
 namespace {
 
-constexpr double fastestFixture = 100;   // [m/s]
-constexpr double fastestBody = 1e3;      // [m/s]
-constexpr double fastestSpin = 1e5;      // [rad/s]
-constexpr double strongestGravity = 1e4; // [m/s^2]
-constexpr double farthestFloor = 1e4;    // [m]
+constexpr double fastestBody = 1e3; // [m/s]
+constexpr double fastestSpin = 1e5; // [rad/s]
 
 // Of scenes in which nothing deforms [s].
 constexpr double rigidTimeStep = 1e-4;

@@ -8,7 +8,7 @@ namespace knead {
 
 namespace {
 
-constexpr std::size_t blockSize = 8192;
+constexpr std::size_t snapshotBlockSize = 8192;
 
 /// Mostly nothing has broken since the snapshot before.
 std::shared_ptr<const std::vector<ConnectionId>> brokenOf(BodyRun& run)
@@ -26,7 +26,7 @@ std::vector<float> growthOf(const BodyRun& run, std::size_t d)
     const LaneVector<double>& lengths = run.connections.changes().nominalLength[d];
     const double rest = run.connections.aggregate().lattice.direction(static_cast<int>(d)).norm();
     std::vector<float> growth(lengths.size());
-    forEachBlock(lengths.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+    forEachBlock(lengths.size(), snapshotBlockSize, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             growth[i] = static_cast<float>(lengths[i] / rest - 1);
     });
@@ -60,7 +60,7 @@ Snapshot::BodyState copyOf(BodyRun& run, std::shared_ptr<const Aggregate> aggreg
                              .broken = brokenOf(run),
                              .relaxed = relaxedOf(run)};
     copy.positions.resize(run.state.size());
-    forEachBlock(run.state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+    forEachBlock(run.state.size(), snapshotBlockSize, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             copy.positions[i] = run.state.position.at(i);
     });
@@ -115,9 +115,9 @@ EnergyLedger Simulation::State::storedEnergy()
             double gravity = 0;
             double conserved = 0;
         };
-        std::vector<Sums> sums((state.size() + blockSize - 1) / blockSize);
-        forEachBlock(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
-            Sums& sum = sums[begin / blockSize];
+        std::vector<Sums> sums((state.size() + snapshotBlockSize - 1) / snapshotBlockSize);
+        forEachBlock(state.size(), snapshotBlockSize, [&](std::size_t begin, std::size_t end) {
+            Sums& sum = sums[begin / snapshotBlockSize];
             for (std::size_t i = begin; i < end; ++i) {
                 const double mass = state.mass[i];
                 const Vec3 force = state.force.at(i) + state.damping.at(i) + mass * gravity;

@@ -268,12 +268,13 @@ std::string bend(ReadyPart& ready, TaskControl& control)
 }
 
 /// Its own faces bent, divided where that is needed, or flat ones.
-void makeBent(const PartToExport& part, FaceManner from, TaskControl& control, ReadyPart& ready)
+void makeBent(const PartToExport& part, const FaceChoice& choice, TaskControl& control, ReadyPart& ready)
 {
+    const FaceManner from = choice.from;
     const auto flat = ready.report.crossesItself ? std::nullopt // as flat faces would
                                                  : std::optional(FaceManner::flat);
     ready.next = from == FaceManner::own && hasClosedFaces(ready.source) ? FaceManner::divided : flat;
-    std::string reason = "read back from the file, its bent faces are no sound solid.";
+    std::string reason = choice.reason;
     if (from == FaceManner::own) {
         TaskPortion portion(control, 0, 0.5);
         reason = bend(ready, portion);
@@ -293,8 +294,8 @@ void makeBent(const PartToExport& part, FaceManner from, TaskControl& control, R
 
 } // namespace
 
-ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options, FaceManner from,
-                    TaskControl& control)
+ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options,
+                    const FaceChoice& choice, TaskControl& control)
 {
     ReadyPart ready;
     ready.out.name = part.part.name;
@@ -348,7 +349,7 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
     }
     noteCrossings(*ready.map, {&part.part.mesh, &rest}, now, control, report);
     TaskPortion bending(control, 0.2, 1);
-    makeBent(part, from, bending, ready);
+    makeBent(part, choice, bending, ready);
     return ready;
 }
 

@@ -19,6 +19,12 @@ enum class FaceManner {
     flat,    ///< triangles
 };
 
+/// What to begin with.
+struct FaceChoice {
+    FaceManner from = FaceManner::own; ///< what comes before did not come back sound
+    std::string reason;                ///< why they do not: a sentence; empty for `own`
+};
+
 /// A part as it will be written, and what the check needs to know about it.
 struct ReadyPart {
     CadPartToWrite out;
@@ -32,8 +38,7 @@ struct ReadyPart {
 /// Makes the shape of a part: its own faces, carried through the skin's map; or, with the reason, another manner where these
 /// would not make a sound solid or there are none.
 /// @param shape of part.exact, as its bytes have it; null for a mesh
-/// @param from what is known not to come back sound is not tried
-ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options, FaceManner from,
-                    TaskControl& control);
+ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options,
+                    const FaceChoice& choice, TaskControl& control);
 
 } // namespace knead

@@ -27,9 +27,9 @@ namespace knead {
 namespace {
 
 constexpr int samplesPerSide = 6; // of a face's box of parameters
-constexpr int samplesPerEdge = 4;
+constexpr int checksPerEdge = 4;
 constexpr double visibleKink = 0.5 * std::numbers::pi / 180; // in reflections [rad]
-constexpr double closeColor = 0.01; // per channel
+constexpr double closeColor = 0.01;                          // per channel
 
 bool isClose(const std::optional<Color>& a, const std::optional<Color>& b)
 {
@@ -43,7 +43,7 @@ bool isClose(const std::optional<Color>& a, const std::optional<Color>& b)
 std::vector<Vec2> samplesOf(const TrimmedFace& face)
 {
     const BRepTopAdaptor_FClass2d classifier(face.face(), 1e-9);
-    std::vector<Vec2> samples = face.borderSamples(samplesPerEdge);
+    std::vector<Vec2> samples = face.borderSamples(checksPerEdge);
     for (int i = 0; i < samplesPerSide; ++i)
         for (int j = 0; j < samplesPerSide; ++j) {
             const Vec2 share((i + 0.5) / samplesPerSide, (j + 0.5) / samplesPerSide);

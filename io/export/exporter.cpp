@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -41,9 +43,9 @@ private:
 };
 
 /// Per part, see makeReady().
-using Manners = std::vector<FaceManner>;
+using Choices = std::vector<FaceChoice>;
 
-std::vector<ReadyPart> makeAllReady(const ExportJob& job, const Manners& manners, TaskControl& control)
+std::vector<ReadyPart> makeAllReady(const ExportJob& job, const Choices& choices, TaskControl& control)
 {
     ShapeStore shapes;
     std::vector<ReadyPart> ready;
@@ -51,7 +53,7 @@ std::vector<ReadyPart> makeAllReady(const ExportJob& job, const Manners& manners
     for (const PartToExport& part : job.parts) {
         const auto done = static_cast<double>(ready.size());
         TaskPortion portion(control, done / count, (done + 1) / count);
-        ready.push_back(makeReady(part, shapes.of(part.part), job.options, manners[ready.size()], portion));
+        ready.push_back(makeReady(part, shapes.of(part.part), job.options, choices[ready.size()], portion));
     }
     return ready;
 }
@@ -102,7 +104,7 @@ struct Attempt {
     std::vector<std::optional<FaceManner>> next; ///< per part
 };
 
-Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Manners& manners, TaskControl& control)
+Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Choices& choices, TaskControl& control)
 {
     Attempt attempt;
     ExportedFile& file = attempt.file;
@@ -110,7 +112,7 @@ Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Manners& m
     {
         const OcctSession session;
         TaskPortion making(control, 0, 0.5);
-        ready = makeAllReady(job, manners, making);
+        ready = makeAllReady(job, choices, making);
         std::vector<CadPartToWrite> out;
         for (const ReadyPart& part : ready)
             out.push_back(part.out);
@@ -141,13 +143,32 @@ bool isSpoilt(const PartToExport& part, const PartExportReport& report)
            report.keptFaces < report.facesBefore && !report.isSound();
 }
 
+/// Why bent faces are not good enough.
+/// @pre they are not sound
+std::string whyUnsound(const PartExportReport& report)
+{
+    const std::string bent = "read back from the file, its bent faces ";
+    if (!report.valid)
+        return bent + "do not pass the geometry checks.";
+    if (!report.closed || report.freeEdges > 0)
+        return bent + "leave gaps.";
+    char text[100];
+    if (report.largestDeviation > report.tolerance)
+        std::snprintf(text, sizeof text, "are up to %.3g mm off the skin where %.3g mm are allowed.",
+                      1e3 * report.largestDeviation, 1e3 * report.tolerance);
+    else
+        std::snprintf(text, sizeof text, "enclose a volume %.2g %% off that of the skin.",
+                      100 * std::abs(report.volumeError()));
+    return bent + text;
+}
+
 /// Chooses what is to be tried next. @return false when every part came back as well as it can
-bool choose(const ExportJob& job, const Attempt& last, Manners& manners)
+bool choose(const ExportJob& job, const Attempt& last, Choices& choices)
 {
     bool isAny = false;
     for (std::size_t i = 0; i < job.parts.size(); ++i)
         if (last.next[i] && isSpoilt(job.parts[i], last.file.report.parts[i])) {
-            manners[i] = *last.next[i];
+            choices[i] = {*last.next[i], whyUnsound(last.file.report.parts[i])};
             isAny = true;
         }
     return isAny;
@@ -160,13 +181,13 @@ ExportedFile exportCad(FormatKind kind, const ExportJob& job, TaskControl& contr
     if (job.parts.empty())
         throw std::runtime_error("There is nothing to export.");
     const auto start = std::chrono::steady_clock::now();
-    Manners manners(job.parts.size(), FaceManner::own);
+    Choices choices(job.parts.size());
     TaskPortion first(control, 0, 0.8);
-    Attempt attempt = writeAndReadBack(kind, job, manners, first);
-    for (double done = 0.8; choose(job, attempt, manners); done += 0.1) {
+    Attempt attempt = writeAndReadBack(kind, job, choices, first);
+    for (double done = 0.8; choose(job, attempt, choices); done += 0.1) {
         TaskPortion again(control, done, done + 0.1);
         try {
-            attempt = writeAndReadBack(kind, job, manners, again);
+            attempt = writeAndReadBack(kind, job, choices, again);
         } catch (const Cancelled&) {
             throw;
         } catch (const std::runtime_error& error) {

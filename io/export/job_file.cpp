@@ -32,7 +32,7 @@ void addAggregate(const Aggregate& aggregate, BlockWriter& blocks)
     blocks.add(connectionsOf(aggregate));
 }
 
-std::shared_ptr<const Aggregate> nextAggregate(BlockReader& blocks)
+std::shared_ptr<const Aggregate> nextJobAggregate(BlockReader& blocks)
 {
     auto aggregate = std::make_shared<Aggregate>();
     aggregate->lattice = nextLattice(blocks);
@@ -178,7 +178,7 @@ ExportJob jobFromBytes(std::string_view bytes)
             part.remarks = json.at("parts").at(i).at("remarks").get<std::vector<std::string>>();
             if (!json.at("parts").at(i).at("hasObjects").get<bool>())
                 continue;
-            part.aggregate = nextAggregate(blocks);
+            part.aggregate = nextJobAggregate(blocks);
             part.displacements = blocks.nextArray<Vec3>();
         }
         return job;

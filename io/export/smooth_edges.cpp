@@ -23,8 +23,8 @@ namespace knead {
 
 namespace {
 
-constexpr double smoothAngle = 1e-3; // [rad]: normals closer than this were meant to be the same
-constexpr int samplesPerEdge = 7;
+constexpr double meantSmoothAngle = 1e-3; // [rad]: normals closer than this were meant to be the same
+constexpr int looksPerEdge = 7;
 constexpr int newtonSteps = 3;
 constexpr double exact = 1e-7;      // [mm]
 constexpr double inwards = 1e-7;    // of the way to the middle of a face
@@ -170,8 +170,8 @@ private:
         if (sides.size() != 2 || !wasSmooth(sides))
             return;
         bool counted = false;
-        for (int k = 0; k < samplesPerEdge; ++k) {
-            const double share = (k + 0.5) / samplesPerEdge;
+        for (int k = 0; k < looksPerEdge; ++k) {
+            const double share = (k + 0.5) / looksPerEdge;
             const auto a = movedNormal(sides[0], share);
             const auto b = movedNormal(sides[1], share);
             if (!a || !b)
@@ -184,11 +184,11 @@ private:
 
     bool wasSmooth(const std::vector<Side>& sides) const
     {
-        for (int k = 0; k < samplesPerEdge; ++k) {
-            const double share = (k + 0.5) / samplesPerEdge;
+        for (int k = 0; k < looksPerEdge; ++k) {
+            const double share = (k + 0.5) / looksPerEdge;
             const auto a = restNormal(sides[0], share);
             const auto b = restNormal(sides[1], share);
-            if (!a || !b || angleBetween(*a, *b) > smoothAngle)
+            if (!a || !b || angleBetween(*a, *b) > meantSmoothAngle)
                 return false;
         }
         return true;

@@ -11,8 +11,8 @@ namespace knead {
 
 /// What became of edges at which two faces, or the two ends of a closed one, had the same normal.
 struct SmoothEdges {
-    std::size_t count = 0;    ///< that could be compared
-    double largestAngle = 0;  ///< between the two normals now [rad]
+    std::size_t count = 0;     ///< that could be compared
+    double largestAngle = 0;   ///< between the two normals now [rad]
     Vec3 where = Vec3::Zero(); ///< that is [mm]
 };
 

@@ -4,6 +4,7 @@
 #include "io/mesh_formats/number_stream.h"
 #include "io/mesh_formats/split_vertices.h"
 #include "io/safe_file.h"
+#include "io/srgb.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,22 +17,17 @@ namespace knead {
 namespace {
 
 using nlohmann::json;
-using Place = Eigen::Vector3f;
+using Upright = Eigen::Vector3f;
 
 constexpr std::size_t bytesPerVertex = 24;
 
 /// In glTF y is up (glTF 2.0, section 3.4), in CAD z is.
-Place upright(const Vec3& v)
+Upright upright(const Vec3& v)
 {
     return {static_cast<float>(v.x()), static_cast<float>(v.z()), static_cast<float>(-v.y())};
 }
 
-/// The colors of a glTF are linear (glTF 2.0, section 3.9.2), ours are sRGB (IEC 61966-2-1).
-float toLinear(float x)
-{
-    return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
-}
-
+/// The colors of a glTF are linear (glTF 2.0, section 3.9.2), ours are sRGB.
 json materialOf(const Color& color)
 {
     return {{"name", materialName(color)},
@@ -96,7 +92,7 @@ private:
     {
         Eigen::AlignedBox3f box;
         vertices.forEachPlace([&](const Vec3& place) { box.extend(upright(place)); });
-        const auto numbers = [](const Place& v) { return json{v.x(), v.y(), v.z()}; };
+        const auto numbers = [](const Upright& v) { return json{v.x(), v.y(), v.z()}; };
         const std::size_t view = addView(bytesPerVertex * vertices.size(), 34962);
         m_root["bufferViews"][view]["byteStride"] = bytesPerVertex;
         const json each{{"bufferView", view}, {"componentType", 5126}, {"count", vertices.size()}, {"type", "VEC3"}};

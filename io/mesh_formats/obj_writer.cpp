@@ -11,7 +11,7 @@ namespace knead {
 namespace {
 
 /// Readers of OBJ cut names at spaces.
-std::string wordOf(const std::string& name)
+std::string wordForObj(const std::string& name)
 {
     std::string word;
     for (const char c : name)
@@ -25,7 +25,7 @@ std::vector<std::string> uniqueWords(const std::vector<std::string>& names)
     std::vector<std::string> words;
     std::set<std::string> used;
     for (const std::string& name : names) {
-        const std::string wanted = wordOf(name);
+        const std::string wanted = wordForObj(name);
         std::string word = wanted;
         for (int i = 2; !used.insert(word).second; ++i)
             word = wanted + "_" + std::to_string(i);

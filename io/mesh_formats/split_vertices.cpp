@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t shortestRun = 1U << 14U;
 constexpr std::size_t mostRuns = 64; // each looks at all triangles
 constexpr std::size_t fansPerBlock = 512;
-constexpr float sameNormal = 0.9999F; // cosine, of 0.8 degrees
+constexpr float sameNormalCosine = 0.9999F; // cosine, of 0.8 degrees
 
 } // namespace
 
@@ -84,7 +84,7 @@ void SplitVertices::tellKindsApart(Run& run, std::size_t vertex) const
         if (!isOfGroup(run.corners[c].triangle))
             continue;
         const auto same = std::find_if(firsts.begin(), firsts.end(), [&](std::size_t first) {
-            return run.normal[first].dot(run.normal[c]) > sameNormal;
+            return run.normal[first].dot(run.normal[c]) > sameNormalCosine;
         });
         run.kind[c] = static_cast<std::uint32_t>(same - firsts.begin());
         if (same == firsts.end())

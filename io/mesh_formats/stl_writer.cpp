@@ -31,7 +31,7 @@ void writeBinary(const MeshFile& file, NumberStream& stream)
 }
 
 /// Readers end names at spaces, and take a file with letters beyond ASCII for binary.
-std::string wordOf(const std::string& name)
+std::string wordForStl(const std::string& name)
 {
     std::string word = name;
     std::replace_if(
@@ -43,7 +43,7 @@ void writeText(const MeshFile& file, NumberStream& stream)
 {
     for (std::size_t i = 0; i < file.bodies.size(); ++i) {
         const TriangleMesh& mesh = file.bodies[i]->mesh;
-        const std::string name = wordOf(file.names[i]);
+        const std::string name = wordForStl(file.names[i]);
         stream.add("solid " + name + " Knead, lengths in " + file.unit + "\n");
         for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
             stream.add(" facet normal");

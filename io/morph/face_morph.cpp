@@ -21,7 +21,7 @@ namespace knead {
 
 namespace {
 
-constexpr int samplesPerEdge = 16;
+constexpr int borderSamplesPerEdge = 16;
 constexpr double leastLooks = 6; // into a face, per direction
 constexpr double mostLooks = 60;
 constexpr double reach = 0.4; // beyond a face, in features: so near to the material its map is good, and smooth
@@ -58,7 +58,7 @@ public:
         : m_face(face)
         , m_map(map)
         , m_options(options)
-        , m_border(m_face.borderSamples(samplesPerEdge))
+        , m_border(m_face.borderSamples(borderSamplesPerEdge))
         , m_perFeature((m_face.lengths() / map.featureSize()).cwiseMax(1e-9))
         , m_feature((m_face.high() - m_face.low()).cwiseQuotient(m_perFeature))
         , m_mask(m_face, reach * m_feature)

@@ -31,8 +31,8 @@ constexpr double leastTolerance = 1e-7; // [mm], what modelers call exact
 constexpr double edgeMargin = 1.15;     // the largest miss lies between the places looked at
 constexpr double vertexMargin = 1.3;
 constexpr double rounding = 1e-9; // [mm]
-constexpr int leastLooks = 120;
-constexpr int mostLooks = 2000;
+constexpr int leastLooksAlong = 120;
+constexpr int mostLooksAlong = 2000;
 constexpr int mostRounds = 10;
 
 /// What an edge and the vertices at its ends are off by [mm].
@@ -72,12 +72,12 @@ private:
     {
         if (m_isDegenerated)
             return 20;
-        int count = leastLooks;
+        int count = leastLooksAlong;
         if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(m_curve); !spline.IsNull())
             count = std::max(count, 8 * spline->NbKnots());
         if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface); !spline.IsNull())
             count = std::max(count, 4 * (spline->NbUKnots() + spline->NbVKnots()));
-        return std::min(count, mostLooks);
+        return std::min(count, mostLooksAlong);
     }
 
     void lookAt(const TopoDS_Face& face)

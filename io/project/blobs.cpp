@@ -1,5 +1,7 @@
 #include "io/project/blobs.h"
 
+#include "io/project/packing.h"
+
 #include <zstd.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@ namespace knead {
 namespace {
 
 constexpr std::size_t pieceSize = std::size_t{8} << 20U;
-constexpr int level = 1; // positions and velocities hardly shrink, whatever the effort
 
 std::int64_t piecesOf(std::size_t size)
 {
@@ -18,17 +19,17 @@ std::int64_t piecesOf(std::size_t size)
 }
 
 /// @throws std::bad_alloc
-void pack(std::span<const std::byte> bytes, Bytes& packed)
+void packInto(std::span<const std::byte> bytes, Bytes& packed)
 {
     packed.resize(ZSTD_compressBound(bytes.size()));
-    const std::size_t size = ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), level);
+    const std::size_t size = ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), packingLevel);
     if (ZSTD_isError(size) != 0)
         throw std::bad_alloc();
     packed.resize(size);
 }
 
 /// @throws DamagedData when it does not become as long as it was
-void unpack(const Bytes& packed, std::int64_t size, Bytes& bytes, std::size_t& budget)
+void unpackInto(const Bytes& packed, std::int64_t size, Bytes& bytes, std::size_t& budget)
 {
     if (size < 0 || size > static_cast<std::int64_t>(std::min(pieceSize, budget)))
         throw DamagedData("a number in the table blobs is out of range");
@@ -57,7 +58,7 @@ void Blobs::put(std::int64_t id, std::span<const std::byte> bytes, TaskControl& 
         control.throwIfCancelled();
         const std::span<const std::byte> piece = bytes.first(std::min(pieceSize, bytes.size()));
         bytes = bytes.subspan(piece.size());
-        pack(piece, m_packed);
+        packInto(piece, m_packed);
         putRow(m_database, "blobs", {id + i, i, count, static_cast<std::int64_t>(piece.size()), m_packed});
     }
 }
@@ -86,7 +87,7 @@ Bytes Blobs::read(SQLite::Database& database, std::int64_t id, std::size_t& budg
             count = row.integer(2);
         if (row.integer(1) != i || row.integer(2) != count)
             throw DamagedData("pieces of the table blobs are mixed up");
-        unpack(row.bytes(4), row.integer(3), bytes, budget);
+        unpackInto(row.bytes(4), row.integer(3), bytes, budget);
     }
     return bytes;
 }

@@ -101,9 +101,9 @@ std::vector<Recovery> findRecoveries(const std::string& folder)
 
 void dropRecovery(const Recovery& recovery)
 {
-    const FileLock lock(recovery_files::lock(recovery.folder), false);
+    const FileLock lock = recovery_files::patientLock(recovery.folder);
     if (lock.result() == FileLock::Result::taken)
-        throw std::runtime_error("Another window has taken over this work.");
+        throw std::runtime_error("Another window works on this: discard it there.");
     recovery_files::remove(recovery.folder);
 }
 

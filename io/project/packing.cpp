@@ -9,12 +9,10 @@ namespace knead {
 
 namespace {
 
-constexpr int level = 1; // positions and velocities hardly shrink, whatever the effort
-
 Bytes pack(std::span<const std::byte> bytes)
 {
     Bytes packed(ZSTD_compressBound(bytes.size()));
-    const std::size_t size = ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), level);
+    const std::size_t size = ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), packingLevel);
     if (ZSTD_isError(size) != 0)
         throw std::bad_alloc();
     packed.resize(size);

@@ -141,6 +141,13 @@ Project readProject(const std::string& path, TaskControl& control)
     return readWhole(path, {}, control);
 }
 
+namespace {
+
+constexpr const char* nothingLeft =
+    "nothing of this project can be read any more; open a copy of it, or the part that it was made from.";
+
+} // namespace
+
 RescuedProject rescueProject(const std::string& path, TaskControl& control)
 {
     try {
@@ -153,10 +160,10 @@ RescuedProject rescueProject(const std::string& path, TaskControl& control)
         rescued.project = reader.read();
         rescued.missing = reader.missing();
         if (rescued.project.model == nullptr && rescued.project.starts.empty() && !rescued.missing.empty())
-            failReading(path, "nothing of this project can be read any more.");
+            failReading(path, nothingLeft);
         return rescued;
     } catch (const SQLite::Exception&) {
-        failReading(path, "nothing of this project can be read any more.");
+        failReading(path, nothingLeft);
     }
 }
 

@@ -184,8 +184,8 @@ void ProjectTables::putEntry(std::uint32_t entry, const HistoryRecord& record)
 void ProjectTables::setCurrent(std::uint32_t entry)
 {
     m_current = entry;
-    const RowValue model = m_model == 0 ? RowValue() : RowValue(m_model);
-    putRow(m_database, "project", {std::int64_t{0}, m_import, model, std::int64_t{m_current}});
+    putRow(m_database, "project",
+           {std::int64_t{0}, m_import, m_model == 0 ? RowValue() : RowValue(m_model), std::int64_t{m_current}});
     m_rows["project"] = 1;
 }
 

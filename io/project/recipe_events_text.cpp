@@ -11,15 +11,7 @@ namespace knead {
 
 namespace {
 
-constexpr std::size_t lineLength = 110;
-
-template <class Choice>
-std::string wordFor(Choice wanted, const Choices<Choice>& words)
-{
-    const auto found =
-        std::find_if(words.begin(), words.end(), [&](const auto& word) { return word.second == wanted; });
-    return quoted(found->first);
-}
+constexpr std::size_t pathLineLength = 110;
 
 /// The way of a tool from place to place.
 class PathText {
@@ -55,7 +47,7 @@ private:
     {
         if (m_line.empty()) {
             m_line = "      " + row;
-        } else if (m_line.size() + row.size() < lineLength) {
+        } else if (m_line.size() + row.size() < pathLineLength) {
             m_line += ", " + row;
         } else {
             m_rows += m_line + ",\n";
@@ -103,7 +95,8 @@ public:
     void operator()(const SetBodyKind& command)
     {
         ObjectText change;
-        change.text("body", m_words.names.body(command.body)).put("kind", wordFor(command.kind, bodyKindWords()));
+        change.text("body", m_words.names.body(command.body))
+            .put("kind", quoted(wordFor(command.kind, bodyKindWords())));
         finish(event().put("body_kind", change.take()));
     }
     void operator()(const Renormalize& command)
@@ -170,7 +163,7 @@ public:
     }
     void operator()(const SetIntegrator& command)
     {
-        finish(event().put("integrator", wordFor(command.integrator, integratorWords())));
+        finish(event().put("integrator", quoted(wordFor(command.integrator, integratorWords()))));
     }
     void operator()(const Reset&) { finish(event().put("reset", "true")); }
     // Names and colors of parts are those of the file, and tools and fixtures keep the names that they begin with.

@@ -18,14 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-template <class Choice>
-std::string wordFor(Choice wanted, const Choices<Choice>& words)
-{
-    const auto found =
-        std::find_if(words.begin(), words.end(), [&](const auto& word) { return word.second == wanted; });
-    return quoted(found->first);
-}
-
 /// A path as the recipe names it.
 std::string seenFrom(const std::string& recipePath, const std::string& file)
 {
@@ -221,7 +213,7 @@ private:
     {
         ObjectText start;
         if (body.kind != BodyKind::deformable)
-            start.put("kind", wordFor(body.kind, bodyKindWords()));
+            start.put("kind", quoted(wordFor(body.kind, bodyKindWords())));
         if (body.velocity != Vec3::Zero())
             start.millimeters("velocity_mm_s", body.velocity);
         if (body.angularVelocity != Vec3::Zero())
@@ -242,7 +234,7 @@ private:
     {
         ObjectText world;
         if (m_scene.touching != Touching::separate)
-            m_document.put("touching", wordFor(m_scene.touching, touchingWords()));
+            m_document.put("touching", quoted(wordFor(m_scene.touching, touchingWords())));
         if (m_scene.gravity != Vec3::Zero())
             m_document.put("gravity_m_s2", '[' + exactText(m_scene.gravity.x()) + ", " +
                                                exactText(m_scene.gravity.y()) + ", " + exactText(m_scene.gravity.z()) +
@@ -252,9 +244,9 @@ private:
                                         .millimeters("height_mm", *m_scene.floorHeight)
                                         .number("friction", m_scene.floorFriction)
                                         .take());
-        m_document.put("integrator", wordFor(m_scene.integrator, integratorWords()));
+        m_document.put("integrator", quoted(wordFor(m_scene.integrator, integratorWords())));
         if (m_scene.vicinity != VicinityMethod::uniformGrid)
-            m_document.put("vicinity", wordFor(m_scene.vicinity, vicinityWords()));
+            m_document.put("vicinity", quoted(wordFor(m_scene.vicinity, vicinityWords())));
         if (m_scene.timeStep)
             m_document.put("time_step_s", exactText(*m_scene.timeStep));
         if (m_scene.massScalingTimeStep)

@@ -11,8 +11,8 @@ namespace knead {
 namespace {
 
 constexpr std::size_t mostFaces = 200; // that are looked at
-constexpr double margin = 0.25;        // [a] around objects, so that rounding leaves none out
-constexpr double readable = 1e-6;      // [m]: a thousandth of a millimeter
+constexpr double boxMargin = 0.25;     // [a] around objects, so that rounding leaves none out
+constexpr double readableStep = 1e-6;  // [m]: a thousandth of a millimeter
 
 /// As the simulation takes them: each once, and none that is not there.
 std::vector<ObjectIndex> inOrder(std::vector<ObjectIndex> objects, const Aggregate& aggregate)
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> facesOf(const Aggregate& aggregate, const TriangleMes
 
 Vec3 rounded(const Vec3& place)
 {
-    return (place / readable).array().round() * readable;
+    return (place / readableStep).array().round() * readableStep;
 }
 
 std::optional<Box> boxOf(const Aggregate& aggregate, const std::vector<ObjectIndex>& objects)
@@ -54,7 +54,7 @@ std::optional<Box> boxOf(const Aggregate& aggregate, const std::vector<ObjectInd
     Box box;
     for (const ObjectIndex object : objects)
         box.extend(aggregate.lattice.position(object));
-    const Vec3 around = Vec3::Constant(margin * aggregate.lattice.spacing);
+    const Vec3 around = Vec3::Constant(boxMargin * aggregate.lattice.spacing);
     box = Box(rounded(box.min() - around), rounded(box.max() + around));
     return objectsInBox(aggregate, box) == objects ? std::optional(box) : std::nullopt;
 }

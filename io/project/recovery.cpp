@@ -9,12 +9,10 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
-#include <thread>
 
 namespace knead {
 
@@ -30,7 +28,8 @@ namespace {
 
 [[noreturn]] void failRescuing(const std::string& folder)
 {
-    throw std::runtime_error("Nothing of the work that was kept in " + folder + " can be read any more.");
+    throw std::runtime_error("Nothing of the work that was kept in " + folder +
+                             " can be read any more. Discard it, and open what was saved last.");
 }
 
 /// A folder of its own that nobody sees under its final name before it is locked.
@@ -51,19 +50,6 @@ std::string newFolder(const std::string& parent, FileLock& lock)
     for (const fs::path& folder : {fs::path(ready), fs::path(parent), fs::path(parent).parent_path()})
         syncFolder(folder.string());
     return ready;
-}
-
-/// Whoever only looks what could be recovered holds it for milliseconds, too.
-FileLock patientLock(const std::string& folder)
-{
-    constexpr auto patience = std::chrono::milliseconds(500);
-    const auto end = std::chrono::steady_clock::now() + patience;
-    FileLock lock(recovery_files::lock(folder), false);
-    while (lock.result() == FileLock::Result::taken && std::chrono::steady_clock::now() < end) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        lock = FileLock(recovery_files::lock(folder), false);
-    }
-    return lock;
 }
 
 void dropTables(SQLite::Database& database)
@@ -87,11 +73,11 @@ RecoveryFile::RecoveryFile(const std::string& folder)
 }
 
 RecoveryFile::RecoveryFile(const Recovery& recovery)
-    : m_lock(patientLock(recovery.folder))
+    : m_lock(recovery_files::patientLock(recovery.folder))
     , m_folder(recovery.folder)
 {
     if (!m_lock.isHeld())
-        throw std::runtime_error("Another window has taken over this work, or it is gone.");
+        throw std::runtime_error("Another window works on this already, or it was discarded: look for it there.");
     try {
         m_database = recovery_files::open(m_folder);
     } catch (const SQLite::Exception&) {

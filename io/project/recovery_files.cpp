@@ -4,7 +4,9 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include <sys/stat.h>
 
@@ -26,6 +28,18 @@ std::string lock(const std::string& folder)
 std::string database(const std::string& folder)
 {
     return (fs::path(folder) / parts[0]).string();
+}
+
+FileLock patientLock(const std::string& folder)
+{
+    constexpr auto patience = std::chrono::milliseconds(500);
+    const auto end = std::chrono::steady_clock::now() + patience;
+    FileLock taken(lock(folder), false);
+    while (taken.result() == FileLock::Result::taken && std::chrono::steady_clock::now() < end) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        taken = FileLock(lock(folder), false);
+    }
+    return taken;
 }
 
 /// Locked for this connection alone before the log is touched: then it needs no memory shared with others, which network

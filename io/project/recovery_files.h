@@ -1,5 +1,7 @@
 #pragma once
 
+#include "io/project/file_lock.h"
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -13,6 +15,10 @@ namespace knead::recovery_files {
 
 std::string lock(const std::string& folder);
 std::string database(const std::string& folder);
+
+/// The lock of a folder that is there. Waits for half a second while others have it: whoever only looks what could be recovered
+/// holds it for milliseconds, too.
+FileLock patientLock(const std::string& folder);
 
 /// Makes it when it is not there. What was committed before a kill is there, and nothing else.
 /// @throws SQLite::Exception

@@ -29,7 +29,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int lowestOwn = 16; // descriptors of the parent are above those of the child
-constexpr std::size_t longestLine = 4096;
+constexpr std::size_t longestMessage = 4096;
 constexpr int pollInterval = 50; // [ms]
 
 [[noreturn]] void fail(const std::string& what, int error)
@@ -216,7 +216,7 @@ private:
         if (character == '\n') {
             m_onLine(m_line);
             m_line.clear();
-        } else if (m_line.size() < longestLine) {
+        } else if (m_line.size() < longestMessage) {
             m_line += character;
         }
     }

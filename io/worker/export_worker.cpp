@@ -14,8 +14,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* command = "--export-for-parent";
-constexpr int argumentCount = 4; // program, command, path, everything else
+constexpr const char* exportCommand = "--export-for-parent";
+constexpr int exportArgumentCount = 4; // program, command, path, everything else
 
 } // namespace
 
@@ -23,12 +23,12 @@ std::vector<std::string> argumentsForExport(FormatKind kind, const std::string& 
 {
     const Json json{
         {"kind", static_cast<int>(kind)}, {"memory", limits.memory}, {"processorTime", limits.processorTime}};
-    return {"knead", command, path, json.dump()};
+    return {"knead", exportCommand, path, json.dump()};
 }
 
 bool isExportWorker(int argc, char** argv)
 {
-    return argc == argumentCount && std::strcmp(argv[1], command) == 0;
+    return argc == exportArgumentCount && std::strcmp(argv[1], exportCommand) == 0;
 }
 
 int runExportWorker(int, char** argv)

@@ -16,8 +16,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* command = "--read-for-parent";
-constexpr int argumentCount = 4; // program, command, path, everything else
+constexpr const char* importCommand = "--read-for-parent";
+constexpr int importArgumentCount = 4; // program, command, path, everything else
 
 ImportOptions optionsOf(const Json& json)
 {
@@ -55,12 +55,12 @@ std::vector<std::string> argumentsFor(const ReadingRequest& request)
                     {"parts", request.options.parts},
                     {"memory", request.limits.memory},
                     {"processorTime", request.limits.processorTime}};
-    return {"knead", command, request.path, json.dump(-1, ' ', true, Json::error_handler_t::replace)};
+    return {"knead", importCommand, request.path, json.dump(-1, ' ', true, Json::error_handler_t::replace)};
 }
 
 bool isImportWorker(int argc, char** argv)
 {
-    return argc == argumentCount && std::strcmp(argv[1], command) == 0;
+    return argc == importArgumentCount && std::strcmp(argv[1], importCommand) == 0;
 }
 
 int runImportWorker(int, char** argv)

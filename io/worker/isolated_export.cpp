@@ -16,10 +16,10 @@ namespace knead {
 namespace {
 
 constexpr double gibibyte = 1U << 30U;
-constexpr double leastMemory = 4 * gibibyte;
-constexpr double memoryPerByte = 200; // of the job
-constexpr double leastTime = 600;     // [s]
-constexpr double timePerByte = 60e-6; // [s]
+constexpr double leastExportMemory = 4 * gibibyte;
+constexpr double exportMemoryPerByte = 200; // of the job
+constexpr double leastExportTime = 600;     // [s]
+constexpr double timePerByte = 60e-6;       // [s]
 
 FormatKind kindFor(const std::string& path)
 {
@@ -38,8 +38,8 @@ ExportReport exportIsolated(const std::string& program, const std::string& path,
     checkIsWritable(path); // before the work, not after it
     const std::string bytes = jobToBytes(job);
     const auto size = static_cast<double>(bytes.size());
-    const OwnLimits limits{static_cast<std::uint64_t>(leastMemory + memoryPerByte * size),
-                           static_cast<unsigned>(std::ceil(leastTime + timePerByte * size))};
+    const OwnLimits limits{static_cast<std::uint64_t>(leastExportMemory + exportMemoryPerByte * size),
+                           static_cast<unsigned>(std::ceil(leastExportTime + timePerByte * size))};
     NamelessFile file;
     file.write(bytes);
     const IsolatedWork work{

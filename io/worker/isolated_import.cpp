@@ -17,11 +17,11 @@ namespace knead {
 namespace {
 
 constexpr double mebibyte = 1 << 20;
-constexpr double leastMemory = 3072 * mebibyte;
-constexpr double memoryPerByte =
+constexpr double leastImportMemory = 3072 * mebibyte;
+constexpr double importMemoryPerByte =
     400; // OpenCASCADE takes 5 to 40 bytes for one of a file, and its triangles come on top
-constexpr double largestShare = 0.75; // of the machine's memory
-constexpr double leastTime = 120;     // [s]
+constexpr double largestMemoryShare = 0.75; // of the machine's memory
+constexpr double leastImportTime = 120;     // [s]
 constexpr double timePerMebibyte = 30;
 
 double machineMemory()
@@ -73,10 +73,10 @@ ImportLimits limitsFor(const std::string& path, const ImportOptions& options)
     std::error_code error;
     const std::uintmax_t found = std::filesystem::file_size(path, error);
     const double size = error ? 0 : static_cast<double>(found);
-    const double memory = options.memoryLimit > 0
-                              ? options.memoryLimit
-                              : std::min(leastMemory + memoryPerByte * size, largestShare * machineMemory());
-    const double time = options.timeLimit > 0 ? options.timeLimit : leastTime + timePerMebibyte * size / mebibyte;
+    const double memory = options.memoryLimit > 0 ? options.memoryLimit
+                                                  : std::min(leastImportMemory + importMemoryPerByte * size,
+                                                             largestMemoryShare * machineMemory());
+    const double time = options.timeLimit > 0 ? options.timeLimit : leastImportTime + timePerMebibyte * size / mebibyte;
     return {static_cast<std::uint64_t>(memory), time, 2 * time};
 }
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cmath>
+
+namespace knead {
+
+// A channel of a color as it is stored, and as light adds up, both 0 to 1 (IEC 61966-2-1).
+
+inline float toLinear(float s)
+{
+    return s <= 0.04045F ? s / 12.92F : std::pow((s + 0.055F) / 1.055F, 2.4F);
+}
+
+inline float toSrgb(float l)
+{
+    return l <= 0.0031308F ? 12.92F * l : 1.055F * std::pow(l, 1 / 2.4F) - 0.055F;
+}
+
+} // namespace knead
