@@ -161,6 +161,42 @@ Actions::Actions(QWidget* window)
     , bottom(make(window, {"viewBottom", QT_TR_NOOP("Bottom"), nullptr, {QKeySequence("Ctrl+7")}}))
     , isometric(make(window, {"viewIsometric", QT_TR_NOOP("Isometric"), nullptr, {Qt::Key_0}}))
     , perspective(make(window, {"perspective", QT_TR_NOOP("Perspective"), nullptr, {Qt::Key_5}, nullptr, true, true}))
+    , oneView(make(window, {"oneView",
+                            QT_TR_NOOP("One view"),
+                            nullptr,
+                            {QKeySequence("Shift+F1")},
+                            QT_TR_NOOP("One view of the part"),
+                            true,
+                            true}))
+    , twoViews(make(window, {"twoViews",
+                             QT_TR_NOOP("Two views"),
+                             nullptr,
+                             {QKeySequence("Shift+F2")},
+                             QT_TR_NOOP("Two views of the part, side by side"),
+                             true}))
+    , fourViews(make(window, {"fourViews",
+                              QT_TR_NOOP("Four views"),
+                              nullptr,
+                              {QKeySequence("Shift+F4")},
+                              QT_TR_NOOP("Front, top, right and the free view of the part"),
+                              true}))
+    , viewAlone(make(window, {"viewAlone",
+                              QT_TR_NOOP("Active view alone"),
+                              nullptr,
+                              {Qt::Key_V},
+                              QT_TR_NOOP("Show the active view alone, and all of them again"),
+                              true}))
+    , nextView(make(window, {"nextView",
+                             QT_TR_NOOP("Next view"),
+                             nullptr,
+                             {QKeySequence("Ctrl+Tab")},
+                             QT_TR_NOOP("Make the next of several views the active one")}))
+    , linkedViews(make(window, {"linkedViews",
+                                QT_TR_NOOP("Linked cameras"),
+                                nullptr,
+                                {QKeySequence("Shift+F5")},
+                                QT_TR_NOOP("What is panned or zoomed in one view is in all of them"),
+                                true}))
     , objects(make(window, {"objects",
                             QT_TR_NOOP("Objects"),
                             "objects",
@@ -207,6 +243,9 @@ Actions::Actions(QWidget* window)
     auto* themes = new QActionGroup(window);
     for (QAction* theme : {lightTheme, darkTheme, systemTheme})
         themes->addAction(theme);
+    auto* arrangements = new QActionGroup(window);
+    for (QAction* arrangement : {oneView, twoViews, fourViews})
+        arrangements->addAction(arrangement);
     undo->setEnabled(false);
     redo->setEnabled(false);
     setDocumentOpen(false, false);
@@ -214,8 +253,8 @@ Actions::Actions(QWidget* window)
 
 void Actions::setDocumentOpen(bool isOpen, bool isSimulated)
 {
-    for (QAction* action :
-         {save, saveAs, fit, front, back, right, left, top, bottom, isometric, perspective, edges, openEdges, grid})
+    for (QAction* action : {save, saveAs, fit, front, back, right, left, top, bottom, isometric, perspective, oneView,
+                            twoViews, fourViews, edges, openEdges, grid})
         action->setEnabled(isOpen);
     for (QAction* action : {exportMeshes, exportRecipe, play, step, reset, gravity, floor, recordVideo, recordPictures,
                             renormalize, fixFaces, remove, objects, allObjects, hide})
@@ -224,9 +263,14 @@ void Actions::setDocumentOpen(bool isOpen, bool isSimulated)
         action->setEnabled(isSimulated);
 }
 
+QStringList Actions::textsOfPlay()
+{
+    return {tr("Play"), tr("Pause")};
+}
+
 void Actions::setPlaying(bool playing)
 {
-    const QString text = playing ? tr("Pause") : tr("Play");
+    const QString text = textsOfPlay()[playing ? 1 : 0];
     if (play->text() == text)
         return;
     play->setText(text);

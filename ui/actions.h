@@ -49,6 +49,12 @@ struct Actions {
     QAction* bottom;
     QAction* isometric;
     QAction* perspective;
+    QAction* oneView; ///< exclusive with the next two
+    QAction* twoViews;
+    QAction* fourViews;
+    QAction* viewAlone;
+    QAction* nextView;
+    QAction* linkedViews;
     QAction* objects;
     QAction* allObjects;
     QAction* edges;
@@ -73,6 +79,7 @@ struct Actions {
     void setDocumentOpen(bool isOpen, bool isSimulated);
     /// The first button says what a click will do.
     void setPlaying(bool playing);
+    static QStringList textsOfPlay(); ///< what it says by turns
 };
 
 } // namespace knead

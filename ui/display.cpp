@@ -43,6 +43,8 @@ Display::Display(const Document& document, ViewportWidget& view, const Actions& 
     setObjectName("display");
     makeActions(actions);
     makeColors();
+    makeMaps();
+    makeCuts();
     makeMenu(actions);
     contentChanged();
     connect(&view, &ViewportWidget::optionsChanged, this, &Display::follow);
@@ -117,6 +119,46 @@ void Display::makeColors()
     });
 }
 
+/// Actions of which one is chosen; their data is their place.
+QActionGroup* Display::makeGroup(const std::vector<std::pair<const char*, QString>>& names, const QString& tip)
+{
+    auto* group = new QActionGroup(this);
+    for (const auto& [name, text] : names) {
+        QAction* action = make(name, text, nullptr, {}, tip);
+        action->setData(static_cast<int>(group->actions().size()));
+        group->addAction(action);
+    }
+    return group;
+}
+
+void Display::makeMaps()
+{
+    m_maps = makeGroup({{"colorMapViridis", tr("Color map: viridis")},
+                        {"colorMapCividis", tr("Color map: cividis")},
+                        {"colorMapGray", tr("Color map: gray")}},
+                       tr("From which colors to which numbers are shown"));
+    connect(m_maps, &QActionGroup::triggered, this,
+            [this](const QAction* action) { setMap(static_cast<ColorMap>(action->data().toInt())); });
+    m_automatic =
+        make("automaticRange", tr("Range as needed"), nullptr, {}, tr("The colors reach as far as the numbers do"));
+    connect(m_automatic, &QAction::toggled, this, &Display::switchAutomatic);
+    for (QAction* action : m_maps->actions() + QList{m_automatic})
+        action->setProperty("whyDisabled", tr("Color the skin by a quantity first."));
+}
+
+void Display::makeCuts()
+{
+    m_axes = makeGroup({{"sectionX", tr("Section across X")},
+                        {"sectionY", tr("Section across Y")},
+                        {"sectionZ", tr("Section across Z")},
+                        {"sectionEye", tr("Section towards the eye")}},
+                       tr("Cut the part open through its middle"));
+    connect(m_axes, &QActionGroup::triggered, this,
+            [this](const QAction* action) { setSectionAxis(static_cast<Section::Axis>(action->data().toInt())); });
+    m_hatched = make("sectionHatched", tr("Hatched"), nullptr, {}, tr("Draw lines across what is cut"));
+    connect(m_hatched, &QAction::toggled, this, &Display::setHatched);
+}
+
 void Display::makeMenu(const Actions& actions)
 {
     m_menu = new QMenu(tr("Display"), m_window);
@@ -129,8 +171,14 @@ void Display::makeMenu(const Actions& actions)
     QMenu* colors = m_menu->addMenu(icon("colors"), tr("Colors"));
     colors->setObjectName("colorsMenu");
     colors->addActions(m_colors->actions());
+    colors->addSeparator();
+    colors->addActions(m_maps->actions());
+    colors->addSeparator();
+    colors->addAction(m_automatic);
     m_menu->addSeparator();
-    m_menu->addActions({m_section, m_flip, m_compare});
+    m_menu->addActions({m_section, m_flip});
+    m_menu->addMenu(tr("Section"))->addActions(m_axes->actions() + QList{m_hatched});
+    m_menu->addAction(m_compare);
 }
 
 void Display::restore()
@@ -249,8 +297,18 @@ void Display::switchCompare(bool on)
     m_view.setOptions(options);
 }
 
+void Display::switchAutomatic(bool on)
+{
+    if (m_isFollowing)
+        return;
+    const std::optional<ColorScale> scale = m_view.scale(); // a typed range begins with the one that was there
+    setRange(!on && scale ? std::optional(std::pair(scale->least, scale->most)) : std::nullopt);
+}
+
 void Display::setHatched(bool on)
 {
+    if (m_isFollowing)
+        return;
     SceneOptions options = m_view.options();
     options.section.isHatched = on;
     QSettings().setValue("display/hatched", on);
@@ -275,7 +333,13 @@ void Display::follow()
     m_isFollowing = true;
     m_section->setChecked(options.section.plane.has_value());
     m_compare->setChecked(options.divider.has_value());
+    m_hatched->setChecked(options.section.isHatched);
+    m_automatic->setChecked(options.colors.quantity && !options.colors.range);
     m_isFollowing = false;
+    m_automatic->setEnabled(options.colors.quantity.has_value());
+    m_maps->setEnabled(options.colors.quantity && !hasSign(*options.colors.quantity));
+    m_maps->actions().at(static_cast<int>(options.colors.map))->setChecked(true);
+    m_axes->actions().at(static_cast<int>(m_plane.axis))->setChecked(true);
     if (options.section.plane)
         m_plane.offset = (m_plane.isFlipped ? -1 : 1) * options.section.plane->offset;
     for (QAction* action : m_colors->actions())
@@ -287,10 +351,11 @@ void Display::follow()
 void Display::contentChanged()
 {
     const bool isSimulated = !m_document.content().bodies.empty();
-    for (QAction* action : {m_skin, m_connections, m_original, m_breaks, m_section, m_flip, m_compare})
+    for (QAction* action : {m_skin, m_connections, m_original, m_breaks, m_section, m_flip, m_compare, m_hatched})
         action->setEnabled(isSimulated);
     m_colors->setEnabled(isSimulated);
-    emit changed();
+    m_axes->setEnabled(isSimulated);
+    follow();
 }
 
 } // namespace knead

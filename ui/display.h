@@ -5,6 +5,9 @@
 #include <QList>
 #include <QObject>
 
+#include <utility>
+#include <vector>
+
 class QAction;
 class QActionGroup;
 class QMenu;
@@ -30,6 +33,8 @@ public:
     QAction* flip() const { return m_flip; }
     QAction* compare() const { return m_compare; }
     QActionGroup* colors() const { return m_colors; }
+    QAction* automaticRange() const { return m_automatic; } ///< of the colors
+    QAction* hatched() const { return m_hatched; }          ///< the cut
     ViewportWidget& view() const { return m_view; }
 
     /// As it was when the program ended.
@@ -55,7 +60,6 @@ public:
     std::pair<double, double> sectionReach() const; ///< offsets that cut the part [m]
     void setSectionAxis(Section::Axis axis);        ///< through the middle of the part
     void setSectionOffset(double offset);
-    void setHatched(bool on);
 
 signals:
     void changed();
@@ -64,12 +68,17 @@ private:
     QAction* make(const char* name, const QString& text, const char* icon, const QString& keys, const QString& tip);
     void makeActions(const Actions& actions);
     void makeColors();
+    void makeMaps();
+    void makeCuts();
+    QActionGroup* makeGroup(const std::vector<std::pair<const char*, QString>>& names, const QString& tip);
     void makeMenu(const Actions& actions);
     void insideToggled();
     void apply();
     void applySection();
     void switchSection(bool on);
     void switchCompare(bool on);
+    void switchAutomatic(bool on);
+    void setHatched(bool on);
     void follow();
     void contentChanged();
 
@@ -85,6 +94,10 @@ private:
     QAction* m_flip = nullptr;
     QAction* m_compare = nullptr;
     QActionGroup* m_colors = nullptr;
+    QActionGroup* m_maps = nullptr; ///< in the order of ColorMap
+    QAction* m_automatic = nullptr;
+    QActionGroup* m_axes = nullptr; ///< in the order of Section::Axis
+    QAction* m_hatched = nullptr;
     QList<QAction*> m_shown;
     QMenu* m_menu = nullptr;
     Section m_plane;

@@ -3,6 +3,7 @@
 #include "ui/actions.h"
 #include "ui/display.h"
 #include "ui/hands/hands.h"
+#include "ui/language/words_of_files.h"
 #include "ui/measuring/measuring.h"
 #include "ui/modes.h"
 #include "ui/panels/banner.h"
@@ -18,7 +19,7 @@
 #include "ui/project/project_keeper.h"
 #include "ui/selection_actions.h"
 #include "ui/units.h"
-#include "ui/viewport/viewport_widget.h"
+#include "ui/viewport/view_grid.h"
 
 #include <QAction>
 #include <QApplication>
@@ -61,6 +62,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     connectFileActions();
     connectSimulationActions();
     connectViewActions();
+    connectViews();
     connectTasks();
     connectRecording();
     connectHands();
@@ -95,7 +97,7 @@ void MainWindow::connectFileActions()
     connect(m_actions->controls, &QAction::triggered, this, &MainWindow::showControls);
     connect(m_actions->about, &QAction::triggered, this, &MainWindow::showAbout);
     connect(m_home, &HomePage::openClicked, this, [this] { askForFile(false); });
-    connect(m_home, &HomePage::fileChosen, this, [this](const QString& path) { openInstead({path}); });
+    connect(m_home, &HomePage::fileChosen, this, &MainWindow::openRecent);
 }
 
 void MainWindow::connectSimulationActions()
@@ -116,6 +118,7 @@ void MainWindow::connectSimulationActions()
     connect(m_actions->fixFaces, &QAction::toggled, m_viewport, &ViewportWidget::setFixing);
     m_modes->add(m_actions->fixFaces);
     connect(m_modes, &Modes::changed, this, &MainWindow::showHint);
+    connect(m_pages, &QStackedWidget::currentChanged, this, &MainWindow::showHint);
     connect(m_actions->remove, &QAction::triggered, &m_document, &Document::removeSelected);
     connect(m_material, &MaterialPanel::refillRequested, this, &MainWindow::refill);
     connect(m_timeline, &TimelinePanel::looked, m_viewport, &ViewportWidget::lookBack);
@@ -152,7 +155,7 @@ void MainWindow::connectTasks()
     connect(&m_tasks, &TaskRunner::finished, m_taskReading, &TaskReading::end);
     connect(m_taskReading, &TaskReading::cancelClicked, &m_tasks, &TaskRunner::cancel);
     connect(&m_tasks, &TaskRunner::failed, this,
-            [this](const QString&, const QString& sentence) { showProblem(sentence); });
+            [this](const QString&, const QString& sentence) { showProblem(inWords(sentence.toStdString())); });
     connect(&m_tasks, &TaskRunner::cancelled, this,
             [this](const QString& title) { m_log->add(tr("%1: cancelled, nothing has changed.").arg(title)); });
 }
@@ -165,6 +168,7 @@ void MainWindow::restoreSettings()
     restoreGeometry(settings.value("geometry").toByteArray());
     restoreState(settings.value("docks").toByteArray(), layoutVersion);
     m_display->restore();
+    m_views->restore();
 }
 
 bool MainWindow::isBusy()
@@ -202,9 +206,10 @@ void MainWindow::contentChanged()
 {
     const Content& content = m_document.content();
     const QString name = QFileInfo(QString::fromStdString(content.model->file)).fileName();
-    m_pages->setCurrentWidget(m_viewport);
+    m_pages->setCurrentWidget(m_views);
     const bool isSimulated = !content.bodies.empty();
     m_actions->setDocumentOpen(true, isSimulated);
+    showViews();
     m_addTool->setEnabled(isSimulated);
     m_modes->leave();
     showSurroundings();
@@ -222,7 +227,7 @@ void MainWindow::contentChanged()
                             formatQuantity(content.spacing, Quantity::Length), formatCount(start.connections),
                             formatReading(start.timeStep, Quantity::Time)));
     for (const std::string& warning : content.warnings)
-        m_log->add(QString::fromStdString(warning), LogPanel::Kind::Warning);
+        m_log->add(inWords(warning), LogPanel::Kind::Warning);
     showImport();
 }
 
@@ -277,7 +282,9 @@ void MainWindow::selectionChanged()
 
 void MainWindow::showHint()
 {
-    if (m_measuring->tool().isPicking())
+    if (m_pages->currentWidget() != m_views)
+        m_hint->clear(); // there is nothing to turn
+    else if (m_measuring->tool().isPicking())
         m_hint->setText(m_measuring->tool().prompt());
     else if (m_actions->fixFaces->isChecked())
         m_hint->setText(tr("Click faces to hold or free them   Esc: done"));

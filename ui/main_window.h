@@ -46,6 +46,7 @@ class SimulationPanel;
 class StatusReadings;
 class TaskReading;
 class TimelinePanel;
+class ViewGrid;
 class ViewportWidget;
 
 /// The program's window: tree, properties, view, log and status bar around one document.
@@ -92,7 +93,8 @@ public:
     Document& document() { return m_document; }
     TaskRunner& tasks() { return m_tasks; }
     ProjectKeeper& projects() { return *m_projects; }
-    ViewportWidget& viewport() { return *m_viewport; }
+    ViewportWidget& viewport() { return *m_viewport; } ///< the active view
+    ViewGrid& views() { return *m_views; }
     Measuring& measuring() { return *m_measuring; }
     ProbeSet& probes() { return *m_probes; }
     Banner& banner() { return *m_banner; }
@@ -125,6 +127,8 @@ private:
     void connectFileActions();
     void connectSimulationActions();
     void connectViewActions();
+    void connectViews();
+    void showViews();
     void connectTasks();
     void restoreSettings();
 
@@ -176,6 +180,7 @@ private:
     void askForChoices(std::vector<FilePreview> previews);
     void takeIn(const QString& unit);
     void takeHealed(bool heal);
+    void showRefilled(PreparedContent prepared);
     void fillOpenParts();
     void openAgain(const QString& title, std::function<Model(const Model&)> change, const ImportChoices& request);
     void askForExport();
@@ -232,7 +237,8 @@ private:
     Banner* m_banner = nullptr;
     QStackedWidget* m_pages = nullptr;
     HomePage* m_home = nullptr;
-    ViewportWidget* m_viewport = nullptr;
+    ViewGrid* m_views = nullptr;
+    ViewportWidget* m_viewport = nullptr; ///< the active one of them
     Display* m_display = nullptr;
     Hands* m_hands = nullptr;
     ModelTree* m_tree = nullptr;

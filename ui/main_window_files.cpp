@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include "core/model/length_units.h"
+#include "ui/language/words_of_files.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/export_panel.h"
 #include "ui/panels/home_page.h"
@@ -103,7 +104,17 @@ void MainWindow::refill(double spacing)
         return prepareRefill(before, spacing, *now, fixtures, control);
     };
     m_tasks.run<PreparedContent>(tr("Filling with a spacing of %1").arg(formatQuantity(spacing, Quantity::Length)),
-                                 work, [this](PreparedContent prepared) { m_document.refill(std::move(prepared)); });
+                                 work, [this](PreparedContent prepared) { showRefilled(std::move(prepared)); });
+}
+
+/// A part that does not suit the spacing, unlike the others, is only shown from now on.
+void MainWindow::showRefilled(PreparedContent prepared)
+{
+    const std::map<std::size_t, std::string> before = m_document.content().unfilled;
+    m_document.refill(std::move(prepared));
+    for (const auto& [part, reason] : m_document.content().unfilled)
+        if (!before.contains(part))
+            showProblem(tr("\"%1\" is not simulated: %2").arg(m_document.nameOfPart(part), inWords(reason)));
 }
 
 void MainWindow::exportTo(const QString& path, const ExportRequest& request)
@@ -203,11 +214,10 @@ void MainWindow::showImport()
         dock->raise();
     if (model.unitRemark) {
         const QString unit = QString::fromStdString(model.unitRemark->unit);
-        showProblem(QString::fromStdString(model.unitRemark->sentence), tr("Take as %1").arg(unit),
-                    [this, unit] { takeIn(unit); });
+        showProblem(inWords(model.unitRemark->sentence), tr("Take as %1").arg(unit), [this, unit] { takeIn(unit); });
     } else if (!model.missing.empty()) {
         showProblem(model.missing.size() == 1
-                        ? QString::fromStdString(model.missing.front())
+                        ? inWords(model.missing.front())
                         : tr("%1 parts of the file are missing; the import report says which and why.")
                               .arg(formatCount(model.missing.size())),
                     tr("Show report"), [dock] {
@@ -284,6 +294,7 @@ void MainWindow::dragLeaveEvent(QDragLeaveEvent* event)
 void MainWindow::dropEvent(QDropEvent* event)
 {
     m_home->showDrop(false);
+    activateWindow(); // the keys that follow are for this window, not for the one it comes from
     event->acceptProposedAction();
     QStringList paths;
     for (const QUrl& url : event->mimeData()->urls())

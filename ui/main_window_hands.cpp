@@ -12,16 +12,9 @@
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
-#include <QDir>
 #include <QDockWidget>
-#include <QFile>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 #include <QScrollArea>
-#include <QSettings>
-
-#include <fstream>
 
 namespace knead {
 
@@ -73,17 +66,9 @@ void MainWindow::connectHands()
 
 void MainWindow::askForForces()
 {
-    const QString proposed = QFileInfo(QString::fromStdString(m_document.content().model->file)).completeBaseName();
-    QSettings settings;
-    const QDir folder(settings.value("exportFolder", settings.value("folder")).toString());
-    QString path = QFileDialog::getSaveFileName(this, tr("Export forces over time"),
-                                                folder.filePath(proposed + "-forces.csv"), tr("Table (*.csv)"));
-    if (path.isEmpty())
-        return;
-    settings.setValue("exportFolder", QFileInfo(path).absolutePath());
-    if (QFileInfo(path).suffix().isEmpty())
-        path += ".csv";
-    exportForces(path);
+    const QString path = askForTextFile(tr("Export forces over time"), "-forces.csv", tr("Table (*.csv)"));
+    if (!path.isEmpty())
+        exportForces(path);
 }
 
 void MainWindow::exportForces(const QString& path)
@@ -93,26 +78,7 @@ void MainWindow::exportForces(const QString& path)
         showProblem(tr("There are no forces to write yet: press Play and let something happen first."));
         return;
     }
-    if (isBusy())
-        return;
-    const QString name = QFileInfo(path).fileName();
-    const auto work = [write = m_services.writeSafely, path = QFile::encodeName(path).toStdString(), name,
-                       line](TaskControl& /*control*/) {
-        const ForceRecord record = forceRecordOf(line);
-        write(path, [&](const std::string& pathForNow) {
-            std::ofstream file(pathForNow, std::ios::binary);
-            const std::string text = csvOf(record).toStdString();
-            if (!file.write(text.data(), static_cast<std::streamsize>(text.size())).flush())
-                throw std::runtime_error(
-                    tr("%1: the table could not be written. Make room on the disk, or choose another folder.")
-                        .arg(name)
-                        .toStdString());
-        });
-        return record.times.size();
-    };
-    m_tasks.run<std::size_t>(tr("Writing %1").arg(name), work, [this, name](std::size_t lines) {
-        m_log->add(tr("%1: forces at %2 times written.").arg(name).arg(lines));
-    });
+    writeFile(path, [line] { return csvOf(forceRecordOf(line)).toUtf8(); });
 }
 
 } // namespace knead

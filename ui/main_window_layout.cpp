@@ -5,6 +5,7 @@
 #include "ui/display.h"
 #include "ui/measuring/measuring.h"
 #include "ui/panels/banner.h"
+#include "ui/panels/choice_menu.h"
 #include "ui/panels/export_panel.h"
 #include "ui/panels/fitting_tool_bar.h"
 #include "ui/panels/fixture_panel.h"
@@ -20,9 +21,10 @@
 #include "ui/panels/status_readings.h"
 #include "ui/panels/timeline_panel.h"
 #include "ui/panels/tool_panel.h"
-#include "ui/viewport/viewport_widget.h"
+#include "ui/viewport/view_grid.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
@@ -85,9 +87,10 @@ void MainWindow::makeCenter()
     m_banner = new Banner(center);
     m_pages = new QStackedWidget(center);
     m_home = new HomePage(QString::fromStdString(m_services.examplesFolder), m_pages);
-    m_viewport = new ViewportWidget(m_document, m_pages);
+    m_views = new ViewGrid(m_document, m_pages);
+    m_viewport = &m_views->active();
     m_pages->addWidget(m_home);
-    m_pages->addWidget(m_viewport);
+    m_pages->addWidget(m_views);
     column->addWidget(m_banner);
     column->addWidget(m_pages, 1);
     setCentralWidget(center);
@@ -175,6 +178,14 @@ void MainWindow::makeMenus()
     simulation->addSeparator();
     simulation->addActions({a.gravity, a.floor, a.renormalize});
     simulation->addSeparator();
+    const auto choice = [this](const char* name) { return findChild<QComboBox*>(name); };
+    simulation->addMenu(menuOf(choice("simulationSpeed"), tr("Speed"), this));
+    simulation->addMenu(menuOf(choice("gravityPreset"), tr("Gravity as on"), this));
+    simulation->addMenu(menuOf(choice("integrator"), tr("Integrator"), this));
+    simulation->addSeparator();
+    QMenu* film = simulation->addMenu(tr("Timeline"));
+    film->addActions(m_timeline->actions());
+    film->addMenu(menuOf(choice("filmRate"), tr("Speed of the film"), this));
     simulation->addActions({a.recordVideo, a.recordPictures});
 
     QMenu* tools = menuBar()->addMenu(tr("&Tools"));
@@ -190,6 +201,12 @@ void MainWindow::makeMenus()
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addActions({a.fit, a.isometric, a.front, a.back, a.right, a.left, a.top, a.bottom});
     view->addSeparator();
+    QMenu* views = view->addMenu(tr("Viewports"));
+    views->setObjectName("viewportsMenu");
+    views->setToolTipsVisible(true);
+    views->addActions({a.oneView, a.twoViews, a.fourViews});
+    views->addSeparator();
+    views->addActions({a.viewAlone, a.nextView, a.linkedViews});
     view->addMenu(m_display->menu());
     view->addActions({a.perspective, a.edges, a.openEdges, a.grid, a.objects, a.allObjects, a.hide});
     view->addSeparator();
@@ -233,6 +250,7 @@ void MainWindow::makeToolBar()
     bar->addWidget(measure);
     bar->setTexts({a.play, m_addTool->menuAction(), a.fixFaces, a.exportMeshes, m_display->menu()->menuAction(), a.open,
                    a.reset, a.renormalize, a.gravity, a.floor, a.step, a.save});
+    bar->setTurns(a.play, &Actions::textsOfPlay);
 }
 
 void MainWindow::makeStatusBar()

@@ -9,6 +9,7 @@
 #include "ui/panels/log_panel.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/panels/probe_panel.h"
+#include "ui/viewport/view_grid.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
@@ -48,6 +49,7 @@ QString endingOf(const QString& filter)
 void MainWindow::makeMeasuring()
 {
     m_measuring = new Measuring(m_document, *m_viewport, *m_modes, this);
+    connect(m_views, &ViewGrid::sideAdded, m_measuring, &Measuring::addView);
     auto* dock = new QDockWidget(tr("Measurements"), this);
     dock->setObjectName("measureDock");
     dock->setWidget(&m_measuring->panel());
@@ -225,6 +227,7 @@ void MainWindow::showComparison(const ComparisonReport& report)
             writeReport(path, report);
     });
     dialog->show();
+    dialog->activateWindow(); // keys are its own, Esc for one
 }
 
 void MainWindow::writeComparison(const QString& path, const Comparison& comparison)

@@ -6,6 +6,8 @@
 #include "ui/panels/log_panel.h"
 #include "ui/recording/studio.h"
 #include "ui/units.h"
+#include "ui/viewport/view_grid.h"
+#include "ui/viewport/view_name.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
@@ -33,7 +35,9 @@ void MainWindow::askForRecording(Recording::Kind kind)
             showProblem(tr("There is nothing to record yet: press Play and let something happen first."));
             return;
         }
-        const QSize view = m_viewport->size() * m_viewport->devicePixelRatioF();
+        const RecordDialog::ShownView view{.size = m_viewport->size() * m_viewport->devicePixelRatioF(),
+                                           .name = m_views->areSeveral() ? nameOfView(m_viewport->cameraAfterTurning())
+                                                                         : QString()};
         auto* dialog = new RecordDialog(kind, line.end, view, this);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         connect(dialog, &QDialog::accepted, this, [this, dialog] { askForPlace(dialog->recording()); });
@@ -63,23 +67,25 @@ void MainWindow::record(const QString& path, const Recording& recording)
     const Timeline line = m_document.timeline();
     if (line.pictures.empty() || isBusy())
         return;
-    std::shared_ptr<Studio> studio;
+    Studio::Surface surface;
     try {
-        studio = Studio::make(m_viewport->look(), recording.size);
+        surface = Studio::makeSurface();
     } catch (const std::exception& error) {
         showProblem(QString::fromStdString(error.what()));
         return;
     }
-    const auto work = [services = m_services, path = QFile::encodeName(path).toStdString(), recording, line, studio,
-                       content = m_document.content()](TaskControl& control) {
+    const auto work = [services = m_services, path = QFile::encodeName(path).toStdString(), recording, line, surface,
+                       look = m_viewport->look()](TaskControl& control) {
+        Studio studio(look, recording.size, surface);
         const auto draw = [&](const FramePointer& frame, double at) {
-            return Studio::drawFor(studio, frame, recording.hasReadings ? std::optional(at) : std::nullopt, control);
+            return studio.draw(frame, recording.hasReadings ? std::optional(at) : std::nullopt);
         };
         if (recording.kind == Recording::Kind::pictures)
-            knead::record(recording, line, content, draw, *makePictureWriter(path), control);
+            knead::record(recording, line, look.content, draw, *makePictureWriter(path), control);
         else
             services.writeSafely(path, [&](const std::string& pathForNow) {
-                knead::record(recording, line, content, draw, *makeVideoWriter(pathForNow, recording.rate), control);
+                knead::record(recording, line, look.content, draw, *makeVideoWriter(pathForNow, recording.rate),
+                              control);
             });
         return recording.pictures();
     };

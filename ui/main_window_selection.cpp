@@ -73,6 +73,7 @@ void MainWindow::makeSelection()
     m_selectionReading->setObjectName("selectionReading");
     m_selectionReading->setContentsMargins(8, 0, 0, 0);
     statusBar()->insertWidget(0, m_selectionReading);
+    m_selectionReading->hide();
     makeSelectionMenus();
     makeSelectionBar();
     connectSelection();
@@ -273,12 +274,13 @@ void MainWindow::showSelected()
     showLock();
 }
 
-/// What is locked may not be changed in the properties.
+/// What is locked may not be changed in the properties. It can be read to its end: the page around it scrolls.
 void MainWindow::showLock()
 {
     const bool isLocked = !m_document.isEmpty() && m_document.isLocked(m_document.selection());
     for (int page = 0; page < m_properties->count(); ++page)
-        m_properties->widget(page)->setEnabled(page != m_properties->currentIndex() || !isLocked);
+        if (const auto* area = qobject_cast<QScrollArea*>(m_properties->widget(page)))
+            area->widget()->setEnabled(page != m_properties->currentIndex() || !isLocked);
 }
 
 void MainWindow::selectAll()

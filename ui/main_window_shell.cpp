@@ -16,7 +16,7 @@
 #include "ui/shell/system_theme.h"
 #include "ui/shell/thumbnails.h"
 #include "ui/shell/tour.h"
-#include "ui/viewport/viewport_widget.h"
+#include "ui/viewport/view_grid.h"
 
 #include <QAction>
 #include <QApplication>
@@ -87,7 +87,7 @@ void MainWindow::makeShell()
     connect(m_shell->system, &SystemTheme::changed, this, &MainWindow::applyLook);
     connect(m_home, &HomePage::recoverClicked, this, [this] { m_projects->offerRecoveries(true); });
     connect(m_projects.get(), &ProjectKeeper::recoveriesWaiting, m_home, &HomePage::showWaiting);
-    connect(m_projects.get(), &ProjectKeeper::recentChanged, this, [this] { keepPicture(m_projects->path()); });
+    connect(m_projects.get(), &ProjectKeeper::shown, this, [this] { keepPicture(m_projects->path()); });
     connect(findChild<QSpinBox*>("historyMemoryAllowed"), &QSpinBox::valueChanged, this, [this] {
         if (m_shell->dialog != nullptr)
             m_shell->dialog->setPreferences(readPreferences());
@@ -127,7 +127,7 @@ void MainWindow::listSelectionBar(QMenu& panels)
     panels.addAction(toggle);
     connect(toggle, &QAction::triggered, this, [](bool on) { QSettings().setValue(selectionBarShown, on); });
     const auto follow = [this, bar, toggle] {
-        const bool isView = m_pages->currentWidget() == m_viewport;
+        const bool isView = m_pages->currentWidget() == m_views;
         toggle->setEnabled(isView);
         bar->setVisible(isView && QSettings().value(selectionBarShown, true).toBool());
     };
@@ -190,7 +190,7 @@ void MainWindow::applyPreferences()
     if (m_services.limitThreads)
         m_services.limitThreads(static_cast<unsigned>(m_preferences.threads));
     m_simulation->showThreads(m_preferences.threads);
-    m_viewport->setSamples(m_preferences.smoothing);
+    m_views->setSamples(m_preferences.smoothing);
     m_viewport->setTurningSmoothly(m_preferences.turnsSmoothly);
 }
 
@@ -273,12 +273,16 @@ QString MainWindow::whyDisabled(const QAction& action) const
 
 // --- pictures, tour, about ------------------------------------------------------------------------------------------------
 
-/// For the first page, once the view has turned to it.
+/// For the first page, once the view has turned to it. It is a full picture, for which who turns the view does not wait.
 void MainWindow::keepPicture(const QString& path)
 {
     QTimer::singleShot(pictureDelay, this, [this, path, document = m_document.history().documentNumber()] {
-        if (!m_document.isEmpty() && m_viewport->isVisible() && m_document.history().documentNumber() == document)
-            thumbnails::keep(path, m_viewport->grabFramebuffer());
+        if (m_document.isEmpty() || !m_viewport->isVisible() || m_document.history().documentNumber() != document)
+            return;
+        if (m_viewport->isInMotion())
+            keepPicture(path);
+        else
+            thumbnails::keep(path, m_viewport->portrait());
     });
 }
 

@@ -10,6 +10,7 @@
 #include <QStyleFactory>
 #include <QStyleOption>
 #include <QSvgRenderer>
+#include <QWidget>
 
 #include <algorithm>
 
@@ -56,6 +57,7 @@ private:
 };
 
 /// Fusion with check boxes and radio buttons that are seen on dark ground, too: Fusion draws their rims darker than the window.
+/// The buttons of panels are ours: those of Qt are ten pixels wide, and blurred on a screen of fine pixels.
 class Style final : public QProxyStyle {
 public:
     Style()
@@ -74,6 +76,18 @@ public:
             break;
         default:
             QProxyStyle::drawPrimitive(element, option, painter, widget);
+        }
+    }
+
+    QIcon standardIcon(StandardPixmap standard, const QStyleOption* option, const QWidget* widget) const override
+    {
+        switch (standard) {
+        case SP_TitleBarCloseButton:
+            return icon("close");
+        case SP_TitleBarNormalButton:
+            return icon("float");
+        default:
+            return QProxyStyle::standardIcon(standard, option, widget);
         }
     }
 
@@ -136,7 +150,7 @@ ThemeColors colorsOf(Theme theme)
                 .dimmed = "#a3a9b0",
                 .disabled = "#6d737a",
                 .line = "#454a51",
-                .accent = "#3d8bfd",
+                .accent = "#2c70dc",
                 .accentText = "#ffffff",
                 .tint = "#28456e",
                 .problem = "#ff6b6b",
@@ -192,6 +206,16 @@ QToolBar QToolButton:checked { background: @tint; border-color: @accent; }
 QToolBar QToolButton:checked:disabled { background: transparent; border-color: @line; }
 QToolBar QToolButton[popupMode="InstantPopup"] { padding-right: 12px; }
 QToolBar QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: right center; right: 1px; }
+QToolBar::separator { background: @line; }
+QToolBar::separator:horizontal { width: 1px; margin: 5px 2px; }
+QToolBar::separator:vertical { height: 1px; margin: 2px 5px; }
+QTabBar::tab { padding: 3px 8px; border: none; background: transparent; color: @dimmed; }
+QTabBar::tab:hover { color: @text; }
+QTabBar::tab:selected { background: @base; color: @text; }
+QTabBar::tab:bottom { border-bottom: 2px solid transparent; }
+QTabBar::tab:bottom:selected { border-bottom-color: @accent; }
+QTabBar::tab:top { border-top: 2px solid transparent; }
+QTabBar::tab:top:selected { border-top-color: @accent; }
 QDockWidget { font-weight: 600; }
 QDockWidget::title { padding: 3px 8px; background: @window; border-bottom: 1px solid @line; }
 QTreeView, QPlainTextEdit { border: none; background: @base; }
@@ -207,7 +231,7 @@ QPushButton:pressed { background: @line; }
 QPushButton:disabled { color: @disabled; }
 QPushButton[role="primary"] { background: @accent; color: @accentText; border-color: @accent; font-weight: 600; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
-QHeaderView::section { padding: 4px 6px; border: none; border-bottom: 1px solid @line; background: @window; }
+QHeaderView::section { padding: 4px 3px; border: none; border-bottom: 1px solid @line; background: @window; }
 QListWidget { border: 1px solid @line; border-radius: 6px; background: @base; outline: none; }
 QListWidget::item { padding: 7px 8px; border-radius: 4px; }
 QListWidget::item:selected { background: @accent; color: @accentText; }
@@ -256,6 +280,15 @@ void applyTheme(QApplication& application, Theme theme)
     Q_UNUSED(isStyled);
     QApplication::setPalette(paletteOf(colors));
     application.setStyleSheet(styleSheet(colors));
+}
+
+void setRole(QWidget& widget, const char* role)
+{
+    if (widget.property("role").toString() == role)
+        return;
+    widget.setProperty("role", role);
+    widget.style()->unpolish(&widget);
+    widget.style()->polish(&widget);
 }
 
 QIcon icon(const QString& name)

@@ -4,6 +4,7 @@
 #include <QString>
 
 class QApplication;
+class QWidget;
 
 namespace knead {
 
@@ -11,6 +12,9 @@ enum class Theme { Light, Dark };
 
 /// Gives the whole program the look of a theme; may be called again at any time.
 void applyTheme(QApplication& application, Theme theme);
+
+/// Gives a widget one of the looks that the style sheet has: "dimmed", "heading", "primary", ...; also one that was drawn.
+void setRole(QWidget& widget, const char* role);
 
 /// An icon of ours, drawn in the text color of the present theme, sharp at any size.
 /// @param name of a file in resources/icons without its ending

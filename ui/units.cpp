@@ -217,7 +217,12 @@ ShownUnit shownUnit(double value, Quantity quantity)
 
 QString formatReading(double value, Quantity quantity)
 {
-    return formatQuantity(QString::number(value, 'g', 3).toDouble(), quantity);
+    constexpr double fineLength = 1e-5; // [m]; less would be millimetres with many zeros
+    const double rounded = QString::number(value, 'g', 3).toDouble();
+    const bool isFine = quantity == Quantity::Length && rounded != 0 && std::abs(rounded) < fineLength;
+    if (isFine && chosenUnit(quantity) == nullptr)
+        return QLocale::c().toString(1e6 * rounded, 'g', 5) + QStringLiteral(" µm");
+    return formatQuantity(rounded, quantity);
 }
 
 std::optional<double> parseQuantity(const QString& text, Quantity quantity, double shown)

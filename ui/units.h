@@ -37,7 +37,7 @@ QString lengthUnit();
 /// A number with a unit that keeps it short: 1.2e6 Pa becomes "1.2 MPa".
 QString formatQuantity(double value, Quantity quantity);
 
-/// The same with three digits, for readings that change all the time.
+/// The same with three digits, for readings that change all the time. Lengths below 10 µm are in micrometres.
 QString formatReading(double value, Quantity quantity);
 
 /// The units in which a quantity may be typed, each once: "mm", "m", "cm", "µm", "in".

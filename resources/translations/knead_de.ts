@@ -362,6 +362,54 @@
         <source>Plate</source>
         <translation>Platte</translation>
     </message>
+    <message>
+        <source>One view</source>
+        <translation>Eine Ansicht</translation>
+    </message>
+    <message>
+        <source>One view of the part</source>
+        <translation>Eine Ansicht des Teils</translation>
+    </message>
+    <message>
+        <source>Two views</source>
+        <translation>Zwei Ansichten</translation>
+    </message>
+    <message>
+        <source>Two views of the part, side by side</source>
+        <translation>Zwei Ansichten des Teils nebeneinander</translation>
+    </message>
+    <message>
+        <source>Four views</source>
+        <translation>Vier Ansichten</translation>
+    </message>
+    <message>
+        <source>Front, top, right and the free view of the part</source>
+        <translation>Das Teil von vorne, von oben, von rechts und frei</translation>
+    </message>
+    <message>
+        <source>Active view alone</source>
+        <translation>Nur die aktive Ansicht</translation>
+    </message>
+    <message>
+        <source>Show the active view alone, and all of them again</source>
+        <translation>Nur die aktive Ansicht zeigen, und wieder alle</translation>
+    </message>
+    <message>
+        <source>Next view</source>
+        <translation>Nächste Ansicht</translation>
+    </message>
+    <message>
+        <source>Make the next of several views the active one</source>
+        <translation>Die nächste von mehreren Ansichten zur aktiven machen</translation>
+    </message>
+    <message>
+        <source>Linked cameras</source>
+        <translation>Verbundene Kameras</translation>
+    </message>
+    <message>
+        <source>What is panned or zoomed in one view is in all of them</source>
+        <translation>Was in einer Ansicht geschoben oder gezoomt wird, wird es in allen</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -599,13 +647,69 @@
         <source>Colors</source>
         <translation>Farben</translation>
     </message>
-</context>
-<context>
-    <name>DisplayPanel</name>
+    <message>
+        <source>Color map: viridis</source>
+        <translation>Farbskala: Viridis</translation>
+    </message>
+    <message>
+        <source>Color map: cividis</source>
+        <translation>Farbskala: Cividis</translation>
+    </message>
+    <message>
+        <source>Color map: gray</source>
+        <translation>Farbskala: Grau</translation>
+    </message>
+    <message>
+        <source>From which colors to which numbers are shown</source>
+        <translation>Mit welchen Farben Zahlen gezeigt werden</translation>
+    </message>
     <message>
         <source>Range as needed</source>
         <translation>Bereich nach Bedarf</translation>
     </message>
+    <message>
+        <source>The colors reach as far as the numbers do</source>
+        <translation>Die Farben reichen so weit wie die Zahlen</translation>
+    </message>
+    <message>
+        <source>Color the skin by a quantity first.</source>
+        <translation>Färben Sie zuerst die Haut nach einer Größe.</translation>
+    </message>
+    <message>
+        <source>Section across X</source>
+        <translation>Schnitt quer zu X</translation>
+    </message>
+    <message>
+        <source>Section across Y</source>
+        <translation>Schnitt quer zu Y</translation>
+    </message>
+    <message>
+        <source>Section across Z</source>
+        <translation>Schnitt quer zu Z</translation>
+    </message>
+    <message>
+        <source>Section towards the eye</source>
+        <translation>Schnitt zum Auge hin</translation>
+    </message>
+    <message>
+        <source>Cut the part open through its middle</source>
+        <translation>Das Teil durch seine Mitte aufschneiden</translation>
+    </message>
+    <message>
+        <source>Hatched</source>
+        <translation>Schraffiert</translation>
+    </message>
+    <message>
+        <source>Draw lines across what is cut</source>
+        <translation>Linien über das Geschnittene zeichnen</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+</context>
+<context>
+    <name>DisplayPanel</name>
     <message>
         <source>Map</source>
         <translation>Farbskala</translation>
@@ -613,10 +717,6 @@
     <message>
         <source>From, to</source>
         <translation>Von, bis</translation>
-    </message>
-    <message>
-        <source>Hatched</source>
-        <translation>Schraffiert</translation>
     </message>
     <message>
         <source>Show</source>
@@ -745,10 +845,6 @@
         <translation>%1 läuft noch: warten Sie, oder brechen Sie mit Esc ab, und gehen Sie dann zu %2.</translation>
     </message>
     <message>
-        <source>There is not enough memory for this moment. Close other programs and try again.</source>
-        <translation>Für diesen Moment reicht der Speicher nicht. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
         <source>Branching from %1</source>
         <translation>Abzweigen von %1</translation>
     </message>
@@ -803,6 +899,10 @@
     <message>
         <source>&quot;%1&quot; names edges or connections of another filling: undo to go back to that, or select them again and save them under this name.</source>
         <translation>„%1“ benennt Kanten oder Verbindungen einer anderen Füllung: gehen Sie mit Rückgängig dorthin zurück, oder wählen Sie sie noch einmal und speichern Sie sie unter diesem Namen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to go to %1. Close other programs and try again.</source>
+        <translation>Der Speicher reicht nicht, um zu %1 zu gehen. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -1007,8 +1107,8 @@
         <translation>Den Bericht als JSON-Datei daneben aufbewahren</translation>
     </message>
     <message>
-        <source>Choose a place…</source>
-        <translation>Ort wählen…</translation>
+        <source>Choose a place...</source>
+        <translation>Ort wählen...</translation>
     </message>
 </context>
 <context>
@@ -1119,30 +1219,457 @@
     </message>
 </context>
 <context>
+    <name>FileWords</name>
+    <message>
+        <source>was inside out and has been turned.</source>
+        <translation>war umgestülpt und wurde gewendet.</translation>
+    </message>
+    <message>
+        <source>is not a closed surface: %1. It is shown and cannot be filled.</source>
+        <translation>ist keine geschlossene Fläche: %1. Es wird gezeigt und kann nicht gefüllt werden.</translation>
+    </message>
+    <message>
+        <source>is an open surface: %1. It is shown and cannot be filled.</source>
+        <translation>ist eine offene Fläche: %1. Es wird gezeigt und kann nicht gefüllt werden.</translation>
+    </message>
+    <message>
+        <source>is not closed: %1. It is shown and cannot be filled.</source>
+        <translation>ist nicht geschlossen: %1. Es wird gezeigt und kann nicht gefüllt werden.</translation>
+    </message>
+    <message>
+        <source>is a closed surface but no solid; it is shown and cannot be filled.</source>
+        <translation>ist eine geschlossene Fläche, aber kein Körper; es wird gezeigt und kann nicht gefüllt werden.</translation>
+    </message>
+    <message>
+        <source>could not be covered with a closed net of triangles; it cannot be filled.</source>
+        <translation>konnte nicht mit einem geschlossenen Netz aus Dreiecken überzogen werden; es kann nicht gefüllt werden.</translation>
+    </message>
+    <message>
+        <source>has no volume; it cannot be filled.</source>
+        <translation>hat kein Volumen; es kann nicht gefüllt werden.</translation>
+    </message>
+    <message>
+        <source>does not pass the geometry checks; look at it closely before you trust it.</source>
+        <translation>besteht die Prüfungen der Geometrie nicht; sehen Sie genau hin, bevor Sie ihm trauen.</translation>
+    </message>
+    <message>
+        <source>has gaps of up to %1, a hundredth of its size or more.</source>
+        <translation>hat Spalte bis zu %1, ein Hundertstel seiner Größe oder mehr.</translation>
+    </message>
+    <message>
+        <source>has faces that do not meet well: its volume is uncertain by %1.</source>
+        <translation>hat Flächen, die nicht gut zusammentreffen: sein Volumen ist um %1 unsicher.</translation>
+    </message>
+    <message>
+        <source>has 1 face without triangles: not shown, for the file describes what cannot be.</source>
+        <translation>hat 1 Fläche ohne Dreiecke: nicht gezeigt, denn die Datei beschreibt, was nicht sein kann.</translation>
+    </message>
+    <message>
+        <source>has %1 faces without triangles: not shown, for the file describes what cannot be.</source>
+        <translation>hat %1 Flächen ohne Dreiecke: nicht gezeigt, denn die Datei beschreibt, was nicht sein kann.</translation>
+    </message>
+    <message>
+        <source>is incomplete: %1 of %2 faces of a shell could be read; the others are damaged in the file.</source>
+        <translation>ist unvollständig: %1 von %2 Flächen einer Schale konnten gelesen werden; die anderen sind in der Datei beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 in %2, %3 long in all; the largest opening is %4 across</source>
+        <translation>%1 in %2, zusammen %3 lang; die größte Öffnung misst %4</translation>
+    </message>
+    <message>
+        <source>%1 in %2, %3 long in all; the largest opening is %4 across and flat</source>
+        <translation>%1 in %2, zusammen %3 lang; die größte Öffnung misst %4 und ist eben</translation>
+    </message>
+    <message>
+        <source>1 open edge</source>
+        <translation>1 offene Kante</translation>
+    </message>
+    <message>
+        <source>%1 open edges</source>
+        <translation>%1 offene Kanten</translation>
+    </message>
+    <message>
+        <source>1 border</source>
+        <translation>1 Rand</translation>
+    </message>
+    <message>
+        <source>%1 borders</source>
+        <translation>%1 Rändern</translation>
+    </message>
+    <message>
+        <source>1 triangle was there twice and removed.</source>
+        <translation>1 Dreieck war doppelt da und wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>%1 triangles were there twice and removed.</source>
+        <translation>%1 Dreiecke waren doppelt da und wurden entfernt.</translation>
+    </message>
+    <message>
+        <source>The surface was given with both its sides; one of them was removed.</source>
+        <translation>Die Fläche war mit beiden Seiten gegeben; eine davon wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>1 pair of triangles back to back was removed.</source>
+        <translation>1 Paar von Dreiecken Rücken an Rücken wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>%1 pairs of triangles back to back were removed.</source>
+        <translation>%1 Paare von Dreiecken Rücken an Rücken wurden entfernt.</translation>
+    </message>
+    <message>
+        <source>1 triangle faced the wrong way and was turned.</source>
+        <translation>1 Dreieck sah in die falsche Richtung und wurde gewendet.</translation>
+    </message>
+    <message>
+        <source>%1 triangles faced the wrong way and were turned.</source>
+        <translation>%1 Dreiecke sahen in die falsche Richtung und wurden gewendet.</translation>
+    </message>
+    <message>
+        <source>1 small hole was closed, which added %1 to the area.</source>
+        <translation>1 kleines Loch wurde geschlossen, was die Oberfläche um %1 vergrößerte.</translation>
+    </message>
+    <message>
+        <source>%1 small holes were closed, which added %2 to the area.</source>
+        <translation>%1 kleine Löcher wurden geschlossen, was die Oberfläche um %2 vergrößerte.</translation>
+    </message>
+    <message>
+        <source>The surface was inside out and has been turned.</source>
+        <translation>Die Fläche war umgestülpt und wurde gewendet.</translation>
+    </message>
+    <message>
+        <source>The solid was inside out and has been turned.</source>
+        <translation>Der Körper war umgestülpt und wurde gewendet.</translation>
+    </message>
+    <message>
+        <source>1 shell was inside out and turned.</source>
+        <translation>1 Schale war umgestülpt und wurde gewendet.</translation>
+    </message>
+    <message>
+        <source>%1 shells were inside out and turned.</source>
+        <translation>%1 Schalen waren umgestülpt und wurden gewendet.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid.</source>
+        <translation>Die geschlossene Fläche wurde zum Körper gemacht.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid, with 1 void in it.</source>
+        <translation>Die geschlossene Fläche wurde zum Körper gemacht, mit 1 Hohlraum darin.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid, with %1 voids in it.</source>
+        <translation>Die geschlossene Fläche wurde zum Körper gemacht, mit %1 Hohlräumen darin.</translation>
+    </message>
+    <message>
+        <source>1 flat opening was closed with a plane face, %1 % of the area.</source>
+        <translation>1 ebene Öffnung wurde mit einer ebenen Fläche geschlossen, %1 % der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>%1 flat openings were closed with plane faces, %2 % of the area.</source>
+        <translation>%1 ebene Öffnungen wurden mit ebenen Flächen geschlossen, %2 % der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Edges that failed the geometry checks were rebuilt.</source>
+        <translation>Kanten, die die Prüfungen der Geometrie nicht bestanden, wurden neu gebaut.</translation>
+    </message>
+    <message>
+        <source>1 face that failed the geometry checks was rebuilt.</source>
+        <translation>1 Fläche, die die Prüfungen der Geometrie nicht bestand, wurde neu gebaut.</translation>
+    </message>
+    <message>
+        <source>%1 faces that failed the geometry checks were rebuilt.</source>
+        <translation>%1 Flächen, die die Prüfungen der Geometrie nicht bestanden, wurden neu gebaut.</translation>
+    </message>
+    <message>
+        <source>1 separate face was sewn with a tolerance of %1.</source>
+        <translation>1 einzelne Fläche wurde mit einer Toleranz von %1 vernäht.</translation>
+    </message>
+    <message>
+        <source>%1 separate faces were sewn with a tolerance of %2.</source>
+        <translation>%1 einzelne Flächen wurden mit einer Toleranz von %2 vernäht.</translation>
+    </message>
+    <message>
+        <source>1 separate face was sewn with a tolerance of %1; the widest gap between two of them is %2.</source>
+        <translation>1 einzelne Fläche wurde mit einer Toleranz von %1 vernäht; der weiteste Spalt zwischen zweien ist %2.</translation>
+    </message>
+    <message>
+        <source>%1 separate faces were sewn with a tolerance of %2; the widest gap between two of them is %3.</source>
+        <translation>%1 einzelne Flächen wurden mit einer Toleranz von %2 vernäht; der weiteste Spalt zwischen zweien ist %3.</translation>
+    </message>
+    <message>
+        <source>%1: the 3MF does not keep to the format in 1 place; compare the parts with the program that wrote it.</source>
+        <translation>%1: die 3MF-Datei hält sich an 1 Stelle nicht an das Format; vergleichen Sie die Teile mit dem Programm, das sie schrieb.</translation>
+    </message>
+    <message>
+        <source>%1: the 3MF does not keep to the format in %2 places; compare the parts with the program that wrote it.</source>
+        <translation>%1: die 3MF-Datei hält sich an %2 Stellen nicht an das Format; vergleichen Sie die Teile mit dem Programm, das sie schrieb.</translation>
+    </message>
+    <message>
+        <source>%1: the file states no length unit; millimetres were taken.</source>
+        <translation>%1: die Datei nennt keine Längeneinheit; Millimeter wurden genommen.</translation>
+    </message>
+    <message>
+        <source>%1: the file mixes the length units %2 and %3; check the sizes of the parts.</source>
+        <translation>%1: die Datei mischt die Längeneinheiten %2 und %3; prüfen Sie die Größen der Teile.</translation>
+    </message>
+    <message>
+        <source>%1: its schema &quot;%2&quot; is none for CAD parts; check that nothing is missing.</source>
+        <translation>%1: sein Schema &quot;%2&quot; ist keines für CAD-Teile; prüfen Sie, dass nichts fehlt.</translation>
+    </message>
+    <message>
+        <source>%1: the part is %2 long; if its lengths are %3, it is %4.</source>
+        <translation>%1: das Teil ist %2 lang; wenn seine Längen %3 sind, ist es %4.</translation>
+    </message>
+    <message>
+        <source>%1: the parts together are %2 long; if their lengths are %3, they are %4.</source>
+        <translation>%1: die Teile sind zusammen %2 lang; wenn ihre Längen %3 sind, sind sie %4.</translation>
+    </message>
+    <message>
+        <source>%1: the part is %2 long; if its lengths are %3, it is %4. Open that file alone to correct it.</source>
+        <translation>%1: das Teil ist %2 lang; wenn seine Längen %3 sind, ist es %4. Öffnen Sie diese Datei allein, um es zu berichtigen.</translation>
+    </message>
+    <message>
+        <source>%1: the parts together are %2 long; if their lengths are %3, they are %4. Open that file alone to correct it.</source>
+        <translation>%1: die Teile sind zusammen %2 lang; wenn ihre Längen %3 sind, sind sie %4. Öffnen Sie diese Datei allein, um es zu berichtigen.</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>Mikrometer</translation>
+    </message>
+    <message>
+        <source>decimetres</source>
+        <translation>Dezimeter</translation>
+    </message>
+    <message>
+        <source>kilometres</source>
+        <translation>Kilometer</translation>
+    </message>
+    <message>
+        <source>miles</source>
+        <translation>Meilen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no triangles.</source>
+        <translation>&quot;%1&quot; hat keine Dreiecke.</translation>
+    </message>
+    <message>
+        <source>1 shape of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
+        <translation>1 Form der STEP-Datei konnte nicht gelesen werden: ihre Flächen sind beschädigt oder von unbekannter Art.</translation>
+    </message>
+    <message>
+        <source>%1 shapes of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
+        <translation>%1 Formen der STEP-Datei konnten nicht gelesen werden: ihre Flächen sind beschädigt oder von unbekannter Art.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was left out: %2.</source>
+        <translation>&quot;%1&quot; wurde weggelassen: %2.</translation>
+    </message>
+    <message>
+        <source>it has no finite size: numbers in it are damaged, or its edges are smaller than 0.1 um and lost; check the length unit</source>
+        <translation>es hat keine endliche Größe: Zahlen darin sind beschädigt, oder seine Kanten sind kleiner als 0.1 um und verloren; prüfen Sie die Längeneinheit</translation>
+    </message>
+    <message>
+        <source>it reaches farther than 100 km from the origin; check the length unit and the position</source>
+        <translation>es reicht weiter als 100 km vom Ursprung; prüfen Sie Längeneinheit und Lage</translation>
+    </message>
+    <message>
+        <source>its faces lead far away from their edges: numbers in it are damaged</source>
+        <translation>seine Flächen führen weit von ihren Kanten weg: Zahlen darin sind beschädigt</translation>
+    </message>
+    <message>
+        <source>it is smaller than a micrometre; check the length unit</source>
+        <translation>es ist kleiner als ein Mikrometer; prüfen Sie die Längeneinheit</translation>
+    </message>
+    <message>
+        <source>its faces and edges are up to %1 apart, at a size of %2</source>
+        <translation>seine Flächen und Kanten liegen bis zu %1 auseinander, bei einer Größe von %2</translation>
+    </message>
+    <message>
+        <source>the solid has no volume</source>
+        <translation>der Körper hat kein Volumen</translation>
+    </message>
+    <message>
+        <source>it could not be measured (%1)</source>
+        <translation>es konnte nicht gemessen werden (%1)</translation>
+    </message>
+    <message>
+        <source>The thinnest wall is %1: %2 cells, so it will be weak or missing; a spacing of %3 would give %4 cells and about %5 objects.</source>
+        <translation>Die dünnste Wand ist %1: %2 Zellen, also wird sie schwach sein oder fehlen; ein Abstand von %3 gäbe %4 Zellen und etwa %5 Objekte.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not simulated: %2</source>
+        <translation>&quot;%1&quot; wird nicht simuliert: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no surface, so it is not shown.</source>
+        <translation>&quot;%1&quot; hat keine Oberfläche und wird deshalb nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a closed solid: it is shown, and not simulated. Close its surfaces and import it again.</source>
+        <translation>&quot;%1&quot; ist kein geschlossener Körper: es wird gezeigt und nicht simuliert. Schließen Sie seine Flächen und importieren Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>A spacing of %1 needs more than %2 objects. Choose a larger spacing.</source>
+        <translation>Ein Abstand von %1 braucht mehr als %2 Objekte. Wählen Sie einen größeren Abstand.</translation>
+    </message>
+    <message>
+        <source>The part has no triangles, so there is nothing to fill. Import a part with a surface.</source>
+        <translation>Das Teil hat keine Dreiecke, also ist nichts zu füllen. Importieren Sie ein Teil mit einer Oberfläche.</translation>
+    </message>
+    <message>
+        <source>A vertex of the surface is not at a finite place. Repair the file and import again.</source>
+        <translation>Ein Eckpunkt der Oberfläche liegt an keinem endlichen Ort. Reparieren Sie die Datei und importieren Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The surface is not closed: %1 edges of triangles have no partner. Close the gaps and import again.</source>
+        <translation>Die Oberfläche ist nicht geschlossen: %1 Kanten von Dreiecken haben keinen Partner. Schließen Sie die Lücken und importieren Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The surface does not bound a volume: its holes are too large to tell inside from outside. Close them and import again.</source>
+        <translation>Die Oberfläche begrenzt kein Volumen: ihre Löcher sind zu groß, um innen von außen zu unterscheiden. Schließen Sie sie und importieren Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The part is too thin for a spacing of %1: no cell holds enough material. Choose a smaller spacing.</source>
+        <translation>Das Teil ist zu dünn für einen Abstand von %1: keine Zelle enthält genug Material. Wählen Sie einen kleineren Abstand.</translation>
+    </message>
+    <message>
+        <source>its surface passes through itself near %1; other programs may refuse that.</source>
+        <translation>seine Oberfläche durchdringt sich selbst bei %1; andere Programme lehnen das vielleicht ab.</translation>
+    </message>
+    <message>
+        <source>%1 of its faces could not be carried along: %2.</source>
+        <translation>%1 seiner Flächen konnten nicht mitgeführt werden: %2.</translation>
+    </message>
+    <message>
+        <source>an edge has no curve on its face</source>
+        <translation>eine Kante hat keine Kurve auf ihrer Fläche</translation>
+    </message>
+    <message>
+        <source>an edge has a curve on its face that does not match it</source>
+        <translation>die Kurve einer Kante auf ihrer Fläche passt nicht zu ihr</translation>
+    </message>
+    <message>
+        <source>a face has no surface</source>
+        <translation>eine Fläche hat keine Geometrie</translation>
+    </message>
+    <message>
+        <source>a face has no border</source>
+        <translation>eine Fläche hat keinen Rand</translation>
+    </message>
+    <message>
+        <source>a face is degenerate</source>
+        <translation>eine Fläche ist entartet</translation>
+    </message>
+    <message>
+        <source>its faces do not fit together any more as they are bent now.</source>
+        <translation>so gebogen passen seine Flächen nicht mehr aneinander.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: face %2 does not come as close to the skin as was aimed at, %3 mm; face %4 is %5 mm off.</source>
+        <translation>„%1“: Fläche %2 kommt der Haut nicht so nahe wie angestrebt, %3 mm; Fläche %4 liegt %5 mm daneben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: %2 faces, %3, do not come as close to the skin as was aimed at, %4 mm; face %5 is %6 mm off.</source>
+        <translation>„%1“: %2 Flächen, %3, kommen der Haut nicht so nahe wie angestrebt, %4 mm; Fläche %5 liegt %6 mm daneben.</translation>
+    </message>
+    <message>
+        <source>1 face was added: those that close in themselves came in two, since as they were bent here they did not make a sound solid.</source>
+        <translation>1 Fläche kam hinzu: in sich geschlossene wurden geteilt, weil sie so gebogen keinen fehlerfreien Körper ergaben.</translation>
+    </message>
+    <message>
+        <source>%1 faces were added: those that close in themselves came in two, since as they were bent here they did not make a sound solid.</source>
+        <translation>%1 Flächen kamen hinzu: in sich geschlossene wurden geteilt, weil sie so gebogen keinen fehlerfreien Körper ergaben.</translation>
+    </message>
+    <message>
+        <source>it came as a mesh, which has no smooth faces.</source>
+        <translation>es kam als Netz, das keine glatten Flächen hat.</translation>
+    </message>
+    <message>
+        <source>faces that met smoothly now meet at an angle near %1; a smaller tolerance may help.</source>
+        <translation>Flächen, die glatt ineinander übergingen, treffen sich bei %1 nun in einem Winkel; eine kleinere Toleranz kann helfen.</translation>
+    </message>
+    <message>
+        <source>The file holds %1 parts where %2 were written.</source>
+        <translation>Die Datei enthält %1 Teile, geschrieben wurden %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is cracked but in one piece: 1 of its connections is broken, and its skin spans the crack, stretched to %2 times its length there near %3.</source>
+        <translation>„%1“ hat Risse, ist aber noch ein Stück: 1 Verbindung ist gerissen, und die Haut überspannt den Riss, bei %3 auf das %2-Fache ihrer Länge gedehnt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is cracked but in one piece: %2 of its connections are broken, and its skin spans the crack, stretched to %3 times its length there near %4.</source>
+        <translation>„%1“ hat Risse, ist aber noch ein Stück: %2 Verbindungen sind gerissen, und die Haut überspannt den Riss, bei %4 auf das %3-Fache ihrer Länge gedehnt.</translation>
+    </message>
+    <message>
+        <source>too few of its objects hang together to say how it is deformed: it is written in its shape at rest, moved as they have.</source>
+        <translation>zu wenige seiner Objekte hängen zusammen, um zu sagen, wie es verformt ist: es wird in seiner Ruheform geschrieben, bewegt wie sie.</translation>
+    </message>
+    <message>
+        <source>the part is torn; this is one of %1 pieces.</source>
+        <translation>das Teil ist zerrissen; dies ist eines von %1 Stücken.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces do not pass the geometry checks.</source>
+        <translation>aus der Datei zurückgelesen bestehen seine gebogenen Flächen die Geometrieprüfung nicht.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces leave gaps.</source>
+        <translation>aus der Datei zurückgelesen lassen seine gebogenen Flächen Lücken.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces are up to %1 mm off the skin where %2 mm are allowed.</source>
+        <translation>aus der Datei zurückgelesen liegen seine gebogenen Flächen bis zu %1 mm neben der Haut, erlaubt sind %2 mm.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces enclose a volume %1 % off that of the skin.</source>
+        <translation>aus der Datei zurückgelesen umschließen seine gebogenen Flächen ein Volumen, das um %1 % von dem der Haut abweicht.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; would need %2 flat faces, more than CAD programs can work with; export it as a mesh.</source>
+        <translation>„%1“ bräuchte %2 ebene Flächen, mehr als CAD-Programme verarbeiten; exportieren Sie es als Netz.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is an open mesh, which CAD files cannot hold; hide it, or export as a mesh.</source>
+        <translation>„%1“ ist ein offenes Netz, das CAD-Dateien nicht aufnehmen; blenden Sie es aus oder exportieren Sie als Netz.</translation>
+    </message>
+</context>
+<context>
     <name>FilmWriter</name>
     <message>
         <source>There is no room left in %1. Free some, or record fewer or smaller pictures.</source>
         <translation>In %1 ist kein Platz mehr. Schaffen Sie welchen, oder nehmen Sie weniger oder kleinere Bilder auf.</translation>
     </message>
     <message>
-        <source>%1 cannot be written. Choose another place.</source>
-        <translation>%1 kann nicht geschrieben werden. Wählen Sie einen anderen Ort.</translation>
-    </message>
-    <message>
         <source>%1 is there already. Choose another name for the folder of pictures.</source>
         <translation>%1 gibt es schon. Wählen Sie einen anderen Namen für den Ordner der Bilder.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: is there room on the disk?</source>
-        <translation>%1 kann nicht geschrieben werden: ist auf der Platte Platz?</translation>
-    </message>
-    <message>
-        <source>%1 cannot be made: %2.</source>
-        <translation>%1 kann nicht angelegt werden: %2.</translation>
-    </message>
-    <message>
         <source>No folder can be made in %1: %2. Choose another place.</source>
         <translation>In %1 kann kein Ordner angelegt werden: %2. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made (%2). Choose another name for the folder of pictures.</source>
+        <translation>%1 kann nicht angelegt werden (%2). Wählen Sie einen anderen Namen für den Ordner der Bilder.</translation>
     </message>
 </context>
 <context>
@@ -1208,6 +1735,17 @@
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>Graphics</name>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>The window needs OpenGL 3.2 or later to draw, and here is %1. Install or update the driver of the graphics card, or Mesa (libgl1-mesa-dri), which draws without such a card. The commands that knead --help lists need no window.</source>
+        <translation>Das Fenster braucht OpenGL 3.2 oder neuer zum Zeichnen, und hier gibt es %1. Installieren oder erneuern Sie den Treiber der Grafikkarte, oder Mesa (libgl1-mesa-dri), das ohne solche Karte zeichnet. Die Befehle, die knead --help aufzählt, brauchen kein Fenster.</translation>
     </message>
 </context>
 <context>
@@ -1378,6 +1916,14 @@
     <message>
         <source>Keys drive tools   Shift: slower   Esc: done</source>
         <translation>Tasten fahren Werkzeuge   Umschalt: langsamer   Esc: fertig</translation>
+    </message>
+    <message>
+        <source>Along the tool&apos;s own axes</source>
+        <translation>Entlang der Achsen des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Handles lie along the axes of the tool, not of the world</source>
+        <translation>Griffe liegen entlang der Achsen des Werkzeugs, nicht der Welt</translation>
     </message>
 </context>
 <context>
@@ -1739,6 +2285,17 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>LogPanel</name>
+    <message>
+        <source>Warning: %1</source>
+        <translation>Warnung: %1</translation>
+    </message>
+    <message>
+        <source>Error: %1</source>
+        <translation>Fehler: %1</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>Knead</source>
@@ -2068,8 +2625,8 @@ Simuliert: %2, Schritt %3
         <translation>Ziehen verschiebt die Zeitleiste</translation>
     </message>
     <message>
-        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeric pad 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;top, isometric, front, right; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;clicks select parts, faces, edges, objects; Ctrl adds&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Linke Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählen; ein Werkzeug ziehen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drehen; mit Umschalt oder Strg schieben&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zum Zeiger zoomen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pfeile, Bild auf, Bild ab&lt;/b&gt;&lt;/td&gt;&lt;td&gt;das gewählte Werkzeug fahren; mit Umschalt langsamer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Leertaste, . , Rücktaste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;starten oder anhalten, ein Schritt, zurücksetzen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Entf&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Block hinzufügen, Flächen fixieren, entfernen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Schwerkraft, renormieren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Objekte, Körper verbergen, Kanten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, Ziffernblock 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;oben, isometrisch, vorne, rechts; Strg: von der anderen Seite&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Klicks wählen Teile, Flächen, Kanten, Objekte; Strg fügt hinzu&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspektivisch oder parallel, einpassen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Strg+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Projekt speichern; Strg+Umschalt+S unter anderem Namen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Strg+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;jeden Befehl finden; F11: Vollbild&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;abbrechen&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
+        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeric pad 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;top, isometric, front, right; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;clicks select parts, faces, edges, objects; Ctrl adds&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;one, two, four views; V: the active view alone&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Linke Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählen; ein Werkzeug ziehen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drehen; mit Umschalt oder Strg schieben&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zum Zeiger zoomen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pfeile, Bild auf, Bild ab&lt;/b&gt;&lt;/td&gt;&lt;td&gt;das gewählte Werkzeug fahren; mit Umschalt langsamer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Leertaste, . , Rücktaste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;starten oder anhalten, ein Schritt, zurücksetzen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Entf&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Block hinzufügen, Flächen fixieren, entfernen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Schwerkraft, renormieren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Objekte, Körper verbergen, Kanten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, Ziffernblock 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;oben, isometrisch, vorne, rechts; Strg: von der anderen Seite&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Klicks wählen Teile, Flächen, Kanten, Objekte; Strg fügt hinzu&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspektivisch oder parallel, einpassen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Strg+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Projekt speichern; Strg+Umschalt+S unter anderem Namen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;eine, zwei, vier Ansichten; V: nur die aktive&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Strg+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;jeden Befehl finden; F11: Vollbild&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;abbrechen&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
     <message>
         <source>Display</source>
@@ -2096,16 +2653,8 @@ Simuliert: %2, Schritt %3
         <translation>Noch gibt es keine Kräfte zu schreiben: drücken Sie Starten und lassen Sie etwas geschehen.</translation>
     </message>
     <message>
-        <source>%1: the table could not be written. Make room on the disk, or choose another folder.</source>
-        <translation>%1: die Tabelle konnte nicht geschrieben werden. Schaffen Sie Platz auf der Platte, oder wählen Sie einen anderen Ordner.</translation>
-    </message>
-    <message>
         <source>Writing %1</source>
         <translation>%1 wird geschrieben</translation>
-    </message>
-    <message>
-        <source>%1: forces at %2 times written.</source>
-        <translation>%1: Kräfte zu %2 Zeitpunkten geschrieben.</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
@@ -2195,6 +2744,34 @@ Simuliert: %2, Schritt %3
         <source>Fill finer</source>
         <translation>Feiner füllen</translation>
     </message>
+    <message>
+        <source>Viewports</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>Show two or four views first.</source>
+        <translation>Zeigen Sie zuerst zwei oder vier Ansichten.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Gravity as on</source>
+        <translation>Schwerkraft wie auf</translation>
+    </message>
+    <message>
+        <source>Integrator</source>
+        <translation>Integrator</translation>
+    </message>
+    <message>
+        <source>Speed of the film</source>
+        <translation>Geschwindigkeit des Films</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not simulated: %2</source>
+        <translation>&quot;%1&quot; wird nicht simuliert: %2</translation>
+    </message>
 </context>
 <context>
     <name>MaterialComparisonDialog</name>
@@ -2225,6 +2802,73 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Speed of sound</source>
         <translation>Schallgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>1/%1 of it</source>
+        <translation>1/%1 davon</translation>
+    </message>
+</context>
+<context>
+    <name>MaterialName</name>
+    <message>
+        <source>Soft jelly</source>
+        <translation>Weiche Gelatine</translation>
+    </message>
+    <message>
+        <source>Jelly</source>
+        <translation>Gelatine</translation>
+    </message>
+    <message>
+        <source>Soft foam</source>
+        <translation>Weichschaum</translation>
+    </message>
+    <message>
+        <source>Sponge rubber</source>
+        <translation>Zellgummi</translation>
+    </message>
+    <message>
+        <source>Silicone rubber</source>
+        <translation>Silikonkautschuk</translation>
+    </message>
+    <message>
+        <source>Modeling clay</source>
+        <translation>Modellierton</translation>
+    </message>
+    <message>
+        <source>Natural rubber</source>
+        <translation>Naturkautschuk</translation>
+    </message>
+    <message>
+        <source>Plasticine</source>
+        <translation>Knetmasse</translation>
+    </message>
+    <message>
+        <source>Rigid foam</source>
+        <translation>Hartschaum</translation>
+    </message>
+    <message>
+        <source>Wax</source>
+        <translation>Wachs</translation>
+    </message>
+    <message>
+        <source>ABS</source>
+        <translation>ABS</translation>
+    </message>
+    <message>
+        <source>Wood along the grain</source>
+        <translation>Holz längs der Faser</translation>
+    </message>
+    <message>
+        <source>Aluminum</source>
+        <translation>Aluminium</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>Glas</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Stahl</translation>
     </message>
 </context>
 <context>
@@ -3431,8 +4075,8 @@ Simuliert: %2, Schritt %3
         <translation>Teil</translation>
     </message>
     <message>
-        <source>%1 slower than real time</source>
-        <translation>%1 langsamer als Echtzeit</translation>
+        <source>%1x real time</source>
+        <translation>%1x Echtzeit</translation>
     </message>
 </context>
 <context>
@@ -3460,6 +4104,25 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Units: %1</source>
         <translation>Einheiten: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ReadProject</name>
+    <message>
+        <source>%1 was written after this work was cut off, and stays as it is: save the work under a name of its own, or in place of that file.</source>
+        <translation>%1 wurde geschrieben, nachdem diese Arbeit abgebrochen war, und bleibt, wie es ist: speichern Sie die Arbeit unter einem eigenen Namen oder anstelle jener Datei.</translation>
+    </message>
+    <message>
+        <source>%1 stays as it is, since the recovered work is not whole: save the work under a name of its own, or in place of that file.</source>
+        <translation>%1 bleibt, wie es ist, denn die wiederhergestellte Arbeit ist nicht vollständig: speichern Sie die Arbeit unter einem eigenen Namen oder anstelle jener Datei.</translation>
+    </message>
+    <message>
+        <source>The parts of this project are lost, so that nothing of it can be shown. Open the part that it was made from.</source>
+        <translation>Die Teile dieses Projekts sind verloren, sodass nichts davon gezeigt werden kann. Öffnen Sie das Teil, aus dem es gemacht wurde.</translation>
+    </message>
+    <message>
+        <source>%1: what was seen last cannot be shown. %2 What is whole can be rescued.</source>
+        <translation>%1: was zuletzt zu sehen war, kann nicht gezeigt werden. %2 Was heil ist, kann gerettet werden.</translation>
     </message>
 </context>
 <context>
@@ -3509,8 +4172,8 @@ Simuliert: %2, Schritt %3
         <translation>%1, wie die Ansicht</translation>
     </message>
     <message>
-        <source>Choose a place…</source>
-        <translation>Ort wählen…</translation>
+        <source>Choose a place...</source>
+        <translation>Ort wählen...</translation>
     </message>
     <message>
         <source>1 picture</source>
@@ -3527,6 +4190,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>%1: PNG files in a folder of their own</source>
         <translation>%1: PNG-Dateien in einem eigenen Ordner</translation>
+    </message>
+    <message>
+        <source>What the active view shows: %1</source>
+        <translation>Was die aktive Ansicht zeigt: %1</translation>
     </message>
 </context>
 <context>
@@ -4236,10 +4903,32 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>Studio</name>
+    <message>
+        <source>The graphics card takes no more pictures. Close other programs and try again.</source>
+        <translation>Die Grafikkarte nimmt keine Bilder mehr auf. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
+        <translation>Die Grafikkarte zeichnet keine Bilder dieser Größe. Wählen Sie eine kleinere.</translation>
+    </message>
+    <message>
+        <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
+        <translation>Der Grafiktreiber zeichnet nur für das Fenster, deshalb kann nichts aufgezeichnet werden. Starten Sie Knead mit LIBGL_ALWAYS_SOFTWARE=1 in seiner Umgebung, um ohne den Treiber aufzuzeichnen.</translation>
+    </message>
+</context>
+<context>
     <name>TaskReading</name>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>TaskRunner</name>
+    <message>
+        <source>%1: there is not enough memory. Close other programs, or choose a larger spacing.</source>
+        <translation>%1: der Speicher reicht nicht. Schließen Sie andere Programme, oder wählen Sie einen größeren Abstand.</translation>
     </message>
 </context>
 <context>
@@ -4302,6 +4991,14 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Looking back at %1   Esc: return</source>
         <translation>Rückblick auf %1   Esc: zurück</translation>
+    </message>
+    <message>
+        <source>Play the film</source>
+        <translation>Film abspielen</translation>
+    </message>
+    <message>
+        <source>Simulate something first, and look back at it.</source>
+        <translation>Simulieren Sie zuerst etwas, und sehen Sie darauf zurück.</translation>
     </message>
 </context>
 <context>
@@ -4487,6 +5184,49 @@ Simuliert: %2, Schritt %3
     <message>
         <source>BOTTOM</source>
         <translation>UNTEN</translation>
+    </message>
+</context>
+<context>
+    <name>ViewName</name>
+    <message>
+        <source>Front</source>
+        <translation>Vorne</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrisch</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallel</translation>
+    </message>
+    <message>
+        <source>Double click: this view alone, and all of them again</source>
+        <translation>Doppelklick: nur diese Ansicht, und wieder alle</translation>
     </message>
 </context>
 </TS>

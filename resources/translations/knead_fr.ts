@@ -362,6 +362,54 @@
         <source>Plate</source>
         <translation>Plaque</translation>
     </message>
+    <message>
+        <source>One view</source>
+        <translation>Une vue</translation>
+    </message>
+    <message>
+        <source>One view of the part</source>
+        <translation>Une vue de la pièce</translation>
+    </message>
+    <message>
+        <source>Two views</source>
+        <translation>Deux vues</translation>
+    </message>
+    <message>
+        <source>Two views of the part, side by side</source>
+        <translation>Deux vues de la pièce, côte à côte</translation>
+    </message>
+    <message>
+        <source>Four views</source>
+        <translation>Quatre vues</translation>
+    </message>
+    <message>
+        <source>Front, top, right and the free view of the part</source>
+        <translation>La pièce de face, de dessus, de droite et en vue libre</translation>
+    </message>
+    <message>
+        <source>Active view alone</source>
+        <translation>Vue active seule</translation>
+    </message>
+    <message>
+        <source>Show the active view alone, and all of them again</source>
+        <translation>Montrer la vue active seule, puis de nouveau toutes</translation>
+    </message>
+    <message>
+        <source>Next view</source>
+        <translation>Vue suivante</translation>
+    </message>
+    <message>
+        <source>Make the next of several views the active one</source>
+        <translation>Rendre active la vue suivante parmi plusieurs</translation>
+    </message>
+    <message>
+        <source>Linked cameras</source>
+        <translation>Caméras liées</translation>
+    </message>
+    <message>
+        <source>What is panned or zoomed in one view is in all of them</source>
+        <translation>Ce qui est déplacé ou zoomé dans une vue l&apos;est dans toutes</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -599,13 +647,69 @@
         <source>Colors</source>
         <translation>Couleurs</translation>
     </message>
+    <message>
+        <source>Color map: viridis</source>
+        <translation>Échelle de couleurs : viridis</translation>
+    </message>
+    <message>
+        <source>Color map: cividis</source>
+        <translation>Échelle de couleurs : cividis</translation>
+    </message>
+    <message>
+        <source>Color map: gray</source>
+        <translation>Échelle de couleurs : gris</translation>
+    </message>
+    <message>
+        <source>From which colors to which numbers are shown</source>
+        <translation>Avec quelles couleurs les nombres sont montrés</translation>
+    </message>
+    <message>
+        <source>Range as needed</source>
+        <translation>Plage selon les besoins</translation>
+    </message>
+    <message>
+        <source>The colors reach as far as the numbers do</source>
+        <translation>Les couleurs vont aussi loin que les nombres</translation>
+    </message>
+    <message>
+        <source>Color the skin by a quantity first.</source>
+        <translation>Colorez d&apos;abord la peau selon une grandeur.</translation>
+    </message>
+    <message>
+        <source>Section across X</source>
+        <translation>Coupe perpendiculaire à X</translation>
+    </message>
+    <message>
+        <source>Section across Y</source>
+        <translation>Coupe perpendiculaire à Y</translation>
+    </message>
+    <message>
+        <source>Section across Z</source>
+        <translation>Coupe perpendiculaire à Z</translation>
+    </message>
+    <message>
+        <source>Section towards the eye</source>
+        <translation>Coupe face à l&apos;œil</translation>
+    </message>
+    <message>
+        <source>Cut the part open through its middle</source>
+        <translation>Couper la pièce par son milieu</translation>
+    </message>
+    <message>
+        <source>Hatched</source>
+        <translation>Hachuré</translation>
+    </message>
+    <message>
+        <source>Draw lines across what is cut</source>
+        <translation>Tracer des lignes sur ce qui est coupé</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Coupe</translation>
+    </message>
 </context>
 <context>
     <name>DisplayPanel</name>
-    <message>
-        <source>Range as needed</source>
-        <translation>Plage automatique</translation>
-    </message>
     <message>
         <source>Map</source>
         <translation>Palette</translation>
@@ -613,10 +717,6 @@
     <message>
         <source>From, to</source>
         <translation>De, à</translation>
-    </message>
-    <message>
-        <source>Hatched</source>
-        <translation>Hachures</translation>
     </message>
     <message>
         <source>Show</source>
@@ -745,10 +845,6 @@
         <translation>%1 est encore en cours&#xa0;: attendez ou annulez avec Échap, puis allez à %2.</translation>
     </message>
     <message>
-        <source>There is not enough memory for this moment. Close other programs and try again.</source>
-        <translation>La mémoire ne suffit pas pour ce moment. Fermez d&apos;autres programmes et réessayez.</translation>
-    </message>
-    <message>
         <source>Branching from %1</source>
         <translation>Bifurcation depuis %1</translation>
     </message>
@@ -803,6 +899,10 @@
     <message>
         <source>&quot;%1&quot; names edges or connections of another filling: undo to go back to that, or select them again and save them under this name.</source>
         <translation>«&#xa0;%1&#xa0;» désigne des arêtes ou des liaisons d&apos;un autre remplissage&#xa0;: annulez pour y revenir, ou sélectionnez-les de nouveau et enregistrez-les sous ce nom.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to go to %1. Close other programs and try again.</source>
+        <translation>La mémoire ne suffit pas pour aller à %1. Fermez d&apos;autres programmes et réessayez.</translation>
     </message>
 </context>
 <context>
@@ -1007,8 +1107,8 @@
         <translation>Garder le rapport à côté, en fichier JSON</translation>
     </message>
     <message>
-        <source>Choose a place…</source>
-        <translation>Choisir un endroit…</translation>
+        <source>Choose a place...</source>
+        <translation>Choisir un endroit...</translation>
     </message>
 </context>
 <context>
@@ -1119,30 +1219,457 @@
     </message>
 </context>
 <context>
+    <name>FileWords</name>
+    <message>
+        <source>was inside out and has been turned.</source>
+        <translation>était à l&apos;envers et a été retournée.</translation>
+    </message>
+    <message>
+        <source>is not a closed surface: %1. It is shown and cannot be filled.</source>
+        <translation>n&apos;est pas une surface fermée : %1. Elle est montrée et ne peut pas être remplie.</translation>
+    </message>
+    <message>
+        <source>is an open surface: %1. It is shown and cannot be filled.</source>
+        <translation>est une surface ouverte : %1. Elle est montrée et ne peut pas être remplie.</translation>
+    </message>
+    <message>
+        <source>is not closed: %1. It is shown and cannot be filled.</source>
+        <translation>n&apos;est pas fermée : %1. Elle est montrée et ne peut pas être remplie.</translation>
+    </message>
+    <message>
+        <source>is a closed surface but no solid; it is shown and cannot be filled.</source>
+        <translation>est une surface fermée mais pas un solide ; elle est montrée et ne peut pas être remplie.</translation>
+    </message>
+    <message>
+        <source>could not be covered with a closed net of triangles; it cannot be filled.</source>
+        <translation>n&apos;a pas pu être couverte d&apos;un réseau fermé de triangles ; elle ne peut pas être remplie.</translation>
+    </message>
+    <message>
+        <source>has no volume; it cannot be filled.</source>
+        <translation>n&apos;a pas de volume ; elle ne peut pas être remplie.</translation>
+    </message>
+    <message>
+        <source>does not pass the geometry checks; look at it closely before you trust it.</source>
+        <translation>ne passe pas les contrôles de géométrie ; regardez-la de près avant de vous y fier.</translation>
+    </message>
+    <message>
+        <source>has gaps of up to %1, a hundredth of its size or more.</source>
+        <translation>a des fentes allant jusqu&apos;à %1, un centième de sa taille ou plus.</translation>
+    </message>
+    <message>
+        <source>has faces that do not meet well: its volume is uncertain by %1.</source>
+        <translation>a des faces qui se joignent mal : son volume est incertain de %1.</translation>
+    </message>
+    <message>
+        <source>has 1 face without triangles: not shown, for the file describes what cannot be.</source>
+        <translation>a 1 face sans triangles : non montrée, car le fichier décrit ce qui ne peut être.</translation>
+    </message>
+    <message>
+        <source>has %1 faces without triangles: not shown, for the file describes what cannot be.</source>
+        <translation>a %1 faces sans triangles : non montrées, car le fichier décrit ce qui ne peut être.</translation>
+    </message>
+    <message>
+        <source>is incomplete: %1 of %2 faces of a shell could be read; the others are damaged in the file.</source>
+        <translation>est incomplète : %1 faces sur %2 d&apos;une coque ont pu être lues ; les autres sont abîmées dans le fichier.</translation>
+    </message>
+    <message>
+        <source>%1 in %2, %3 long in all; the largest opening is %4 across</source>
+        <translation>%1 dans %2, %3 de long en tout ; la plus grande ouverture mesure %4</translation>
+    </message>
+    <message>
+        <source>%1 in %2, %3 long in all; the largest opening is %4 across and flat</source>
+        <translation>%1 dans %2, %3 de long en tout ; la plus grande ouverture mesure %4 et est plane</translation>
+    </message>
+    <message>
+        <source>1 open edge</source>
+        <translation>1 arête ouverte</translation>
+    </message>
+    <message>
+        <source>%1 open edges</source>
+        <translation>%1 arêtes ouvertes</translation>
+    </message>
+    <message>
+        <source>1 border</source>
+        <translation>1 bord</translation>
+    </message>
+    <message>
+        <source>%1 borders</source>
+        <translation>%1 bords</translation>
+    </message>
+    <message>
+        <source>1 triangle was there twice and removed.</source>
+        <translation>1 triangle était là deux fois et a été enlevé.</translation>
+    </message>
+    <message>
+        <source>%1 triangles were there twice and removed.</source>
+        <translation>%1 triangles étaient là deux fois et ont été enlevés.</translation>
+    </message>
+    <message>
+        <source>The surface was given with both its sides; one of them was removed.</source>
+        <translation>La surface était donnée avec ses deux côtés ; l&apos;un d&apos;eux a été enlevé.</translation>
+    </message>
+    <message>
+        <source>1 pair of triangles back to back was removed.</source>
+        <translation>1 paire de triangles dos à dos a été enlevée.</translation>
+    </message>
+    <message>
+        <source>%1 pairs of triangles back to back were removed.</source>
+        <translation>%1 paires de triangles dos à dos ont été enlevées.</translation>
+    </message>
+    <message>
+        <source>1 triangle faced the wrong way and was turned.</source>
+        <translation>1 triangle était tourné du mauvais côté et a été retourné.</translation>
+    </message>
+    <message>
+        <source>%1 triangles faced the wrong way and were turned.</source>
+        <translation>%1 triangles étaient tournés du mauvais côté et ont été retournés.</translation>
+    </message>
+    <message>
+        <source>1 small hole was closed, which added %1 to the area.</source>
+        <translation>1 petit trou a été fermé, ce qui a ajouté %1 à l&apos;aire.</translation>
+    </message>
+    <message>
+        <source>%1 small holes were closed, which added %2 to the area.</source>
+        <translation>%1 petits trous ont été fermés, ce qui a ajouté %2 à l&apos;aire.</translation>
+    </message>
+    <message>
+        <source>The surface was inside out and has been turned.</source>
+        <translation>La surface était à l&apos;envers et a été retournée.</translation>
+    </message>
+    <message>
+        <source>The solid was inside out and has been turned.</source>
+        <translation>Le solide était à l&apos;envers et a été retourné.</translation>
+    </message>
+    <message>
+        <source>1 shell was inside out and turned.</source>
+        <translation>1 coque était à l&apos;envers et a été retournée.</translation>
+    </message>
+    <message>
+        <source>%1 shells were inside out and turned.</source>
+        <translation>%1 coques étaient à l&apos;envers et ont été retournées.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid.</source>
+        <translation>La surface fermée a été changée en solide.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid, with 1 void in it.</source>
+        <translation>La surface fermée a été changée en solide, avec 1 vide dedans.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid, with %1 voids in it.</source>
+        <translation>La surface fermée a été changée en solide, avec %1 vides dedans.</translation>
+    </message>
+    <message>
+        <source>1 flat opening was closed with a plane face, %1 % of the area.</source>
+        <translation>1 ouverture plane a été fermée par une face plane, %1 % de l&apos;aire.</translation>
+    </message>
+    <message>
+        <source>%1 flat openings were closed with plane faces, %2 % of the area.</source>
+        <translation>%1 ouvertures planes ont été fermées par des faces planes, %2 % de l&apos;aire.</translation>
+    </message>
+    <message>
+        <source>Edges that failed the geometry checks were rebuilt.</source>
+        <translation>Des arêtes qui ne passaient pas les contrôles de géométrie ont été refaites.</translation>
+    </message>
+    <message>
+        <source>1 face that failed the geometry checks was rebuilt.</source>
+        <translation>1 face qui ne passait pas les contrôles de géométrie a été refaite.</translation>
+    </message>
+    <message>
+        <source>%1 faces that failed the geometry checks were rebuilt.</source>
+        <translation>%1 faces qui ne passaient pas les contrôles de géométrie ont été refaites.</translation>
+    </message>
+    <message>
+        <source>1 separate face was sewn with a tolerance of %1.</source>
+        <translation>1 face séparée a été cousue avec une tolérance de %1.</translation>
+    </message>
+    <message>
+        <source>%1 separate faces were sewn with a tolerance of %2.</source>
+        <translation>%1 faces séparées ont été cousues avec une tolérance de %2.</translation>
+    </message>
+    <message>
+        <source>1 separate face was sewn with a tolerance of %1; the widest gap between two of them is %2.</source>
+        <translation>1 face séparée a été cousue avec une tolérance de %1 ; la plus large fente entre deux est de %2.</translation>
+    </message>
+    <message>
+        <source>%1 separate faces were sewn with a tolerance of %2; the widest gap between two of them is %3.</source>
+        <translation>%1 faces séparées ont été cousues avec une tolérance de %2 ; la plus large fente entre deux est de %3.</translation>
+    </message>
+    <message>
+        <source>%1: the 3MF does not keep to the format in 1 place; compare the parts with the program that wrote it.</source>
+        <translation>%1 : le 3MF ne suit pas le format à 1 endroit ; comparez les pièces avec le programme qui l&apos;a écrit.</translation>
+    </message>
+    <message>
+        <source>%1: the 3MF does not keep to the format in %2 places; compare the parts with the program that wrote it.</source>
+        <translation>%1 : le 3MF ne suit pas le format à %2 endroits ; comparez les pièces avec le programme qui l&apos;a écrit.</translation>
+    </message>
+    <message>
+        <source>%1: the file states no length unit; millimetres were taken.</source>
+        <translation>%1 : le fichier n&apos;indique pas d&apos;unité de longueur ; des millimètres ont été pris.</translation>
+    </message>
+    <message>
+        <source>%1: the file mixes the length units %2 and %3; check the sizes of the parts.</source>
+        <translation>%1 : le fichier mêle les unités de longueur %2 et %3 ; vérifiez les tailles des pièces.</translation>
+    </message>
+    <message>
+        <source>%1: its schema &quot;%2&quot; is none for CAD parts; check that nothing is missing.</source>
+        <translation>%1 : son schéma &quot;%2&quot; n&apos;est pas fait pour des pièces CAO ; vérifiez que rien ne manque.</translation>
+    </message>
+    <message>
+        <source>%1: the part is %2 long; if its lengths are %3, it is %4.</source>
+        <translation>%1 : la pièce fait %2 de long ; si ses longueurs sont en %3, elle fait %4.</translation>
+    </message>
+    <message>
+        <source>%1: the parts together are %2 long; if their lengths are %3, they are %4.</source>
+        <translation>%1 : les pièces font ensemble %2 de long ; si leurs longueurs sont en %3, elles font %4.</translation>
+    </message>
+    <message>
+        <source>%1: the part is %2 long; if its lengths are %3, it is %4. Open that file alone to correct it.</source>
+        <translation>%1 : la pièce fait %2 de long ; si ses longueurs sont en %3, elle fait %4. Ouvrez ce fichier seul pour corriger cela.</translation>
+    </message>
+    <message>
+        <source>%1: the parts together are %2 long; if their lengths are %3, they are %4. Open that file alone to correct it.</source>
+        <translation>%1 : les pièces font ensemble %2 de long ; si leurs longueurs sont en %3, elles font %4. Ouvrez ce fichier seul pour corriger cela.</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>millimètres</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centimètres</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>mètres</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pouces</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>pieds</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>micromètres</translation>
+    </message>
+    <message>
+        <source>decimetres</source>
+        <translation>décimètres</translation>
+    </message>
+    <message>
+        <source>kilometres</source>
+        <translation>kilomètres</translation>
+    </message>
+    <message>
+        <source>miles</source>
+        <translation>milles</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no triangles.</source>
+        <translation>&quot;%1&quot; n&apos;a pas de triangles.</translation>
+    </message>
+    <message>
+        <source>1 shape of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
+        <translation>1 forme du fichier STEP n&apos;a pas pu être lue : ses faces sont abîmées ou d&apos;un genre inconnu.</translation>
+    </message>
+    <message>
+        <source>%1 shapes of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
+        <translation>%1 formes du fichier STEP n&apos;ont pas pu être lues : leurs faces sont abîmées ou d&apos;un genre inconnu.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was left out: %2.</source>
+        <translation>&quot;%1&quot; a été laissé de côté : %2.</translation>
+    </message>
+    <message>
+        <source>it has no finite size: numbers in it are damaged, or its edges are smaller than 0.1 um and lost; check the length unit</source>
+        <translation>sa taille n&apos;est pas finie : des nombres y sont abîmés, ou ses arêtes sont plus petites que 0.1 um et perdues ; vérifiez l&apos;unité de longueur</translation>
+    </message>
+    <message>
+        <source>it reaches farther than 100 km from the origin; check the length unit and the position</source>
+        <translation>il s&apos;étend à plus de 100 km de l&apos;origine ; vérifiez l&apos;unité de longueur et la position</translation>
+    </message>
+    <message>
+        <source>its faces lead far away from their edges: numbers in it are damaged</source>
+        <translation>ses faces s&apos;éloignent beaucoup de leurs arêtes : des nombres y sont abîmés</translation>
+    </message>
+    <message>
+        <source>it is smaller than a micrometre; check the length unit</source>
+        <translation>il est plus petit qu&apos;un micromètre ; vérifiez l&apos;unité de longueur</translation>
+    </message>
+    <message>
+        <source>its faces and edges are up to %1 apart, at a size of %2</source>
+        <translation>ses faces et arêtes sont écartées de %1 au plus, pour une taille de %2</translation>
+    </message>
+    <message>
+        <source>the solid has no volume</source>
+        <translation>le solide n&apos;a pas de volume</translation>
+    </message>
+    <message>
+        <source>it could not be measured (%1)</source>
+        <translation>il n&apos;a pas pu être mesuré (%1)</translation>
+    </message>
+    <message>
+        <source>The thinnest wall is %1: %2 cells, so it will be weak or missing; a spacing of %3 would give %4 cells and about %5 objects.</source>
+        <translation>La paroi la plus mince fait %1 : %2 cellules, elle sera donc faible ou absente ; un espacement de %3 donnerait %4 cellules et environ %5 objets.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not simulated: %2</source>
+        <translation>&quot;%1&quot; n&apos;est pas simulé : %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no surface, so it is not shown.</source>
+        <translation>&quot;%1&quot; n&apos;a pas de surface et n&apos;est donc pas montré.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a closed solid: it is shown, and not simulated. Close its surfaces and import it again.</source>
+        <translation>&quot;%1&quot; n&apos;est pas un solide fermé : il est montré, et non simulé. Fermez ses surfaces et importez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>A spacing of %1 needs more than %2 objects. Choose a larger spacing.</source>
+        <translation>Un espacement de %1 demande plus de %2 objets. Choisissez un espacement plus grand.</translation>
+    </message>
+    <message>
+        <source>The part has no triangles, so there is nothing to fill. Import a part with a surface.</source>
+        <translation>La pièce n&apos;a pas de triangles, il n&apos;y a donc rien à remplir. Importez une pièce avec une surface.</translation>
+    </message>
+    <message>
+        <source>A vertex of the surface is not at a finite place. Repair the file and import again.</source>
+        <translation>Un sommet de la surface n&apos;est pas en un lieu fini. Réparez le fichier et importez de nouveau.</translation>
+    </message>
+    <message>
+        <source>The surface is not closed: %1 edges of triangles have no partner. Close the gaps and import again.</source>
+        <translation>La surface n&apos;est pas fermée : %1 arêtes de triangles n&apos;ont pas de partenaire. Fermez les lacunes et importez de nouveau.</translation>
+    </message>
+    <message>
+        <source>The surface does not bound a volume: its holes are too large to tell inside from outside. Close them and import again.</source>
+        <translation>La surface ne borne pas de volume : ses trous sont trop grands pour distinguer l&apos;intérieur de l&apos;extérieur. Fermez-les et importez de nouveau.</translation>
+    </message>
+    <message>
+        <source>The part is too thin for a spacing of %1: no cell holds enough material. Choose a smaller spacing.</source>
+        <translation>La pièce est trop mince pour un espacement de %1 : aucune cellule ne contient assez de matériau. Choisissez un espacement plus petit.</translation>
+    </message>
+    <message>
+        <source>its surface passes through itself near %1; other programs may refuse that.</source>
+        <translation>sa surface se traverse elle-même près de %1 ; d&apos;autres programmes peuvent le refuser.</translation>
+    </message>
+    <message>
+        <source>%1 of its faces could not be carried along: %2.</source>
+        <translation>%1 de ses faces n&apos;ont pas pu être entraînées : %2.</translation>
+    </message>
+    <message>
+        <source>an edge has no curve on its face</source>
+        <translation>une arête n&apos;a pas de courbe sur sa face</translation>
+    </message>
+    <message>
+        <source>an edge has a curve on its face that does not match it</source>
+        <translation>la courbe d&apos;une arête sur sa face ne lui correspond pas</translation>
+    </message>
+    <message>
+        <source>a face has no surface</source>
+        <translation>une face n&apos;a pas de géométrie</translation>
+    </message>
+    <message>
+        <source>a face has no border</source>
+        <translation>une face n&apos;a pas de bord</translation>
+    </message>
+    <message>
+        <source>a face is degenerate</source>
+        <translation>une face est dégénérée</translation>
+    </message>
+    <message>
+        <source>its faces do not fit together any more as they are bent now.</source>
+        <translation>ainsi courbées, ses faces ne s&apos;ajustent plus entre elles.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: face %2 does not come as close to the skin as was aimed at, %3 mm; face %4 is %5 mm off.</source>
+        <translation>« %1 » : la face %2 n&apos;approche pas la peau d&apos;aussi près que visé, %3 mm ; la face %4 en est à %5 mm.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: %2 faces, %3, do not come as close to the skin as was aimed at, %4 mm; face %5 is %6 mm off.</source>
+        <translation>« %1 » : %2 faces, %3, n&apos;approchent pas la peau d&apos;aussi près que visé, %4 mm ; la face %5 en est à %6 mm.</translation>
+    </message>
+    <message>
+        <source>1 face was added: those that close in themselves came in two, since as they were bent here they did not make a sound solid.</source>
+        <translation>1 face a été ajoutée : celles qui se referment sur elles-mêmes ont été divisées, car ainsi courbées elles ne formaient pas un solide correct.</translation>
+    </message>
+    <message>
+        <source>%1 faces were added: those that close in themselves came in two, since as they were bent here they did not make a sound solid.</source>
+        <translation>%1 faces ont été ajoutées : celles qui se referment sur elles-mêmes ont été divisées, car ainsi courbées elles ne formaient pas un solide correct.</translation>
+    </message>
+    <message>
+        <source>it came as a mesh, which has no smooth faces.</source>
+        <translation>elle est venue comme maillage, qui n&apos;a pas de faces lisses.</translation>
+    </message>
+    <message>
+        <source>faces that met smoothly now meet at an angle near %1; a smaller tolerance may help.</source>
+        <translation>des faces qui se rejoignaient en douceur forment maintenant un angle près de %1 ; une tolérance plus petite peut aider.</translation>
+    </message>
+    <message>
+        <source>The file holds %1 parts where %2 were written.</source>
+        <translation>Le fichier contient %1 pièces alors que %2 ont été écrites.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is cracked but in one piece: 1 of its connections is broken, and its skin spans the crack, stretched to %2 times its length there near %3.</source>
+        <translation>« %1 » est fissurée mais d&apos;un seul tenant : 1 de ses liaisons est rompue, et la peau enjambe la fissure, étirée à %2 fois sa longueur près de %3.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is cracked but in one piece: %2 of its connections are broken, and its skin spans the crack, stretched to %3 times its length there near %4.</source>
+        <translation>« %1 » est fissurée mais d&apos;un seul tenant : %2 de ses liaisons sont rompues, et la peau enjambe la fissure, étirée à %3 fois sa longueur près de %4.</translation>
+    </message>
+    <message>
+        <source>too few of its objects hang together to say how it is deformed: it is written in its shape at rest, moved as they have.</source>
+        <translation>trop peu de ses objets tiennent ensemble pour dire comment elle est déformée : elle est écrite dans sa forme au repos, déplacée comme eux.</translation>
+    </message>
+    <message>
+        <source>the part is torn; this is one of %1 pieces.</source>
+        <translation>la pièce est déchirée ; ceci est l&apos;un de ses %1 morceaux.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces do not pass the geometry checks.</source>
+        <translation>relues dans le fichier, ses faces courbées ne passent pas les contrôles de géométrie.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces leave gaps.</source>
+        <translation>relues dans le fichier, ses faces courbées laissent des jours.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces are up to %1 mm off the skin where %2 mm are allowed.</source>
+        <translation>relues dans le fichier, ses faces courbées s&apos;écartent de la peau jusqu&apos;à %1 mm alors que %2 mm sont permis.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces enclose a volume %1 % off that of the skin.</source>
+        <translation>relues dans le fichier, ses faces courbées enferment un volume qui diffère de %1 % de celui de la peau.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; would need %2 flat faces, more than CAD programs can work with; export it as a mesh.</source>
+        <translation>« %1 » demanderait %2 faces planes, plus que n&apos;en traitent les programmes de CAO ; exportez-la comme maillage.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is an open mesh, which CAD files cannot hold; hide it, or export as a mesh.</source>
+        <translation>« %1 » est un maillage ouvert, que les fichiers de CAO ne peuvent contenir ; masquez-la ou exportez comme maillage.</translation>
+    </message>
+</context>
+<context>
     <name>FilmWriter</name>
     <message>
         <source>There is no room left in %1. Free some, or record fewer or smaller pictures.</source>
         <translation>Il n&apos;y a plus de place dans %1. Libérez-en, ou enregistrez moins d&apos;images ou de plus petites.</translation>
     </message>
     <message>
-        <source>%1 cannot be written. Choose another place.</source>
-        <translation>%1 ne peut pas être écrit. Choisissez un autre endroit.</translation>
-    </message>
-    <message>
         <source>%1 is there already. Choose another name for the folder of pictures.</source>
         <translation>%1 existe déjà. Choisissez un autre nom pour le dossier des images.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: is there room on the disk?</source>
-        <translation>%1 ne peut pas être écrit&#xa0;: reste-t-il de la place sur le disque&#xa0;?</translation>
-    </message>
-    <message>
-        <source>%1 cannot be made: %2.</source>
-        <translation>%1 ne peut pas être créé&#xa0;: %2.</translation>
-    </message>
-    <message>
         <source>No folder can be made in %1: %2. Choose another place.</source>
         <translation>Aucun dossier ne peut être créé dans %1&#xa0;: %2. Choisissez un autre endroit.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made (%2). Choose another name for the folder of pictures.</source>
+        <translation>%1 ne peut pas être créé (%2). Choisissez un autre nom pour le dossier des images.</translation>
     </message>
 </context>
 <context>
@@ -1208,6 +1735,17 @@
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>Graphics</name>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>The window needs OpenGL 3.2 or later to draw, and here is %1. Install or update the driver of the graphics card, or Mesa (libgl1-mesa-dri), which draws without such a card. The commands that knead --help lists need no window.</source>
+        <translation>La fenêtre a besoin d&apos;OpenGL 3.2 ou plus récent pour dessiner, et il y a ici %1. Installez ou mettez à jour le pilote de la carte graphique, ou Mesa (libgl1-mesa-dri), qui dessine sans une telle carte. Les commandes que liste knead --help n&apos;ont pas besoin de fenêtre.</translation>
     </message>
 </context>
 <context>
@@ -1378,6 +1916,14 @@
     <message>
         <source>Keys drive tools   Shift: slower   Esc: done</source>
         <translation>Les touches conduisent les outils   Maj&#xa0;: plus lent   Échap&#xa0;: fini</translation>
+    </message>
+    <message>
+        <source>Along the tool&apos;s own axes</source>
+        <translation>Selon les axes de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>Handles lie along the axes of the tool, not of the world</source>
+        <translation>Les poignées suivent les axes de l&apos;outil, non ceux du monde</translation>
     </message>
 </context>
 <context>
@@ -1739,6 +2285,17 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>LogPanel</name>
+    <message>
+        <source>Warning: %1</source>
+        <translation>Avertissement : %1</translation>
+    </message>
+    <message>
+        <source>Error: %1</source>
+        <translation>Erreur : %1</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>Knead</source>
@@ -2068,8 +2625,8 @@ Simulé&#xa0;: %2, pas %3
         <translation>Tirer pour déplacer la chronologie</translation>
     </message>
     <message>
-        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeric pad 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;top, isometric, front, right; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;clicks select parts, faces, edges, objects; Ctrl adds&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Bouton gauche&lt;/b&gt;&lt;/td&gt;&lt;td&gt;choisir&#xa0;; tirer un outil&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Bouton du milieu&lt;/b&gt;&lt;/td&gt;&lt;td&gt;tourner&#xa0;; avec Maj ou Ctrl glisser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Molette&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomer vers le curseur&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Flèches, Pg préc, Pg suiv&lt;/b&gt;&lt;/td&gt;&lt;td&gt;conduire l&apos;outil choisi&#xa0;; Maj est plus lent&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Espace, . , Retour arrière&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lecture ou pause, un pas, réinitialiser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Suppr&lt;/b&gt;&lt;/td&gt;&lt;td&gt;ajouter un bloc, fixer des faces, supprimer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;pesanteur, renormaliser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objets, cacher le corps, arêtes&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, pavé numérique 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dessus, isométrique, face, droite&#xa0;; Ctrl&#xa0;: de l&apos;autre côté&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;les clics choisissent pièces, faces, arêtes, objets&#xa0;; Ctrl ajoute&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective ou parallèle, ajuster&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;enregistrer le projet&#xa0;; Ctrl+Maj+S sous un autre nom&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;trouver toute commande&#xa0;; F11&#xa0;: plein écran&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Échap&lt;/b&gt;&lt;/td&gt;&lt;td&gt;annuler&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
+        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeric pad 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;top, isometric, front, right; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;clicks select parts, faces, edges, objects; Ctrl adds&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;one, two, four views; V: the active view alone&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Bouton gauche&lt;/b&gt;&lt;/td&gt;&lt;td&gt;choisir&#xa0;; tirer un outil&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Bouton du milieu&lt;/b&gt;&lt;/td&gt;&lt;td&gt;tourner&#xa0;; avec Maj ou Ctrl glisser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Molette&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomer vers le curseur&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Flèches, Pg préc, Pg suiv&lt;/b&gt;&lt;/td&gt;&lt;td&gt;conduire l&apos;outil choisi&#xa0;; Maj est plus lent&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Espace, . , Retour arrière&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lecture ou pause, un pas, réinitialiser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Suppr&lt;/b&gt;&lt;/td&gt;&lt;td&gt;ajouter un bloc, fixer des faces, supprimer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;pesanteur, renormaliser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objets, cacher le corps, arêtes&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, pavé numérique 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dessus, isométrique, face, droite&#xa0;; Ctrl&#xa0;: de l&apos;autre côté&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;les clics choisissent pièces, faces, arêtes, objets&#xa0;; Ctrl ajoute&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective ou parallèle, ajuster&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;enregistrer le projet&#xa0;; Ctrl+Maj+S sous un autre nom&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Maj+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;une, deux, quatre vues&#xa0;; V&#xa0;: la vue active seule&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;trouver toute commande&#xa0;; F11&#xa0;: plein écran&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Échap&lt;/b&gt;&lt;/td&gt;&lt;td&gt;annuler&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
     <message>
         <source>Display</source>
@@ -2096,16 +2653,8 @@ Simulé&#xa0;: %2, pas %3
         <translation>Il n&apos;y a encore aucune force à écrire&#xa0;: appuyez sur Lecture et laissez quelque chose se passer.</translation>
     </message>
     <message>
-        <source>%1: the table could not be written. Make room on the disk, or choose another folder.</source>
-        <translation>%1&#xa0;: le tableau n&apos;a pas pu être écrit. Libérez de la place sur le disque, ou choisissez un autre dossier.</translation>
-    </message>
-    <message>
         <source>Writing %1</source>
         <translation>Écriture de %1</translation>
-    </message>
-    <message>
-        <source>%1: forces at %2 times written.</source>
-        <translation>%1&#xa0;: forces écrites pour %2 instants.</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
@@ -2195,6 +2744,34 @@ Simulé&#xa0;: %2, pas %3
         <source>Fill finer</source>
         <translation>Remplir plus fin</translation>
     </message>
+    <message>
+        <source>Viewports</source>
+        <translation>Vues</translation>
+    </message>
+    <message>
+        <source>Show two or four views first.</source>
+        <translation>Montrez d&apos;abord deux ou quatre vues.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Gravity as on</source>
+        <translation>Pesanteur comme sur</translation>
+    </message>
+    <message>
+        <source>Integrator</source>
+        <translation>Intégrateur</translation>
+    </message>
+    <message>
+        <source>Speed of the film</source>
+        <translation>Vitesse du film</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not simulated: %2</source>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas simulé&#xa0;: %2</translation>
+    </message>
 </context>
 <context>
     <name>MaterialComparisonDialog</name>
@@ -2225,6 +2802,73 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Speed of sound</source>
         <translation>Vitesse du son</translation>
+    </message>
+    <message>
+        <source>1/%1 of it</source>
+        <translation>1/%1 de cela</translation>
+    </message>
+</context>
+<context>
+    <name>MaterialName</name>
+    <message>
+        <source>Soft jelly</source>
+        <translation>Gelée molle</translation>
+    </message>
+    <message>
+        <source>Jelly</source>
+        <translation>Gelée</translation>
+    </message>
+    <message>
+        <source>Soft foam</source>
+        <translation>Mousse souple</translation>
+    </message>
+    <message>
+        <source>Sponge rubber</source>
+        <translation>Caoutchouc cellulaire</translation>
+    </message>
+    <message>
+        <source>Silicone rubber</source>
+        <translation>Caoutchouc silicone</translation>
+    </message>
+    <message>
+        <source>Modeling clay</source>
+        <translation>Argile à modeler</translation>
+    </message>
+    <message>
+        <source>Natural rubber</source>
+        <translation>Caoutchouc naturel</translation>
+    </message>
+    <message>
+        <source>Plasticine</source>
+        <translation>Pâte à modeler</translation>
+    </message>
+    <message>
+        <source>Rigid foam</source>
+        <translation>Mousse rigide</translation>
+    </message>
+    <message>
+        <source>Wax</source>
+        <translation>Cire</translation>
+    </message>
+    <message>
+        <source>ABS</source>
+        <translation>ABS</translation>
+    </message>
+    <message>
+        <source>Wood along the grain</source>
+        <translation>Bois dans le sens du fil</translation>
+    </message>
+    <message>
+        <source>Aluminum</source>
+        <translation>Aluminium</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>Verre</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Acier</translation>
     </message>
 </context>
 <context>
@@ -3431,8 +4075,8 @@ Simulé&#xa0;: %2, pas %3
         <translation>Pièce</translation>
     </message>
     <message>
-        <source>%1 slower than real time</source>
-        <translation>%1 plus lent que le temps réel</translation>
+        <source>%1x real time</source>
+        <translation>%1x le temps réel</translation>
     </message>
 </context>
 <context>
@@ -3460,6 +4104,25 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Units: %1</source>
         <translation>Unités&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ReadProject</name>
+    <message>
+        <source>%1 was written after this work was cut off, and stays as it is: save the work under a name of its own, or in place of that file.</source>
+        <translation>%1 a été écrit après l&apos;interruption de ce travail et reste tel quel&#xa0;: enregistrez le travail sous un nom à lui, ou à la place de ce fichier.</translation>
+    </message>
+    <message>
+        <source>%1 stays as it is, since the recovered work is not whole: save the work under a name of its own, or in place of that file.</source>
+        <translation>%1 reste tel quel, car le travail récupéré n&apos;est pas entier&#xa0;: enregistrez le travail sous un nom à lui, ou à la place de ce fichier.</translation>
+    </message>
+    <message>
+        <source>The parts of this project are lost, so that nothing of it can be shown. Open the part that it was made from.</source>
+        <translation>Les pièces de ce projet sont perdues, si bien que rien ne peut en être montré. Ouvrez la pièce dont il a été fait.</translation>
+    </message>
+    <message>
+        <source>%1: what was seen last cannot be shown. %2 What is whole can be rescued.</source>
+        <translation>%1&#xa0;: ce qui a été vu en dernier ne peut pas être montré. %2 Ce qui est entier peut être sauvé.</translation>
     </message>
 </context>
 <context>
@@ -3509,8 +4172,8 @@ Simulé&#xa0;: %2, pas %3
         <translation>%1, comme la vue</translation>
     </message>
     <message>
-        <source>Choose a place…</source>
-        <translation>Choisir un endroit…</translation>
+        <source>Choose a place...</source>
+        <translation>Choisir un endroit...</translation>
     </message>
     <message>
         <source>1 picture</source>
@@ -3527,6 +4190,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>%1: PNG files in a folder of their own</source>
         <translation>%1&#xa0;: des fichiers PNG dans un dossier à part</translation>
+    </message>
+    <message>
+        <source>What the active view shows: %1</source>
+        <translation>Ce que montre la vue active&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -4236,10 +4903,32 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>Studio</name>
+    <message>
+        <source>The graphics card takes no more pictures. Close other programs and try again.</source>
+        <translation>La carte graphique ne prend plus d&apos;images. Fermez d&apos;autres programmes et réessayez.</translation>
+    </message>
+    <message>
+        <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
+        <translation>La carte graphique ne dessine pas d&apos;images de cette taille. Choisissez-en une plus petite.</translation>
+    </message>
+    <message>
+        <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
+        <translation>Le pilote graphique ne dessine que pour la fenêtre, rien ne peut donc être enregistré. Démarrez Knead avec LIBGL_ALWAYS_SOFTWARE=1 dans son environnement pour enregistrer sans le pilote.</translation>
+    </message>
+</context>
+<context>
     <name>TaskReading</name>
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>TaskRunner</name>
+    <message>
+        <source>%1: there is not enough memory. Close other programs, or choose a larger spacing.</source>
+        <translation>%1&#xa0;: la mémoire ne suffit pas. Fermez d&apos;autres programmes, ou choisissez un espacement plus grand.</translation>
     </message>
 </context>
 <context>
@@ -4302,6 +4991,14 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Looking back at %1   Esc: return</source>
         <translation>Regard en arrière sur %1   Échap&#xa0;: revenir</translation>
+    </message>
+    <message>
+        <source>Play the film</source>
+        <translation>Jouer le film</translation>
+    </message>
+    <message>
+        <source>Simulate something first, and look back at it.</source>
+        <translation>Simulez d&apos;abord quelque chose, puis revenez-y.</translation>
     </message>
 </context>
 <context>
@@ -4487,6 +5184,49 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>BOTTOM</source>
         <translation>DESSOUS</translation>
+    </message>
+</context>
+<context>
+    <name>ViewName</name>
+    <message>
+        <source>Front</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Arrière</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Dessous</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isométrique</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspective</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallèle</translation>
+    </message>
+    <message>
+        <source>Double click: this view alone, and all of them again</source>
+        <translation>Double clic&#xa0;: cette vue seule, puis de nouveau toutes</translation>
     </message>
 </context>
 </TS>

@@ -362,6 +362,54 @@
         <source>Plate</source>
         <translation>Plaat</translation>
     </message>
+    <message>
+        <source>One view</source>
+        <translation>Eén aanzicht</translation>
+    </message>
+    <message>
+        <source>One view of the part</source>
+        <translation>Eén aanzicht van het onderdeel</translation>
+    </message>
+    <message>
+        <source>Two views</source>
+        <translation>Twee aanzichten</translation>
+    </message>
+    <message>
+        <source>Two views of the part, side by side</source>
+        <translation>Twee aanzichten van het onderdeel naast elkaar</translation>
+    </message>
+    <message>
+        <source>Four views</source>
+        <translation>Vier aanzichten</translation>
+    </message>
+    <message>
+        <source>Front, top, right and the free view of the part</source>
+        <translation>Het onderdeel van voren, van boven, van rechts en vrij</translation>
+    </message>
+    <message>
+        <source>Active view alone</source>
+        <translation>Alleen het actieve aanzicht</translation>
+    </message>
+    <message>
+        <source>Show the active view alone, and all of them again</source>
+        <translation>Alleen het actieve aanzicht tonen, en weer alle</translation>
+    </message>
+    <message>
+        <source>Next view</source>
+        <translation>Volgend aanzicht</translation>
+    </message>
+    <message>
+        <source>Make the next of several views the active one</source>
+        <translation>Het volgende van meer aanzichten actief maken</translation>
+    </message>
+    <message>
+        <source>Linked cameras</source>
+        <translation>Gekoppelde camera&apos;s</translation>
+    </message>
+    <message>
+        <source>What is panned or zoomed in one view is in all of them</source>
+        <translation>Wat in één aanzicht wordt verschoven of gezoomd, wordt dat in alle</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -599,13 +647,69 @@
         <source>Colors</source>
         <translation>Kleuren</translation>
     </message>
-</context>
-<context>
-    <name>DisplayPanel</name>
+    <message>
+        <source>Color map: viridis</source>
+        <translation>Kleurschaal: viridis</translation>
+    </message>
+    <message>
+        <source>Color map: cividis</source>
+        <translation>Kleurschaal: cividis</translation>
+    </message>
+    <message>
+        <source>Color map: gray</source>
+        <translation>Kleurschaal: grijs</translation>
+    </message>
+    <message>
+        <source>From which colors to which numbers are shown</source>
+        <translation>Met welke kleuren getallen worden getoond</translation>
+    </message>
     <message>
         <source>Range as needed</source>
         <translation>Bereik naar behoefte</translation>
     </message>
+    <message>
+        <source>The colors reach as far as the numbers do</source>
+        <translation>De kleuren reiken zo ver als de getallen</translation>
+    </message>
+    <message>
+        <source>Color the skin by a quantity first.</source>
+        <translation>Kleur eerst de huid naar een grootheid.</translation>
+    </message>
+    <message>
+        <source>Section across X</source>
+        <translation>Doorsnede dwars op X</translation>
+    </message>
+    <message>
+        <source>Section across Y</source>
+        <translation>Doorsnede dwars op Y</translation>
+    </message>
+    <message>
+        <source>Section across Z</source>
+        <translation>Doorsnede dwars op Z</translation>
+    </message>
+    <message>
+        <source>Section towards the eye</source>
+        <translation>Doorsnede naar het oog toe</translation>
+    </message>
+    <message>
+        <source>Cut the part open through its middle</source>
+        <translation>Het onderdeel door het midden opensnijden</translation>
+    </message>
+    <message>
+        <source>Hatched</source>
+        <translation>Gearceerd</translation>
+    </message>
+    <message>
+        <source>Draw lines across what is cut</source>
+        <translation>Lijnen over het gesnedene tekenen</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Doorsnede</translation>
+    </message>
+</context>
+<context>
+    <name>DisplayPanel</name>
     <message>
         <source>Map</source>
         <translation>Kleurschaal</translation>
@@ -613,10 +717,6 @@
     <message>
         <source>From, to</source>
         <translation>Van, tot</translation>
-    </message>
-    <message>
-        <source>Hatched</source>
-        <translation>Gearceerd</translation>
     </message>
     <message>
         <source>Show</source>
@@ -745,10 +845,6 @@
         <translation>%1 is nog bezig: wacht erop of annuleer met Esc, en ga dan naar %2.</translation>
     </message>
     <message>
-        <source>There is not enough memory for this moment. Close other programs and try again.</source>
-        <translation>Er is niet genoeg geheugen voor dit moment. Sluit andere programma&apos;s en probeer het opnieuw.</translation>
-    </message>
-    <message>
         <source>Branching from %1</source>
         <translation>Vertakken vanaf %1</translation>
     </message>
@@ -803,6 +899,10 @@
     <message>
         <source>&quot;%1&quot; names edges or connections of another filling: undo to go back to that, or select them again and save them under this name.</source>
         <translation>„%1” benoemt randen of verbindingen van een andere vulling: ga daar met Ongedaan maken naar terug, of kies ze opnieuw en sla ze onder deze naam op.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to go to %1. Close other programs and try again.</source>
+        <translation>Er is niet genoeg geheugen om naar %1 te gaan. Sluit andere programma&apos;s en probeer het opnieuw.</translation>
     </message>
 </context>
 <context>
@@ -1007,8 +1107,8 @@
         <translation>Het verslag ernaast bewaren als JSON-bestand</translation>
     </message>
     <message>
-        <source>Choose a place…</source>
-        <translation>Een plaats kiezen…</translation>
+        <source>Choose a place...</source>
+        <translation>Een plaats kiezen...</translation>
     </message>
 </context>
 <context>
@@ -1119,30 +1219,457 @@
     </message>
 </context>
 <context>
+    <name>FileWords</name>
+    <message>
+        <source>was inside out and has been turned.</source>
+        <translation>was binnenstebuiten en is gekeerd.</translation>
+    </message>
+    <message>
+        <source>is not a closed surface: %1. It is shown and cannot be filled.</source>
+        <translation>is geen gesloten oppervlak: %1. Het wordt getoond en kan niet worden gevuld.</translation>
+    </message>
+    <message>
+        <source>is an open surface: %1. It is shown and cannot be filled.</source>
+        <translation>is een open oppervlak: %1. Het wordt getoond en kan niet worden gevuld.</translation>
+    </message>
+    <message>
+        <source>is not closed: %1. It is shown and cannot be filled.</source>
+        <translation>is niet gesloten: %1. Het wordt getoond en kan niet worden gevuld.</translation>
+    </message>
+    <message>
+        <source>is a closed surface but no solid; it is shown and cannot be filled.</source>
+        <translation>is een gesloten oppervlak maar geen lichaam; het wordt getoond en kan niet worden gevuld.</translation>
+    </message>
+    <message>
+        <source>could not be covered with a closed net of triangles; it cannot be filled.</source>
+        <translation>kon niet met een gesloten net van driehoeken worden bedekt; het kan niet worden gevuld.</translation>
+    </message>
+    <message>
+        <source>has no volume; it cannot be filled.</source>
+        <translation>heeft geen volume; het kan niet worden gevuld.</translation>
+    </message>
+    <message>
+        <source>does not pass the geometry checks; look at it closely before you trust it.</source>
+        <translation>doorstaat de controles van de geometrie niet; bekijk het goed voordat u erop vertrouwt.</translation>
+    </message>
+    <message>
+        <source>has gaps of up to %1, a hundredth of its size or more.</source>
+        <translation>heeft spleten tot %1, een honderdste van zijn grootte of meer.</translation>
+    </message>
+    <message>
+        <source>has faces that do not meet well: its volume is uncertain by %1.</source>
+        <translation>heeft vlakken die niet goed aansluiten: zijn volume is %1 onzeker.</translation>
+    </message>
+    <message>
+        <source>has 1 face without triangles: not shown, for the file describes what cannot be.</source>
+        <translation>heeft 1 vlak zonder driehoeken: niet getoond, want het bestand beschrijft wat niet kan.</translation>
+    </message>
+    <message>
+        <source>has %1 faces without triangles: not shown, for the file describes what cannot be.</source>
+        <translation>heeft %1 vlakken zonder driehoeken: niet getoond, want het bestand beschrijft wat niet kan.</translation>
+    </message>
+    <message>
+        <source>is incomplete: %1 of %2 faces of a shell could be read; the others are damaged in the file.</source>
+        <translation>is onvolledig: %1 van %2 vlakken van een schaal konden worden gelezen; de andere zijn in het bestand beschadigd.</translation>
+    </message>
+    <message>
+        <source>%1 in %2, %3 long in all; the largest opening is %4 across</source>
+        <translation>%1 in %2, samen %3 lang; de grootste opening is %4 breed</translation>
+    </message>
+    <message>
+        <source>%1 in %2, %3 long in all; the largest opening is %4 across and flat</source>
+        <translation>%1 in %2, samen %3 lang; de grootste opening is %4 breed en vlak</translation>
+    </message>
+    <message>
+        <source>1 open edge</source>
+        <translation>1 open rand</translation>
+    </message>
+    <message>
+        <source>%1 open edges</source>
+        <translation>%1 open randen</translation>
+    </message>
+    <message>
+        <source>1 border</source>
+        <translation>1 omtrek</translation>
+    </message>
+    <message>
+        <source>%1 borders</source>
+        <translation>%1 omtrekken</translation>
+    </message>
+    <message>
+        <source>1 triangle was there twice and removed.</source>
+        <translation>1 driehoek was er dubbel en is verwijderd.</translation>
+    </message>
+    <message>
+        <source>%1 triangles were there twice and removed.</source>
+        <translation>%1 driehoeken waren er dubbel en zijn verwijderd.</translation>
+    </message>
+    <message>
+        <source>The surface was given with both its sides; one of them was removed.</source>
+        <translation>Het oppervlak was met beide zijden gegeven; een ervan is verwijderd.</translation>
+    </message>
+    <message>
+        <source>1 pair of triangles back to back was removed.</source>
+        <translation>1 paar driehoeken rug aan rug is verwijderd.</translation>
+    </message>
+    <message>
+        <source>%1 pairs of triangles back to back were removed.</source>
+        <translation>%1 paren driehoeken rug aan rug zijn verwijderd.</translation>
+    </message>
+    <message>
+        <source>1 triangle faced the wrong way and was turned.</source>
+        <translation>1 driehoek lag verkeerd om en is gekeerd.</translation>
+    </message>
+    <message>
+        <source>%1 triangles faced the wrong way and were turned.</source>
+        <translation>%1 driehoeken lagen verkeerd om en zijn gekeerd.</translation>
+    </message>
+    <message>
+        <source>1 small hole was closed, which added %1 to the area.</source>
+        <translation>1 klein gat is gesloten, wat %1 aan het oppervlak toevoegde.</translation>
+    </message>
+    <message>
+        <source>%1 small holes were closed, which added %2 to the area.</source>
+        <translation>%1 kleine gaten zijn gesloten, wat %2 aan het oppervlak toevoegde.</translation>
+    </message>
+    <message>
+        <source>The surface was inside out and has been turned.</source>
+        <translation>Het oppervlak was binnenstebuiten en is gekeerd.</translation>
+    </message>
+    <message>
+        <source>The solid was inside out and has been turned.</source>
+        <translation>Het lichaam was binnenstebuiten en is gekeerd.</translation>
+    </message>
+    <message>
+        <source>1 shell was inside out and turned.</source>
+        <translation>1 schaal was binnenstebuiten en is gekeerd.</translation>
+    </message>
+    <message>
+        <source>%1 shells were inside out and turned.</source>
+        <translation>%1 schalen waren binnenstebuiten en zijn gekeerd.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid.</source>
+        <translation>Het gesloten oppervlak is een lichaam geworden.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid, with 1 void in it.</source>
+        <translation>Het gesloten oppervlak is een lichaam geworden, met 1 holte erin.</translation>
+    </message>
+    <message>
+        <source>The closed surface was made a solid, with %1 voids in it.</source>
+        <translation>Het gesloten oppervlak is een lichaam geworden, met %1 holten erin.</translation>
+    </message>
+    <message>
+        <source>1 flat opening was closed with a plane face, %1 % of the area.</source>
+        <translation>1 vlakke opening is met een plat vlak gesloten, %1 % van het oppervlak.</translation>
+    </message>
+    <message>
+        <source>%1 flat openings were closed with plane faces, %2 % of the area.</source>
+        <translation>%1 vlakke openingen zijn met platte vlakken gesloten, %2 % van het oppervlak.</translation>
+    </message>
+    <message>
+        <source>Edges that failed the geometry checks were rebuilt.</source>
+        <translation>Randen die de controles van de geometrie niet doorstonden zijn opnieuw gemaakt.</translation>
+    </message>
+    <message>
+        <source>1 face that failed the geometry checks was rebuilt.</source>
+        <translation>1 vlak dat de controles van de geometrie niet doorstond is opnieuw gemaakt.</translation>
+    </message>
+    <message>
+        <source>%1 faces that failed the geometry checks were rebuilt.</source>
+        <translation>%1 vlakken die de controles van de geometrie niet doorstonden zijn opnieuw gemaakt.</translation>
+    </message>
+    <message>
+        <source>1 separate face was sewn with a tolerance of %1.</source>
+        <translation>1 los vlak is met een tolerantie van %1 genaaid.</translation>
+    </message>
+    <message>
+        <source>%1 separate faces were sewn with a tolerance of %2.</source>
+        <translation>%1 losse vlakken zijn met een tolerantie van %2 genaaid.</translation>
+    </message>
+    <message>
+        <source>1 separate face was sewn with a tolerance of %1; the widest gap between two of them is %2.</source>
+        <translation>1 los vlak is met een tolerantie van %1 genaaid; de breedste spleet tussen twee ervan is %2.</translation>
+    </message>
+    <message>
+        <source>%1 separate faces were sewn with a tolerance of %2; the widest gap between two of them is %3.</source>
+        <translation>%1 losse vlakken zijn met een tolerantie van %2 genaaid; de breedste spleet tussen twee ervan is %3.</translation>
+    </message>
+    <message>
+        <source>%1: the 3MF does not keep to the format in 1 place; compare the parts with the program that wrote it.</source>
+        <translation>%1: het 3MF-bestand houdt zich op 1 plaats niet aan het formaat; vergelijk de onderdelen met het programma dat het schreef.</translation>
+    </message>
+    <message>
+        <source>%1: the 3MF does not keep to the format in %2 places; compare the parts with the program that wrote it.</source>
+        <translation>%1: het 3MF-bestand houdt zich op %2 plaatsen niet aan het formaat; vergelijk de onderdelen met het programma dat het schreef.</translation>
+    </message>
+    <message>
+        <source>%1: the file states no length unit; millimetres were taken.</source>
+        <translation>%1: het bestand noemt geen lengte-eenheid; millimeters zijn genomen.</translation>
+    </message>
+    <message>
+        <source>%1: the file mixes the length units %2 and %3; check the sizes of the parts.</source>
+        <translation>%1: het bestand mengt de lengte-eenheden %2 en %3; controleer de maten van de onderdelen.</translation>
+    </message>
+    <message>
+        <source>%1: its schema &quot;%2&quot; is none for CAD parts; check that nothing is missing.</source>
+        <translation>%1: zijn schema &quot;%2&quot; is er geen voor CAD-onderdelen; controleer of er niets ontbreekt.</translation>
+    </message>
+    <message>
+        <source>%1: the part is %2 long; if its lengths are %3, it is %4.</source>
+        <translation>%1: het onderdeel is %2 lang; als zijn lengten %3 zijn, is het %4.</translation>
+    </message>
+    <message>
+        <source>%1: the parts together are %2 long; if their lengths are %3, they are %4.</source>
+        <translation>%1: de onderdelen zijn samen %2 lang; als hun lengten %3 zijn, zijn ze %4.</translation>
+    </message>
+    <message>
+        <source>%1: the part is %2 long; if its lengths are %3, it is %4. Open that file alone to correct it.</source>
+        <translation>%1: het onderdeel is %2 lang; als zijn lengten %3 zijn, is het %4. Open dat bestand alleen om het te verbeteren.</translation>
+    </message>
+    <message>
+        <source>%1: the parts together are %2 long; if their lengths are %3, they are %4. Open that file alone to correct it.</source>
+        <translation>%1: de onderdelen zijn samen %2 lang; als hun lengten %3 zijn, zijn ze %4. Open dat bestand alleen om het te verbeteren.</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>millimeters</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centimeters</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>meters</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>inches</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>voeten</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>micrometers</translation>
+    </message>
+    <message>
+        <source>decimetres</source>
+        <translation>decimeters</translation>
+    </message>
+    <message>
+        <source>kilometres</source>
+        <translation>kilometers</translation>
+    </message>
+    <message>
+        <source>miles</source>
+        <translation>mijlen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no triangles.</source>
+        <translation>&quot;%1&quot; heeft geen driehoeken.</translation>
+    </message>
+    <message>
+        <source>1 shape of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
+        <translation>1 vorm van het STEP-bestand kon niet worden gelezen: de vlakken zijn beschadigd of van een onbekende soort.</translation>
+    </message>
+    <message>
+        <source>%1 shapes of the STEP file could not be read: its faces are damaged or of an unknown kind.</source>
+        <translation>%1 vormen van het STEP-bestand konden niet worden gelezen: de vlakken zijn beschadigd of van een onbekende soort.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was left out: %2.</source>
+        <translation>&quot;%1&quot; is weggelaten: %2.</translation>
+    </message>
+    <message>
+        <source>it has no finite size: numbers in it are damaged, or its edges are smaller than 0.1 um and lost; check the length unit</source>
+        <translation>het heeft geen eindige grootte: getallen erin zijn beschadigd, of de randen zijn kleiner dan 0.1 um en verloren; controleer de lengte-eenheid</translation>
+    </message>
+    <message>
+        <source>it reaches farther than 100 km from the origin; check the length unit and the position</source>
+        <translation>het reikt verder dan 100 km van de oorsprong; controleer de lengte-eenheid en de plaats</translation>
+    </message>
+    <message>
+        <source>its faces lead far away from their edges: numbers in it are damaged</source>
+        <translation>de vlakken lopen ver van hun randen weg: getallen erin zijn beschadigd</translation>
+    </message>
+    <message>
+        <source>it is smaller than a micrometre; check the length unit</source>
+        <translation>het is kleiner dan een micrometer; controleer de lengte-eenheid</translation>
+    </message>
+    <message>
+        <source>its faces and edges are up to %1 apart, at a size of %2</source>
+        <translation>de vlakken en randen liggen tot %1 uit elkaar, bij een grootte van %2</translation>
+    </message>
+    <message>
+        <source>the solid has no volume</source>
+        <translation>het lichaam heeft geen volume</translation>
+    </message>
+    <message>
+        <source>it could not be measured (%1)</source>
+        <translation>het kon niet worden gemeten (%1)</translation>
+    </message>
+    <message>
+        <source>The thinnest wall is %1: %2 cells, so it will be weak or missing; a spacing of %3 would give %4 cells and about %5 objects.</source>
+        <translation>De dunste wand is %1: %2 cellen, dus hij zal zwak zijn of ontbreken; een afstand van %3 zou %4 cellen en ongeveer %5 objecten geven.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not simulated: %2</source>
+        <translation>&quot;%1&quot; wordt niet gesimuleerd: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no surface, so it is not shown.</source>
+        <translation>&quot;%1&quot; heeft geen oppervlak en wordt dus niet getoond.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a closed solid: it is shown, and not simulated. Close its surfaces and import it again.</source>
+        <translation>&quot;%1&quot; is geen gesloten lichaam: het wordt getoond, en niet gesimuleerd. Sluit de oppervlakken en importeer het opnieuw.</translation>
+    </message>
+    <message>
+        <source>A spacing of %1 needs more than %2 objects. Choose a larger spacing.</source>
+        <translation>Een afstand van %1 vraagt meer dan %2 objecten. Kies een grotere afstand.</translation>
+    </message>
+    <message>
+        <source>The part has no triangles, so there is nothing to fill. Import a part with a surface.</source>
+        <translation>Het onderdeel heeft geen driehoeken, dus er is niets te vullen. Importeer een onderdeel met een oppervlak.</translation>
+    </message>
+    <message>
+        <source>A vertex of the surface is not at a finite place. Repair the file and import again.</source>
+        <translation>Een hoekpunt van het oppervlak ligt niet op een eindige plaats. Herstel het bestand en importeer opnieuw.</translation>
+    </message>
+    <message>
+        <source>The surface is not closed: %1 edges of triangles have no partner. Close the gaps and import again.</source>
+        <translation>Het oppervlak is niet gesloten: %1 randen van driehoeken hebben geen partner. Sluit de gaten en importeer opnieuw.</translation>
+    </message>
+    <message>
+        <source>The surface does not bound a volume: its holes are too large to tell inside from outside. Close them and import again.</source>
+        <translation>Het oppervlak begrenst geen volume: de gaten zijn te groot om binnen van buiten te onderscheiden. Sluit ze en importeer opnieuw.</translation>
+    </message>
+    <message>
+        <source>The part is too thin for a spacing of %1: no cell holds enough material. Choose a smaller spacing.</source>
+        <translation>Het onderdeel is te dun voor een afstand van %1: geen cel bevat genoeg materiaal. Kies een kleinere afstand.</translation>
+    </message>
+    <message>
+        <source>its surface passes through itself near %1; other programs may refuse that.</source>
+        <translation>het oppervlak gaat door zichzelf heen bij %1; andere programma&apos;s kunnen dat weigeren.</translation>
+    </message>
+    <message>
+        <source>%1 of its faces could not be carried along: %2.</source>
+        <translation>%1 van de vlakken konden niet worden meegevoerd: %2.</translation>
+    </message>
+    <message>
+        <source>an edge has no curve on its face</source>
+        <translation>een rand heeft geen kromme op het vlak</translation>
+    </message>
+    <message>
+        <source>an edge has a curve on its face that does not match it</source>
+        <translation>de kromme van een rand op het vlak past er niet bij</translation>
+    </message>
+    <message>
+        <source>a face has no surface</source>
+        <translation>een vlak heeft geen geometrie</translation>
+    </message>
+    <message>
+        <source>a face has no border</source>
+        <translation>een vlak heeft geen begrenzing</translation>
+    </message>
+    <message>
+        <source>a face is degenerate</source>
+        <translation>een vlak is ontaard</translation>
+    </message>
+    <message>
+        <source>its faces do not fit together any more as they are bent now.</source>
+        <translation>zo gebogen passen de vlakken niet meer op elkaar.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: face %2 does not come as close to the skin as was aimed at, %3 mm; face %4 is %5 mm off.</source>
+        <translation>&quot;%1&quot;: vlak %2 komt niet zo dicht bij de huid als beoogd, %3 mm; vlak %4 ligt er %5 mm naast.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: %2 faces, %3, do not come as close to the skin as was aimed at, %4 mm; face %5 is %6 mm off.</source>
+        <translation>&quot;%1&quot;: %2 vlakken, %3, komen niet zo dicht bij de huid als beoogd, %4 mm; vlak %5 ligt er %6 mm naast.</translation>
+    </message>
+    <message>
+        <source>1 face was added: those that close in themselves came in two, since as they were bent here they did not make a sound solid.</source>
+        <translation>1 vlak is toegevoegd: vlakken die in zichzelf sluiten zijn gedeeld, omdat ze zo gebogen geen gaaf lichaam vormden.</translation>
+    </message>
+    <message>
+        <source>%1 faces were added: those that close in themselves came in two, since as they were bent here they did not make a sound solid.</source>
+        <translation>%1 vlakken zijn toegevoegd: vlakken die in zichzelf sluiten zijn gedeeld, omdat ze zo gebogen geen gaaf lichaam vormden.</translation>
+    </message>
+    <message>
+        <source>it came as a mesh, which has no smooth faces.</source>
+        <translation>het kwam als net, dat geen gladde vlakken heeft.</translation>
+    </message>
+    <message>
+        <source>faces that met smoothly now meet at an angle near %1; a smaller tolerance may help.</source>
+        <translation>vlakken die vloeiend aansloten, maken nu een hoek bij %1; een kleinere tolerantie kan helpen.</translation>
+    </message>
+    <message>
+        <source>The file holds %1 parts where %2 were written.</source>
+        <translation>Het bestand bevat %1 onderdelen waar er %2 zijn geschreven.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is cracked but in one piece: 1 of its connections is broken, and its skin spans the crack, stretched to %2 times its length there near %3.</source>
+        <translation>&quot;%1&quot; is gescheurd maar nog één stuk: 1 van de verbindingen is gebroken, en de huid overspant de scheur, bij %3 tot %2 keer de lengte gerekt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is cracked but in one piece: %2 of its connections are broken, and its skin spans the crack, stretched to %3 times its length there near %4.</source>
+        <translation>&quot;%1&quot; is gescheurd maar nog één stuk: %2 van de verbindingen zijn gebroken, en de huid overspant de scheur, bij %4 tot %3 keer de lengte gerekt.</translation>
+    </message>
+    <message>
+        <source>too few of its objects hang together to say how it is deformed: it is written in its shape at rest, moved as they have.</source>
+        <translation>te weinig objecten hangen samen om te zeggen hoe het vervormd is: het wordt in zijn rustvorm geschreven, verplaatst zoals zij.</translation>
+    </message>
+    <message>
+        <source>the part is torn; this is one of %1 pieces.</source>
+        <translation>het onderdeel is gescheurd; dit is een van %1 stukken.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces do not pass the geometry checks.</source>
+        <translation>teruggelezen uit het bestand doorstaan de gebogen vlakken de geometriecontrole niet.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces leave gaps.</source>
+        <translation>teruggelezen uit het bestand laten de gebogen vlakken kieren.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces are up to %1 mm off the skin where %2 mm are allowed.</source>
+        <translation>teruggelezen uit het bestand liggen de gebogen vlakken tot %1 mm naast de huid waar %2 mm is toegestaan.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces enclose a volume %1 % off that of the skin.</source>
+        <translation>teruggelezen uit het bestand omsluiten de gebogen vlakken een volume dat %1 % afwijkt van dat van de huid.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; would need %2 flat faces, more than CAD programs can work with; export it as a mesh.</source>
+        <translation>&quot;%1&quot; zou %2 platte vlakken nodig hebben, meer dan CAD-programma&apos;s aankunnen; exporteer het als net.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is an open mesh, which CAD files cannot hold; hide it, or export as a mesh.</source>
+        <translation>&quot;%1&quot; is een open net, dat CAD-bestanden niet kunnen bevatten; verberg het, of exporteer als net.</translation>
+    </message>
+</context>
+<context>
     <name>FilmWriter</name>
     <message>
         <source>There is no room left in %1. Free some, or record fewer or smaller pictures.</source>
         <translation>Er is geen ruimte meer in %1. Maak ruimte, of neem minder of kleinere beelden op.</translation>
     </message>
     <message>
-        <source>%1 cannot be written. Choose another place.</source>
-        <translation>%1 kan niet geschreven worden. Kies een andere plaats.</translation>
-    </message>
-    <message>
         <source>%1 is there already. Choose another name for the folder of pictures.</source>
         <translation>%1 bestaat al. Kies een andere naam voor de map met beelden.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: is there room on the disk?</source>
-        <translation>%1 kan niet geschreven worden: is er ruimte op de schijf?</translation>
-    </message>
-    <message>
-        <source>%1 cannot be made: %2.</source>
-        <translation>%1 kan niet gemaakt worden: %2.</translation>
-    </message>
-    <message>
         <source>No folder can be made in %1: %2. Choose another place.</source>
         <translation>In %1 kan geen map gemaakt worden: %2. Kies een andere plaats.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made (%2). Choose another name for the folder of pictures.</source>
+        <translation>%1 kan niet worden gemaakt (%2). Kies een andere naam voor de map met beelden.</translation>
     </message>
 </context>
 <context>
@@ -1208,6 +1735,17 @@
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>Graphics</name>
+    <message>
+        <source>none</source>
+        <translation>geen</translation>
+    </message>
+    <message>
+        <source>The window needs OpenGL 3.2 or later to draw, and here is %1. Install or update the driver of the graphics card, or Mesa (libgl1-mesa-dri), which draws without such a card. The commands that knead --help lists need no window.</source>
+        <translation>Het venster heeft OpenGL 3.2 of nieuwer nodig om te tekenen, en hier is %1. Installeer of vernieuw het stuurprogramma van de grafische kaart, of Mesa (libgl1-mesa-dri), dat zonder zo&apos;n kaart tekent. De opdrachten die knead --help noemt hebben geen venster nodig.</translation>
     </message>
 </context>
 <context>
@@ -1378,6 +1916,14 @@
     <message>
         <source>Keys drive tools   Shift: slower   Esc: done</source>
         <translation>Toetsen besturen gereedschap   Shift: langzamer   Esc: klaar</translation>
+    </message>
+    <message>
+        <source>Along the tool&apos;s own axes</source>
+        <translation>Langs de eigen assen van het gereedschap</translation>
+    </message>
+    <message>
+        <source>Handles lie along the axes of the tool, not of the world</source>
+        <translation>Grepen liggen langs de assen van het gereedschap, niet van de wereld</translation>
     </message>
 </context>
 <context>
@@ -1739,6 +2285,17 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>LogPanel</name>
+    <message>
+        <source>Warning: %1</source>
+        <translation>Waarschuwing: %1</translation>
+    </message>
+    <message>
+        <source>Error: %1</source>
+        <translation>Fout: %1</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>Knead</source>
@@ -2068,8 +2625,8 @@ Gesimuleerd: %2, stap %3
         <translation>Sleep om de tijdlijn te verplaatsen</translation>
     </message>
     <message>
-        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeric pad 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;top, isometric, front, right; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;clicks select parts, faces, edges, objects; Ctrl adds&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Linkerknop&lt;/b&gt;&lt;/td&gt;&lt;td&gt;kiezen; gereedschap slepen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middelste knop&lt;/b&gt;&lt;/td&gt;&lt;td&gt;draaien; met Shift of Ctrl schuiven&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wiel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;naar de aanwijzer zoomen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pijlen, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;het gekozen gereedschap rijden; Shift is langzamer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Spatie, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;afspelen of pauzeren, één stap, terugzetten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;blok toevoegen, vlakken vastzetten, verwijderen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zwaartekracht, hernormaliseren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objecten, lichaam verbergen, randen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeriek blok 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;boven, isometrisch, voor, rechts; Ctrl: van de andere kant&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;klikken kiest onderdelen, vlakken, randen, objecten; Ctrl voegt toe&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspectief of parallel, passend&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;het project opslaan; Ctrl+Shift+S onder een andere naam&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;elke opdracht vinden; F11: volledig scherm&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;annuleren&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
+        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeric pad 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;top, isometric, front, right; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;clicks select parts, faces, edges, objects; Ctrl adds&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;one, two, four views; V: the active view alone&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Linkerknop&lt;/b&gt;&lt;/td&gt;&lt;td&gt;kiezen; gereedschap slepen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middelste knop&lt;/b&gt;&lt;/td&gt;&lt;td&gt;draaien; met Shift of Ctrl schuiven&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wiel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;naar de aanwijzer zoomen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pijlen, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;het gekozen gereedschap rijden; Shift is langzamer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Spatie, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;afspelen of pauzeren, één stap, terugzetten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;blok toevoegen, vlakken vastzetten, verwijderen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zwaartekracht, hernormaliseren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objecten, lichaam verbergen, randen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeriek blok 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;boven, isometrisch, voor, rechts; Ctrl: van de andere kant&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;klikken kiest onderdelen, vlakken, randen, objecten; Ctrl voegt toe&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspectief of parallel, passend&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;het project opslaan; Ctrl+Shift+S onder een andere naam&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;één, twee, vier aanzichten; V: alleen het actieve&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;elke opdracht vinden; F11: volledig scherm&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;annuleren&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
     <message>
         <source>Display</source>
@@ -2096,16 +2653,8 @@ Gesimuleerd: %2, stap %3
         <translation>Er zijn nog geen krachten te schrijven: druk op Afspelen en laat eerst iets gebeuren.</translation>
     </message>
     <message>
-        <source>%1: the table could not be written. Make room on the disk, or choose another folder.</source>
-        <translation>%1: de tabel kon niet geschreven worden. Maak ruimte op de schijf, of kies een andere map.</translation>
-    </message>
-    <message>
         <source>Writing %1</source>
         <translation>%1 wordt geschreven</translation>
-    </message>
-    <message>
-        <source>%1: forces at %2 times written.</source>
-        <translation>%1: krachten op %2 tijdstippen geschreven.</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
@@ -2195,6 +2744,34 @@ Gesimuleerd: %2, stap %3
         <source>Fill finer</source>
         <translation>Fijner vullen</translation>
     </message>
+    <message>
+        <source>Viewports</source>
+        <translation>Aanzichten</translation>
+    </message>
+    <message>
+        <source>Show two or four views first.</source>
+        <translation>Toon eerst twee of vier aanzichten.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Snelheid</translation>
+    </message>
+    <message>
+        <source>Gravity as on</source>
+        <translation>Zwaartekracht zoals op</translation>
+    </message>
+    <message>
+        <source>Integrator</source>
+        <translation>Integrator</translation>
+    </message>
+    <message>
+        <source>Speed of the film</source>
+        <translation>Snelheid van de film</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not simulated: %2</source>
+        <translation>&quot;%1&quot; wordt niet gesimuleerd: %2</translation>
+    </message>
 </context>
 <context>
     <name>MaterialComparisonDialog</name>
@@ -2225,6 +2802,73 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Speed of sound</source>
         <translation>Geluidssnelheid</translation>
+    </message>
+    <message>
+        <source>1/%1 of it</source>
+        <translation>1/%1 daarvan</translation>
+    </message>
+</context>
+<context>
+    <name>MaterialName</name>
+    <message>
+        <source>Soft jelly</source>
+        <translation>Zachte gelei</translation>
+    </message>
+    <message>
+        <source>Jelly</source>
+        <translation>Gelei</translation>
+    </message>
+    <message>
+        <source>Soft foam</source>
+        <translation>Zacht schuim</translation>
+    </message>
+    <message>
+        <source>Sponge rubber</source>
+        <translation>Sponsrubber</translation>
+    </message>
+    <message>
+        <source>Silicone rubber</source>
+        <translation>Siliconenrubber</translation>
+    </message>
+    <message>
+        <source>Modeling clay</source>
+        <translation>Boetseerklei</translation>
+    </message>
+    <message>
+        <source>Natural rubber</source>
+        <translation>Natuurrubber</translation>
+    </message>
+    <message>
+        <source>Plasticine</source>
+        <translation>Plasticine</translation>
+    </message>
+    <message>
+        <source>Rigid foam</source>
+        <translation>Hard schuim</translation>
+    </message>
+    <message>
+        <source>Wax</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>ABS</source>
+        <translation>ABS</translation>
+    </message>
+    <message>
+        <source>Wood along the grain</source>
+        <translation>Hout langs de nerf</translation>
+    </message>
+    <message>
+        <source>Aluminum</source>
+        <translation>Aluminium</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>Glas</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Staal</translation>
     </message>
 </context>
 <context>
@@ -3431,8 +4075,8 @@ Gesimuleerd: %2, stap %3
         <translation>Onderdeel</translation>
     </message>
     <message>
-        <source>%1 slower than real time</source>
-        <translation>%1 langzamer dan ware tijd</translation>
+        <source>%1x real time</source>
+        <translation>%1x ware tijd</translation>
     </message>
 </context>
 <context>
@@ -3460,6 +4104,25 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Units: %1</source>
         <translation>Eenheden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ReadProject</name>
+    <message>
+        <source>%1 was written after this work was cut off, and stays as it is: save the work under a name of its own, or in place of that file.</source>
+        <translation>%1 is geschreven nadat dit werk werd afgebroken, en blijft zoals het is: bewaar het werk onder een eigen naam, of in plaats van dat bestand.</translation>
+    </message>
+    <message>
+        <source>%1 stays as it is, since the recovered work is not whole: save the work under a name of its own, or in place of that file.</source>
+        <translation>%1 blijft zoals het is, want het herstelde werk is niet heel: bewaar het werk onder een eigen naam, of in plaats van dat bestand.</translation>
+    </message>
+    <message>
+        <source>The parts of this project are lost, so that nothing of it can be shown. Open the part that it was made from.</source>
+        <translation>De onderdelen van dit project zijn verloren, zodat er niets van kan worden getoond. Open het onderdeel waarvan het is gemaakt.</translation>
+    </message>
+    <message>
+        <source>%1: what was seen last cannot be shown. %2 What is whole can be rescued.</source>
+        <translation>%1: wat het laatst te zien was, kan niet worden getoond. %2 Wat heel is, kan worden gered.</translation>
     </message>
 </context>
 <context>
@@ -3509,8 +4172,8 @@ Gesimuleerd: %2, stap %3
         <translation>%1, zoals het aanzicht</translation>
     </message>
     <message>
-        <source>Choose a place…</source>
-        <translation>Een plaats kiezen…</translation>
+        <source>Choose a place...</source>
+        <translation>Een plaats kiezen...</translation>
     </message>
     <message>
         <source>1 picture</source>
@@ -3527,6 +4190,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>%1: PNG files in a folder of their own</source>
         <translation>%1: PNG-bestanden in een eigen map</translation>
+    </message>
+    <message>
+        <source>What the active view shows: %1</source>
+        <translation>Wat het actieve aanzicht toont: %1</translation>
     </message>
 </context>
 <context>
@@ -4236,10 +4903,32 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>Studio</name>
+    <message>
+        <source>The graphics card takes no more pictures. Close other programs and try again.</source>
+        <translation>De grafische kaart neemt geen beelden meer op. Sluit andere programma&apos;s en probeer het opnieuw.</translation>
+    </message>
+    <message>
+        <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
+        <translation>De grafische kaart tekent geen beelden van deze grootte. Kies een kleinere.</translation>
+    </message>
+    <message>
+        <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
+        <translation>Het grafische stuurprogramma tekent alleen voor het venster, dus er kan niets worden opgenomen. Start Knead met LIBGL_ALWAYS_SOFTWARE=1 in zijn omgeving om zonder het stuurprogramma op te nemen.</translation>
+    </message>
+</context>
+<context>
     <name>TaskReading</name>
     <message>
         <source>Cancel</source>
         <translation>Annuleren</translation>
+    </message>
+</context>
+<context>
+    <name>TaskRunner</name>
+    <message>
+        <source>%1: there is not enough memory. Close other programs, or choose a larger spacing.</source>
+        <translation>%1: er is niet genoeg geheugen. Sluit andere programma&apos;s, of kies een grotere afstand.</translation>
     </message>
 </context>
 <context>
@@ -4302,6 +4991,14 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Looking back at %1   Esc: return</source>
         <translation>Terugblik op %1   Esc: terug</translation>
+    </message>
+    <message>
+        <source>Play the film</source>
+        <translation>Film afspelen</translation>
+    </message>
+    <message>
+        <source>Simulate something first, and look back at it.</source>
+        <translation>Simuleer eerst iets, en kijk daarop terug.</translation>
     </message>
 </context>
 <context>
@@ -4487,6 +5184,49 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>BOTTOM</source>
         <translation>ONDER</translation>
+    </message>
+</context>
+<context>
+    <name>ViewName</name>
+    <message>
+        <source>Front</source>
+        <translation>Voor</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Achter</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Boven</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Onder</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrisch</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspectief</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallel</translation>
+    </message>
+    <message>
+        <source>Double click: this view alone, and all of them again</source>
+        <translation>Dubbelklik: alleen dit aanzicht, en weer alle</translation>
     </message>
 </context>
 </TS>

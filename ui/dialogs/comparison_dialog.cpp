@@ -10,13 +10,15 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace knead {
 
 namespace {
 
-constexpr QSize startSize(860, 300);
+constexpr int comparisonWidth = 860; // [pixels]
+constexpr int comparedHeight = 360;  // of its height at the start; more parts are scrolled to [pixels]
 
 QString lengthText(double length)
 {
@@ -46,11 +48,10 @@ QTreeWidgetItem* rowOf(const BodyComparison& body)
 } // namespace
 
 ComparisonDialog::ComparisonDialog(const Comparison& comparison, QWidget* parent)
-    : QDialog(parent)
+    : ModelessDialog(parent)
 {
     setObjectName("comparisonDialog");
     setWindowTitle(tr("Compare with original"));
-    resize(startSize);
     auto* intro =
         new QLabel(tr("How far the skin is from the nearest point of the original surface, at %1 of simulated "
                       "time. The mean is by area.")
@@ -62,14 +63,18 @@ ComparisonDialog::ComparisonDialog(const Comparison& comparison, QWidget* parent
     table->setRootIsDecorated(false);
     table->setHeaderLabels({tr("Part"), tr("Largest distance"), tr("Mean distance"), tr("Largest displacement"),
                             tr("Volume at rest"), tr("Volume now"), tr("Change"), tr("Mass")});
+    for (int column = 1; column < table->columnCount(); ++column) // over their numbers
+        table->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     for (const BodyComparison& body : comparison.bodies)
         table->addTopLevelItem(rowOf(body));
     for (int column = 0; column < table->columnCount(); ++column)
         table->resizeColumnToContents(column);
+    table->setAllColumnsShowFocus(true);
+    table->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     auto* report = buttons->addButton(tr("Write report..."), QDialogButtonBox::ActionRole);
     report->setObjectName("writeReport");
-    report->setProperty("role", "primary");
+    setRole(*report, "primary");
     report->setToolTip(tr("A page with these numbers, what was measured and a picture of the view, as PDF or HTML"));
     connect(report, &QPushButton::clicked, this, &ComparisonDialog::reportWanted);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
@@ -77,6 +82,9 @@ ComparisonDialog::ComparisonDialog(const Comparison& comparison, QWidget* parent
     column->addWidget(intro);
     column->addWidget(table, 1);
     column->addWidget(buttons);
+    report->setFocus();
+    const int others = column->totalHeightForWidth(comparisonWidth) - table->sizeHint().height();
+    resize(comparisonWidth, others + std::min(table->sizeHint().height(), comparedHeight));
 }
 
 } // namespace knead

@@ -1,13 +1,12 @@
 #pragma once
 
+#include "ui/dialogs/modeless_dialog.h"
 #include "ui/measuring/comparison.h"
-
-#include <QDialog>
 
 namespace knead {
 
 /// Shows how far bodies are from their original shape, and offers a report. Does not block the window behind it.
-class ComparisonDialog final : public QDialog {
+class ComparisonDialog final : public ModelessDialog {
     Q_OBJECT
 public:
     explicit ComparisonDialog(const Comparison& comparison, QWidget* parent = nullptr);

@@ -2,6 +2,7 @@
 
 #include "core/model/length_units.h"
 #include "ui/panels/form.h"
+#include "ui/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -16,6 +17,7 @@ namespace knead {
 namespace {
 
 constexpr int partsRole = Qt::UserRole;
+constexpr int exportDialogWidth = 520; // [pixels]
 
 QString aboutFormat(const Services::Format& format)
 {
@@ -30,6 +32,14 @@ bool hasText(const Services::Format& format)
 {
     return format.name == "STL" || format.name == "PLY";
 }
+
+/// As high as it has lines at its width: a form leaves a label that breaks its words the room of a narrow one.
+class Paragraph final : public QLabel {
+public:
+    using QLabel::QLabel;
+    QSize sizeHint() const override { return {QLabel::sizeHint().width(), 1}; }
+    QSize minimumSizeHint() const override { return {1, 1}; }
+};
 
 } // namespace
 
@@ -52,7 +62,7 @@ ExportDialog::ExportDialog(const std::vector<Services::Format>& formats, const Q
         m_format->addItem(
             tr("%1 (.%2)").arg(QString::fromStdString(format.name), QString::fromStdString(format.endings.front())));
     form->addRow(tr("Format"), m_format);
-    m_about = new QLabel(this);
+    m_about = new Paragraph(this);
     m_about->setObjectName("exportAbout");
     m_about->setProperty("role", "dimmed");
     m_about->setWordWrap(true);
@@ -95,8 +105,8 @@ ExportDialog::ExportDialog(const std::vector<Services::Format>& formats, const Q
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this);
     QPushButton* save = buttons->button(QDialogButtonBox::Save);
     save->setObjectName("exportSave");
-    save->setText(tr("Choose a place…"));
-    save->setProperty("role", "primary");
+    save->setText(tr("Choose a place..."));
+    setRole(*save, "primary");
     for (QAbstractButton* button : buttons->buttons())
         button->setIcon({});
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -108,7 +118,7 @@ ExportDialog::ExportDialog(const std::vector<Services::Format>& formats, const Q
     m_format->setCurrentIndex(std::max(0, m_format->findText(QSettings().value("export/format").toString())));
     connect(this, &QDialog::accepted, this, [this] { QSettings().setValue("export/format", m_format->currentText()); });
     formatChanged();
-    resize(520, sizeHint().height());
+    resize(exportDialogWidth, layout()->totalHeightForWidth(exportDialogWidth));
 }
 
 const Services::Format& ExportDialog::format() const

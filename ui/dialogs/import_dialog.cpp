@@ -116,7 +116,7 @@ ImportDialog::ImportDialog(std::vector<FilePreview> previews, QWidget* parent)
     m_buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this);
     QPushButton* open = m_buttons->button(QDialogButtonBox::Open);
     open->setObjectName("importOpen");
-    open->setProperty("role", "primary");
+    setRole(*open, "primary");
     for (QAbstractButton* button : m_buttons->buttons())
         button->setIcon({});
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

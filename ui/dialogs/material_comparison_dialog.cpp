@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace knead {
 
@@ -31,14 +32,28 @@ QString textOf(double number, Quantity quantity, const char* zero)
     return number == 0 && *zero != '\0' ? wordOfCore(zero) : formatQuantity(number, quantity);
 }
 
-/// "2.5 times"; nothing where one of them means something else than a number.
+/// Three digits, and never a power of ten: "2.5", "13.4", "1,050,000".
+/// @pre ratio is at least 0.1
+QString digitsOf(double ratio)
+{
+    constexpr double grouped = 999.5; // from here on the digits of whole numbers are in groups
+    if (ratio < grouped)
+        return QString::number(ratio, 'g', 3);
+    const double unit = std::pow(10.0, std::floor(std::log10(ratio)) - 2);
+    return formatCount(static_cast<std::size_t>(unit * std::round(ratio / unit)));
+}
+
+/// "2.5 times", "1/1,050 of it"; nothing where one of them means something else than a number.
 QString ratioOf(double left, double right)
 {
+    constexpr double small = 0.1; // below, the inverse is easier to read
     if (left == right)
         return MaterialComparisonDialog::tr("same");
     if (left == 0 || right == 0)
         return {};
-    return MaterialComparisonDialog::tr("%1 times").arg(right / left, 0, 'g', 3);
+    const double ratio = right / left;
+    return ratio < small ? MaterialComparisonDialog::tr("1/%1 of it").arg(digitsOf(1 / ratio))
+                         : MaterialComparisonDialog::tr("%1 times").arg(digitsOf(ratio));
 }
 
 QTreeWidgetItem* rowOf(const QString& name, double left, double right, Quantity quantity, const char* zero = "")
@@ -60,7 +75,7 @@ QTreeWidgetItem* rowOf(const QString& name, double left, double right, Quantity 
 
 MaterialComparisonDialog::MaterialComparisonDialog(std::vector<MaterialPreset> choices, std::size_t right,
                                                    QWidget* parent)
-    : QDialog(parent)
+    : ModelessDialog(parent)
     , m_choices(std::move(choices))
     , m_left(makeChoice("comparedLeft", this))
     , m_right(makeChoice("comparedRight", this))
@@ -74,7 +89,7 @@ MaterialComparisonDialog::MaterialComparisonDialog(std::vector<MaterialPreset> c
         choice->setIconSize({24, 24});
         choice->setMaxVisibleItems(20);
         for (const MaterialPreset& preset : m_choices)
-            choice->addItem(materialSwatch(preset), QString::fromStdString(preset.name));
+            choice->addItem(materialSwatch(preset), materialName(preset));
         connect(choice, &QComboBox::currentIndexChanged, this, &MaterialComparisonDialog::showBoth);
         row->addWidget(choice, 1);
     }
@@ -104,7 +119,7 @@ void MaterialComparisonDialog::showBoth()
     const MaterialPreset& right = m_choices[static_cast<std::size_t>(std::max(0, m_right->currentIndex()))];
     m_table->clear();
     m_table->setHeaderLabels(
-        {tr("Number"), QString::fromStdString(left.name), QString::fromStdString(right.name), tr("Right by left")});
+        {tr("Number"), materialName(left), materialName(right), tr("Right by left")});
     for (const MaterialField& field : materialFields())
         m_table->addTopLevelItem(rowOf(wordOfCore(field.name), left.material.*field.value, right.material.*field.value,
                                        quantityOfUnit(field.unit), field.zero));

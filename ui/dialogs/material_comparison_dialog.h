@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/aggregate/material.h"
-
-#include <QDialog>
+#include "ui/dialogs/modeless_dialog.h"
 
 #include <vector>
 
@@ -12,7 +11,7 @@ class QTreeWidget;
 namespace knead {
 
 /// Two materials side by side, number by number, with what follows from them. Does not block the window behind it.
-class MaterialComparisonDialog final : public QDialog {
+class MaterialComparisonDialog final : public ModelessDialog {
     Q_OBJECT
 public:
     /// @param choices at least one; the first one is shown on the left

@@ -2,6 +2,7 @@
 
 #include "ui/document/entry_names.h"
 #include "ui/panels/form.h"
+#include "ui/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -28,7 +29,7 @@ QSize even(const QSize& size)
 
 } // namespace
 
-RecordDialog::RecordDialog(Recording::Kind kind, double end, const QSize& viewSize, QWidget* parent)
+RecordDialog::RecordDialog(Recording::Kind kind, double end, const ShownView& view, QWidget* parent)
     : QDialog(parent)
     , m_kind(kind)
 {
@@ -38,7 +39,7 @@ RecordDialog::RecordDialog(Recording::Kind kind, double end, const QSize& viewSi
     column->setContentsMargins(16, 16, 16, 12);
     column->setSpacing(12);
     makeFields(end);
-    makeSizes(even(viewSize));
+    makeSizes(even(view.size));
     QFormLayout* form = makeForm(nullptr);
     form->setContentsMargins(0, 0, 0, 0);
     form->addRow(tr("From"), m_from);
@@ -46,6 +47,12 @@ RecordDialog::RecordDialog(Recording::Kind kind, double end, const QSize& viewSi
     form->addRow(tr("Speed"), m_speed);
     form->addRow(tr("Pictures per second"), m_rate);
     form->addRow(tr("Size"), m_size);
+    if (!view.name.isEmpty()) {
+        auto* of = new QLabel(tr("What the active view shows: %1").arg(view.name), this);
+        of->setObjectName("recordView");
+        setRole(*of, "dimmed");
+        form->addRow(QString(), of);
+    }
     form->addRow(QString(), m_readings);
     form->addRow(QString(), m_extent);
     column->addLayout(form);
@@ -96,8 +103,8 @@ void RecordDialog::makeButtons()
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this);
     QPushButton* save = buttons->button(QDialogButtonBox::Save);
     save->setObjectName("recordSave");
-    save->setText(tr("Choose a place…"));
-    save->setProperty("role", "primary");
+    save->setText(tr("Choose a place..."));
+    setRole(*save, "primary");
     for (QAbstractButton* button : buttons->buttons())
         button->setIcon({});
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

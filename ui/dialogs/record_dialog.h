@@ -19,9 +19,13 @@ class QuantityField;
 class RecordDialog final : public QDialog {
     Q_OBJECT
 public:
+    /// The view that is recorded.
+    struct ShownView {
+        QSize size;   ///< [pixels]
+        QString name; ///< where it is one of several
+    };
     /// @param end of the timeline [s]
-    /// @param viewSize of the view [pixels]
-    RecordDialog(Recording::Kind kind, double end, const QSize& viewSize, QWidget* parent = nullptr);
+    RecordDialog(Recording::Kind kind, double end, const ShownView& view, QWidget* parent = nullptr);
 
     /// The choices as they stand.
     Recording recording() const;

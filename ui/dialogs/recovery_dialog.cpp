@@ -89,7 +89,7 @@ void RecoveryDialog::addList(QVBoxLayout* column)
     m_list->setCurrentRow(0);
     constexpr int mostShown = 5;
     const auto shown = std::min(static_cast<int>(m_found.size()), mostShown);
-    m_list->setFixedHeight(shown * m_list->sizeHintForRow(0) + 2 * m_list->frameWidth() + 4);
+    m_list->setFixedHeight(shown * m_list->sizeHintForRow(0) + 2 * m_list->frameWidth());
     column->addWidget(m_list);
     connect(m_list, &QListWidget::itemDoubleClicked, this, &RecoveryDialog::recover);
 }

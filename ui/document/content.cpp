@@ -188,8 +188,8 @@ Content emptyContent(const Model& model, const ImportChoices& request)
             content.box.extend(vertex);
     }
     if (content.box.isEmpty())
-        throw std::runtime_error(fileName(model) + ": there is no solid and no surface in this file. Export the part "
-                                                   "as a solid and open it again.");
+        throw std::runtime_error(fileName(model) +
+                                 ": the file holds no solid and no surface; export the part as a solid.");
     return content;
 }
 
@@ -306,6 +306,8 @@ PreparedContent prepareRefill(const Content& before, double spacing, const Snaps
     ImportChoices request = before.request;
     request.spacing = SpacingChoice{SpacingChoice::Kind::Length, spacing};
     Content content = fillContent(before.model, request, filling);
+    if (content.bodies.empty() && !content.unfilled.empty())
+        throw std::runtime_error(content.unfilled.begin()->second);
     control.report(preparedShare, "preparing the simulation");
     Scene scene = restScene(content);
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)

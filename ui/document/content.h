@@ -98,7 +98,7 @@ PreparedContent prepareRecipe(RecipeStart recipe, TaskControl& control);
 
 /// Fills the parts of a content again with another spacing [m]; materials, kinds of bodies, tools, gravity and floor stay as in
 /// `now`, and fixtures on their faces. Runs on a task thread.
-/// @throws as prepareFile
+/// @throws as prepareFiles(), and std::runtime_error with a sentence when none of them suits the spacing
 PreparedContent prepareRefill(const Content& before, double spacing, const Snapshot& now,
                               const std::vector<FaceFixture>& fixtures, TaskControl& control);
 

@@ -59,7 +59,7 @@ Document::Document(QObject* parent)
         const HistoryRecord& record = m_history.tree().record(entry);
         if (record.start != m_history.tree().record(record.parent).start)
             m_film.dropUnderWay();
-        m_film.append(entry, record.time, resetsIn(record.commands));
+        m_film.append(entry, record.step, resetsIn(record.commands));
         followLooks(record.commands);
     });
     connect(&m_history, &DocumentHistory::settled, this, &Document::tellSettled);
@@ -191,6 +191,7 @@ void Document::start(Simulation simulation, std::shared_ptr<const Content> conte
     m_arrivals = 0;
     m_agendaEnds = m_fixtureRequest = 0;
     m_whenKnown.clear();
+    m_toolRequests.forget();
     m_isPlaying = false;
     m_ending->stop();
     m_gesture = {.begin = m_frame->snapshot->time};
@@ -236,6 +237,7 @@ void Document::accept(const FramePointer& frame, std::uint64_t generation)
     if (generation != m_generation || frame->snapshot->arrivals < m_arrivals)
         return;
     m_frame = frame;
+    m_toolRequests.seen(*frame->snapshot);
     noticeStop();
     noticeRecipeEnd();
     selectNewTool();

@@ -9,6 +9,7 @@
 #include "ui/document/model_notes.h"
 #include "ui/document/part_looks.h"
 #include "ui/document/timeline.h"
+#include "ui/document/tool_requests.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -204,6 +205,20 @@ public:
     /// The selected body, or every one, takes its present shape for its own. Rigid bodies have nothing to lose by it.
     void renormalize();
     const ToolState* tool(ToolId tool) const;
+
+    // ---- Numbers of a tool, typed one by one: each adds to what was asked before, seen already or not (document_tools.cpp) ----
+
+    /// A tool as panels show it: with edits that are on their way to the simulation. None: there is no such tool.
+    std::optional<ToolState> toolWithEdits(ToolId tool) const;
+    /// While paused the tool is put there; while time runs it goes there. @param axis 0, 1, 2: x, y, z
+    void placeTool(ToolId tool, int axis, double coordinate);
+    /// @param change of kind, size, friction and limits; the size is fitted to the kind afterwards
+    void reshapeTool(ToolId tool, std::function<void(ToolState&)> change);
+
+    /// So much was asked of the simulation until now; and whether the frame shows what came of it.
+    std::uint64_t requests() const { return m_simulation ? m_simulation->requests() : 0; }
+    bool hasSeen(std::uint64_t request) const { return m_frame->snapshot->requests >= request; }
+
     /// Longest side of the bodies at rest [m].
     double size() const;
 
@@ -312,6 +327,7 @@ private:
     std::vector<std::function<void()>> m_afterwards; ///< when the journey has ended
     std::vector<std::function<void()>> m_whenSettled;
 
+    ToolRequests m_toolRequests;
     std::map<ToolKind, int> m_toolCount; ///< added so far, for their names
     std::string m_toolToSelect;          ///< posted, not yet in a snapshot
     Selection m_selection;

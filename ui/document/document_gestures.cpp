@@ -64,6 +64,7 @@ void Document::reset()
         return;
     emit stopping();
     finishGesture();
+    m_toolRequests.forget();
     m_simulation->reset();
     m_isPlaying = false;
     m_gesture = {.isAny = true, .name = tr("Reset")};
@@ -86,6 +87,7 @@ void Document::post(Command command, const QString& name)
     const bool isOfFixture =
         std::holds_alternative<AddFixture>(command) || std::holds_alternative<RemoveFixture>(command);
     m_fixtures.posted(command);
+    m_toolRequests.posted(command, m_simulation->requests() + 1);
     if (std::holds_alternative<SetPartLook>(command)) {
         m_looks.follow(command);
         emit looksChanged();
@@ -181,16 +183,12 @@ void Document::keepFilm()
 {
     const auto keep = [this, generation = m_generation](const SnapshotPointer& snapshot) {
         if (generation == m_generation && snapshot->arrivals >= m_arrivals)
-            m_film.add(*snapshot);
+            m_film.see(snapshot);
     };
-    m_simulation->watch([this, keep, last = std::make_shared<double>(-1)](const SnapshotPointer& snapshot) {
-        const double time = snapshot->time;
-        constexpr double nearly = 0.99; // steps do not fit exactly
-        if (!snapshot->playing || (time >= *last && time < *last + nearly * Film::interval))
-            return;
-        *last = time;
-        QMetaObject::invokeMethod(
-            this, [keep, snapshot] { keep(snapshot); }, Qt::QueuedConnection);
+    m_simulation->watch([this, keep](const SnapshotPointer& snapshot) {
+        if (snapshot->playing)
+            QMetaObject::invokeMethod(
+                this, [keep, snapshot] { keep(snapshot); }, Qt::QueuedConnection);
     });
 }
 

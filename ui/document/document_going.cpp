@@ -142,13 +142,14 @@ void Document::goLong(const Journey& journey)
 
 void Document::goShort(const Journey& journey)
 {
-    m_history.inBackground([this, journey, travel = m_travels] {
+    const QString name = QString::fromStdString(m_history.tree().record(m_target).name);
+    m_history.inBackground([this, journey, name, travel = m_travels] {
         auto arrival = std::make_shared<Arrival>();
         QString failure;
         try {
             *arrival = journey.go(TaskControl::none());
         } catch (const std::bad_alloc&) {
-            failure = tr("There is not enough memory for this moment. Close other programs and try again.");
+            failure = tr("There is not enough memory to go to %1. Close other programs and try again.").arg(name);
         } catch (const std::exception& error) {
             failure = QString::fromStdString(error.what());
         }
@@ -195,6 +196,7 @@ void Document::goInSimulation(MomentPointer moment)
 {
     m_journey = JourneyState::arriving; // until a frame shows it
     ++m_arrivals;
+    m_toolRequests.forget();
     follow(*moment);
     m_simulation->goTo(std::move(moment));
     emit changed(Change::Selection);

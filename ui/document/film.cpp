@@ -63,8 +63,20 @@ void Film::forget()
     m_used = 0;
 }
 
+void Film::see(SnapshotPointer snapshot)
+{
+    const double time = snapshot->time;
+    constexpr double nearly = 0.99; // steps do not fit exactly
+    if (time < m_keptTime || time >= m_keptTime + nearly * interval)
+        add(*snapshot);
+    else
+        m_passed = std::move(snapshot);
+}
+
 void Film::add(const Snapshot& snapshot)
 {
+    m_passed = nullptr;
+    m_keptTime = snapshot.time;
     m_underWay.push_back(filmFrameOf(snapshot));
     m_used += m_underWay.back()->memory();
     thin();
@@ -81,18 +93,21 @@ void Film::repeat(Entry other, std::uint64_t step, std::uint32_t resets)
     m_repeated = std::move(reel);
 }
 
-void Film::append(Entry entry, double endTime, std::uint32_t resets)
+void Film::append(Entry entry, std::uint64_t endStep, std::uint32_t resets)
 {
     if (m_repeated) {
         m_entries[entry] = *std::exchange(m_repeated, {});
         thin();
         return;
     }
-    const auto placeOf = [](const FilmFramePointer& frame) { return std::pair(frame->run, frame->time); };
+    if (m_passed && m_passed->step == endStep)
+        add(*std::exchange(m_passed, nullptr));
+    // By steps, since time goes back where a simulation in trouble does; what was seen until then belongs to the entry too.
+    const auto placeOf = [](const FilmFramePointer& frame) { return std::pair(frame->run, frame->step); };
     const std::uint32_t begin = std::exchange(m_run, m_run + resets);
     auto end = m_underWay.begin();
-    for (std::pair last(begin, 0.0); end != m_underWay.end(); ++end) {
-        if (placeOf(*end) < last || placeOf(*end) > std::pair(m_run, endTime))
+    for (std::pair last(begin, std::uint64_t{0}); end != m_underWay.end(); ++end) {
+        if (placeOf(*end) < last || placeOf(*end) > std::pair(m_run, endStep))
             break;
         last = placeOf(*end);
     }
@@ -110,6 +125,8 @@ void Film::dropUnderWay()
         for (const FilmFramePointer& frame : m_repeated->frames)
             m_used -= frame->memory();
     m_underWay.clear();
+    m_passed = nullptr;
+    m_keptTime = -1;
     m_repeated.reset();
     m_run = 0;
 }

@@ -46,13 +46,17 @@ public:
     void setMemory(std::size_t most) { m_most = most; }
     std::size_t memory() const { return m_used; }
 
-    /// Time has gone on in the gesture under way.
+    /// Time has gone on in the gesture under way: of what is seen one frame per interval is kept, and that in which the gesture
+    /// ends.
+    void see(SnapshotPointer snapshot);
+    /// The same, kept in any case.
     void add(const Snapshot& snapshot);
     /// The entry that comes next went as another did, up to a step after so many resets.
     void repeat(Entry other, std::uint64_t step, std::uint32_t resets = 0);
     /// The gesture has become an entry: what was kept up to its end belongs to it.
+    /// @param endStep that was reached
     /// @param resets in the gesture
-    void append(Entry entry, double endTime, std::uint32_t resets = 0);
+    void append(Entry entry, std::uint64_t endStep, std::uint32_t resets = 0);
     /// What is under way was given up: the simulation is elsewhere, and counts its resets anew.
     void dropUnderWay();
 
@@ -74,6 +78,8 @@ private:
 
     std::map<Entry, Reel> m_entries;
     std::vector<FilmFramePointer> m_underWay;
+    SnapshotPointer m_passed;       ///< seen last and not kept; else null
+    double m_keptTime = -1;         ///< of the last frame [s]
     std::optional<Reel> m_repeated; ///< of the entry that comes next
     std::uint32_t m_run = 0;        ///< in which the next entry begins
     std::size_t m_most = defaultMemory;

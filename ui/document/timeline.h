@@ -8,7 +8,7 @@
 namespace knead {
 
 /// The way through the history that is shown: from where its steps begin to be counted to where redo ends, along simulated time.
-/// After a reset time goes on, so that nothing overlaps.
+/// After a reset time goes on, so that nothing overlaps, and so it does where a simulation in trouble went back.
 struct Timeline {
     struct Tick {
         History::Entry entry = 0;

@@ -43,6 +43,12 @@ public:
     /// @param frame where the handles stand and along which axes they lie
     Gizmo(const Pose& frame, const Camera& camera, const WindowSize& window);
 
+    /// The same handles at another place, seen otherwise.
+    Gizmo seenFrom(const Vec3& position, const Camera& camera, const WindowSize& window) const
+    {
+        return {{position, m_frame.rotation}, camera, window};
+    }
+
     static constexpr double ring = 92;       ///< radius of the rings [pixels]
     static constexpr double shaftBegin = 20; ///< of an arrow, from the middle [pixels]
     static constexpr double shaftEnd = 76;

@@ -31,6 +31,12 @@ std::array<const char*, 2> namesOf(GizmoPart part)
     }
 }
 
+/// @param way -1: the difference
+GizmoAmount sum(const GizmoAmount& a, const GizmoAmount& b, double way = 1)
+{
+    return {{a.values[0] + way * b.values[0], a.values[1] + way * b.values[1]}, a.count};
+}
+
 QString valueText(double value, Quantity quantity)
 {
     constexpr double finest = 1e-8; // [m], [rad]; rounding is not worth a digit
@@ -102,15 +108,16 @@ bool GizmoHand::mousePressed(QMouseEvent& event)
     if (m_drag && event.button() == Qt::LeftButton) // the number that was typed holds
         finish();
     const std::optional<Gizmo> handles = gizmo();
-    if (event.button() != Qt::LeftButton || !handles)
+    if (event.button() != Qt::LeftButton || !handles || m_view.isPressedAside()) // what nobody saw is not grabbed
         return false;
     const GizmoPart part = handles->partAt(pixelOf(event.position()));
     if (part == GizmoPart::none)
         return false;
     const ToolId tool = m_document.selection().id;
     const int values = handles->amount(part, {}, {}).count;
-    m_drag =
-        Drag{tool, part, m_document.tool(tool)->pose, *handles, pixelOf(event.position()), {{}, values}, {{}, values}};
+    const Pose pose = m_document.tool(tool)->pose;
+    const GizmoAmount none{{}, values};
+    m_drag = Drag{tool, part, pose, pose, *handles, m_view.camera(), pixelOf(event.position()), {}, none, none, none};
     m_typed.clear();
     m_cursor = event.position();
     m_view.setFocus(Qt::MouseFocusReason);
@@ -123,13 +130,18 @@ bool GizmoHand::mousePressed(QMouseEvent& event)
 
 bool GizmoHand::mouseMoved(QMouseEvent& event)
 {
-    m_cursor = event.position();
+    const QPointF before = std::exchange(m_cursor, event.position());
     if (m_drag) {
         if (event.buttons() & Qt::MiddleButton) // the view turns
             return false;
         if (!(event.buttons() & Qt::LeftButton)) // let go while a number is typed
             return true;
-        m_drag->byMouse = m_drag->gizmo.amount(m_drag->part, m_drag->from, pixelOf(m_cursor), m_drag->byMouse);
+        if (m_typed.isEmpty() && m_view.camera() != m_drag->camera)
+            lookAnew(before);
+        const Pixel mouse{m_cursor.x() - m_drag->aside.x, m_cursor.y() - m_drag->aside.y};
+        const GizmoAmount since =
+            m_drag->gizmo.amount(m_drag->part, m_drag->from, mouse, sum(m_drag->byMouse, m_drag->before, -1));
+        m_drag->byMouse = sum(m_drag->before, since);
         follow(event.modifiers() & Qt::ControlModifier);
         return true;
     }
@@ -150,6 +162,28 @@ bool GizmoHand::mouseReleased(QMouseEvent& event)
 Quantity GizmoHand::quantity() const
 {
     return motionOf(m_drag->part) == GizmoMotion::turn ? Quantity::Angle : Quantity::Length;
+}
+
+/// The view was turned under the hand: the handle goes on from where it is, as it is seen now.
+void GizmoHand::lookAnew(const QPointF& cursor)
+{
+    Drag& drag = *m_drag;
+    const Pose reached = drag.gizmo.moved(drag.start, drag.part, drag.asked);
+    if (motionOf(drag.part) == GizmoMotion::free) { // its directions are those of the view
+        drag.start = reached;
+        drag.byMouse.values = drag.asked.values = {};
+    }
+    drag.before = drag.byMouse;
+    drag.gizmo = drag.gizmo.seenFrom(reached.position, m_view.camera(), m_view.window());
+    drag.camera = m_view.camera();
+    drag.from = pixelOf(cursor);
+    drag.aside = {};
+    if (motionOf(drag.part) == GizmoMotion::turn || !drag.gizmo.isVisible())
+        return;
+    const Pixel middle =
+        drag.gizmo.middlePixel(); // the mouse may be far from the handle: it counts as if it were there
+    drag.aside = {drag.from.x - middle.x, drag.from.y - middle.y};
+    drag.from = middle;
 }
 
 /// Sends the tool to where mouse and keys want it.
@@ -197,8 +231,9 @@ void GizmoHand::cancel()
 {
     const Drag drag = *std::exchange(m_drag, {});
     m_typed.clear();
-    if (m_document.isPlaying() && drag.asked != GizmoAmount{{}, drag.asked.count})
-        m_document.post(SetManipulatorMotion{drag.tool, GoTo{drag.start}});
+    const bool isMoved = drag.asked != GizmoAmount{{}, drag.asked.count} || drag.start.position != drag.home.position;
+    if (m_document.isPlaying() && isMoved)
+        m_document.post(SetManipulatorMotion{drag.tool, GoTo{drag.home}});
     m_document.takeBackGesture();
     setLit(GizmoPart::none);
     m_overlay->refresh();

@@ -39,15 +39,20 @@ private:
     struct Drag {
         ToolId tool = 0;
         GizmoPart part = GizmoPart::none;
-        Pose start; ///< of the tool
+        Pose home;  ///< of the tool, when the handle was taken
+        Pose start; ///< from where the amounts count
         Gizmo gizmo;
+        Camera camera; ///< that the gizmo is seen with
         Pixel from;
+        Pixel aside; ///< of the mouse, from where it is taken to be
         GizmoAmount byMouse;
-        GizmoAmount asked; ///< snapped, or typed
+        GizmoAmount asked;  ///< snapped, or typed
+        GizmoAmount before; ///< by the mouse, until it was at `from`
     };
 
     void documentChanged(Document::Change what);
     void setLit(GizmoPart part);
+    void lookAnew(const QPointF& cursor);
     void follow(bool isSnapped);
     void post(const Pose& target);
     void finish();

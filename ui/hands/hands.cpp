@@ -46,6 +46,8 @@ void Hands::makeActions()
     m_gizmo = make("gizmo", tr("Handles"), "gizmo", Qt::Key_F3,
                    tr("Show handles on the selected tool to move and turn it; Ctrl: in steps; type numbers"));
     m_gizmo->setChecked(true);
+    m_ownAxes = make("ownAxes", tr("Along the tool's own axes"), "gizmo", {},
+                     tr("Handles lie along the axes of the tool, not of the world"));
     m_keys = make("driveByKeys", tr("Drive by keys"), "keys", Qt::Key_F4,
                   tr("Drive up to three tools with the keyboard, each with keys of its own"));
     m_pull = make("pull", tr("Pull material"), "pull", Qt::Key_F6,
@@ -79,6 +81,7 @@ void Hands::connectActions()
         m_view.setOptions(options);
     });
     keep(m_gizmo, &HandChoices::handles);
+    keep(m_ownAxes, &HandChoices::ownAxes);
     keep(m_forces, &HandChoices::forces);
     keep(m_spaceMouse, &HandChoices::spaceMouseDrivesTool);
     connect(m_pullHand, &PullHand::refused, this, &Hands::problem);
@@ -104,7 +107,7 @@ void Hands::keep(QAction* action, bool HandChoices::*choice)
 void Hands::enable()
 {
     const bool isSimulated = !m_document.isEmpty() && !m_document.content().bodies.empty();
-    for (QAction* action : {m_gizmo, m_keys, m_pull, m_forces, m_forceTable})
+    for (QAction* action : {m_gizmo, m_ownAxes, m_keys, m_pull, m_forces, m_forceTable})
         action->setEnabled(isSimulated);
 }
 
@@ -118,7 +121,7 @@ HandPanel* Hands::makePanel()
 void Hands::addTo(QMenu* menu) const
 {
     menu->addSeparator();
-    menu->addActions({m_gizmo, m_keys, m_pull, m_spaceMouse});
+    menu->addActions({m_gizmo, m_ownAxes, m_keys, m_pull, m_spaceMouse});
     menu->addSeparator();
     menu->addActions({m_forces, m_forcePlot, m_forceTable});
 }

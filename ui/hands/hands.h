@@ -64,6 +64,7 @@ private:
     GizmoHand* m_gizmoHand; // asked first: numbers are typed into it while keys drive other tools
     SpaceHand* m_spaceHand;
     QAction* m_gizmo = nullptr;
+    QAction* m_ownAxes = nullptr;
     QAction* m_keys = nullptr;
     QAction* m_pull = nullptr;
     QAction* m_spaceMouse = nullptr;

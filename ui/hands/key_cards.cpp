@@ -8,12 +8,13 @@ namespace knead {
 
 namespace {
 
-constexpr int cap = 26;     // edge of a key cap [pixels]
-constexpr int gap = 4;      // between caps [pixels]
-constexpr int padding = 10; // [pixels]
-constexpr int title = 20;   // height of a name [pixels]
-constexpr int foot = 20;    // height of the line below [pixels]
-constexpr int wideCap = 40; // of up and down [pixels]
+constexpr int cap = 20;     // edge of a key cap [pixels]
+constexpr int gap = 3;      // between caps [pixels]
+constexpr int padding = 6;  // [pixels]
+constexpr int title = 17;   // height of a name [pixels]
+constexpr int foot = 17;    // height of the line below [pixels]
+constexpr int wideCap = 34; // of up and down [pixels]
+constexpr double smallText = 0.85;
 constexpr int cardWidth = 3 * cap + wideCap + 4 * gap + 2 * padding;
 constexpr int cardHeight = title + 2 * cap + 2 * gap + 2 * padding;
 
@@ -114,6 +115,9 @@ QSize keyCardsSize()
 void drawKeyCards(QPainter& painter, const QRect& area, const std::array<QString, drivenTools>& names,
                   const std::set<int>& pressed, const QString& speed, const QPalette& palette)
 {
+    QFont font = painter.font();
+    font.setPointSizeF(smallText * font.pointSizeF());
+    painter.setFont(font);
     for (std::size_t place = 0; place < drivenTools; ++place) {
         const QRect card(area.left() + static_cast<int>(place) * (cardWidth + 2 * gap), area.top(), cardWidth,
                          cardHeight);

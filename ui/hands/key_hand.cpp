@@ -14,7 +14,7 @@ namespace knead {
 namespace {
 
 constexpr double slowShare = 0.2; // of the speed while Shift is held
-constexpr int bottomMargin = 12;  // [pixels]
+constexpr int cardMargin = 10;    // from the corner of the view [pixels]
 
 } // namespace
 
@@ -38,6 +38,7 @@ void KeyHand::setOn(bool on)
 {
     letGo();
     m_isOn = on;
+    m_view.keepFree(this, {.bottom = on ? keyCardsSize().height() + cardMargin : 0.0});
     m_overlay->refresh();
 }
 
@@ -141,8 +142,7 @@ QRect KeyHand::overlayArea() const
     if (!m_isOn || m_document.isEmpty() || m_view.isLookingBack())
         return {};
     QRect area(QPoint(), keyCardsSize());
-    area.moveCenter(m_view.rect().center());
-    area.moveBottom(m_view.height() - bottomMargin);
+    area.moveBottomLeft({cardMargin, m_view.height() - cardMargin});
     return area;
 }
 

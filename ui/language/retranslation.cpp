@@ -62,6 +62,9 @@ public:
         const QString shown = action.property(tip_properties::withoutKeys).toString();
         if (!shown.isEmpty() && !action.property(tip_properties::isText).toBool())
             action.setToolTip(said(shown));
+        const QString why = action.property("whyDisabled").toString();
+        if (!why.isEmpty())
+            action.setProperty("whyDisabled", said(why));
     }
 
     void choices(QComboBox& box)

@@ -19,6 +19,23 @@ namespace {
     QT_TRANSLATE_NOOP("MaterialPanel", "does not stick"),    QT_TRANSLATE_NOOP("MaterialPanel", "Healing time"),
     QT_TRANSLATE_NOOP("MaterialPanel", "does not heal")};
 
+/// Those that come with the program.
+[[maybe_unused]] const char* const namesOfMaterials[] = {QT_TRANSLATE_NOOP("MaterialName", "Soft jelly"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "Jelly"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "Soft foam"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "Sponge rubber"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "Silicone rubber"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "Modeling clay"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "Natural rubber"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "Plasticine"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "Rigid foam"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "Wax"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "ABS"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "Wood along the grain"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "Aluminum"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "Glass"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "Steel")};
+
 [[maybe_unused]] const char* const formsOfTools[] = {
     QT_TRANSLATE_NOOP("Actions", "Block"),    QT_TRANSLATE_NOOP("Actions", "Ball"),
     QT_TRANSLATE_NOOP("Actions", "Cylinder"), QT_TRANSLATE_NOOP("Actions", "Wedge"),

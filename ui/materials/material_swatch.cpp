@@ -1,5 +1,6 @@
 #include "ui/materials/material_swatch.h"
 
+#include <QCoreApplication>
 #include <QHash>
 #include <QPainter>
 #include <QPainterPath>
@@ -158,7 +159,13 @@ QIcon materialSwatch(const MaterialPreset& preset)
     paintLight(painter, look, ball);
     painter.end();
     icon = QIcon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected); // in a selected line, too, it looks like the material
     return icon;
+}
+
+QString materialName(const MaterialPreset& preset)
+{
+    return QCoreApplication::translate("MaterialName", preset.name.c_str());
 }
 
 } // namespace knead

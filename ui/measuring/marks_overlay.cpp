@@ -1,11 +1,12 @@
 #include "ui/measuring/marks_overlay.h"
 
-#include "ui/viewport/viewport_widget.h"
+#include "ui/viewport/viewport_bridge.h"
 
 #include <QEvent>
 #include <QPainter>
 
 #include <algorithm>
+#include <utility>
 
 namespace knead {
 
@@ -19,9 +20,10 @@ constexpr double padding = 5;
 
 } // namespace
 
-MarksOverlay::MarksOverlay(ViewportWidget& view)
+MarksOverlay::MarksOverlay(ViewportBridge& view, SeenAt seenAt)
     : QWidget(&view)
     , m_view(view)
+    , m_seenAt(std::move(seenAt))
 {
     setObjectName("marksOverlay");
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -81,7 +83,7 @@ void MarksOverlay::paintMark(QPainter& painter, const OverlayMark& mark) const
     for (const std::vector<Vec3>& line : mark.mark.lines) {
         lines.emplace_back();
         for (const Vec3& place : line)
-            if (const auto seen = m_view.widgetPosition(place))
+            if (const auto seen = m_seenAt(place))
                 lines.back() << *seen;
             else
                 lines.emplace_back(); // behind the eye: the line is interrupted
@@ -97,14 +99,14 @@ void MarksOverlay::paintMark(QPainter& painter, const OverlayMark& mark) const
     painter.setPen(QPen(halo, 1.5));
     painter.setBrush(colorOf(mark));
     for (const Vec3& place : mark.mark.points)
-        if (const auto seen = m_view.widgetPosition(place))
+        if (const auto seen = m_seenAt(place))
             painter.drawEllipse(*seen, dotRadius, dotRadius);
 }
 
 /// Beside its place; further down where another text is already.
 void MarksOverlay::paintText(QPainter& painter, const OverlayMark& mark, std::vector<QRectF>& taken) const
 {
-    const auto seen = m_view.widgetPosition(mark.mark.label);
+    const auto seen = m_seenAt(mark.mark.label);
     if (mark.mark.text.isEmpty() || !seen)
         return;
     QFont font = this->font();

@@ -5,13 +5,15 @@
 #include <QColor>
 #include <QWidget>
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 class QPainter;
 
 namespace knead {
 
-class ViewportWidget;
+class ViewportBridge;
 
 /// A mark in the view, and how it is painted.
 struct OverlayMark {
@@ -25,7 +27,9 @@ struct OverlayMark {
 class MarksOverlay final : public QWidget {
     Q_OBJECT
 public:
-    explicit MarksOverlay(ViewportWidget& view);
+    /// Where a place is seen in the view; nothing: behind the eye.
+    using SeenAt = std::function<std::optional<QPointF>(const Vec3& place)>;
+    MarksOverlay(ViewportBridge& view, SeenAt seenAt);
 
     void show(std::vector<OverlayMark> marks);
     const std::vector<OverlayMark>& marks() const { return m_marks; }
@@ -42,7 +46,8 @@ private:
     void paintPrompt(QPainter& painter) const;
     QColor colorOf(const OverlayMark& mark) const;
 
-    ViewportWidget& m_view;
+    ViewportBridge& m_view;
+    SeenAt m_seenAt;
     std::vector<OverlayMark> m_marks;
     QString m_prompt;
 };

@@ -4,6 +4,7 @@
 #include "ui/modes.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/theme.h"
+#include "ui/viewport/side_view.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
@@ -36,7 +37,7 @@ Measuring::Measuring(Document& document, ViewportWidget& view, Modes& modes, QWi
     , m_modes(modes)
     , m_list(new MeasurementList(document, this))
     , m_tool(new PickTool(document, view, this))
-    , m_overlay(new MarksOverlay(view))
+    , m_overlay(new MarksOverlay(view, [&view](const Vec3& place) { return view.widgetPosition(place); }))
     , m_soon(new QTimer(this))
 {
     makeActions(window);
@@ -143,6 +144,15 @@ void Measuring::setOtherMarks(std::vector<OverlayMark> marks)
     showMarks();
 }
 
+void Measuring::addView(SideView& side)
+{
+    m_sides.emplace_back(new MarksOverlay(side, [&side](const Vec3& place) { return side.widgetPosition(place); }));
+    connect(&side, &SideView::hovered, m_tool, [this, &side](const QPointF& position) {
+        m_tool->hoverFrom({side.camera(), side.window()}, position);
+    });
+    connect(&side, &SideView::left, m_tool, &PickTool::leave);
+}
+
 void Measuring::soon()
 {
     if (!m_soon->isActive() && (!m_list->all().empty() || m_tool->isPicking()))
@@ -173,9 +183,14 @@ void Measuring::showMarks()
     for (std::size_t i = 0; i < std::min(all.size(), results.size()); ++i)
         if (isSeen(all[i]))
             marks.push_back({results[i].mark, std::count(selected.begin(), selected.end(), i) > 0, {}});
+    std::vector<OverlayMark> making;
     if (m_tool->isPicking() && m_view.shownFrame())
-        marks.push_back(markInTheMaking());
+        making.push_back(markInTheMaking());
+    marks.insert(marks.end(), making.begin(), making.end());
     m_overlay->show(std::move(marks));
+    std::erase(m_sides, nullptr);
+    for (const QPointer<MarksOverlay>& side : m_sides)
+        side->show(making);
 }
 
 /// What belongs to hidden parts is listed, not shown.

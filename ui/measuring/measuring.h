@@ -6,6 +6,7 @@
 
 #include <QList>
 #include <QObject>
+#include <QPointer>
 
 class QAction;
 class QActionGroup;
@@ -16,6 +17,7 @@ namespace knead {
 
 class MeasurePanel;
 class Modes;
+class SideView;
 
 /// Measuring in a document: what one clicks, what is listed and what the view shows of it belong together here.
 /// Nothing of it changes the document. Window thread only.
@@ -35,6 +37,9 @@ public:
 
     /// An action with which something else is picked, a mode as well. It goes with those that measure.
     void addPickAction(QAction* action, std::vector<PickWhat> picks, PickTool::Done done);
+
+    /// Another view of the scene: what is being picked is shown there, too. @param side is deleted whenever it wants
+    void addView(SideView& side);
 
     /// Marks of others, painted with those of what was measured.
     void setOtherMarks(std::vector<OverlayMark> marks);
@@ -68,6 +73,7 @@ private:
     QTimer* m_soon; ///< many changes are shown at once
     FramePointer m_frame;
     std::vector<OverlayMark> m_others;
+    std::vector<QPointer<MarksOverlay>> m_sides; ///< of the views beside the active one
 };
 
 } // namespace knead

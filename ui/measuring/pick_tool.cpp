@@ -105,21 +105,27 @@ bool PickTool::eventFilter(QObject* watched, QEvent* event)
         const auto* mouse = static_cast<QMouseEvent*>(event);
         if (mouse->buttons() != Qt::NoButton)
             return m_hasPress && mouse->buttons() == Qt::LeftButton;
-        hover(mouse->position());
+        hoverFrom(eye(), mouse->position());
         return true;
     }
     case QEvent::Leave:
-        m_hovered.reset();
-        emit changed();
+        leave();
         return false;
     default:
         return false;
     }
 }
 
-void PickTool::hover(const QPointF& position)
+SkinPicker::Eye PickTool::eye() const
 {
-    m_hovered = m_picker.pick(position, wanted() == PickWhat::place);
+    return {m_view.camera(), m_view.window()};
+}
+
+void PickTool::hoverFrom(const SkinPicker::Eye& eye, const QPointF& position)
+{
+    if (!isPicking())
+        return;
+    m_hovered = m_picker.pick(eye, position, wanted() == PickWhat::place);
     std::optional<SceneMarks::Face> face;
     if (m_hovered && wanted() == PickWhat::face)
         if (const auto found = faceOf(m_hovered->place, *m_document.content().bodies[m_hovered->place.body]))
@@ -129,9 +135,18 @@ void PickTool::hover(const QPointF& position)
     emit changed();
 }
 
+void PickTool::leave()
+{
+    if (!isPicking())
+        return;
+    m_hovered.reset();
+    m_view.setHighlight({});
+    emit changed();
+}
+
 void PickTool::take(const QPointF& position)
 {
-    const auto hit = m_picker.pick(position, wanted() == PickWhat::place);
+    const auto hit = m_picker.pick(eye(), position, wanted() == PickWhat::place);
     if (!hit)
         return emit refused(tr("There is nothing at that place: click on a part."));
     if (wanted() == PickWhat::face && !faceOf(hit->place, *m_document.content().bodies[hit->place.body]))

@@ -35,6 +35,10 @@ public:
     const std::optional<SkinPicker::Hit>& hovered() const { return m_hovered; }
     PickWhat wanted() const { return m_wanted[m_picked.size()]; }
 
+    /// The mouse is over the same scene, seen from elsewhere.
+    void hoverFrom(const SkinPicker::Eye& eye, const QPointF& position);
+    void leave(); ///< the mouse is over no view
+
 signals:
     void changed(); ///< what is picked, hovered or asked for
     void begun();
@@ -45,7 +49,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void hover(const QPointF& position);
+    SkinPicker::Eye eye() const; ///< of the active view
     void take(const QPointF& position);
 
     const Document& m_document;

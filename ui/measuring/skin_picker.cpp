@@ -2,6 +2,7 @@
 
 #include "core/geometry/shape_fit.h"
 #include "ui/document/document.h"
+#include "ui/viewport/pixel_of.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <algorithm>
@@ -88,15 +89,15 @@ bool SkinPicker::isHidden(std::size_t body) const
     return m_view.options().hiddenParts.contains(m_bodies[body]->part);
 }
 
-std::optional<SkinPicker::Hit> SkinPicker::pick(const QPointF& position, bool snaps)
+std::optional<SkinPicker::Hit> SkinPicker::pick(const Eye& eye, const QPointF& position, bool snaps)
 {
     if (m_document.isEmpty() || m_document.content().bodies.empty())
         return std::nullopt;
     follow();
     if (snaps)
-        if (const auto corner = cornerNear(position))
+        if (const auto corner = cornerNear(eye, position))
             return corner;
-    const auto hit = surfaceAlong(m_view.rayAt(position));
+    const auto hit = surfaceAlong(eye.camera.ray(pixelOf(position), eye.window));
     return hit && !hit->isCut ? hit : std::nullopt;
 }
 
@@ -128,7 +129,7 @@ std::optional<SkinPicker::Hit> SkinPicker::surfaceAlong(const Ray& ray) const
 }
 
 /// The nearest corner on the screen that nothing hides.
-std::optional<SkinPicker::Hit> SkinPicker::cornerNear(const QPointF& position) const
+std::optional<SkinPicker::Hit> SkinPicker::cornerNear(const Eye& eye, const QPointF& position) const
 {
     const std::optional<CutPlane>& cut = m_view.options().section.plane;
     std::map<double, Hit> candidates; // by distance [pixels]
@@ -137,17 +138,17 @@ std::optional<SkinPicker::Hit> SkinPicker::cornerNear(const QPointF& position) c
             continue;
         for (const Corner& corner : m_pickers[b].corners) {
             const Vec3& at = m_frame->bodies[b]->places[corner.vertex];
-            const std::optional<QPointF> seen = m_view.widgetPosition(at);
+            const std::optional<Pixel> seen = eye.camera.project(at, eye.window);
             if (!seen || (cut && cut->distance(at) > 0))
                 continue;
-            const QPointF off = *seen - position;
-            if (const double distance = std::hypot(off.x(), off.y()); distance <= cornerReach)
+            if (const double distance = std::hypot(seen->x - position.x(), seen->y - position.y());
+                distance <= cornerReach)
                 candidates.try_emplace(distance, Hit{corner.place, at, true});
         }
     }
     std::size_t tries = 0;
     for (const auto& [distance, hit] : candidates) {
-        const Ray ray = m_view.rayAt(*m_view.widgetPosition(hit.at));
+        const Ray ray = eye.camera.ray(*eye.camera.project(hit.at, eye.window), eye.window);
         const auto first = surfaceAlong(ray);
         const double way = (hit.at - ray.origin).norm();
         if (!first || (first->at - ray.origin).norm() >= (1 - hiddenBehind) * way)

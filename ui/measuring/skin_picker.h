@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/measuring/skin_place.h"
+#include "ui/viewport/camera.h"
 #include "ui/viewport/picker.h"
 
 #include <QPointF>
@@ -29,8 +30,13 @@ public:
         bool isCorner = false;
         bool isCut = false; ///< where the section plane cuts a body: no place of the skin
     };
+    /// From where, and of how large a window, one looks.
+    struct Eye {
+        Camera camera;
+        WindowSize window;
+    };
     /// The nearest place. @param snaps to a corner close by
-    std::optional<Hit> pick(const QPointF& position, bool snaps);
+    std::optional<Hit> pick(const Eye& eye, const QPointF& position, bool snaps);
 
     /// The document shows another content.
     void forget();
@@ -48,7 +54,7 @@ private:
     void follow();
     bool isHidden(std::size_t body) const;
     std::optional<Hit> surfaceAlong(const Ray& ray) const;
-    std::optional<Hit> cornerNear(const QPointF& position) const;
+    std::optional<Hit> cornerNear(const Eye& eye, const QPointF& position) const;
     static std::vector<Corner> cornersOf(BodyId id, const Content& content);
 
     const Document& m_document;

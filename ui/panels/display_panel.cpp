@@ -41,13 +41,6 @@ QCheckBox* boxFor(QAction* action, QWidget* parent)
     return box;
 }
 
-QCheckBox* makeBox(const char* name, const QString& text, QWidget* parent)
-{
-    auto* box = new QCheckBox(text, parent);
-    box->setObjectName(name);
-    return box;
-}
-
 } // namespace
 
 DisplayPanel::DisplayPanel(Display& display, QWidget* parent)
@@ -55,7 +48,7 @@ DisplayPanel::DisplayPanel(Display& display, QWidget* parent)
     , m_display(display)
     , m_quantity(makeChoice("colorQuantity", this))
     , m_map(makeChoice("colorMap", this))
-    , m_isAutomatic(makeBox("automaticRange", tr("Range as needed"), this))
+    , m_isAutomatic(boxFor(display.automaticRange(), this))
     , m_rangeRow(new QWidget(this))
     , m_mapLabel(new QLabel(tr("Map"), this))
     , m_rangeLabel(new QLabel(tr("From, to"), this))
@@ -63,7 +56,6 @@ DisplayPanel::DisplayPanel(Display& display, QWidget* parent)
     , m_axis(makeChoice("sectionAxis", this))
     , m_offset(makeField(Quantity::Length, "sectionOffset", this))
     , m_slider(new QSlider(Qt::Horizontal, this))
-    , m_isHatched(makeBox("sectionHatched", tr("Hatched"), this))
 {
     setObjectName("displayPanel");
     QFormLayout* form = makeForm(this);
@@ -87,6 +79,7 @@ void DisplayPanel::addColors(QFormLayout* form)
     form->addRow(makeHeading(tr("Colors of the skin"), this));
     for (const QAction* action : m_display.colors()->actions())
         m_quantity->addItem(action->text(), action->data());
+    m_isAutomatic->setObjectName("automaticRange");
     m_map->addItems({tr("Viridis"), tr("Cividis"), tr("Gray")}); // in the order of ColorMap
     m_map->setToolTip(tr("All have even lightness; cividis looks nearly alike to people who see few colors"));
     auto* row = new QHBoxLayout(m_rangeRow);
@@ -100,7 +93,6 @@ void DisplayPanel::addColors(QFormLayout* form)
         m_display.setQuantity(number < 0 ? std::nullopt : std::optional(static_cast<SurfaceQuantity>(number)));
     });
     connect(m_map, &QComboBox::activated, this, [this](int index) { m_display.setMap(static_cast<ColorMap>(index)); });
-    connect(m_isAutomatic, &QCheckBox::clicked, this, [this](bool on) { fixRange(!on); });
 }
 
 void DisplayPanel::addSection(QFormLayout* form)
@@ -116,7 +108,9 @@ void DisplayPanel::addSection(QFormLayout* form)
     inner->addRow(tr("At"), m_offset);
     inner->addRow(m_slider);
     inner->addRow(boxFor(m_display.flip(), this));
-    inner->addRow(m_isHatched);
+    auto* hatched = boxFor(m_display.hatched(), this);
+    hatched->setObjectName("sectionHatched");
+    inner->addRow(hatched);
     form->addRow(m_sectionBox);
     connect(m_axis, &QComboBox::activated, this,
             [this](int index) { m_display.setSectionAxis(static_cast<Display::Section::Axis>(index)); });
@@ -125,7 +119,6 @@ void DisplayPanel::addSection(QFormLayout* form)
         const auto [low, high] = m_display.sectionReach();
         m_display.setSectionOffset(low + (high - low) * value / sliderSteps);
     });
-    connect(m_isHatched, &QCheckBox::clicked, &m_display, &Display::setHatched);
 }
 
 void DisplayPanel::addCompare(QFormLayout* form)
@@ -158,16 +151,6 @@ void DisplayPanel::chooseRange()
     m_display.setRange(std::pair(m_least->value(), m_most->value()));
 }
 
-/// Begins with the range that was there.
-void DisplayPanel::fixRange(bool on)
-{
-    const std::optional<ColorScale> scale = m_display.view().scale();
-    if (on && scale)
-        m_display.setRange(std::pair(scale->least, scale->most));
-    else
-        m_display.setRange(std::nullopt);
-}
-
 void DisplayPanel::bringUpToDate()
 {
     const SceneOptions& options = m_display.view().options();
@@ -184,7 +167,6 @@ void DisplayPanel::showColors(const SceneOptions& options)
     for (QWidget* widget : std::initializer_list<QWidget*>{m_map, m_mapLabel})
         widget->setVisible(quantity && !hasSign(*quantity));
     m_isAutomatic->setVisible(quantity.has_value());
-    m_isAutomatic->setChecked(!options.colors.range);
     const bool isFixed = quantity && options.colors.range;
     m_rangeRow->setVisible(isFixed);
     m_rangeLabel->setVisible(isFixed);
@@ -203,7 +185,6 @@ void DisplayPanel::showColors(const SceneOptions& options)
 void DisplayPanel::showSection(const SceneOptions& options)
 {
     m_sectionBox->setVisible(options.section.plane.has_value());
-    m_isHatched->setChecked(options.section.isHatched);
     if (!options.section.plane)
         return;
     const Display::Section& plane = m_display.sectionPlane();

@@ -29,7 +29,6 @@ private:
     void addCompare(QFormLayout* form);
     void makeRangeFields(SurfaceQuantity quantity);
     void chooseRange();
-    void fixRange(bool on);
     void bringUpToDate();
     void showColors(const SceneOptions& options);
     void showSection(const SceneOptions& options);
@@ -48,7 +47,6 @@ private:
     QComboBox* m_axis;
     QuantityField* m_offset;
     QSlider* m_slider;
-    QCheckBox* m_isHatched;
 };
 
 } // namespace knead

@@ -1,14 +1,18 @@
 #include "ui/panels/export_panel.h"
 
+#include "ui/language/words_of_files.h"
 #include "ui/theme.h"
 #include "ui/units.h"
 
+#include <QEvent>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QLabel>
+#include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace knead {
@@ -30,7 +34,14 @@ QString changed(int before, int after)
 QString shortLength(double metres)
 {
     constexpr double rounding = 1e-12; // [m], of places as far off as parts are large
-    return QStringLiteral("%1 mm").arg(metres < rounding ? 0 : 1e3 * metres, 0, 'g', 2);
+    return formatReading(metres < rounding ? 0 : metres, Quantity::Length);
+}
+
+/// "-0.14 %"; no sign where rounding leaves nothing.
+QString shareOf(double change)
+{
+    constexpr double smallest = 5e-5;
+    return std::abs(change) < smallest ? QStringLiteral("0 %") : QString::asprintf("%+.2f %%", 100 * change);
 }
 
 QString formOf(const PartExportReport& part)
@@ -75,16 +86,15 @@ QTreeWidgetItem* rowOf(const PartExportReport& part)
         part.samples == 0
             ? QString()
             : ExportPanel::tr("%1, mean %2").arg(shortLength(part.largestDeviation), shortLength(part.meanDeviation)));
-    row->setText(6, QStringLiteral("%1 cm³ (%2 %)")
-                        .arg(1e6 * part.volume, 0, 'g', 6)
-                        .arg(100 * (part.restVolume > 0 ? part.volume / part.restVolume - 1 : 0), 0, 'f', 2));
-    row->setText(7, part.density > 0 ? QStringLiteral("%1 g").arg(1e3 * part.density * part.volume, 0, 'g', 5)
-                                     : QString());
+    row->setText(6,
+                 QStringLiteral("%1 (%2)").arg(formatQuantity(part.volume, Quantity::Volume),
+                                               shareOf(part.restVolume > 0 ? part.volume / part.restVolume - 1 : 0)));
+    row->setText(7, part.density > 0 ? formatQuantity(part.density * part.volume, Quantity::Mass) : QString());
     QStringList remarks;
     if (!part.reason.empty())
-        remarks << ExportPanel::tr("Not as smooth faces: %1").arg(text(part.reason));
+        remarks << ExportPanel::tr("Not as smooth faces: %1").arg(inWords(part.reason));
     for (const std::string& remark : part.remarks)
-        remarks << text(remark);
+        remarks << inWords(remark);
     if (!part.nameKept)
         remarks << ExportPanel::tr("Its name was not found again.");
     if (!part.colorsKept)
@@ -94,12 +104,51 @@ QTreeWidgetItem* rowOf(const PartExportReport& part)
     return row;
 }
 
+/// Sentences go over all columns and break into as many lines as they need.
+class SentenceDelegate final : public QStyledItemDelegate {
+public:
+    explicit SentenceDelegate(QTreeWidget& tree)
+        : QStyledItemDelegate(&tree)
+        , m_tree(tree)
+    {
+    }
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override
+    {
+        if (!m_tree.isFirstColumnSpanned(index.row(), index.parent()))
+            return QStyledItemDelegate::sizeHint(option, index);
+        constexpr int padding = 8; // left and right [pixels]
+        const int depth = index.parent().isValid() ? 2 : 1;
+        const int width = std::max(m_tree.viewport()->width(), m_tree.header()->length());
+        QStyleOptionViewItem wide(option);
+        wide.rect = QRect(0, 0, width - depth * m_tree.indentation() - padding, 1);
+        wide.features |= QStyleOptionViewItem::WrapText;
+        return {1, QStyledItemDelegate::sizeHint(wide, index).height()}; // no column is as wide for it
+    }
+
+private:
+    const QTreeWidget& m_tree;
+};
+
+/// Rows are as high as the width of the tree makes them.
+class ReportTree final : public QTreeWidget {
+public:
+    using QTreeWidget::QTreeWidget;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override
+    {
+        QTreeWidget::resizeEvent(event);
+        scheduleDelayedItemsLayout();
+    }
+};
+
 } // namespace
 
 ExportPanel::ExportPanel(QWidget* parent)
     : QWidget(parent)
     , m_summary(new QLabel(tr("Nothing was exported yet."), this))
-    , m_parts(new QTreeWidget(this))
+    , m_parts(new ReportTree(this))
 {
     setObjectName("exportPanel");
     m_summary->setObjectName("exportSummary");
@@ -107,17 +156,26 @@ ExportPanel::ExportPanel(QWidget* parent)
     m_parts->setFrameShape(QFrame::NoFrame);
     m_parts->setHeaderLabels({tr("Part"), tr("Read back"), tr("As"), tr("Solids"), tr("Faces"),
                               tr("Distance to the material"), tr("Volume (since opened)"), tr("Mass")});
-    m_parts->setUniformRowHeights(true);
+    m_parts->setWordWrap(true);
+    m_parts->setItemDelegate(new SentenceDelegate(*m_parts));
+    m_parts->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_parts->setRootIsDecorated(true);
-    m_parts->header()->setStretchLastSection(false);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 6, 8, 6);
     column->addWidget(m_summary);
     column->addWidget(m_parts, 1);
 }
 
+void ExportPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && !m_reports.empty())
+        show(std::vector<ExportReport>(m_reports));
+}
+
 void ExportPanel::show(const std::vector<ExportReport>& reports)
 {
+    m_reports = reports;
     m_parts->clear();
     std::uint64_t bytes = 0;
     double seconds = 0;
@@ -136,7 +194,7 @@ void ExportPanel::show(const std::vector<ExportReport>& reports)
             ++parts;
         }
         for (const std::string& warning : report.warnings)
-            warnings << text(warning);
+            warnings << inWords(warning);
     }
     for (const QString& warning : warnings) {
         auto* row = new QTreeWidgetItem(m_parts, {warning});

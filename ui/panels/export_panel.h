@@ -19,7 +19,11 @@ public:
 
     void show(const std::vector<ExportReport>& reports);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    std::vector<ExportReport> m_reports; ///< that are shown
     QLabel* m_summary;
     QTreeWidget* m_parts;
 };

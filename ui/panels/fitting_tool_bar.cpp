@@ -4,15 +4,18 @@
 #include <QEvent>
 #include <QToolButton>
 
+#include <algorithm>
+#include <utility>
+
 namespace knead {
 
 namespace {
 
 /// What the text adds to the width of a button [pixels], as QToolButton::sizeHint() has it.
-int textWidth(const QToolButton& button)
+int textWidth(const QToolButton& button, const QString& text)
 {
     const QFontMetrics metrics = button.fontMetrics();
-    return metrics.size(Qt::TextShowMnemonic, button.text()).width() + 2 * metrics.horizontalAdvance(' ') + 4;
+    return metrics.size(Qt::TextShowMnemonic, text).width() + 2 * metrics.horizontalAdvance(' ') + 4;
 }
 
 bool hasText(const QToolButton& button)
@@ -25,6 +28,12 @@ bool hasText(const QToolButton& button)
 void FittingToolBar::setTexts(const QList<QAction*>& actions)
 {
     m_texts = actions;
+    fit();
+}
+
+void FittingToolBar::setTurns(QAction* action, std::function<QStringList()> texts)
+{
+    m_turns[action] = std::move(texts);
     fit();
 }
 
@@ -43,17 +52,31 @@ void FittingToolBar::fit()
     int taken = sizeHint().width();
     for (QAction* action : m_texts)
         if (const QToolButton* button = buttonOf(action); button != nullptr && hasText(*button))
-            taken -= textWidth(*button);
+            taken -= roomForText(action);
     bool isRoom = true;
     for (QAction* action : m_texts) {
         QToolButton* button = buttonOf(action);
         if (button == nullptr)
             continue;
-        taken += textWidth(*button);
+        taken += roomForText(action);
         isRoom = isRoom && taken <= width();
         if (hasText(*button) != isRoom)
             button->setToolButtonStyle(isRoom ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+        const int more = isRoom ? roomForText(action) - textWidth(*button, button->text()) : 0;
+        const int least = more > 0 ? button->sizeHint().width() + more : 0;
+        if (button->minimumWidth() != least)
+            button->setMinimumWidth(least);
     }
+}
+
+int FittingToolBar::roomForText(QAction* action) const
+{
+    const QToolButton& button = *buttonOf(action);
+    int room = textWidth(button, button.text());
+    if (const auto turns = m_turns.find(action); turns != m_turns.end())
+        for (const QString& text : turns->second())
+            room = std::max(room, textWidth(button, text));
+    return room;
 }
 
 QToolButton* FittingToolBar::buttonOf(QAction* action) const

@@ -3,6 +3,9 @@
 #include <QList>
 #include <QToolBar>
 
+#include <functional>
+#include <map>
+
 class QToolButton;
 
 namespace knead {
@@ -15,6 +18,9 @@ public:
 
     /// Those that may have texts. @param actions of the bar; the first ones keep their texts longest
     void setTexts(const QList<QAction*>& actions);
+    /// Texts that a button has by turns: it is as wide as the widest of them, so that its neighbors stay where they are.
+    /// @param texts in the language that is spoken
+    void setTurns(QAction* action, std::function<QStringList()> texts);
 
 protected:
     bool event(QEvent* event) override;
@@ -22,8 +28,10 @@ protected:
 private:
     void fit();
     QToolButton* buttonOf(QAction* action) const;
+    int roomForText(QAction* action) const;
 
     QList<QAction*> m_texts;
+    std::map<QAction*, std::function<QStringList()>> m_turns;
 };
 
 } // namespace knead

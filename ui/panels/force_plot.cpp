@@ -1,5 +1,6 @@
 #include "ui/panels/force_plot.h"
 
+#include "ui/panels/plot_strokes.h"
 #include "ui/units.h"
 
 #include <QMouseEvent>
@@ -20,7 +21,6 @@ constexpr int rightMargin = 14;
 constexpr int bottomMargin = 34;
 constexpr int legendHeight = 24;
 constexpr int swatch = 14;
-constexpr int pieceLength = 8; // points of a line that Qt strokes at once; its time grows with their square
 
 // Okabe and Ito's colors, told apart by everyone; in an order that is strong on white and on black.
 const std::array<QColor, 7> curveColors = {QColor(0xe6, 0x7e, 0x00), QColor(0x1f, 0x83, 0xd6), QColor(0x00, 0x9e, 0x73),
@@ -48,44 +48,6 @@ QString tickText(double value, double step)
 {
     const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
     return QString::number(std::abs(value) < step / 1e6 ? 0 : value, 'f', decimals);
-}
-
-/// Of points that fall on one column of pixels, the least and the largest are enough.
-QPolygonF thinned(const QPolygonF& line)
-{
-    QPolygonF few;
-    for (qsizetype i = 0; i < line.size();) {
-        QPointF first = line[i];
-        QPointF second = line[i];
-        const double column = std::floor(first.x());
-        for (; i < line.size() && std::floor(line[i].x()) == column; ++i) {
-            first = line[i].y() < first.y() ? line[i] : first;
-            second = line[i].y() > second.y() ? line[i] : second;
-        }
-        if (!few.isEmpty() && std::abs(second.y() - few.back().y()) < std::abs(first.y() - few.back().y()))
-            std::swap(first, second);
-        few << first;
-        if (second != first)
-            few << second;
-    }
-    return few;
-}
-
-/// In pieces, whose dashes go on from piece to piece.
-void drawInPieces(QPainter& painter, const QPolygonF& line)
-{
-    QPen pen = painter.pen();
-    const QPen whole = pen;
-    for (qsizetype begin = 0; begin + 1 < line.size(); begin += pieceLength) {
-        const qsizetype end = std::min(begin + pieceLength, line.size() - 1);
-        painter.setPen(pen);
-        painter.drawPolyline(line.constData() + begin, static_cast<int>(end - begin + 1));
-        for (qsizetype i = begin; i < end; ++i)
-            pen.setDashOffset(pen.dashOffset() + QLineF(line[i], line[i + 1]).length() / pen.widthF());
-    }
-    painter.setPen(whole);
-    if (line.size() == 1)
-        painter.drawPoint(line.front());
 }
 
 } // namespace
@@ -227,7 +189,7 @@ void ForcePlot::drawCurve(QPainter& painter, std::size_t curve) const
     const ForceRecord::Curve& it = m_record.curves[curve];
     painter.setPen(QPen(colorOf(curve), 1.8, it.isTool ? Qt::SolidLine : Qt::DashLine, Qt::RoundCap, Qt::RoundJoin));
     QPolygonF line;
-    const auto finish = [&] { drawInPieces(painter, thinned(std::exchange(line, {}))); };
+    const auto finish = [&] { strokeInPieces(painter, thinned(std::exchange(line, {}))); };
     for (std::size_t i = 0; i < it.forces.size(); ++i)
         if (it.forces[i])
             line << placeOf(m_record.times[i], valueOf(*it.forces[i], m_component));

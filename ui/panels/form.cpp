@@ -1,20 +1,57 @@
 #include "ui/panels/form.h"
 
 #include <QComboBox>
+#include <QFocusEvent>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QWheelEvent>
 
 namespace knead {
 
 namespace {
 
-/// The wheel scrolls the panel; a material is not to change on the way.
+/// The wheel scrolls the panel; a material is not to change on the way. Letters choose from the list when Tab led to it, whatever
+/// the window uses them for; after a click they are the window's, which is what one works with by then.
 class Choice final : public QComboBox {
 public:
     using QComboBox::QComboBox;
 
 protected:
+    bool event(QEvent* event) override
+    {
+        if (event->type() == QEvent::ShortcutOverride && m_isReachedByKeys &&
+            isLetter(static_cast<QKeyEvent&>(*event))) {
+            event->accept();
+            return true;
+        }
+        return QComboBox::event(event);
+    }
+
+    void focusInEvent(QFocusEvent* event) override
+    {
+        if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason)
+            m_isReachedByKeys = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+        QComboBox::focusInEvent(event);
+    }
+
+    void mousePressEvent(QMouseEvent* event) override
+    {
+        m_isReachedByKeys = false;
+        QComboBox::mousePressEvent(event);
+    }
+
     void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+
+private:
+    static bool isLetter(const QKeyEvent& event)
+    {
+        const QString text = event.text();
+        return !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) && text.size() == 1 &&
+               text[0].isLetterOrNumber();
+    }
+
+    bool m_isReachedByKeys = false;
 };
 
 } // namespace

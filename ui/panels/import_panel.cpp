@@ -1,10 +1,12 @@
 #include "ui/panels/import_panel.h"
 
 #include "core/model/length_units.h"
+#include "ui/language/words_of_files.h"
 #include "ui/panels/form.h"
 #include "ui/units.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -65,8 +67,16 @@ ImportPanel::ImportPanel(QWidget* parent)
     connect(m_heal, &QPushButton::clicked, this, [this] { emit healingChosen(!m_isHealed); });
 }
 
+void ImportPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && m_content)
+        show(Content(*m_content));
+}
+
 void ImportPanel::show(const Content& content)
 {
+    m_content = content;
     setEnabled(true);
     const Model& model = *content.model;
     const std::size_t parts = model.parts.size();
@@ -101,20 +111,20 @@ void ImportPanel::listRemarks(const Content& content)
     };
     const Model& model = *content.model;
     if (model.unitRemark)
-        add(tr("Size"), text(model.unitRemark->sentence));
+        add(tr("Size"), inWords(model.unitRemark->sentence));
     if (!content.fineness.warning.empty())
-        add(tr("Filling"), text(content.fineness.warning));
+        add(tr("Filling"), inWords(content.fineness.warning));
     for (const std::string& sentence : model.missing)
-        add(tr("Missing"), text(sentence));
+        add(tr("Missing"), inWords(sentence));
     for (const std::string& sentence : model.warnings)
-        add(tr("File"), text(sentence));
+        add(tr("File"), inWords(sentence));
     for (const auto& [part, reason] : content.unfilled)
-        add(text(model.parts[part].path), tr("was not filled: %1").arg(text(reason)));
+        add(text(model.parts[part].path), tr("was not filled: %1").arg(inWords(reason)));
     for (const Part& part : model.parts) {
         for (const std::string& sentence : part.warnings)
-            add(text(part.path), text(sentence));
+            add(text(part.path), inWords(sentence));
         for (const std::string& sentence : part.repairs)
-            add(text(part.path), tr("Repaired: %1").arg(text(sentence)), true);
+            add(text(part.path), tr("Repaired: %1").arg(inWords(sentence)), true);
     }
     m_hasRemarks = !rows.isEmpty();
     m_remarks->setHtml(m_hasRemarks ? "<table cellpadding=2>" + rows + "</table>"

@@ -27,6 +27,9 @@ signals:
     void healingChosen(bool heal);        ///< the shapes are wanted repaired, or as they are in the file
     void fillingChosen();                 ///< surfaces that are not closed are to be filled all the same
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     void listRemarks(const Content& content);
 
@@ -35,6 +38,7 @@ private:
     QPushButton* m_heal;
     QPushButton* m_fill;
     QTextBrowser* m_remarks;
+    std::optional<Content> m_content; ///< that is shown
     bool m_hasRemarks = false;
     bool m_isHealed = true;
 };

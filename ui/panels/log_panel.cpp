@@ -15,8 +15,10 @@ LogPanel::LogPanel(QWidget* parent)
 
 void LogPanel::add(const QString& sentence, Kind kind)
 {
-    static const char* const marks[] = {"", "Warning: ", "Error: "};
-    const QString text = QTime::currentTime().toString("HH:mm:ss  ") + marks[static_cast<int>(kind)] + sentence;
+    const QString marked = kind == Kind::Warning ? tr("Warning: %1").arg(sentence)
+                           : kind == Kind::Error ? tr("Error: %1").arg(sentence)
+                                                 : sentence;
+    const QString text = QTime::currentTime().toString("HH:mm:ss  ") + marked;
     const QString weight = kind == Kind::Info ? QStringLiteral("normal") : QStringLiteral("bold");
     appendHtml(QStringLiteral("<span style=\"font-weight:%1; white-space:pre-wrap\">%2</span>")
                    .arg(weight, text.toHtmlEscaped()));

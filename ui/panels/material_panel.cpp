@@ -8,7 +8,6 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QStyle>
 
 #include <algorithm>
 #include <numeric>
@@ -16,15 +15,6 @@
 namespace knead {
 
 namespace {
-
-void setRole(QLabel* label, const char* role)
-{
-    if (label->property("role").toString() == role)
-        return;
-    label->setProperty("role", role);
-    label->style()->unpolish(label);
-    label->style()->polish(label);
-}
 
 /// Numbers of a material that belong together.
 struct Group {
@@ -254,8 +244,8 @@ void MaterialPanel::showFacts()
     m_wallCells->setText(facts.cellsAcrossWall > 0 ? QString::number(facts.cellsAcrossWall, 'g', 2)
                                                    : tr("not measured"));
     const bool isCoarse = facts.cellsAcrossWall > 0 && facts.cellsAcrossWall < fewestCellsAcrossWall;
-    setRole(m_wallCells, isCoarse ? "slow" : "");
-    setRole(m_ratio, facts.ratio < keepsUp ? "slow" : "");
+    setRole(*m_wallCells, isCoarse ? "slow" : "");
+    setRole(*m_ratio, facts.ratio < keepsUp ? "slow" : "");
 }
 
 void MaterialPanel::chooseKind(int index)

@@ -93,7 +93,7 @@ void MaterialPanel::listPresets()
 {
     m_preset->clear();
     for (const MaterialPreset& preset : m_store.all()) {
-        m_preset->addItem(materialSwatch(preset), QString::fromStdString(preset.name));
+        m_preset->addItem(materialSwatch(preset), materialName(preset));
         m_preset->setItemData(m_preset->count() - 1, QString::fromStdString(preset.source), Qt::ToolTipRole);
     }
 }
@@ -111,7 +111,7 @@ void MaterialPanel::choosePreset(int index)
     m_chosenName = QString::fromStdString(preset.name);
     for (const auto& [value, field] : m_fields)
         field->restore();
-    post(tr("Material of %1 → %2").arg(m_name->text(), QString::fromStdString(preset.name)));
+    post(tr("Material of %1 → %2").arg(m_name->text(), materialName(preset)));
 }
 
 /// A dialog that the window does not wait for.

@@ -27,7 +27,10 @@ QIcon swatch(const Color& color)
     painter.setPen(QPen(QColor(0, 0, 0, 110), 2));
     painter.setBrush(QColor::fromRgbF(color.r, color.g, color.b));
     painter.drawRoundedRect(3, 3, side - 6, side - 6, 6, 6);
-    return QIcon(pixmap);
+    painter.end();
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected); // in a selected line, too, it is the color of the part
+    return icon;
 }
 
 QTreeWidgetItem* makeItem(QTreeWidgetItem* parent, const QString& text, const QIcon& image, TreeItem type)

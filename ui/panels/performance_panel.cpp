@@ -21,7 +21,7 @@ namespace {
 constexpr double frameSeconds = 1.0 / 60;
 // Readings follow the frames slowly enough to be read.
 constexpr double smoothing = 0.15;
-constexpr int swatchSize = 10;
+constexpr int chipSize = 10;
 constexpr int rowsPerColumn = 4;
 
 struct StageLook {
@@ -153,7 +153,7 @@ PerformancePanel::PerformancePanel(QWidget* parent)
         const StageLook& look = looks()[stage];
         const int row = static_cast<int>(stage) % rowsPerColumn;
         const int cell = static_cast<int>(stage) / rowsPerColumn * cellsPerRow;
-        QPixmap swatch(swatchSize, swatchSize);
+        QPixmap swatch(chipSize, chipSize);
         swatch.fill(look.color);
         auto* color = new QLabel(this);
         color->setPixmap(swatch);

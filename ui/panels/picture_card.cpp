@@ -13,6 +13,18 @@ namespace {
 constexpr int roundness = 7;
 constexpr int lines = 46; // height of what is below the picture [pixels]
 
+/// For pictures that have none of their own. Dark parts stand out from it in dark windows, too.
+QLinearGradient backgroundOf(const QRect& place)
+{
+    const QPalette colors = QApplication::palette();
+    const QColor base = colors.color(QPalette::Base);
+    const QColor mid = colors.color(QPalette::Mid);
+    QLinearGradient background(place.topLeft(), place.bottomLeft());
+    background.setColorAt(0, base.lightness() < mid.lightness() ? mid.lighter(160) : base);
+    background.setColorAt(1, mid);
+    return background;
+}
+
 } // namespace
 
 PictureCard::PictureCard(const QImage& picture, const QString& name, const QString& about, QWidget* parent)
@@ -58,12 +70,13 @@ void PictureCard::paintEvent(QPaintEvent* /*event*/)
     painter.setFont(font());
     painter.setPen(QApplication::palette().color(QPalette::PlaceholderText));
     painter.drawText(words, Qt::AlignBottom | Qt::AlignLeft,
-                     painter.fontMetrics().elidedText(m_about, Qt::ElideMiddle, words.width()));
+                     painter.fontMetrics().elidedText(m_about, Qt::ElideLeft, words.width())); // of a path, the end
 }
 
 void PictureCard::drawPicture(QPainter& painter, const QRect& place)
 {
     if (!m_picture.isNull()) {
+        painter.fillRect(place, backgroundOf(place));
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
         painter.drawImage(place, m_picture);
         return;

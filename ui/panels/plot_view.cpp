@@ -1,8 +1,9 @@
 #include "ui/panels/plot_view.h"
 
+#include "ui/panels/plot_strokes.h"
+
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
@@ -36,58 +37,6 @@ std::optional<double> valueAt(const PlotLine& line, double x)
     const double value = (--next)->y();
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
-
-/// Makes a path of points by ascending x. Of those in one column of pixels it takes the first, the lowest, the highest and the
-/// last: that looks the same, and is painted as swiftly however many there are.
-class ColumnPath {
-public:
-    void add(const QPointF& pixel)
-    {
-        if (m_isBegun && std::floor(pixel.x()) == std::floor(m_last.x())) {
-            m_top = std::min(m_top, pixel.y());
-            m_bottom = std::max(m_bottom, pixel.y());
-            m_last = pixel;
-            return;
-        }
-        finishColumn();
-        if (std::exchange(m_isBegun, true))
-            m_path.lineTo(pixel);
-        else
-            m_path.moveTo(pixel);
-        m_first = m_last = pixel;
-        m_top = m_bottom = pixel.y();
-    }
-
-    void interrupt()
-    {
-        finishColumn();
-        m_isBegun = false;
-    }
-
-    QPainterPath take()
-    {
-        interrupt();
-        return std::exchange(m_path, {});
-    }
-
-private:
-    void finishColumn()
-    {
-        if (!m_isBegun || (m_last == m_first && m_top == m_bottom))
-            return;
-        for (const double y : {m_top, m_bottom})
-            m_path.lineTo(m_first.x(), y);
-        m_path.lineTo(m_last);
-        m_first = m_last;
-    }
-
-    QPainterPath m_path;
-    bool m_isBegun = false;
-    QPointF m_first; ///< of the column
-    QPointF m_last;
-    double m_top = 0;
-    double m_bottom = 0;
-};
 
 } // namespace
 
@@ -230,15 +179,15 @@ void PlotView::paintLines(QPainter& painter) const
 {
     painter.setClipRect(area().adjusted(-2, -2, 2, 2));
     for (const PlotLine& line : m_lines) {
-        ColumnPath path;
+        painter.setPen(QPen(line.color, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        QPolygonF whole;
+        const auto finish = [&] { strokeInPieces(painter, thinned(std::exchange(whole, {}))); };
         for (const QPointF& point : line.points)
             if (std::isfinite(point.y()))
-                path.add(pixelOf(point));
+                whole << pixelOf(point);
             else
-                path.interrupt();
-        painter.setPen(QPen(line.color, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawPath(path.take());
+                finish();
+        finish();
     }
     painter.setClipping(false);
 }

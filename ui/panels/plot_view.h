@@ -32,6 +32,7 @@ public:
     void show(std::vector<PlotLine> lines, Quantity quantity, const QString& title);
     /// What is said instead while there is nothing to draw.
     void setHint(const QString& hint);
+    const QString& hint() const { return m_hint; }
     const std::vector<PlotLine>& lines() const { return m_lines; }
 
     QSize sizeHint() const override;

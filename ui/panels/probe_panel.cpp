@@ -22,8 +22,8 @@ namespace knead {
 
 namespace {
 
-constexpr int readingTime = 80; // [ms]
-constexpr int swatchSize = 12;  // [pixels]
+constexpr int readingTime = 80;     // [ms]
+constexpr int probeSwatchSize = 12; // [pixels]
 
 struct QuantityLook {
     const char* name;
@@ -33,7 +33,7 @@ struct QuantityLook {
 };
 
 /// In the order of ProbeQuantity.
-const std::array<QuantityLook, 4>& looks()
+const std::array<QuantityLook, 4>& quantityLooks()
 {
     static const std::array<QuantityLook, 4> all{{
         {QT_TRANSLATE_NOOP("ProbePanel", "Displacement"), QT_TRANSLATE_NOOP("ProbePanel", "Displacement"),
@@ -50,9 +50,11 @@ const std::array<QuantityLook, 4>& looks()
 
 QIcon swatch(const QColor& color)
 {
-    QPixmap pixmap(swatchSize, swatchSize);
+    QPixmap pixmap(probeSwatchSize, probeSwatchSize);
     pixmap.fill(color);
-    return QIcon(pixmap);
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected); // the color of the curve, in a selected line, too
+    return icon;
 }
 
 QString reading(double value, Quantity quantity)
@@ -82,9 +84,7 @@ ProbePanel::ProbePanel(ProbeSet& probes, QAction* place, QWidget* parent)
     m_list->header()->setDefaultSectionSize(88);
     m_list->setColumnWidth(0, 92);
     m_plot->setObjectName("probePlot");
-    m_plot->setHint(
-        tr("No probes yet. Place one on the part: it goes along with the material and plots what it reads, also of "
-           "what was simulated before."));
+    sayWhatToDo();
     auto* halves = new QSplitter(this);
     halves->addWidget(m_list);
     halves->addWidget(m_plot);
@@ -113,7 +113,7 @@ void ProbePanel::makeRow(QAction* place)
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setAutoRaise(true);
     m_quantity = makeChoice("probeQuantity", this);
-    for (const QuantityLook& look : looks())
+    for (const QuantityLook& look : quantityLooks())
         m_quantity->addItem(tr(look.name));
     m_quantity->setToolTip(tr("What is plotted over time"));
     connect(m_quantity, &QComboBox::currentIndexChanged, this, &ProbePanel::chooseQuantity);
@@ -180,13 +180,13 @@ void ProbePanel::showReadings()
         row->setText(2, reading(now.strain, Quantity::Number));
         row->setText(3, reading(now.stress, Quantity::Pressure));
     }
-    const QuantityLook& look = looks()[static_cast<std::size_t>(quantity())];
+    const QuantityLook& look = quantityLooks()[static_cast<std::size_t>(quantity())];
     m_plot->show(std::move(lines), look.quantity, tr(look.title));
 }
 
 PlotLine ProbePanel::lineOf(const Probe& probe) const
 {
-    const QuantityLook& look = looks()[static_cast<std::size_t>(quantity())];
+    const QuantityLook& look = quantityLooks()[static_cast<std::size_t>(quantity())];
     const bool isForce = quantity() == ProbeQuantity::force;
     PlotLine line{isForce ? tr("All tools") : tr("Probe %1").arg(probe.number), probe.color, {}};
     line.points.reserve(probe.samples.size());
@@ -210,8 +210,17 @@ void ProbePanel::removeSelected()
 void ProbePanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
+    if (event->type() == QEvent::LanguageChange) {
+        sayWhatToDo();
         showReadings();
+    }
+}
+
+void ProbePanel::sayWhatToDo()
+{
+    m_plot->setHint(
+        tr("No probes yet. Place one on the part: it goes along with the material and plots what it reads, also of "
+           "what was simulated before."));
 }
 
 void ProbePanel::showEvent(QShowEvent* event)

@@ -34,6 +34,7 @@ private:
     void makeRow(QAction* place);
     void makeRows();
     void showReadings();
+    void sayWhatToDo();
     void chooseQuantity();
     void removeSelected();
     PlotLine lineOf(const Probe& probe) const;

@@ -38,7 +38,7 @@ void QuantityField::setZeroText(const QString& text)
     restore();
 }
 
-/// Nothing where the placeholder says it in words: for a 0 that has some, and without a value.
+/// Nothing where words in its place say it: for a 0 that has some, and without a value.
 QString QuantityField::shown() const
 {
     if (m_hasNoValue)

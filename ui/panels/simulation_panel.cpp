@@ -161,8 +161,11 @@ void SimulationPanel::documentChanged(Document::Change what)
     setEnabled(isSimulated);
     if (!isSimulated)
         return;
-    if (what == Document::Change::Content || what == Document::Change::Moment)
-        m_postedIntegrator.reset(); // what was posted before is not to come
+    if (what == Document::Change::Content ||
+        what == Document::Change::Moment) { // what was posted before is not to come
+        m_postedIntegrator.reset();
+        m_gravityRequest = m_dampingRequest = 0;
+    }
     if (what != Document::Change::Selection && what != Document::Change::Fixtures && what != Document::Change::History)
         showState();
 }
@@ -173,8 +176,10 @@ void SimulationPanel::showState()
     const Snapshot& now = *m_document.frame()->snapshot;
     m_time->setText(formatReading(now.time, Quantity::Time));
     m_step->setText(formatReading(now.timeStep, Quantity::Time));
-    showGravity(now.gravity);
-    showDamping(now);
+    if (m_document.hasSeen(m_gravityRequest))
+        showGravity(now.gravity);
+    if (m_document.hasSeen(m_dampingRequest))
+        showDamping(now);
     if (!m_postedIntegrator || *m_postedIntegrator == now.wantedIntegrator || !now.notice.empty()) {
         m_postedIntegrator.reset();
         m_integrator->setCurrentIndex(static_cast<int>(now.wantedIntegrator));
@@ -221,23 +226,28 @@ void SimulationPanel::choosePlanet(int index)
 void SimulationPanel::commitGravity()
 {
     m_document.post(SetGravity{Vec3(m_gravity[0]->value(), m_gravity[1]->value(), m_gravity[2]->value())});
+    m_gravityRequest = m_document.requests();
 }
 
 /// One entry of the history, however many bodies there are.
 void SimulationPanel::commitDamping(double Material::*value, double number, const QString& name)
 {
-    const std::vector<Material> materials = m_document.frame()->snapshot->materials;
+    if (m_document.hasSeen(m_dampingRequest))
+        m_damped = m_document.frame()->snapshot->materials;
     bool isRefused = false; // by a body that is locked
     m_document.beginGesture();
-    for (BodyId body = 0; body < materials.size(); ++body) {
-        Material material = materials[body];
+    for (BodyId body = 0; body < m_damped.size(); ++body) {
+        Material& material = m_damped[body];
         material.*value = number;
         m_document.post(SetMaterial{body, material}, tr("%1 of all bodies").arg(name));
         isRefused = isRefused || m_document.isLocked({Selection::Kind::Body, body});
     }
+    m_dampingRequest = m_document.requests();
     m_document.endGesture();
-    if (isRefused)
+    if (isRefused) { // those of others are on their way
+        m_dampingRequest = 0;
         showDamping(*m_document.frame()->snapshot);
+    }
 }
 
 void SimulationPanel::chooseIntegrator(int index)

@@ -5,7 +5,9 @@
 #include <QWidget>
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 class QComboBox;
 class QFormLayout;
@@ -59,8 +61,11 @@ private:
     QuantityField* m_shapeDamping = nullptr;
     QComboBox* m_integrator = nullptr;
     QLabel* m_integratorReason = nullptr;
-    QComboBox* m_threads = nullptr; ///< null: no such choice
+    QComboBox* m_threads = nullptr;               ///< null: no such choice
     std::optional<Integrator> m_postedIntegrator; ///< until a snapshot shows it
+    std::uint64_t m_gravityRequest = 0;           ///< the last one, which a frame must have seen
+    std::uint64_t m_dampingRequest = 0;
+    std::vector<Material> m_damped; ///< as posted last
 };
 
 } // namespace knead

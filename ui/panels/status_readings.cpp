@@ -3,11 +3,13 @@
 #include "ui/theme.h"
 #include "ui/units.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
-#include <QStyle>
 #include <QToolButton>
+
+#include <algorithm>
 
 namespace knead {
 
@@ -15,21 +17,11 @@ namespace {
 
 constexpr double realTime = 0.95; // from here on the ratio counts as real time
 
-void setRole(QLabel* label, const char* role)
-{
-    if (label->property("role").toString() == role)
-        return;
-    label->setProperty("role", role);
-    label->style()->unpolish(label);
-    label->style()->polish(label);
-}
-
 } // namespace
 
 QString ratioText(double ratio)
 {
-    const QString number = QString::number(ratio, 'f', ratio < 0.1 ? 3 : 2) + 'x';
-    return ratio < realTime ? QObject::tr("%1 slower than real time").arg(number) : number;
+    return QObject::tr("%1x real time").arg(ratio, 0, 'f', ratio < 0.1 ? 3 : 2);
 }
 
 StatusReadings::StatusReadings(QWidget* parent)
@@ -37,8 +29,9 @@ StatusReadings::StatusReadings(QWidget* parent)
 {
     setObjectName("statusReadings");
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 8, 0);
+    row->setContentsMargins(10, 0, 8, 0);
     row->setSpacing(14);
+    row->addStretch(1);
     m_ratio = add("ratio", tr("Simulated time per wall time"));
     m_updates = add("updates", tr("Frames the simulation delivers per second"));
     m_steps = add("steps", tr("Time steps per frame"));
@@ -48,7 +41,57 @@ StatusReadings::StatusReadings(QWidget* parent)
     m_contacts = add("contactCount", tr("Contact connections now"));
     m_broken = add("brokenCount", tr("Structural connections that broke so far"));
     m_pieces = add("pieceCount", tr("Connected pieces of material"));
-    add("units", tr("Units of what is shown"))->setText("mm, N, MPa");
+    m_units = add("units", tr("Units of what is shown"));
+    m_units->setText("mm, N, MPa");
+}
+
+/// Those that have something to say, in the order in which they stand.
+std::vector<QLabel*> StatusReadings::spoken() const
+{
+    std::vector<QLabel*> labels;
+    for (QLabel* label :
+         {m_ratio, m_updates, m_steps, m_integrator, m_objects, m_connections, m_contacts, m_broken, m_pieces, m_units})
+        if (!label->text().isEmpty())
+            labels.push_back(label);
+    return labels;
+}
+
+int StatusReadings::roomFor(const std::vector<QLabel*>& labels) const
+{
+    const QMargins margins = layout()->contentsMargins();
+    int room = margins.left() + margins.right();
+    for (const QLabel* label : labels)
+        room += label->sizeHint().width() + layout()->spacing();
+    return room;
+}
+
+QSize StatusReadings::sizeHint() const
+{
+    return {roomFor(spoken()), layout()->sizeHint().height()};
+}
+
+QSize StatusReadings::minimumSizeHint() const
+{
+    return {roomFor({m_ratio}), layout()->minimumSize().height()};
+}
+
+bool StatusReadings::event(QEvent* event)
+{
+    if (event->type() == QEvent::Resize)
+        fit();
+    return QWidget::event(event);
+}
+
+/// Units are the same all day; steps and updates follow from the ratio; how fast it runs is said in any case.
+void StatusReadings::fit()
+{
+    std::vector<QLabel*> shown = spoken();
+    for (QLabel* least :
+         {m_units, m_steps, m_updates, m_connections, m_integrator, m_objects, m_contacts, m_pieces, m_broken})
+        if (roomFor(shown) > width())
+            std::erase(shown, least);
+    for (QLabel* label : findChildren<QLabel*>())
+        label->setVisible(std::find(shown.begin(), shown.end(), label) != shown.end());
 }
 
 QLabel* StatusReadings::add(const QString& name, const QString& tip)
@@ -56,7 +99,7 @@ QLabel* StatusReadings::add(const QString& name, const QString& tip)
     auto* label = new QLabel(this);
     label->setObjectName(name);
     label->setToolTip(tip);
-    setRole(label, "dimmed");
+    setRole(*label, "dimmed");
     layout()->addWidget(label);
     return label;
 }
@@ -67,13 +110,11 @@ void StatusReadings::show(const Snapshot& snapshot)
     const QString chosen =
         tr("%1x of %2x as chosen").arg(snapshot.ratio, 0, 'f', snapshot.ratio < 0.1 ? 3 : 2).arg(m_speed);
     m_ratio->setText(!snapshot.playing ? tr("Paused") : m_speed == 1 ? ratioText(snapshot.ratio) : chosen);
-    setRole(m_ratio, snapshot.playing && isSlow ? "slow" : "heading");
+    setRole(*m_ratio, snapshot.playing && isSlow ? "slow" : "heading");
     m_updates->setText(snapshot.playing ? tr("%1 Hz").arg(snapshot.updatesPerSecond, 0, 'f', 0) : QString());
     m_steps->setText(snapshot.playing ? (snapshot.stepsPerFrame == 1 ? tr("1 step/frame")
                                                                      : tr("%1 steps/frame").arg(snapshot.stepsPerFrame))
                                       : QString());
-    m_updates->setVisible(snapshot.playing);
-    m_steps->setVisible(snapshot.playing);
     m_integrator->setText(snapshot.integrator == Integrator::implicitEuler  ? tr("Implicit")
                           : snapshot.integrator == Integrator::forwardEuler ? tr("Forward")
                                                                             : tr("Explicit"));
@@ -81,10 +122,12 @@ void StatusReadings::show(const Snapshot& snapshot)
     m_objects->setText(tr("%1 objects").arg(formatCount(snapshot.objects)));
     m_connections->setText(tr("%1 connections").arg(formatCount(snapshot.connections)));
     m_contacts->setText(tr("%1 contacts").arg(formatCount(snapshot.contacts)));
-    m_broken->setText(tr("%1 broken").arg(formatCount(snapshot.broken)));
-    m_broken->setVisible(snapshot.broken > 0);
-    m_pieces->setText(snapshot.components == 1 ? tr("1 piece") : tr("%1 pieces").arg(formatCount(snapshot.components)));
-    m_pieces->setVisible(snapshot.components != snapshot.bodies.size());
+    m_broken->setText(snapshot.broken > 0 ? tr("%1 broken").arg(formatCount(snapshot.broken)) : QString());
+    const QString pieces =
+        snapshot.components == 1 ? tr("1 piece") : tr("%1 pieces").arg(formatCount(snapshot.components));
+    m_pieces->setText(snapshot.components != snapshot.bodies.size() ? pieces : QString());
+    updateGeometry();
+    fit();
 }
 
 TaskReading::TaskReading(QWidget* parent)

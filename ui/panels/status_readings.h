@@ -12,7 +12,8 @@ class QToolButton;
 
 namespace knead {
 
-/// The numbers at the right of the status bar: how fast the simulation runs and how large it is.
+/// The numbers at the right of the status bar: how fast the simulation runs and how large it is. Where there is no room for all
+/// of them those that say least are left out; none is cut.
 class StatusReadings final : public QWidget {
     Q_OBJECT
 public:
@@ -22,8 +23,17 @@ public:
     /// The wanted ratio of simulated to wall time: slow motion is not slowness.
     void setSpeed(double speed) { m_speed = speed; }
 
+    QSize sizeHint() const override; ///< of all there is to say
+    QSize minimumSizeHint() const override;
+
+protected:
+    bool event(QEvent* event) override;
+
 private:
     double m_speed = 1;
+    int roomFor(const std::vector<QLabel*>& labels) const;
+    std::vector<QLabel*> spoken() const;
+    void fit();
     QLabel* add(const QString& name, const QString& tip);
 
     QLabel* m_ratio;
@@ -35,6 +45,7 @@ private:
     QLabel* m_pieces;
     QLabel* m_steps;
     QLabel* m_integrator;
+    QLabel* m_units;
 };
 
 /// What is being done in the background, how far it is, and a button that stops it.
@@ -56,7 +67,7 @@ private:
     QProgressBar* m_bar;
 };
 
-/// "1.00x", "0.40x, slower than real time".
+/// "1.00x real time", "0.40x real time": the number says whether that is slower.
 QString ratioText(double ratio);
 
 } // namespace knead

@@ -20,7 +20,7 @@ constexpr int rulerHeight = 16;  // numbers [px]
 constexpr int bandHeight = 6;    // of what was filmed [px]
 constexpr int tickHeight = 18;   // [px]
 constexpr int grabReach = 5;     // [px]
-constexpr int labelSpacing = 70; // at least, between numbers [px]
+constexpr int tickSpacing = 70;  // at least, between numbers [px]
 constexpr double shortest = 0.1; // the axis is never shorter [s]
 
 /// 1, 2 or 5 times a power of ten.
@@ -120,7 +120,7 @@ void TimelineAxis::paintRuler(QPainter& painter) const
     font.setPointSizeF(0.85 * font.pointSizeF());
     painter.setFont(font);
     const double perSecond = std::max(1, width() - 2 * margin) / shownLength();
-    const double step = niceStep(labelSpacing / perSecond);
+    const double step = niceStep(tickSpacing / perSecond);
     const int digits = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
     for (int i = 0; i * step <= shownLength() + 1e-9; ++i) {
         const int x = placeOf(i * step).x();
@@ -179,7 +179,7 @@ void TimelineAxis::paintTicks(QPainter& painter) const
             painter.drawPath(star(QPointF(placeOf(tick.at)) + QPointF(0.5, 0), 8));
 }
 
-/// Where the simulation is: a filled handle; where one looks: a line through all.
+/// Where the simulation is: a filled handle; where one looks: a line through all but the numbers.
 void TimelineAxis::paintHeads(QPainter& painter) const
 {
     const QPoint present = placeOf(m_timeline.present);
@@ -191,10 +191,11 @@ void TimelineAxis::paintHeads(QPainter& painter) const
     const double x = placeOf(*m_looking).x() + 0.5;
     const QColor color("#d9622b");
     painter.setPen(QPen(color, 2));
-    painter.drawLine(QPointF(x, 2), QPointF(x, height() - 2));
+    painter.drawLine(QPointF(x, rulerHeight), QPointF(x, height() - 2));
     painter.setPen(Qt::NoPen);
     painter.setBrush(color);
-    painter.drawPolygon(QPolygonF({{x - 6, 0}, {x + 6, 0}, {x, 9}}));
+    painter.drawPolygon(
+        QPolygonF({{x - 6, 1.0 * rulerHeight}, {x + 6, 1.0 * rulerHeight}, {x, 1.0 * rulerHeight + 8}}));
 }
 
 QString TimelineAxis::textAt(double at) const

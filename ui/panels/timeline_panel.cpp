@@ -5,6 +5,7 @@
 #include "ui/panels/timeline_axis.h"
 #include "ui/theme.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QHBoxLayout>
@@ -24,6 +25,11 @@ constexpr int drawingTime = 40; // [ms]
 constexpr int pictureTime = 33; // between pictures while the film is played [ms]
 constexpr std::array<double, 7> rates{0.1, 0.25, 0.5, 1, 2, 4, 8};
 constexpr int usualRate = 3; // index
+
+QString whyNoFilm()
+{
+    return TimelinePanel::tr("Simulate something first, and look back at it.");
+}
 
 } // namespace
 
@@ -60,43 +66,48 @@ void TimelinePanel::makeButtons()
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(8, 3, 8, 3);
     row->setSpacing(3);
-    m_toStart = makeButton("filmStart", "to-start", tr("Look at the start"));
-    m_back = makeButton("filmBack", "back-one", tr("One picture back"));
-    m_play = makeButton("filmPlay", "film", tr("Play what was simulated, from where you look"));
-    m_on = makeButton("filmOn", "on-one", tr("One picture on"));
-    m_toEnd = makeButton("filmEnd", "to-end", tr("Look at the end"));
+    m_toStart = makeButton("filmStart", "to-start", tr("Look at the start"), tr("Look at the start"));
+    m_back = makeButton("filmBack", "back-one", tr("One picture back"), tr("One picture back"));
+    m_play = makeButton("filmPlay", "film", tr("Play the film"), tr("Play what was simulated, from where you look"));
+    m_on = makeButton("filmOn", "on-one", tr("One picture on"), tr("One picture on"));
+    m_toEnd = makeButton("filmEnd", "to-end", tr("Look at the end"), tr("Look at the end"));
     m_rate = makeChoice("filmRate", this);
     for (const double rate : rates)
         m_rate->addItem(tr("%1x").arg(rate));
     m_rate->setCurrentIndex(usualRate);
     m_rate->setToolTip(tr("How fast it is played, in simulated per real time"));
+    m_rate->setProperty("whyDisabled", whyNoFilm());
     m_rate->setFocusPolicy(Qt::ClickFocus);
     m_state = new QLabel(this);
     m_state->setObjectName("filmState");
-    m_branch = makeButton("filmBranch", "branch", tr("Go on from what you see: a new branch of the history"));
-    m_branch->setText(tr("Branch here"));
-    m_return = makeButton("filmReturn", "close", tr("Back to the present (Esc)"));
-    m_return->setText(tr("Return"));
+    m_branch = makeButton("filmBranch", "branch", tr("Branch here"),
+                          tr("Go on from what you see: a new branch of the history"));
+    m_return = makeButton("filmReturn", "close", tr("Return"), tr("Back to the present (Esc)"));
     for (QToolButton* button : {m_branch, m_return})
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_toStart, m_back, m_play, m_on, m_toEnd, m_rate, m_axis,
                                                            m_state, m_branch, m_return})
         row->addWidget(widget, widget == m_axis ? 1 : 0);
-    connect(m_toStart, &QToolButton::clicked, this, [this] { lookAt(0); });
-    connect(m_toEnd, &QToolButton::clicked, this, [this] { lookAt(m_axis->timeline().end); });
-    connect(m_back, &QToolButton::clicked, this, [this] { stepBy(-1); });
-    connect(m_on, &QToolButton::clicked, this, [this] { stepBy(1); });
-    connect(m_play, &QToolButton::clicked, this, &TimelinePanel::togglePlay);
-    connect(m_branch, &QToolButton::clicked, this, &TimelinePanel::branchHere);
-    connect(m_return, &QToolButton::clicked, this, &TimelinePanel::stopLooking);
+    connect(m_toStart->defaultAction(), &QAction::triggered, this, [this] { lookAt(0); });
+    connect(m_toEnd->defaultAction(), &QAction::triggered, this, [this] { lookAt(m_axis->timeline().end); });
+    connect(m_back->defaultAction(), &QAction::triggered, this, [this] { stepBy(-1); });
+    connect(m_on->defaultAction(), &QAction::triggered, this, [this] { stepBy(1); });
+    connect(m_play->defaultAction(), &QAction::triggered, this, &TimelinePanel::togglePlay);
+    connect(m_branch->defaultAction(), &QAction::triggered, this, &TimelinePanel::branchHere);
+    connect(m_return->defaultAction(), &QAction::triggered, this, &TimelinePanel::stopLooking);
 }
 
-QToolButton* TimelinePanel::makeButton(const char* name, const char* picture, const QString& tip)
+/// With an action of the panel, for menus and keys.
+QToolButton* TimelinePanel::makeButton(const char* name, const char* picture, const QString& text, const QString& tip)
 {
+    auto* action = new QAction(icon(picture), text, this);
+    action->setObjectName(name);
+    action->setToolTip(tip);
+    action->setProperty("whyDisabled", whyNoFilm());
+    addAction(action);
     auto* button = new QToolButton(this);
     button->setObjectName(name);
-    button->setIcon(icon(picture));
-    button->setToolTip(tip);
+    button->setDefaultAction(action);
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::NoFocus); // Space goes on meaning the simulation
     return button;
@@ -261,13 +272,14 @@ void TimelinePanel::showState()
 {
     const bool hasFilm = !m_axis->timeline().pictures.empty();
     for (QToolButton* button : {m_toStart, m_back, m_play, m_on, m_toEnd})
-        button->setEnabled(hasFilm);
+        button->defaultAction()->setEnabled(hasFilm);
     m_rate->setEnabled(hasFilm);
     const bool isPlaying = m_player->isActive();
-    m_play->setIcon(icon(isPlaying ? "pause" : "film"));
+    m_play->defaultAction()->setIcon(icon(isPlaying ? "pause" : "film"));
     for (QWidget* widget : std::initializer_list<QWidget*>{m_branch, m_return})
         widget->setVisible(m_looking.has_value());
-    m_branch->setEnabled(hasFilm && !m_document.isGoing());
+    m_branch->defaultAction()->setEnabled(m_looking && hasFilm && !m_document.isGoing());
+    m_return->defaultAction()->setEnabled(m_looking.has_value());
     const Timeline& line = m_axis->timeline();
     m_state->setText(timeText(m_looking.value_or(line.present)) + " / " + timeText(line.end));
     m_state->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("000.0 ms / 000.0 ms")));

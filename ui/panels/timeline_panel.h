@@ -20,7 +20,7 @@ namespace knead {
 class TimelineAxis;
 
 /// What was simulated, to be looked at again: drag along it, play it at any rate, go to an entry, or branch from any moment.
-/// Looking back changes nothing but the view.
+/// Looking back changes nothing but the view. What its buttons do are its actions().
 class TimelinePanel final : public QWidget {
     Q_OBJECT
 public:
@@ -45,7 +45,7 @@ protected:
 
 private:
     void makeButtons();
-    QToolButton* makeButton(const char* name, const char* picture, const QString& tip);
+    QToolButton* makeButton(const char* name, const char* picture, const QString& text, const QString& tip);
     void documentChanged(Document::Change what);
     void bringUpToDate();
     void lookAt(double at);

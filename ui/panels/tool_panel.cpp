@@ -10,6 +10,7 @@
 #include <QStandardItemModel>
 
 #include <algorithm>
+#include <utility>
 
 namespace knead {
 
@@ -54,13 +55,17 @@ ToolPanel::ToolPanel(Document& document, QWidget* parent)
     form->addRow(tr("Form"), m_kind);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         m_position[axis] = makeField(Quantity::Length, QStringLiteral("toolPosition%1").arg(axisNames[axis]), this);
-        connect(m_position[axis], &QuantityField::committed, this, &ToolPanel::place);
+        connect(m_position[axis], &QuantityField::committed, this,
+                [this, axis](double place) { m_document.placeTool(m_tool, static_cast<int>(axis), place); });
         form->addRow(tr("Position %1").arg(axisNames[axis]), m_position[axis]);
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         m_size[axis] = makeField(Quantity::Length, QStringLiteral("toolSize%1").arg(axisNames[axis]), this);
         m_size[axis]->setRange(1e-6, 100);
-        connect(m_size[axis], &QuantityField::committed, this, &ToolPanel::reshape);
+        connect(m_size[axis], &QuantityField::committed, this, [this, axis](double length) {
+            m_document.reshapeTool(m_tool,
+                                   [=](ToolState& tool) { tool.size[static_cast<Eigen::Index>(axis)] = length; });
+        });
         form->addRow(tr("Size %1").arg(axisNames[axis]), m_size[axis]);
     }
     m_speed->setRange(1e-6, 100);
@@ -68,9 +73,12 @@ ToolPanel::ToolPanel(Document& document, QWidget* parent)
     m_forceLimit->setRange(1e-9, 1e12);
     m_forceLimit->setStatusTip(tr("The tool stalls rather than push harder"));
     m_friction->setRange(0, 2);
-    connect(m_speed, &QuantityField::committed, this, &ToolPanel::reshape);
-    connect(m_forceLimit, &QuantityField::committed, this, &ToolPanel::reshape);
-    connect(m_friction, &QuantityField::committed, this, &ToolPanel::reshape);
+    for (const auto& [field, value] : {std::pair(m_speed, &ToolState::speedLimit),
+                                       {m_forceLimit, &ToolState::forceLimit},
+                                       {m_friction, &ToolState::friction}})
+        connect(field, &QuantityField::committed, this, [this, value](double number) {
+            m_document.reshapeTool(m_tool, [=](ToolState& tool) { tool.*value = number; });
+        });
     form->addRow(tr("Speed limit"), m_speed);
     form->addRow(tr("Force limit"), m_forceLimit);
     form->addRow(tr("Friction"), m_friction);
@@ -101,8 +109,8 @@ void ToolPanel::documentChanged(Document::Change what)
 
 void ToolPanel::showTool()
 {
-    const ToolState* tool = m_document.tool(m_tool);
-    if (tool == nullptr)
+    const std::optional<ToolState> tool = m_document.toolWithEdits(m_tool);
+    if (!tool)
         return;
     m_name->setText(QString::fromStdString(tool->name));
     showKind(*tool);
@@ -140,45 +148,17 @@ void ToolPanel::showKind(const ToolState& tool)
     }
 }
 
-/// While paused the tool is put there; while running it goes there.
-void ToolPanel::place()
-{
-    const ToolState* tool = m_document.tool(m_tool);
-    if (tool == nullptr)
-        return;
-    Pose pose = tool->pose;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        pose.position[static_cast<Eigen::Index>(axis)] = m_position[axis]->value();
-    if (m_document.frame()->snapshot->playing)
-        m_document.post(SetManipulatorMotion{m_tool, GoTo{pose}});
-    else
-        m_document.post(PlaceManipulator{m_tool, pose});
-}
-
 void ToolPanel::chooseKind(int index)
 {
-    const ToolState* tool = m_document.tool(m_tool);
-    if (tool == nullptr)
-        return;
     const ToolKind kind = toolKindLooks()[static_cast<std::size_t>(index)].kind;
-    Vec3 size = tool->size;
-    if (kind == ToolKind::plate)
-        size.z() = std::min(size.z(), size.head<2>().maxCoeff() / plateThinness);
-    if (tool->kind == ToolKind::plate)
-        size.z() = size.head<2>().maxCoeff();
     m_shownKind.reset(); // what the simulation has is shown again, also when it refuses
-    m_document.post(ReshapeManipulator{m_tool, fittingSize(kind, size, tool->part.get()), tool->friction,
-                                       tool->speedLimit, tool->forceLimit, kind, tool->part});
-}
-
-void ToolPanel::reshape()
-{
-    const ToolState* tool = m_document.tool(m_tool);
-    if (tool == nullptr)
-        return;
-    const Vec3 size(m_size[0]->value(), m_size[1]->value(), m_size[2]->value());
-    m_document.post(ReshapeManipulator{m_tool, fittingSize(tool->kind, size, tool->part.get()), m_friction->value(),
-                                       m_speed->value(), m_forceLimit->value(), tool->kind, tool->part});
+    m_document.reshapeTool(m_tool, [kind](ToolState& tool) {
+        if (tool.kind == ToolKind::plate)
+            tool.size.z() = tool.size.head<2>().maxCoeff();
+        if (kind == ToolKind::plate)
+            tool.size.z() = std::min(tool.size.z(), tool.size.head<2>().maxCoeff() / plateThinness);
+        tool.kind = kind;
+    });
 }
 
 } // namespace knead

@@ -25,9 +25,7 @@ private:
     void documentChanged(Document::Change what);
     void showTool();
     void showKind(const ToolState& tool);
-    void place();
     void chooseKind(int index);
-    void reshape();
 
     Document& m_document;
     ToolId m_tool = 0;

@@ -121,7 +121,7 @@ void ProjectKeeper::historyChanged()
         return;
     if (!history.isEmpty() && m_isNew && history.isSettled()) {
         m_isNew = false;
-        m_autosave.begin(collect(false), state());
+        m_autosave.begin(collect(), state());
         m_gestureKept = m_viewKept = Clock::now();
     } else if (!history.isEmpty() && !m_isNew && m_autosave.isBegun()) {
         for (std::size_t start = m_autosave.knownStarts(); start < history.starts().size(); ++start)
@@ -145,13 +145,13 @@ void ProjectKeeper::watch()
     const Clock::time_point now = Clock::now();
     if (m_isRefused && now - m_lastTry >= retryInterval) {
         m_lastTry = now;
-        m_autosave.beginAgain(collect(false), state());
+        m_autosave.beginAgain(collect(), state());
     }
     if (now - m_gestureKept >= m_keepingInterval)
         lookAfterGesture();
     if (now - m_viewKept >= viewInterval) {
         m_viewKept = now;
-        m_autosave.keepView(view(false));
+        m_autosave.keepView(view());
     }
 }
 

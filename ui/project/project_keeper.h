@@ -84,6 +84,7 @@ signals:
     void opening(); ///< what was said of an earlier attempt is of no interest any more
     void told(const QString& sentence);
     void recentChanged();
+    void shown();                                     ///< a project, opened from its file
     void recoveriesWaiting(const QStringList& names); ///< that were put off; none any more: empty
 
 private:
@@ -112,9 +113,9 @@ private:
     void startSaving();
     void goOnSaving();
     void finishSaving(SavedFile file);
-    Project collect(bool withPicture) const;
+    Project collect() const;
     std::map<std::string, std::string> panels() const;
-    ProjectView view(bool withPicture) const;
+    ProjectView view() const;
     WorkState state() const;
 
     void tellOfWaiting();

@@ -88,14 +88,15 @@ void ProjectKeeper::show(ReadProject read)
         if (read.isSaved)
             m_savedRevision = m_window.document.history().revision();
         if (read.kept)
-            m_autosave.takeOver(std::move(read.kept), collect(false), state());
+            m_autosave.takeOver(std::move(read.kept), collect(), state());
         else
-            m_autosave.begin(collect(false), state());
+            m_autosave.begin(collect(), state());
         m_gestureKept = m_viewKept = Clock::now();
     }
     if (!m_path.isEmpty()) {
         recent_files::add(m_path);
         emit recentChanged();
+        emit shown();
     }
     m_wasModified = isModified();
     emit changed();

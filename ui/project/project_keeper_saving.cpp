@@ -3,6 +3,7 @@
 
 #include "ui/project/project_view.h"
 #include "ui/project/recent_files.h"
+#include "ui/shell/thumbnails.h"
 #include "ui/tasks/task_runner.h"
 #include "ui/theme.h"
 #include "ui/viewport/viewport_widget.h"
@@ -57,6 +58,7 @@ std::unique_lock<std::mutex> turnOf(std::mutex& turn, const TaskControl& control
 struct ProjectKeeper::SavedFile {
     QString path;
     std::uint64_t revision = 0; ///< of the history in it
+    QImage picture;             ///< what the view showed
     std::shared_ptr<void> lock;
     std::string problem; ///< a sentence; empty: it was written
 };
@@ -137,18 +139,21 @@ void ProjectKeeper::startSaving()
     historyChanged(); // in case it is told of it later
     m_saving->stage = Saving::Stage::running;
     m_autosave.savingBegins();
-    SavedFile file{.path = m_saving->path, .revision = m_window.document.history().revision()};
+    SavedFile file{.path = m_saving->path,
+                   .revision = m_window.document.history().revision(),
+                   .picture = m_window.viewport.portrait()};
     if (isOwnFile(encoded(file.path)))
         file.lock = m_lock;
     std::shared_ptr<std::mutex>& turn = m_turns[file.path];
     if (turn == nullptr)
         turn = std::make_shared<std::mutex>();
-    const auto work = [services = m_services, file, project = collect(true), turn](TaskControl& control) {
+    const auto work = [services = m_services, file, project = collect(), turn](TaskControl& control) mutable {
         const std::unique_lock lock = turnOf(*turn, control);
         SavedFile done = file;
         try {
             if (!done.lock)
                 done.lock = services.lock(encoded(done.path));
+            project.view.thumbnail = thumbnailOf(done.picture);
             services.write(encoded(done.path), project, control);
             control.throwIfCancelled(); // nobody would let go of the lock
         } catch (const Cancelled&) {
@@ -183,6 +188,7 @@ void ProjectKeeper::finishSaving(SavedFile file)
     m_savedRevision = file.revision;
     m_autosave.saved(encoded(m_path));
     recent_files::add(m_path);
+    thumbnails::keep(m_path, file.picture);
     emit recentChanged();
     emit told(tr("Saved %1.").arg(m_path));
     noteModified();
@@ -191,12 +197,12 @@ void ProjectKeeper::finishSaving(SavedFile file)
         then();
 }
 
-Project ProjectKeeper::collect(bool withPicture) const
+Project ProjectKeeper::collect() const
 {
     Project project = m_window.document.project();
     project.marks = m_marks;
     project.panels = panels();
-    project.view = view(withPicture);
+    project.view = view();
     return project;
 }
 
@@ -207,14 +213,12 @@ std::map<std::string, std::string> ProjectKeeper::panels() const
     return result;
 }
 
-ProjectView ProjectKeeper::view(bool withPicture) const
+ProjectView ProjectKeeper::view() const
 {
     ProjectView result;
-    result.camera = kept(m_window.viewport.camera());
+    result.camera = kept(m_window.viewport.cameraAfterTurning());
     const auto& hidden = m_window.viewport.options().hiddenParts;
     result.hiddenParts.assign(hidden.begin(), hidden.end());
-    if (withPicture)
-        result.thumbnail = thumbnailOf(m_window.viewport.grabFramebuffer());
     return result;
 }
 

@@ -2,6 +2,8 @@
 
 #include "core/document/mended_project.h"
 
+#include <QCoreApplication>
+
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -12,6 +14,10 @@ namespace {
 
 constexpr double readingShare = 0.4; // of the progress bar
 constexpr double mendingShare = 0.6;
+
+struct ReadWords {
+    Q_DECLARE_TR_FUNCTIONS(ReadProject)
+};
 
 /// What was read, before anything of it is shown.
 struct Raw {
@@ -56,15 +62,20 @@ std::string nameOf(const std::string& path)
     return std::filesystem::path(path).filename().string();
 }
 
+std::string said(const QString& sentence, const std::string& path)
+{
+    return sentence.arg(QString::fromStdString(nameOf(path))).toStdString();
+}
+
 /// The file of recovered work may have been written since, or be another window's by now: then the work has none.
 void takeFileOf(const WorkState& state, const ProjectWish& wish, const ProjectServices& services, ReadProject& result)
 {
     if (state.projectFile.empty())
         return;
     if (state.isFileReplaced) {
-        result.sentence = nameOf(state.projectFile) +
-                          " was written after this work was cut off, and stays as it is: save the work under a name of "
-                          "its own, or in place of that file.";
+        result.sentence = said(ReadWords::tr("%1 was written after this work was cut off, and stays as it is: save the "
+                                             "work under a name of its own, or in place of that file."),
+                               state.projectFile);
         return;
     }
     try {
@@ -80,9 +91,10 @@ void letGoOfFile(ReadProject& result)
 {
     if (result.path.empty())
         return;
-    result.sentence = nameOf(result.path) +
-                      " stays as it is, since the recovered work is not whole: save the work under a name of its own, "
-                      "or in place of that file.";
+    result.sentence =
+        said(ReadWords::tr("%1 stays as it is, since the recovered work is not whole: save the work under "
+                           "a name of its own, or in place of that file."),
+             result.path);
     result.path.clear();
     result.lock.reset();
 }
@@ -111,8 +123,9 @@ void prepare(Project project, const Packing& packing, ReadProject& result, TaskC
 {
     if (project.model == nullptr)
         throw std::runtime_error(
-            "The parts of this project are lost, so that nothing of it can be shown. Open the part "
-            "that it was made from.");
+            ReadWords::tr("The parts of this project are lost, so that nothing of it can be shown. "
+                          "Open the part that it was made from.")
+                .toStdString());
     result.view = project.view;
     result.marks = project.marks;
     result.panels = project.panels;
@@ -149,8 +162,9 @@ ReadProject readProjectFor(const ProjectWish& wish, const ProjectServices& servi
         if (wish.recovery || wish.rescues)
             throw;
         result.obstacle = ReadProject::Obstacle::damage;
-        result.sentence = nameOf(wish.path) + ": what was seen last cannot be shown. " + error.what() +
-                          " What is whole can be rescued.";
+        result.sentence = ReadWords::tr("%1: what was seen last cannot be shown. %2 What is whole can be rescued.")
+                              .arg(QString::fromStdString(nameOf(wish.path)), QString::fromStdString(error.what()))
+                              .toStdString();
     }
     if (wish.recovery && !result.missing.empty())
         letGoOfFile(result);

@@ -1,5 +1,7 @@
 #include "ui/recording/film_writer.h"
 
+#include "ui/recording/sentence.h"
+
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkOggTheoraWriter.h>
@@ -12,31 +14,61 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <stdexcept>
 
 namespace knead {
 
 namespace {
 
-constexpr int quality = 2;                     // the best of 0..2
-constexpr qint64 leastRoom = qint64{32} << 20; // that is left on the disk [bytes]; VTK does not tell when there is none
-constexpr int digits = 4;                      // of the number in the name of a picture
+constexpr int quality = 2; // the best of 0..2
+constexpr qint64 leastRoom =
+    qint64{32} << 20;     // that is left on the disk [bytes]; else it could be full before one knows
+constexpr int digits = 4; // of the number in the name of a picture
 
-struct Words {
+struct FilmWords {
     Q_DECLARE_TR_FUNCTIONS(FilmWriter)
 };
 
-[[noreturn]] void fail(const QString& sentence)
+/// Of a disk that is full, or a file that may not be larger.
+[[noreturn]] void failForRoom(const QString& folder)
 {
-    throw std::runtime_error(sentence.toStdString());
+    failWith(FilmWords::tr("There is no room left in %1. Free some, or record fewer or smaller pictures.").arg(folder));
+}
+
+QString folderOf(const std::string& path)
+{
+    return QFileInfo(QFile::decodeName(path.c_str())).absolutePath();
 }
 
 void requireRoom(const std::string& path)
 {
-    const QString folder = QFileInfo(QFile::decodeName(path.c_str())).absolutePath();
-    const QStorageInfo disk(folder);
+    const QStorageInfo disk(folderOf(path));
     if (disk.isValid() && disk.bytesAvailable() < leastRoom)
-        fail(Words::tr("There is no room left in %1. Free some, or record fewer or smaller pictures.").arg(folder));
+        failForRoom(folderOf(path));
+}
+
+/// Whether an Ogg file has come to its end: its last page is whole and says that it is the last one. VTK does not tell when
+/// the disk took no more. From RFC 3533, section 6.
+bool isWholeVideo(const std::string& path)
+{
+    constexpr qint64 longestPage = 65'307;
+    constexpr qsizetype headLength = 27;
+    constexpr qsizetype flagsAt = 5;
+    constexpr int isLast = 4;
+    QFile file(QFile::decodeName(path.c_str()));
+    if (!file.open(QIODevice::ReadOnly) || !file.seek(std::max(qint64{0}, file.size() - longestPage)))
+        return false;
+    const QByteArray end = file.readAll();
+    const qsizetype page = end.lastIndexOf("OggS");
+    if (page < 0 || end.size() < page + headLength)
+        return false;
+    const auto at = [&](qsizetype place) { return static_cast<uchar>(end[page + place]); };
+    const qsizetype segments = at(headLength - 1);
+    qsizetype length = headLength + segments;
+    if (end.size() < page + length)
+        return false;
+    for (qsizetype i = 0; i < segments; ++i)
+        length += at(headLength + i);
+    return (at(flagsAt) & isLast) != 0 && end.size() == page + length;
 }
 
 class VideoWriter final : public FilmWriter {
@@ -65,8 +97,6 @@ public:
             m_writer->Start();
         m_isOpen = true;
         m_writer->Write();
-        if (m_writer->GetError() != 0)
-            fail(Words::tr("%1 cannot be written. Choose another place.").arg(QFile::decodeName(m_path.c_str())));
     }
 
     void finish() override
@@ -74,6 +104,8 @@ public:
         requireRoom(m_path);
         m_writer->End();
         m_isOpen = false;
+        if (!isWholeVideo(m_path))
+            failForRoom(folderOf(m_path));
     }
 
 private:
@@ -101,7 +133,8 @@ public:
     {
         if (std::filesystem::exists(m_folder) &&
             !(std::filesystem::is_directory(m_folder) && std::filesystem::is_empty(m_folder)))
-            fail(Words::tr("%1 is there already. Choose another name for the folder of pictures.").arg(name(m_folder)));
+            failWith(FilmWords::tr("%1 is there already. Choose another name for the folder of pictures.")
+                         .arg(name(m_folder)));
         makeFolder();
     }
 
@@ -117,7 +150,7 @@ public:
         const QString number = QString::number(++m_count).rightJustified(digits, '0');
         const QString file = QStringLiteral("%1/%2-%3.png").arg(name(m_path), name(m_folder.filename()), number);
         if (!picture.save(file))
-            fail(Words::tr("%1 cannot be written: is there room on the disk?").arg(file));
+            failForRoom(name(m_folder.parent_path()));
     }
 
     void finish() override
@@ -125,7 +158,8 @@ public:
         std::error_code error;
         std::filesystem::rename(m_path, m_folder, error);
         if (error)
-            fail(Words::tr("%1 cannot be made: %2.").arg(name(m_folder), QString::fromStdString(error.message())));
+            failWith(FilmWords::tr("%1 cannot be made (%2). Choose another name for the folder of pictures.")
+                         .arg(name(m_folder), QString::fromStdString(error.message())));
         m_path.clear();
     }
 
@@ -142,8 +176,8 @@ private:
             if (std::filesystem::create_directory(path, error))
                 m_path = path;
             else if (error)
-                fail(Words::tr("No folder can be made in %1: %2. Choose another place.")
-                         .arg(name(m_folder.parent_path()), QString::fromStdString(error.message())));
+                failWith(FilmWords::tr("No folder can be made in %1: %2. Choose another place.")
+                             .arg(name(m_folder.parent_path()), QString::fromStdString(error.message())));
         }
     }
 

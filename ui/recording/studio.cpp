@@ -1,6 +1,7 @@
 #include "ui/recording/studio.h"
 
 #include "ui/document/entry_names.h"
+#include "ui/recording/sentence.h"
 #include "ui/units.h"
 #include "ui/viewport/color_legend.h"
 #include "ui/viewport/viewport_bridge.h"
@@ -14,14 +15,15 @@
 #include <vtkRendererCollection.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <QCoreApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QPainter>
 
-#include <chrono>
-#include <exception>
-#include <future>
-#include <stdexcept>
+#include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace knead {
 
@@ -29,7 +31,12 @@ namespace {
 
 constexpr double textShare = 1.0 / 45; // height of text in heights of the picture
 constexpr double shownForce = 1e-6;    // [N]
-constexpr auto patience = std::chrono::milliseconds(50);
+
+[[noreturn]] void failForSize()
+{
+    failWith(QCoreApplication::translate("Studio",
+                                         "The graphics card draws no pictures of this size. Choose a smaller one."));
+}
 
 void drawText(QPainter& painter, const QPointF& topLeft, const QString& text)
 {
@@ -47,18 +54,20 @@ void drawText(QPainter& painter, const QPointF& topLeft, const QString& text)
 
 /// The render window and Qt's context, in which it draws.
 struct Studio::Room {
-    QOffscreenSurface surface;
+    Surface surface;
     QOpenGLContext context;
     vtkNew<vtkGenericOpenGLRenderWindow> window;
     vtkNew<vtkCallbackCommand> observer;
 
-    explicit Room(const QSize& size)
+    Room(const QSize& size, Surface drawnOn)
+        : surface(std::move(drawnOn))
     {
-        surface.setFormat(ViewportBridge::surfaceFormat());
-        surface.create();
-        context.setFormat(surface.format());
-        if (!context.create() || !context.makeCurrent(&surface))
-            throw std::runtime_error("This computer cannot draw pictures that are not seen: OpenGL 3.2 is missing.");
+        context.setFormat(ViewportBridge::surfaceFormat()); // the surface forgets that lines may be wide
+        if (!context.create() || !context.makeCurrent(surface.get()))
+            failWith(QCoreApplication::translate(
+                "Studio", "The graphics card takes no more pictures. Close other programs and try again."));
+        if (std::max(size.width(), size.height()) > largestSide())
+            failForSize();
         observer->SetCallback(&Room::answer);
         observer->SetClientData(this);
         window->AddObserver(vtkCommand::WindowMakeCurrentEvent, observer);
@@ -73,12 +82,22 @@ struct Studio::Room {
 
     ~Room()
     {
-        context.makeCurrent(&surface);
+        context.makeCurrent(surface.get());
         window->Finalize();
         window->SetReadyForRendering(false);
         window->RemoveAllObservers();
         context.doneCurrent();
     }
+
+    int largestSide()
+    {
+        GLint side = 0;
+        context.functions()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &side);
+        return side;
+    }
+
+    /// Whether all went well since it was asked last.
+    bool isWell() { return context.functions()->glGetError() == GL_NO_ERROR; }
 
     static void answer(vtkObject* /*caller*/, unsigned long event, void* self, void* data)
     {
@@ -86,20 +105,28 @@ struct Studio::Room {
         if (event == vtkCommand::WindowIsCurrentEvent)
             *static_cast<bool*>(data) = QOpenGLContext::currentContext() == &room.context;
         else if (event == vtkCommand::WindowMakeCurrentEvent)
-            room.context.makeCurrent(&room.surface);
+            room.context.makeCurrent(room.surface.get());
     }
 };
 
-std::shared_ptr<Studio> Studio::make(SceneLook look, const QSize& size)
+Studio::Surface Studio::makeSurface()
 {
-    return {new Studio(std::move(look), size), [](Studio* studio) { studio->deleteLater(); }};
+    if (!QOpenGLContext::supportsThreadedOpenGL())
+        failWith(QCoreApplication::translate(
+            "Studio",
+            "The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with "
+            "LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver."));
+    Surface surface(new QOffscreenSurface, std::mem_fn(&QObject::deleteLater));
+    surface->setFormat(ViewportBridge::surfaceFormat());
+    surface->create();
+    return surface;
 }
 
-Studio::Studio(SceneLook look, const QSize& size)
+Studio::Studio(SceneLook look, const QSize& size, Surface surface)
     : m_look(std::move(look))
     , m_size(size)
     , m_sights(m_look.content.bodies)
-    , m_room(std::make_unique<Room>(size))
+    , m_room(std::make_unique<Room>(size, std::move(surface)))
     , m_scene(std::make_unique<SceneView>(m_room->window))
 {
     m_scene->setStyle(m_look.style);
@@ -116,29 +143,38 @@ Studio::Studio(SceneLook look, const QSize& size)
 
 Studio::~Studio()
 {
-    m_room->context.makeCurrent(&m_room->surface);
+    m_room->context.makeCurrent(m_room->surface.get());
     m_scene.reset();
 }
 
-QImage Studio::draw(const FramePointer& frame, const SightPointer& sight)
+QImage Studio::draw(const FramePointer& frame, std::optional<double> at)
 {
-    m_room->context.makeCurrent(&m_room->surface);
+    const SightWish wish = wishOf(m_look.options);
+    m_room->context.makeCurrent(m_room->surface.get());
     m_scene->showFrame(frame);
-    m_scene->setSight(sight);
+    m_scene->setSight(wish.isEmpty() ? nullptr : m_sights.make(frame, wish));
     m_scene->setCamera(m_look.camera);
+    m_room->isWell();
     m_room->window->Render();
-    vtkNew<vtkUnsignedCharArray> pixels;
+    QImage picture = pixels();
+    if (!m_room->isWell())
+        failForSize();
+    m_room->context.doneCurrent();
+    drawLegend(picture);
+    if (at)
+        writeReadings(picture, *at);
+    return picture;
+}
+
+QImage Studio::pixels() const
+{
     constexpr int back = 0;
     constexpr int leftEye = 0;
+    vtkNew<vtkUnsignedCharArray> pixels;
     m_room->window->GetPixelData(0, 0, m_size.width() - 1, m_size.height() - 1, back, pixels, leftEye);
-    m_room->context.doneCurrent();
-    if (pixels->GetNumberOfTuples() != vtkIdType{m_size.width()} * m_size.height())
-        throw std::runtime_error("The picture could not be read back from the graphics card. Choose a smaller size.");
     const QImage upsideDown(pixels->GetPointer(0), m_size.width(), m_size.height(), 3 * m_size.width(),
                             QImage::Format_RGB888);
-    QImage picture = upsideDown.mirrored();
-    drawLegend(picture);
-    return picture;
+    return upsideDown.mirrored();
 }
 
 /// In the lower right corner, as in the view.
@@ -157,29 +193,6 @@ void Studio::drawLegend(QImage& picture) const
     place.moveBottomRight(QPoint(m_size.width() - inset, m_size.height() - inset));
     paintLegend(painter, place, *scale, text, {},
                 {QColor(255, 255, 255, 215), QColor(30, 34, 38), QColor(150, 156, 162)});
-}
-
-QImage Studio::drawFor(const std::shared_ptr<Studio>& studio, const FramePointer& frame, std::optional<double> at,
-                       TaskControl& control)
-{
-    const SightWish wish = wishOf(studio->m_look.options);
-    const SightPointer sight = wish.isEmpty() ? nullptr : studio->m_sights.make(frame, wish);
-    auto promise = std::make_shared<std::promise<QImage>>();
-    std::future<QImage> drawn = promise->get_future();
-    const auto work = [studio, promise, frame, sight, at] {
-        try {
-            QImage picture = studio->draw(frame, sight);
-            if (at)
-                studio->writeReadings(picture, *at);
-            promise->set_value(std::move(picture));
-        } catch (...) {
-            promise->set_exception(std::current_exception());
-        }
-    };
-    QMetaObject::invokeMethod(studio.get(), work, Qt::QueuedConnection);
-    while (drawn.wait_for(patience) != std::future_status::ready)
-        control.throwIfCancelled();
-    return drawn.get();
 }
 
 /// As the view has them.

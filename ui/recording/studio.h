@@ -1,43 +1,47 @@
 #pragma once
 
-#include "core/task/task_control.h"
 #include "ui/viewport/scene_view.h"
 
 #include <QImage>
-#include <QObject>
 #include <QSize>
 
 #include <memory>
 #include <optional>
 
+class QOffscreenSurface;
+
 namespace knead {
 
-/// Draws frames into pictures of any size, unseen, with a graphics context of its own. Lives in the window's thread.
-class Studio final : public QObject {
-    Q_OBJECT
+/// Draws frames into pictures of any size, unseen, with a graphics context of its own. Made, used and destroyed in one thread, which
+/// may be any.
+class Studio final {
 public:
-    /// To be held by other threads too: it goes in the window's thread all the same.
-    /// @throws std::runtime_error with a sentence, without OpenGL
-    static std::shared_ptr<Studio> make(SceneLook look, const QSize& size);
-    ~Studio() override;
+    /// What a context draws on; Qt makes and destroys it in the window's thread only. Any thread may hold it.
+    using Surface = std::shared_ptr<QOffscreenSurface>;
+    /// Window's thread.
+    /// @throws std::runtime_error with a sentence, where the driver draws in the window's thread only
+    static Surface makeSurface();
 
-    /// @param sight what was found out about the frame, when the look asks for it; null: nothing
-    QImage draw(const FramePointer& frame, const SightPointer& sight = nullptr);
-    /// From a task thread, which waits for the window's.
+    /// @param size [pixels]
+    /// @throws std::runtime_error with a sentence, without OpenGL
+    Studio(SceneLook look, const QSize& size, Surface surface);
+    ~Studio();
+    Studio(const Studio&) = delete;
+    Studio& operator=(const Studio&) = delete;
+
     /// @param at written into the picture with the forces on tools [s]; none: neither
-    /// @throws as draw(); Cancelled
-    static QImage drawFor(const std::shared_ptr<Studio>& studio, const FramePointer& frame, std::optional<double> at,
-                          TaskControl& control);
+    /// @throws std::runtime_error with a sentence, when the graphics card gives no picture of this size
+    QImage draw(const FramePointer& frame, std::optional<double> at);
 
 private:
     struct Room;
-    Studio(SceneLook look, const QSize& size);
+    QImage pixels() const;
     void writeReadings(QImage& picture, double at) const;
     void drawLegend(QImage& picture) const;
 
     SceneLook m_look;
     QSize m_size;
-    SightMaker m_sights; ///< of the one task thread that asks for pictures
+    SightMaker m_sights;
     std::unique_ptr<Room> m_room;
     std::unique_ptr<SceneView> m_scene;
 };

@@ -42,7 +42,7 @@ AboutDialog::AboutDialog(const std::vector<Services::Library>& libraries, QWidge
     copyButton->setObjectName("aboutCopy");
     copyButton->setToolTip(tr("For a report of something that went wrong"));
     auto* close = new QPushButton(tr("Close"), this);
-    close->setProperty("role", "primary");
+    setRole(*close, "primary");
     close->setDefault(true);
     row->addWidget(copyButton);
     row->addStretch();

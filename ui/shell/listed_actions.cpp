@@ -12,7 +12,7 @@ namespace knead {
 
 namespace {
 
-class Listing {
+class ActionListing {
 public:
     void add(const QList<QAction*>& actions, const QString& menu)
     {
@@ -55,7 +55,7 @@ QString plainText(const QString& actionText)
 
 std::vector<ListedAction> listedActions(const QMainWindow& window)
 {
-    Listing listing;
+    ActionListing listing;
     if (const auto* bar = qobject_cast<QMenuBar*>(window.menuWidget()))
         listing.add(bar->actions(), {});
     listing.add(window.actions(), {});

@@ -56,7 +56,7 @@ void keep(QSettings& settings, const char* key, const QVariant& value, const QVa
 }
 
 /// Values in the order in which they are visited.
-struct Listing {
+struct ValueList {
     std::vector<std::pair<const char*, QVariant>> values;
 
     template <class Value>
@@ -66,9 +66,9 @@ struct Listing {
     }
 };
 
-Listing listed(const Preferences& preferences)
+ValueList listed(const Preferences& preferences)
 {
-    Listing listing;
+    ValueList listing;
     visit(listing, preferences);
     return listing;
 }
@@ -98,8 +98,8 @@ void writePreferences(const Preferences& preferences)
 {
     QSettings settings;
     const Preferences usual;
-    const Listing now = listed(preferences);
-    const Listing before = listed(usual);
+    const ValueList now = listed(preferences);
+    const ValueList before = listed(usual);
     for (std::size_t i = 0; i < now.values.size(); ++i)
         keep(settings, now.values[i].first, now.values[i].second, before.values[i].second);
     keep(settings, "recovery/seconds", static_cast<int>(preferences.keepingInterval.count()),

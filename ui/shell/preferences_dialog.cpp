@@ -4,6 +4,7 @@
 #include "ui/panels/form.h"
 #include "ui/shell/shortcuts.h"
 #include "ui/shell/shortcuts_page.h"
+#include "ui/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -186,7 +187,7 @@ void PreferencesDialog::addButtons(QVBoxLayout* column)
     defaults->setAutoDefault(false);
     auto* close = new QPushButton(tr("Close"), this);
     close->setObjectName("preferencesClose");
-    close->setProperty("role", "primary");
+    setRole(*close, "primary");
     close->setAutoDefault(false); // Enter ends typing in a field
     row->addWidget(defaults);
     row->addStretch();

@@ -22,7 +22,7 @@ namespace knead {
 
 namespace {
 
-enum Column { TextColumn, KeysColumn };
+enum ShortcutColumn { TextColumn, KeysColumn };
 
 QString keysOf(const QAction* action)
 {

@@ -18,7 +18,7 @@ namespace knead {
 namespace {
 
 constexpr int cardWidth = 340;
-constexpr int gap = 14;       // between the place and the card [pixels]
+constexpr int cardGap = 14;   // between the place and the card [pixels]
 constexpr int frameRim = 5;   // around the place
 constexpr int darkness = 150; // of 255
 
@@ -124,19 +124,20 @@ void Tour::arrange()
     setGeometry(m_window.rect());
     const QRect place = spot();
     const QSize size = m_card->size();
-    const int y =
-        std::clamp(place.center().y() - size.height() / 2, gap, std::max(gap, height() - size.height() - gap));
-    const int x = std::clamp(place.center().x() - size.width() / 2, gap, std::max(gap, width() - size.width() - gap));
+    const int y = std::clamp(place.center().y() - size.height() / 2, cardGap,
+                             std::max(cardGap, height() - size.height() - cardGap));
+    const int x =
+        std::clamp(place.center().x() - size.width() / 2, cardGap, std::max(cardGap, width() - size.width() - cardGap));
     QPoint corner = rect().center() - QPoint(size.width() / 2, size.height() / 2);
     if (!place.isEmpty()) {
-        if (place.right() + 2 * gap + size.width() < width())
-            corner = {place.right() + gap, y};
-        else if (place.left() - 2 * gap - size.width() > 0)
-            corner = {place.left() - gap - size.width(), y};
-        else if (place.bottom() + 2 * gap + size.height() < height())
-            corner = {x, place.bottom() + gap};
-        else if (place.top() - 2 * gap - size.height() > 0)
-            corner = {x, place.top() - gap - size.height()};
+        if (place.right() + 2 * cardGap + size.width() < width())
+            corner = {place.right() + cardGap, y};
+        else if (place.left() - 2 * cardGap - size.width() > 0)
+            corner = {place.left() - cardGap - size.width(), y};
+        else if (place.bottom() + 2 * cardGap + size.height() < height())
+            corner = {x, place.bottom() + cardGap};
+        else if (place.top() - 2 * cardGap - size.height() > 0)
+            corner = {x, place.top() - cardGap - size.height()};
     }
     m_card->move(corner);
     update();

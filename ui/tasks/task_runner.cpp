@@ -41,7 +41,9 @@ struct TaskRunner::Task final : TaskControl {
             const std::lock_guard lock(mutex);
             wasCancelled = true;
         } catch (const std::bad_alloc&) {
-            fail("There is not enough memory for this. Close other programs, or use a coarser spacing.");
+            fail(TaskRunner::tr("%1: there is not enough memory. Close other programs, or choose a larger spacing.")
+                     .arg(title)
+                     .toStdString());
         } catch (const std::exception& error) {
             fail(error.what());
         }

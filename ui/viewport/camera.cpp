@@ -88,18 +88,35 @@ void Camera::zoom(double factor, const Pixel& pixel, const WindowSize& window)
     distance = wanted;
 }
 
+void Camera::zoomByWheel(double turned, const Pixel& pixel, const WindowSize& window)
+{
+    constexpr double zoomPerNotch = 0.86;
+    constexpr double anglePerNotch = 120; // of a mouse wheel, in eighths of a degree
+    zoom(std::pow(zoomPerNotch, turned / anglePerNotch), pixel, window);
+}
+
 void Camera::fit(const Box& box, double aspect)
+{
+    fit(box, {aspect, 1}, {});
+}
+
+void Camera::fit(const Box& box, const WindowSize& window, const Insets& taken)
 {
     if (box.isEmpty())
         return;
     target = box.center();
+    const double width = std::max(window.width - taken.left - taken.right, window.width / 2);
+    const double height = std::max(window.height - taken.top - taken.bottom, window.height / 2);
     double wanted = smallestDistance;
     for (int corner = 0; corner < 8; ++corner) {
         const Vec3 offset = box.corner(static_cast<Box::CornerType>(corner)) - target;
-        const double needed = std::max(std::abs(offset.dot(up())), std::abs(offset.dot(right())) / aspect) / tangent();
+        const double needed = window.height *
+                              std::max(std::abs(offset.dot(up())) / height, std::abs(offset.dot(right())) / width) /
+                              tangent();
         wanted = std::max(wanted, needed * margin + (perspective ? offset.dot(towardsEye()) : 0));
     }
     distance = std::min(wanted, largestDistance);
+    pan((taken.left - taken.right) / 2, (taken.top - taken.bottom) / 2, window);
 }
 
 void Camera::lookFrom(const Vec3& direction)

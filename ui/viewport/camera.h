@@ -24,6 +24,14 @@ struct WindowSize {
     double aspect() const { return width / height; }
 };
 
+/// Of a window, from its sides [pixels].
+struct Insets {
+    double left = 0;
+    double top = 0;
+    double right = 0;
+    double bottom = 0;
+};
+
 /// Where the person looks from: a turntable about the world's z axis. A value; knows no graphics library.
 struct Camera {
     Vec3 target = Vec3::Zero(); ///< point of rotation, in the middle of the view [m]
@@ -51,10 +59,17 @@ struct Camera {
     void pan(double dx, double dy, const WindowSize& window);
     /// Scales the view by `factor` (< 1 comes nearer) and keeps what is under the pixel there.
     void zoom(double factor, const Pixel& pixel, const WindowSize& window);
+    /// The same by a mouse wheel. @param turned in eighths of a degree, > 0 comes nearer
+    void zoomByWheel(double turned, const Pixel& pixel, const WindowSize& window);
     /// Shows the whole box from the present direction.
     void fit(const Box& box, double aspect);
+    /// The same in what is left of a window between things that lie on it.
+    /// @param taken from its sides [pixels]; more than half of it is not given up
+    void fit(const Box& box, const WindowSize& window, const Insets& taken);
     /// Looks from a direction, for example (0, -1, 0) for the front; straight from above the front stays below.
     void lookFrom(const Vec3& direction);
+
+    friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 /// Between two cameras, 0 <= s <= 1, turning the short way round.

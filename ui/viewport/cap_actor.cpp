@@ -1,5 +1,7 @@
 #include "ui/viewport/cap_actor.h"
 
+#include "ui/viewport/stroke_actor.h"
+
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -53,7 +55,7 @@ struct CapActor::Parts {
     vtkNew<vtkPolyDataMapper> edgeMapper;
     vtkNew<vtkTexture> texture;
     vtkNew<vtkActor> faceActor;
-    vtkNew<vtkActor> edgeActor;
+    vtkNew<StrokeActor> edgeActor;
 };
 
 CapActor::CapActor(vtkRenderer* renderer)
@@ -76,7 +78,7 @@ CapActor::CapActor(vtkRenderer* renderer)
     p.faceActor->GetProperty()->SetAmbient(0.6); // it shall look cut, and not like another face
     p.faceActor->GetProperty()->SetDiffuse(0.4);
     p.edgeActor->GetProperty()->LightingOff();
-    p.edgeActor->GetProperty()->SetLineWidth(2);
+    p.edgeActor->setLineWidth(2);
     renderer->AddActor(p.faceActor);
     renderer->AddActor(p.edgeActor);
 }
@@ -139,7 +141,7 @@ struct PlaneFrameActor::Parts {
     vtkSmartPointer<vtkRenderer> renderer;
     vtkNew<vtkPolyData> data;
     vtkNew<vtkPolyDataMapper> mapper;
-    vtkNew<vtkActor> actor;
+    vtkNew<StrokeActor> actor;
 };
 
 PlaneFrameActor::PlaneFrameActor(vtkRenderer* renderer)
@@ -149,7 +151,7 @@ PlaneFrameActor::PlaneFrameActor(vtkRenderer* renderer)
     m_parts->mapper->SetInputData(m_parts->data);
     m_parts->actor->SetMapper(m_parts->mapper);
     m_parts->actor->GetProperty()->LightingOff();
-    m_parts->actor->GetProperty()->SetLineWidth(1.6F);
+    m_parts->actor->setLineWidth(1.6F);
     renderer->AddActor(m_parts->actor);
 }
 

@@ -15,6 +15,7 @@ namespace {
 constexpr double padding = 0.6;
 constexpr double barWidth = 0.95;
 constexpr double barHeight = 11;
+constexpr double leastBarHeight = 4; // in low views
 constexpr double tickLength = 0.3;
 constexpr double remarkWidth = 13;
 
@@ -22,6 +23,8 @@ int lines(const QFontMetrics& metrics, double count)
 {
     return static_cast<int>(std::lround(count * metrics.height()));
 }
+
+constexpr int keptClear = 126; // of the height of a view: the view cube above, and the corner [pixels]
 
 QRect remarkBox(const QFontMetrics& metrics, const QString& remark)
 {
@@ -71,8 +74,8 @@ void paintLegend(QPainter& painter, const QRect& place, const ColorScale& scale,
         painter.drawText(inside.adjusted(0, lines(metrics, 1.4), 0, 0), Qt::TextWordWrap, remark);
         return;
     }
-    const QRect bar(inside.left(), inside.top() + lines(metrics, 1.6), lines(metrics, barWidth),
-                    lines(metrics, barHeight));
+    const int high = std::min(lines(metrics, barHeight), inside.height() - lines(metrics, 1.6) - lines(metrics, 0.5));
+    const QRect bar(inside.left(), inside.top() + lines(metrics, 1.6), lines(metrics, barWidth), high);
     const ColorTable& table = colorTable(scale.map);
     painter.setRenderHint(QPainter::Antialiasing, false);
     for (int y = 0; y < bar.height(); ++y) {
@@ -84,7 +87,9 @@ void paintLegend(QPainter& painter, const QRect& place, const ColorScale& scale,
     painter.setPen(colors.line);
     painter.drawRect(bar.adjusted(0, 0, -1, -1));
     painter.setPen(colors.text);
-    for (const ScaleText::Tick& tick : text.ticks) {
+    const bool areDense = static_cast<int>(text.ticks.size()) * metrics.height() > high + metrics.height();
+    for (std::size_t t = 0; t < text.ticks.size(); t += areDense ? 2 : 1) {
+        const ScaleText::Tick& tick = text.ticks[t];
         const int y = bar.top() + static_cast<int>(std::lround((1 - tick.share) * (bar.height() - 1)));
         const int end = bar.right() + 1 + lines(metrics, tickLength);
         painter.drawLine(bar.right() + 1, y, end, y);
@@ -105,8 +110,10 @@ ColorLegend::ColorLegend(QWidget* parent)
 void ColorLegend::show(const ColorScale& scale, bool isPast)
 {
     const QString remark = remarkOf(scale, isPast);
-    if (isVisible() && scale == m_scale && remark == m_remark)
+    if (isVisible() && scale == m_scale && remark == m_remark) {
+        resize(sizeHint()); // the view may be of another height
         return;
+    }
     m_scale = scale;
     m_remark = remark;
     say();
@@ -136,7 +143,12 @@ void ColorLegend::changeEvent(QEvent* event)
 
 QSize ColorLegend::sizeHint() const
 {
-    return legendSize(fontMetrics(), m_text, m_remark);
+    QSize size = legendSize(fontMetrics(), m_text, m_remark);
+    if (m_remark.isEmpty()) {
+        const int least = size.height() - lines(fontMetrics(), barHeight - leastBarHeight);
+        size.setHeight(std::clamp(parentWidget()->height() - keptClear, least, size.height()));
+    }
+    return size;
 }
 
 void ColorLegend::paintEvent(QPaintEvent* /*event*/)

@@ -20,7 +20,7 @@ public:
     /// What a person reads, for tests.
     const ScaleText& text() const { return m_text; }
     QString remark() const { return m_remark; } ///< why there are no colors; empty when there are
-    QSize sizeHint() const override;
+    QSize sizeHint() const override;            ///< lower in a low view, so that the view cube stays free
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -34,7 +34,7 @@ private:
     QString m_remark;
 };
 
-/// Draws it anywhere. The font of the painter decides the size.
+/// Draws it anywhere. The font of the painter decides the size; a lower place has a lower bar.
 struct LegendColors {
     QColor ground;
     QColor text;

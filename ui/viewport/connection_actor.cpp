@@ -1,5 +1,7 @@
 #include "ui/viewport/connection_actor.h"
 
+#include "ui/viewport/stroke_actor.h"
+
 #include "core/aggregate/pieces.h"
 
 #include <vtkActor.h>
@@ -43,7 +45,7 @@ struct ConnectionActor::Parts {
     vtkNew<vtkPoints> points;
     vtkNew<vtkPolyData> data;
     vtkNew<vtkPolyDataMapper> mapper;
-    vtkNew<vtkActor> actor;
+    vtkNew<StrokeActor> actor;
 };
 
 ConnectionActor::ConnectionActor(vtkRenderer* renderer, const Color& color)
@@ -56,7 +58,7 @@ ConnectionActor::ConnectionActor(vtkRenderer* renderer, const Color& color)
     m_parts->actor->SetMapper(m_parts->mapper);
     m_parts->actor->GetProperty()->SetColor(color.r, color.g, color.b);
     m_parts->actor->GetProperty()->LightingOff();
-    m_parts->actor->GetProperty()->SetLineWidth(1.2F);
+    m_parts->actor->setLineWidth(1.2F);
     renderer->AddActor(m_parts->actor);
 }
 
@@ -102,7 +104,7 @@ struct BreakActor::Parts {
     vtkNew<vtkPoints> points;
     vtkNew<vtkPolyData> data;
     vtkNew<vtkPolyDataMapper> mapper;
-    vtkNew<vtkActor> actor;
+    vtkNew<StrokeActor> actor;
 };
 
 BreakActor::BreakActor(vtkRenderer* renderer)
@@ -138,7 +140,7 @@ void BreakActor::show(const std::vector<Vec3>& marks)
     setPoints(m_parts->points, marks);
     m_parts->data->Modified();
     m_parts->actor->SetVisibility(!marks.empty());
-    m_parts->actor->GetProperty()->SetPointSize(marks.size() > crowded ? crowdedDotSize : dotSize);
+    m_parts->actor->setDotSize(marks.size() > crowded ? crowdedDotSize : dotSize);
 }
 
 void BreakActor::setColor(const Color& color)

@@ -1,12 +1,16 @@
 #include "ui/viewport/grid_actor.h"
 
+#include "ui/viewport/stroke_actor.h"
+
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -23,13 +27,26 @@ constexpr int halfLines = 20;        // grid lines on each side of the middle
 constexpr int piecesPerLine = 40;    // a line fades along its length
 constexpr double opacity = 0.55;     // of ordinary lines at the middle
 constexpr double majorOpacity = 0.9; // of every fifth line
+constexpr double sunk = 5e-3;        // below the floor, in steps: edges of parts that stand there on a line are whole
+
+/// Blended like glass, but drawn with what one cannot see through: glass takes VTK a pass of its own over the whole view, which
+/// without a graphics card costs as much as the skin of a large part. Lines on the ground need no sorting.
+class GroundLines final : public StrokeActor {
+public:
+    static GroundLines* New();
+
+    /// So that they hide nothing that comes later.
+    bool IsRenderingTranslucentPolygonalGeometry() override { return true; }
+};
+
+vtkStandardNewMacro(GroundLines)
 
 } // namespace
 
 struct GridActor::Parts {
     vtkSmartPointer<vtkRenderer> renderer;
     vtkNew<vtkPolyDataMapper> mapper;
-    vtkNew<vtkActor> actor;
+    vtkSmartPointer<StrokeActor> actor = vtkSmartPointer<GroundLines>::New();
 };
 
 GridActor::GridActor(vtkRenderer* renderer)
@@ -38,8 +55,8 @@ GridActor::GridActor(vtkRenderer* renderer)
     m_parts->renderer = renderer;
     m_parts->actor->SetMapper(m_parts->mapper);
     m_parts->actor->GetProperty()->LightingOff();
-    m_parts->actor->GetProperty()->SetLineWidth(1);
-    m_parts->actor->ForceTranslucentOn();
+    m_parts->actor->setLineWidth(1);
+    m_parts->actor->ForceOpaqueOn();
     m_parts->actor->UseBoundsOff(); // the view is fitted to parts, not to the ground
     renderer->AddActor(m_parts->actor);
 }
@@ -53,7 +70,8 @@ void GridActor::lay(const Box& box, double height, const Color& color)
 {
     const double step = roundLength(box.sizes().maxCoeff() / 5);
     const double reach = step * halfLines;
-    const Vec3 middle(step * std::round(box.center().x() / step), step * std::round(box.center().y() / step), height);
+    const Vec3 middle(step * std::round(box.center().x() / step), step * std::round(box.center().y() / step),
+                      height - sunk * step);
 
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> lines;
@@ -87,6 +105,14 @@ void GridActor::lay(const Box& box, double height, const Color& color)
 void GridActor::setVisible(bool visible)
 {
     m_parts->actor->SetVisibility(visible);
+}
+
+void GridActor::comeLast()
+{
+    if (m_parts->renderer->GetViewProps()->GetLastProp() == m_parts->actor)
+        return;
+    m_parts->renderer->RemoveActor(m_parts->actor);
+    m_parts->renderer->AddActor(m_parts->actor);
 }
 
 double roundLength(double length)

@@ -19,6 +19,8 @@ public:
     /// Lays the grid under a box, at a height [m], with a round spacing.
     void lay(const Box& box, double height, const Color& color);
     void setVisible(bool visible);
+    /// Before each drawing: it is blended with what was drawn before it, so it comes after all that one cannot see through.
+    void comeLast();
 
 private:
     struct Parts;

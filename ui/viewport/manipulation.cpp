@@ -97,7 +97,8 @@ void Manipulation::press(const Ray& ray)
     setHovered(hit);
     if (hit.kind == PickHit::Kind::Tool) {
         m_document.select({Selection::Kind::Tool, hit.id});
-        m_drag = Drag{hit.id, hit.place, m_document.tool(hit.id)->pose};
+        const Pose pose = m_document.tool(hit.id)->pose;
+        m_drag = Drag{hit.id, hit.place, pose, pose, pose, {}};
         m_document.beginGesture();
     } else if (hit.kind == PickHit::Kind::Body) {
         if (m_isFixing)
@@ -117,8 +118,15 @@ void Manipulation::drag(const Ray& ray, const Camera& camera)
         m_drag.reset();
         return;
     }
+    if (std::exchange(m_drag->camera, camera).value_or(camera) !=
+        camera) { // it goes on from where it is, as it is seen now
+        const Vec3 reached = m_drag->grabbed + m_drag->target.position - m_drag->start.position;
+        m_drag->grabbed = onPlane(ray, reached, camera.towardsEye());
+        m_drag->start = m_drag->target;
+    }
     Pose target = m_drag->start;
     target.position += onPlane(ray, m_drag->grabbed, camera.towardsEye()) - m_drag->grabbed;
+    m_drag->target = target;
     if (m_document.isPlaying())
         m_document.post(SetManipulatorMotion{m_drag->tool, GoTo{target}});
     else
@@ -140,7 +148,7 @@ bool Manipulation::cancel()
         return false;
     const Drag drag = *std::exchange(m_drag, {});
     if (m_document.isPlaying())
-        m_document.post(SetManipulatorMotion{drag.tool, GoTo{drag.start}});
+        m_document.post(SetManipulatorMotion{drag.tool, GoTo{drag.home}});
     m_document.takeBackGesture();
     emit hoverChanged();
     return true;

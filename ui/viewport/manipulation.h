@@ -48,8 +48,11 @@ signals:
 private:
     struct Drag {
         ToolId tool = 0;
-        Vec3 grabbed = Vec3::Zero(); ///< place under the cursor when the button went down [m]
-        Pose start;                  ///< of the block then
+        Vec3 grabbed = Vec3::Zero(); ///< place under the cursor when the block was at its start [m]
+        Pose home;                   ///< of the block when the button went down
+        Pose start;
+        Pose target;
+        std::optional<Camera> camera; ///< with which it was moved last
     };
 
     void setHovered(const PickHit& hit);

@@ -1,5 +1,7 @@
 #include "ui/viewport/open_edges_actor.h"
 
+#include "ui/viewport/stroke_actor.h"
+
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
@@ -22,7 +24,7 @@ constexpr float width = 3.5F; // [pixels]
 struct OpenEdgesActor::Parts {
     vtkSmartPointer<vtkRenderer> renderer;
     vtkNew<vtkPolyDataMapper> mapper;
-    vtkNew<vtkActor> actor;
+    vtkNew<StrokeActor> actor;
 };
 
 OpenEdgesActor::OpenEdgesActor(vtkRenderer* renderer)
@@ -34,7 +36,7 @@ OpenEdgesActor::OpenEdgesActor(vtkRenderer* renderer)
     m_parts->mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -8);
     m_parts->actor->SetMapper(m_parts->mapper);
     m_parts->actor->GetProperty()->LightingOff();
-    m_parts->actor->GetProperty()->SetLineWidth(width);
+    m_parts->actor->setLineWidth(width);
     m_parts->actor->UseBoundsOff();
     renderer->AddActor(m_parts->actor);
 }

@@ -1,6 +1,7 @@
 #include "ui/viewport/region_actor.h"
 
 #include "ui/selection/region_contents.h"
+#include "ui/viewport/stroke_actor.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
@@ -32,7 +33,7 @@ struct RegionActor::Parts {
     vtkNew<vtkPoints> linePoints;
     vtkNew<vtkPolyData> lines;
     vtkNew<vtkPolyDataMapper> lineMapper;
-    vtkNew<vtkActor> lineActor;
+    vtkNew<StrokeActor> lineActor;
     vtkNew<vtkPoints> objectPoints;
     vtkNew<vtkPolyData> objects;
     vtkNew<vtkOpenGLSphereMapper> objectMapper;
@@ -51,12 +52,12 @@ RegionActor::RegionActor(vtkRenderer* renderer)
     m_parts->objectMapper->SetInputData(m_parts->objects);
     m_parts->lineActor->SetMapper(m_parts->lineMapper);
     m_parts->objectActor->SetMapper(m_parts->objectMapper);
-    m_parts->lineActor->GetProperty()->SetLineWidth(lineWidth);
+    m_parts->lineActor->setLineWidth(lineWidth);
     m_parts->lineActor->GetProperty()->LightingOff();
     // Some drivers draw every line one pixel wide, which the skin's own edges cover; a shader draws tubes.
     m_parts->lineActor->GetProperty()->RenderLinesAsTubesOn();
     m_parts->objectActor->GetProperty()->SetAmbient(0.3);
-    for (vtkActor* actor : {m_parts->lineActor.Get(), m_parts->objectActor.Get()}) {
+    for (vtkActor* actor : {static_cast<vtkActor*>(m_parts->lineActor), m_parts->objectActor.Get()}) {
         actor->VisibilityOff();
         renderer->AddActor(actor);
     }
@@ -96,7 +97,7 @@ void RegionActor::show(const Region& region, const ContentBodies& bodies, const 
     hide();
     if (region.isEmpty())
         return;
-    if (region.level == Level::Edge || region.level == Level::Connection)
+    if (region.level == Level::Edge || region.level == Level::Connection || region.level == Level::Face)
         addLines(region, bodies, frame);
     else if (region.level == Level::Object)
         addObjects(region, bodies, frame, scale);
@@ -115,6 +116,11 @@ void RegionActor::addLines(const Region& region, const ContentBodies& bodies, co
         const ContentBody& body = *bodies[id];
         const std::vector<Vec3>& skin = frame.bodies[id]->places;
         const std::vector<Vec3>& objects = frame.snapshot->bodies[id].positions;
+        if (region.level == Level::Face) {
+            for (const auto& [a, b] : outlineOf(id, bodies[id], items))
+                add(skin[a], skin[b]);
+            continue;
+        }
         if (region.level == Level::Edge) {
             for (std::size_t e = 0; e < body.render.edges.size(); ++e)
                 if (std::binary_search(items.begin(), items.end(), body.render.chainOfEdge[e]))
@@ -131,6 +137,35 @@ void RegionActor::addLines(const Region& region, const ContentBodies& bodies, co
     m_parts->lines->SetLines(cells);
     m_parts->lines->Modified();
     m_parts->lineActor->VisibilityOn();
+}
+
+/// Around faces that lie side by side there is one line.
+const std::vector<std::array<std::uint32_t, 2>>&
+RegionActor::outlineOf(BodyId id, const std::shared_ptr<const ContentBody>& body, const Region::Items& faces)
+{
+    Outline& outline = m_outlines[id];
+    if (outline.body == body && outline.faces == faces)
+        return outline.lines;
+    outline = {body, faces, {}};
+    const RenderMesh& mesh = body->render;
+    std::vector<std::array<std::uint32_t, 2>> sides;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (!std::binary_search(faces.begin(), faces.end(), Region::Item{mesh.faceOfTriangle[t]}))
+            continue;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const auto [a, b] =
+                std::minmax(mesh.source[mesh.triangles[t][corner]], mesh.source[mesh.triangles[t][(corner + 1) % 3]]);
+            sides.push_back({a, b});
+        }
+    }
+    std::sort(sides.begin(), sides.end());
+    for (auto side = sides.begin(); side != sides.end();) {
+        const auto next = std::find_if(side, sides.end(), [&](const auto& other) { return other != *side; });
+        if (next - side == 1) // those within belong to two triangles
+            outline.lines.push_back(*side);
+        side = next;
+    }
+    return outline.lines;
 }
 
 void RegionActor::addObjects(const Region& region, const ContentBodies& bodies, const Frame& frame, double scale)

@@ -3,15 +3,19 @@
 #include "ui/document/frame.h"
 #include "ui/selection/region.h"
 
+#include <array>
+#include <cstdint>
+#include <map>
 #include <memory>
+#include <vector>
 
 class vtkPlaneCollection;
 class vtkRenderer;
 
 namespace knead {
 
-/// Draws edges, objects and connections of a region, each in a way that stands out. Parts and faces are colored on their skins
-/// instead.
+/// Draws edges, objects and connections of a region, and the outlines of its faces, each in a way that stands out. Parts and faces
+/// are colored on their skins besides.
 class RegionActor {
 public:
     explicit RegionActor(vtkRenderer* renderer);
@@ -29,9 +33,19 @@ public:
 private:
     struct Parts;
     void addLines(const Region& region, const ContentBodies& bodies, const Frame& frame);
+    const std::vector<std::array<std::uint32_t, 2>>&
+    outlineOf(BodyId id, const std::shared_ptr<const ContentBody>& body, const Region::Items& faces);
     void addObjects(const Region& region, const ContentBodies& bodies, const Frame& frame, double scale);
 
+    /// Found once, as long as body and faces stay the same.
+    struct Outline {
+        std::shared_ptr<const ContentBody> body;
+        Region::Items faces;
+        std::vector<std::array<std::uint32_t, 2>> lines; ///< of vertices of the mesh
+    };
+
     std::unique_ptr<Parts> m_parts;
+    std::map<BodyId, Outline> m_outlines;
 };
 
 } // namespace knead

@@ -235,6 +235,7 @@ void SceneView::layGrid()
 void SceneView::setCamera(const Camera& camera)
 {
     m_camera = camera;
+    m_parts->grid->comeLast();
     vtkCamera* eye = m_parts->renderer->GetActiveCamera();
     eye->SetPosition(camera.eye().data());
     eye->SetFocalPoint(camera.target.data());
@@ -295,7 +296,8 @@ std::vector<SceneLabel> SceneView::labels() const
     std::vector<SceneLabel> labels;
     if (m_frame && m_options.forces)
         for (const ToolState& tool : m_frame->snapshot->tools)
-            labels.push_back({m_parts->tools.at(tool.id)->labelPlace(), tool.id, tool.force.norm()});
+            labels.push_back(
+                {m_parts->tools.at(tool.id)->labelPlace(), tool.id, tool.force.norm(), tool.pose.position});
     return labels;
 }
 

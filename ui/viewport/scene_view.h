@@ -82,7 +82,8 @@ struct SceneLook {
 struct SceneLabel {
     Vec3 place = Vec3::Zero(); ///< [m]
     ToolId tool = 0;
-    double force = 0; ///< [N]
+    double force = 0;           ///< [N]
+    Vec3 middle = Vec3::Zero(); ///< of the tool, which the number is to leave free [m]
 };
 
 /// The actors of the scene and how they follow frames. Draws nothing itself: the viewport asks its window to.
@@ -122,6 +123,8 @@ private:
     void showSelectedRegion();
     void showHoveredRegion();
     void showRegion(const Region& region, RegionActor& within, RegionActor& inFront, double scale);
+    Color markOn(const Region& region, const Color& usual, const Color& other) const;
+    Color edgesOf(BodyId body, bool isSelected, bool isHovered) const;
     Region shownOf(const Region& region) const;
     void showObjects();
     void showTools();

@@ -94,19 +94,33 @@ void SceneView::showRegions()
 /// May be many thousands of objects: not for every move of the mouse.
 void SceneView::showSelectedRegion()
 {
+    m_parts->within->selected.setColor(markOn(m_marks.selected, m_style.selectedEdge, m_style.selectedOther));
     showRegion(m_marks.selected, m_parts->within->selected, m_parts->inFront->selected, selectedScale);
 }
 
 void SceneView::showHoveredRegion()
 {
+    m_parts->within->hovered.setColor(markOn(m_marks.hovered, m_style.highlight, m_style.highlightOther));
     showRegion(m_marks.hovered, m_parts->within->hovered, m_parts->inFront->hovered, hoveredScale);
+}
+
+/// The color in which a region is drawn: around faces, one that stands out from the first of them.
+Color SceneView::markOn(const Region& region, const Color& usual, const Color& other) const
+{
+    if (!isOfFaces(region) || m_scale)
+        return usual;
+    const auto& [body, faces] = *region.items.begin();
+    if (body >= m_bodies.size())
+        return usual;
+    return standingOut(m_looks.faceColor(*m_model, m_bodies[body]->part, static_cast<std::uint32_t>(faces.front())),
+                       usual, other);
 }
 
 /// Objects that are hidden by a skin, and connections, which are hidden by objects, are drawn in front of all.
 void SceneView::showRegion(const Region& region, RegionActor& within, RegionActor& inFront, double scale)
 {
     const bool isAmongObjects = region.level == Level::Object && m_options.objects != ObjectDisplay::Off;
-    const bool isWithin = region.level == Level::Edge || isAmongObjects;
+    const bool isWithin = region.level == Level::Edge || region.level == Level::Face || isAmongObjects;
     within.hide();
     inFront.hide();
     if (m_frame)
@@ -124,15 +138,24 @@ Region SceneView::shownOf(const Region& region) const
     return shown;
 }
 
+/// Of what is selected or under the cursor, a color that stands out from the part.
+Color SceneView::edgesOf(BodyId body, bool isSelected, bool isHovered) const
+{
+    if (!isSelected && !isHovered)
+        return m_style.edge;
+    const Color& usual = isHovered ? m_style.highlight : m_style.selectedEdge;
+    if (m_scale)
+        return usual;
+    return standingOut(m_looks.partColor(*m_model, m_bodies[body]->part), usual,
+                       isHovered ? m_style.highlightOther : m_style.selectedOther);
+}
+
 void SceneView::colorBodies()
 {
     for (BodyId b = 0; b < m_parts->skins.size(); ++b) {
         const bool isSelected = m_marks.selectedBody == b || isPart(m_marks.selected, b);
         const bool isHovered = isPart(m_marks.hovered, b);
-        m_parts->skins[b]->setEdges(isHovered    ? m_style.highlight
-                                    : isSelected ? m_style.selectedEdge
-                                                 : m_style.edge,
-                                    isHovered || isSelected ? 1.8F : 1.2F);
+        m_parts->skins[b]->setEdges(edgesOf(b, isSelected, isHovered), isHovered || isSelected ? 1.8F : 1.2F);
         if (colorByValues(b)) {
             tintValues(b);
             continue;
@@ -144,10 +167,11 @@ void SceneView::colorBodies()
             if (std::count(m_marks.fixed.begin(), m_marks.fixed.end(), mark) > 0)
                 color = mix(color, m_style.fixed, tint);
             if (isOfFaces(m_marks.selected) && m_marks.selected.contains(b, face))
-                color = mix(color, m_style.selectedEdge, selectedTint);
+                color = mix(color, standingOut(color, m_style.selectedEdge, m_style.selectedOther), selectedTint);
             const bool isUnderCursor =
                 m_marks.highlighted == mark || (isOfFaces(m_marks.hovered) && m_marks.hovered.contains(b, face));
-            return isUnderCursor ? mix(color, m_style.highlight, tint) : color;
+            return isUnderCursor ? mix(color, standingOut(color, m_style.highlight, m_style.highlightOther), tint)
+                                 : color;
         });
     }
 }

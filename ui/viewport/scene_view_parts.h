@@ -1,6 +1,7 @@
 // What a SceneView consists of, for its own sources.
 #pragma once
 
+#include "ui/viewport/blending_renderer.h"
 #include "ui/viewport/grid_actor.h"
 #include "ui/viewport/object_actor.h"
 #include "ui/viewport/open_edges_actor.h"
@@ -21,7 +22,7 @@
 namespace knead {
 
 struct SceneView::Parts {
-    vtkNew<vtkRenderer> renderer;
+    vtkNew<BlendingRenderer> renderer;
     vtkNew<vtkRenderer> front; ///< of all that is in `renderer`: what is selected inside the material
     std::unique_ptr<ViewCube> cube;
     std::unique_ptr<GridActor> grid;

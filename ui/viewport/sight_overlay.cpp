@@ -42,13 +42,7 @@ SightOverlay::SightOverlay(ViewportWidget& view)
     , m_divider(new DividerHandle(&view))
     , m_knob(new SectionKnob(&view))
 {
-    connect(m_divider, &DividerHandle::dragged, this, [this](double share) {
-        SceneOptions options = m_view.options();
-        if (!options.divider)
-            return;
-        options.divider = share;
-        m_view.setOptions(options);
-    });
+    connect(m_divider, &DividerHandle::dragged, &m_view, &ViewportWidget::moveDivider);
     connect(m_knob, &SectionKnob::grabbed, this, [this](const QPointF& at) {
         if (const std::optional<CutPlane>& plane = m_view.options().section.plane) {
             m_way = m_knobPlace - plane->normal.dot(m_knobPlace) * plane->normal;
@@ -75,6 +69,7 @@ void SightOverlay::place(const std::optional<ColorScale>& scale, const Box& box)
     } else {
         m_legend->hide();
     }
+    m_view.keepFree(m_legend, {.right = scale ? m_legend->width() + inset : 0.0});
     const SceneOptions& options = m_view.options();
     m_divider->setVisible(options.divider.has_value());
     if (options.divider)

@@ -1,5 +1,7 @@
 #include "ui/viewport/skin_actor.h"
 
+#include "ui/viewport/stroke_actor.h"
+
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -30,7 +32,7 @@ struct SkinActor::Parts {
     vtkNew<vtkPolyDataMapper> faceMapper;
     vtkNew<vtkPolyDataMapper> edgeMapper;
     vtkNew<vtkActor> faceActor;
-    vtkNew<vtkActor> edgeActor;
+    vtkNew<StrokeActor> edgeActor;
 };
 
 namespace {
@@ -125,7 +127,7 @@ void SkinActor::setVisible(bool faces, bool edges)
 void SkinActor::setEdges(const Color& color, float width)
 {
     m_parts->edgeActor->GetProperty()->SetColor(color.r, color.g, color.b);
-    m_parts->edgeActor->GetProperty()->SetLineWidth(width);
+    m_parts->edgeActor->setLineWidth(width);
 }
 
 void SkinActor::setColors(const std::function<Color(std::uint32_t face)>& colorOf)

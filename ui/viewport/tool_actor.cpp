@@ -1,6 +1,7 @@
 #include "ui/viewport/tool_actor.h"
 
 #include "ui/viewport/picker.h"
+#include "ui/viewport/stroke_actor.h"
 
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
@@ -72,7 +73,7 @@ struct ToolActor::Parts {
     vtkNew<vtkPolyDataMapper> outlineMapper;
     vtkNew<vtkPolyDataMapper> arrowMapper;
     vtkNew<vtkActor> surfaceActor;
-    vtkNew<vtkActor> outlineActor;
+    vtkNew<StrokeActor> outlineActor;
     vtkNew<vtkActor> arrowActor;
     ToolShape shape{.size = Vec3::Zero()}; ///< as drawn
     Vec3 label = Vec3::Zero();
@@ -120,13 +121,14 @@ ToolActor::ToolActor(vtkRenderer* renderer)
     p.surfaceMapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
     p.outlineActor->GetProperty()->LightingOff();
     p.arrowActor->GetProperty()->SetAmbient(0.35);
-    for (vtkActor* actor : {p.surfaceActor.Get(), p.outlineActor.Get(), p.arrowActor.Get()})
+    for (vtkActor* actor : {p.surfaceActor.Get(), static_cast<vtkActor*>(p.outlineActor), p.arrowActor.Get()})
         renderer->AddActor(actor);
 }
 
 ToolActor::~ToolActor()
 {
-    for (vtkActor* actor : {m_parts->surfaceActor.Get(), m_parts->outlineActor.Get(), m_parts->arrowActor.Get()})
+    for (vtkActor* actor :
+         {m_parts->surfaceActor.Get(), static_cast<vtkActor*>(m_parts->outlineActor), m_parts->arrowActor.Get()})
         m_parts->renderer->RemoveActor(actor);
 }
 
@@ -160,7 +162,7 @@ void ToolActor::setStyle(const SceneStyle& style, bool selected, bool hovered)
     const Color& line = selected ? style.selectedEdge : style.edge;
     m_parts->surfaceActor->GetProperty()->SetColor(fill.r, fill.g, fill.b);
     m_parts->outlineActor->GetProperty()->SetColor(line.r, line.g, line.b);
-    m_parts->outlineActor->GetProperty()->SetLineWidth(selected ? 2.5F : 1.2F);
+    m_parts->outlineActor->setLineWidth(selected ? 2.5F : 1.2F);
     m_parts->arrowActor->GetProperty()->SetColor(style.force.r, style.force.g, style.force.b);
 }
 

@@ -28,7 +28,7 @@ namespace knead {
 namespace {
 
 constexpr double extent = 104;    // of its square [pixels]
-constexpr double inset = 8;       // from the corner of the window [pixels]
+constexpr double cubeInset = 8;   // from the corner of the window [pixels]
 constexpr double distance = 4.4;  // of the eye, in edges of the cube
 constexpr int pixels = 160;       // of the picture of a side
 constexpr double sideHalf = 0.31; // a hit further out than this belongs to an edge or a corner
@@ -147,14 +147,19 @@ void ViewCube::setCamera(const Camera& camera)
 void ViewCube::setWindow(const WindowSize& window)
 {
     m_window = window;
-    const double right = 1 - inset / window.width;
-    const double top = 1 - inset / window.height;
+    const double right = 1 - cubeInset / window.width;
+    const double top = 1 - cubeInset / window.height;
     m_parts->renderer->SetViewport(right - extent / window.width, top - extent / window.height, right, top);
+}
+
+void ViewCube::setDrawn(bool on)
+{
+    m_parts->renderer->SetDraw(on);
 }
 
 std::optional<Vec3> ViewCube::directionAt(const Pixel& pixel) const
 {
-    const Pixel own{pixel.x - (m_window.width - inset - extent), pixel.y - inset};
+    const Pixel own{pixel.x - (m_window.width - cubeInset - extent), pixel.y - cubeInset};
     if (own.x < 0 || own.y < 0 || own.x > extent || own.y > extent)
         return std::nullopt;
     const Ray ray = m_camera.ray(own, {extent, extent});

@@ -22,6 +22,7 @@ public:
     void setStyle(const SceneStyle& style);
     void setCamera(const Camera& camera);
     void setWindow(const WindowSize& window); ///< [logical pixels]
+    void setDrawn(bool on);                   ///< pictures of the part alone are without it
 
     /// The direction to look from when this pixel is clicked; empty outside the cube.
     std::optional<Vec3> directionAt(const Pixel& pixel) const;

@@ -6,11 +6,18 @@
 #include <vtkNew.h>
 #include <vtkOpenGLState.h>
 
-#include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 
+#include <utility>
+
 namespace knead {
+
+namespace {
+
+constexpr int stillAfter = 150; // [ms], so that a person does not wait for the full picture
+
+} // namespace
 
 /// The render window and what it asks of Qt.
 struct ViewportBridge::Window {
@@ -41,8 +48,19 @@ ViewportBridge::ViewportBridge(QWidget* parent)
     m_window->render->AddObserver(vtkCommand::WindowMakeCurrentEvent, m_window->observer);
     m_window->render->AddObserver(vtkCommand::WindowIsCurrentEvent, m_window->observer);
     m_window->render->SetFrameBlitModeToNoBlit();
-    m_window->render->SetMultiSamples(4);
     connect(this, &QOpenGLWidget::resized, this, &ViewportBridge::updateSize);
+    connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
+        if (std::exchange(m_isTimed, false))
+            m_fullSeconds = 1e-9 * static_cast<double>(m_clock.nsecsElapsed());
+    });
+    m_still.setSingleShot(true);
+    m_still.setInterval(stillAfter);
+    connect(&m_still, &QTimer::timeout, this, [this] {
+        if (isMoving())
+            m_still.start();
+        else if (m_isSketch)
+            becameStill();
+    });
 }
 
 ViewportBridge::~ViewportBridge()
@@ -54,7 +72,7 @@ ViewportBridge::~ViewportBridge()
 
 void ViewportBridge::setSamples(int samples)
 {
-    m_window->render->SetMultiSamples(samples > 1 ? samples : 0);
+    m_samples = samples > 1 ? samples : 0;
     requestRender();
 }
 
@@ -69,6 +87,7 @@ QSurfaceFormat ViewportBridge::surfaceFormat()
     format.setRenderableType(QSurfaceFormat::OpenGL);
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setVersion(3, 2);
+    format.setOption(QSurfaceFormat::DeprecatedFunctions); // without it Mesa draws every line one pixel wide
     format.setDepthBufferSize(24);
     format.setAlphaBufferSize(8);
     format.setSamples(0); // multisampling belongs to VTK
@@ -80,6 +99,12 @@ void ViewportBridge::requestRender()
     m_isDirty = true;
     update();
     emit renderRequested();
+}
+
+void ViewportBridge::requestSketch()
+{
+    m_still.start();
+    requestRender();
 }
 
 void ViewportBridge::updateSize()
@@ -117,18 +142,34 @@ void ViewportBridge::releaseContext()
     m_window->context = nullptr;
 }
 
+void ViewportBridge::paintEvent(QPaintEvent* event)
+{
+    m_isPainting = true;
+    QOpenGLWidget::paintEvent(event);
+    m_isPainting = false;
+}
+
+/// Without smoothing a picture takes half the time on a machine that has no graphics card.
+void ViewportBridge::draw(bool asSketch)
+{
+    m_isDirty = false;
+    m_isSketch = asSketch;
+    m_isTimed = m_isPainting && !asSketch;
+    m_clock.start();
+    m_window->render->SetMultiSamples(asSketch ? 0 : m_samples);
+    aboutToRender();
+    m_window->render->Render();
+    m_renderSeconds = 1e-9 * static_cast<double>(m_clock.nsecsElapsed());
+}
+
 void ViewportBridge::paintGL()
 {
     vtkOpenGLState* state = m_window->render->GetState();
     state->Reset(); // Qt drew in between
     state->Push();
-    if (m_isDirty) {
-        m_isDirty = false;
-        QElapsedTimer clock;
-        clock.start();
-        aboutToRender();
-        m_window->render->Render();
-        m_renderSeconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+    if (m_isDirty || (m_isSketch && !m_isPainting)) {
+        const bool isSlow = m_samples > 0 && m_fullSeconds > m_longestFull;
+        draw(m_isPainting && m_still.isActive() && isSlow);
     }
     const QSize pixels = size() * devicePixelRatioF();
     state->vtkglDisable(GL_SCISSOR_TEST);

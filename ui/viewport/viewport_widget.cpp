@@ -1,6 +1,5 @@
 #include "ui/viewport/viewport_widget.h"
 
-#include "ui/units.h"
 #include "ui/viewport/pixel_of.h"
 #include "ui/viewport/region_overlay.h"
 #include "ui/viewport/sight_overlay.h"
@@ -18,9 +17,9 @@ namespace knead {
 
 namespace {
 
-constexpr int turnTime = 220;          // [ms]
-constexpr double drawingShare = 0.4;   // of the window's time at most; without a graphics card drawing is slow
-constexpr double labelledForce = 1e-6; // [N]
+constexpr int turnTime = 220;        // [ms]
+constexpr double drawingShare = 0.4; // of the window's time at most; without a graphics card drawing is slow
+constexpr int captionInset = 12;     // [pixels]
 
 } // namespace
 
@@ -39,12 +38,11 @@ ViewportWidget::ViewportWidget(Document& document, QWidget* parent)
     m_caption->setObjectName("pastCaption");
     m_caption->setProperty("role", "force");
     m_caption->setAttribute(Qt::WA_TransparentForMouseEvents);
-    m_caption->move(12, 12);
+    m_caption->move(captionInset, captionInset);
     m_caption->hide();
     setObjectName("viewport");
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    setMinimumSize(320, 240);
     m_turning->setDuration(turnTime);
     m_turning->setStartValue(0.0);
     m_turning->setEndValue(1.0);
@@ -55,7 +53,7 @@ ViewportWidget::ViewportWidget(Document& document, QWidget* parent)
     connect(m_manipulation, &Manipulation::hoverChanged, this, &ViewportWidget::updateMarks);
     connect(m_sights, &SightPreparer::made, this, [this](const SightPointer& sight) {
         if (!wishOf(m_options).isEmpty())
-            m_scene->setSight(sight);
+            setSight(sight);
         requestRender();
     });
     connect(m_regions, &RegionTool::hoverChanged, this, &ViewportWidget::updateMarks);
@@ -63,6 +61,7 @@ ViewportWidget::ViewportWidget(Document& document, QWidget* parent)
     connect(&document, &Document::looksChanged, this, [this] {
         m_scene->setLooks(m_document.looks());
         requestRender();
+        emit sceneChanged(SceneChange::looks);
     });
 }
 
@@ -78,6 +77,7 @@ void ViewportWidget::setOptions(const SceneOptions& options)
     m_scene->setOptions(options);
     askForSight();
     requestRender();
+    emit sceneChanged(SceneChange::options);
     emit optionsChanged();
 }
 
@@ -95,8 +95,29 @@ void ViewportWidget::beginContent()
     m_sights->begin(m_document.content().bodies);
     m_scene->setContent(m_document.content());
     m_scene->setLooks(m_document.looks());
+    m_marks = {};
+    m_sight = nullptr;
+    emit sceneChanged(SceneChange::content);
     setOptions(m_options);
-    m_scene->showFrame(m_document.frame());
+    showFrame();
+}
+
+/// Of now, or of the past when that is looked at.
+void ViewportWidget::showFrame()
+{
+    if (const FramePointer& shown = shownFrame()) {
+        m_scene->showFrame(shown);
+        emit sceneChanged(SceneChange::frame);
+    }
+}
+
+void ViewportWidget::setSight(const SightPointer& sight)
+{
+    if (!sight && !m_sight)
+        return;
+    m_sight = sight;
+    m_scene->setSight(sight);
+    emit sceneChanged(SceneChange::sight);
 }
 
 /// Colors and caps come when they are found, for the moment that is shown.
@@ -106,8 +127,8 @@ void ViewportWidget::askForSight()
     m_document.showPressing(wish.quantity == SurfaceQuantity::contactForce);
     if (wish.isEmpty()) {
         m_sights->forget();
-        m_scene->setSight(nullptr);
-    } else if (const FramePointer& shown = m_past ? m_past : m_document.frame())
+        setSight(nullptr);
+    } else if (const FramePointer& shown = shownFrame())
         m_sights->ask(shown, wish);
 }
 
@@ -116,6 +137,7 @@ void ViewportWidget::setStyle(const SceneStyle& style)
     m_style = style;
     m_scene->setStyle(style);
     requestRender();
+    emit sceneChanged(SceneChange::style);
 }
 
 void ViewportWidget::setTurningSmoothly(bool on)
@@ -166,7 +188,7 @@ void ViewportWidget::documentChanged(Document::Change what)
     case Document::Change::Frame:
         if (m_past)
             return;
-        m_scene->showFrame(m_document.frame());
+        showFrame();
         break;
     case Document::Change::Selection:
     case Document::Change::Fixtures:
@@ -178,7 +200,10 @@ void ViewportWidget::documentChanged(Document::Change what)
     if (what != Document::Change::Frame)
         updateMarks();
     askForSight();
-    requestRender();
+    if (what == Document::Change::Frame)
+        requestSketch();
+    else
+        requestRender();
 }
 
 void ViewportWidget::lookBack(const FramePointer& frame, const QString& caption)
@@ -189,11 +214,10 @@ void ViewportWidget::lookBack(const FramePointer& frame, const QString& caption)
     m_caption->setText(caption);
     m_caption->adjustSize();
     m_caption->setVisible(m_past != nullptr);
-    if (const FramePointer& shown = m_past ? m_past : m_document.frame())
-        m_scene->showFrame(shown);
+    showFrame();
     m_overlay->setPast(m_past != nullptr);
     askForSight();
-    requestRender();
+    requestSketch();
 }
 
 void ViewportWidget::updateMarks()
@@ -218,9 +242,11 @@ void ViewportWidget::updateMarks()
         marks.highlighted = m_highlight;
     marks.fixed = fixedFaces();
     marks.isFixing = m_manipulation->isFixing();
-    m_scene->setMarks(marks);
+    m_marks = std::move(marks);
+    m_scene->setMarks(m_marks);
     setCursor(usualCursor());
     requestRender();
+    emit sceneChanged(SceneChange::marks);
 }
 
 std::vector<SceneMarks::Face> ViewportWidget::fixedFaces() const
@@ -237,6 +263,16 @@ SceneLook ViewportWidget::look() const
     SceneOptions options = m_options;
     options.section.hasFrame = false; // a handle of the view
     return {m_document.content(), options, {.fixed = fixedFaces()}, m_style, m_camera, m_document.looks()};
+}
+
+QImage ViewportWidget::portrait()
+{
+    m_scene->cube().setDrawn(false);
+    requestRender();
+    QImage image = grabFramebuffer();
+    m_scene->cube().setDrawn(true);
+    requestRender();
+    return image;
 }
 
 WindowSize ViewportWidget::window() const
@@ -261,7 +297,15 @@ Ray ViewportWidget::rayAt(const QPointF& position) const
 
 bool ViewportWidget::isOnCube(const QPointF& position) const
 {
-    return m_scene->cube().directionAt(pixelOf(position)).has_value();
+    return cubeSideAt(position).has_value();
+}
+
+/// Of the cube as it will be drawn: a press may come before that, from a view that was not the active one.
+std::optional<Vec3> ViewportWidget::cubeSideAt(const QPointF& position) const
+{
+    m_scene->cube().setWindow(window());
+    m_scene->cube().setCamera(m_camera);
+    return m_scene->cube().directionAt(pixelOf(position));
 }
 
 std::optional<QPointF> ViewportWidget::widgetPosition(const Vec3& place) const
@@ -273,7 +317,13 @@ std::optional<QPointF> ViewportWidget::widgetPosition(const Vec3& place) const
 void ViewportWidget::setCamera(const Camera& camera)
 {
     m_camera = camera;
-    requestRender();
+    requestSketch();
+    emit cameraChanged();
+}
+
+Camera ViewportWidget::cameraAfterTurning() const
+{
+    return m_turning->state() == QAbstractAnimation::Running ? m_turnEnd : m_camera;
 }
 
 void ViewportWidget::turnTo(const Camera& camera)
@@ -293,14 +343,31 @@ void ViewportWidget::jumpTo(const Camera& camera)
 
 void ViewportWidget::fit()
 {
-    Camera camera = m_turning->state() == QAbstractAnimation::Running ? m_turnEnd : m_camera;
-    camera.fit(m_scene->box(), window().aspect());
+    Camera camera = cameraAfterTurning();
+    camera.fit(m_scene->box(), window(), taken());
     turnTo(camera);
+}
+
+void ViewportWidget::keepFree(const QObject* what, const Insets& taken)
+{
+    m_taken[what] = taken;
+}
+
+Insets ViewportWidget::taken() const
+{
+    Insets all;
+    for (const auto& [what, own] : m_taken) {
+        all.left = std::max(all.left, own.left);
+        all.top = std::max(all.top, own.top);
+        all.right = std::max(all.right, own.right);
+        all.bottom = std::max(all.bottom, own.bottom);
+    }
+    return all;
 }
 
 void ViewportWidget::lookFrom(const Vec3& direction)
 {
-    Camera camera = m_turning->state() == QAbstractAnimation::Running ? m_turnEnd : m_camera;
+    Camera camera = cameraAfterTurning();
     camera.lookFrom(direction);
     turnTo(camera);
 }
@@ -311,46 +378,35 @@ void ViewportWidget::setPerspective(bool on)
         return;
     m_turnEnd.perspective = on;
     m_camera.perspective = on;
-    requestRender();
+    setCamera(m_camera);
+}
+
+void ViewportWidget::moveDivider(double share)
+{
+    if (!options().divider)
+        return;
+    SceneOptions changed = options();
+    changed.divider = share;
+    setOptions(changed);
+}
+
+void ViewportWidget::setCaptionTop(int top)
+{
+    m_caption->move(captionInset, top);
 }
 
 void ViewportWidget::aboutToRender()
 {
-    m_document.setDisplayInterval(renderSeconds() / drawingShare);
+    m_document.setDisplayInterval((renderSeconds() + m_secondsOfOthers) / drawingShare);
     m_scene->cube().setWindow(window());
     m_scene->setCamera(m_camera);
     m_overlay->place(m_scene->scale(), m_restBox);
-    placeLabels();
+    m_labels.place(m_scene->labels(), [this](const Vec3& place) { return widgetPosition(place); });
 }
 
-/// The labels are widgets on top of the scene: text stays sharp, and the scene needs no second drawing.
-void ViewportWidget::placeLabels()
+bool ViewportWidget::isMoving() const
 {
-    std::map<ToolId, QLabel*> shown;
-    for (const SceneLabel& wanted : m_scene->labels()) {
-        const std::optional<QPointF> position = widgetPosition(wanted.place);
-        if (!position || wanted.force < labelledForce)
-            continue;
-        QLabel*& label = m_labels[wanted.tool];
-        if (label == nullptr) {
-            label = new QLabel(this);
-            label->setObjectName(QStringLiteral("forceLabel%1").arg(wanted.tool));
-            label->setProperty("role", "force");
-            label->setAttribute(Qt::WA_TransparentForMouseEvents);
-            label->show();
-        }
-        label->setText(formatReading(wanted.force, Quantity::Force));
-        label->adjustSize();
-        const int x = static_cast<int>(position->x()) + 10;
-        const int y = static_cast<int>(position->y()) - label->height() / 2;
-        label->move(std::clamp(x, 0, std::max(0, width() - label->width())),
-                    std::clamp(y, 0, std::max(0, height() - label->height())));
-        shown[wanted.tool] = label;
-        m_labels.erase(wanted.tool);
-    }
-    for (const auto& [tool, label] : m_labels)
-        delete label;
-    m_labels = std::move(shown);
+    return m_document.isPlaying() && !m_past;
 }
 
 void ViewportWidget::resizeEvent(QResizeEvent* event)

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "ui/viewport/force_labels.h"
 #include "ui/viewport/manipulation.h"
 #include "ui/viewport/region_tool.h"
 #include "ui/viewport/scene_view.h"
 #include "ui/viewport/viewport_bridge.h"
 
-#include <map>
 #include <memory>
 
 class QLabel;
@@ -15,6 +15,9 @@ namespace knead {
 
 class SightOverlay;
 class SightPreparer;
+
+/// What of a scene became another.
+enum class SceneChange { content, style, looks, options, frame, marks, sight };
 
 /// The view of a document: draws it, navigates, and passes the left button and the arrow keys on to the material.
 class ViewportWidget final : public ViewportBridge {
@@ -26,7 +29,11 @@ public:
     const Camera& camera() const { return m_camera; }
     const SceneOptions& options() const { return m_options; }
     void setOptions(const SceneOptions& options);
+    const SceneStyle& style() const { return m_style; }
     void setStyle(const SceneStyle& style);
+    const SceneMarks& marks() const { return m_marks; }
+    /// What was found out for the options; null: nothing, or nothing yet.
+    const SightPointer& sight() const { return m_sight; }
     void setFixing(bool on);
     RegionTool& regions() { return *m_regions; } ///< how the left button selects
     bool isFixing() const { return m_manipulation->isFixing(); }
@@ -41,18 +48,38 @@ public:
     void forgetHover();
     /// What is shown and how, without what is selected or under the mouse.
     SceneLook look() const;
+    /// What the view shows, without the cube, to be known again by when it is small.
+    QImage portrait();
 
     /// Shows a frame of the past with a caption, until null brings the present back. Tools cannot be moved meanwhile.
     void lookBack(const FramePointer& frame, const QString& caption);
     bool isLookingBack() const { return m_past != nullptr; }
 
     void fit();
+    /// What lies on the view, so that fit() leaves the part beside it.
+    /// @param taken from the sides of the view; nothing: it lies there no more
+    void keepFree(const QObject* what, const Insets& taken);
+    Insets taken() const; ///< by all that lies on it
     /// Turns the view, smoothly, to look from a direction.
     void lookFrom(const Vec3& direction);
     void setPerspective(bool on);
     void setTurningSmoothly(bool on);
     /// Looks from elsewhere, at once.
     void jumpTo(const Camera& camera);
+    /// Where the view looks from, or will when it has turned.
+    Camera cameraAfterTurning() const;
+    Box sceneBox() const { return m_scene->box(); } ///< of all that is drawn but the ground [m]
+    /// What lies under a pixel of another view of the same scene lights up, as if the mouse were over it here.
+    void hoverFrom(const Camera& camera, const WindowSize& window, const Pixel& pixel);
+    /// The line between before and after; nothing where there is none. @param share of the width, 0 .. 1
+    void moveDivider(double share);
+    /// Wall time that other views of the same scene take for a drawing [s]: frames come as seldom as all of them need.
+    void setTimeOfOthers(double seconds) { m_secondsOfOthers = seconds; }
+    /// A press that comes now was made in another view, which shows no handles.
+    void setPressedAside(bool on) { m_isPressedAside = on; }
+    bool isPressedAside() const { return m_isPressedAside; }
+    /// Where the caption of a frame of the past lies from the top [pixels].
+    void setCaptionTop(int top);
 
     /// Where a place is seen, in this widget's coordinates; for tests and labels.
     std::optional<QPointF> widgetPosition(const Vec3& place) const;
@@ -71,9 +98,12 @@ public:
 
 signals:
     void optionsChanged();
+    void sceneChanged(knead::SceneChange what);
+    void cameraChanged(); ///< also on each step of turning smoothly
 
 protected:
     void aboutToRender() override;
+    bool isMoving() const override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -87,12 +117,13 @@ protected:
 private:
     void documentChanged(Document::Change what);
     void updateMarks();
-    void hover(const QPointF& position);
+    void setSight(const SightPointer& sight);
+    void showFrame();
     bool isForTools(const QPointF& position);
+    std::optional<Vec3> cubeSideAt(const QPointF& position) const;
     std::vector<SceneMarks::Face> fixedFaces() const;
     void setCamera(const Camera& camera);
     void turnTo(const Camera& camera);
-    void placeLabels();
     void beginContent();
     void askForSight();
 
@@ -111,13 +142,18 @@ private:
     QVariantAnimation* m_turning;
     Camera m_turnStart;
     Camera m_turnEnd;
+    SceneMarks m_marks;
+    SightPointer m_sight;
     std::optional<SceneMarks::Face> m_highlight;
     std::optional<Qt::CursorShape> m_mode; ///< that has the left button
     FramePointer m_past;                   ///< that is looked at; null: the present
     QLabel* m_caption;
-    QPointF m_lastMouse;
+    QPointF m_lastMouse; ///< on the screen: the view may come to lie elsewhere under the mouse
     bool m_isNavigating = false;
-    std::map<ToolId, QLabel*> m_labels;
+    bool m_isPressedAside = false;
+    double m_secondsOfOthers = 0;
+    ForceLabels m_labels{this};
+    std::map<const QObject*, Insets> m_taken; ///< by what lies there
 };
 
 } // namespace knead

@@ -7,20 +7,11 @@
 #include <QVariantAnimation>
 #include <QWheelEvent>
 
-#include <cmath>
-
 namespace knead {
-
-namespace {
-
-constexpr double zoomPerNotch = 0.86;
-constexpr double anglePerNotch = 120; // of a mouse wheel, in Qt's eighths of a degree
-
-} // namespace
 
 void ViewportWidget::mousePressEvent(QMouseEvent* event)
 {
-    m_lastMouse = event->position();
+    m_lastMouse = event->globalPosition();
     if (event->button() == Qt::MiddleButton) {
         m_turning->stop();
         m_isNavigating = true;
@@ -29,7 +20,7 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event)
     }
     if (event->button() != Qt::LeftButton)
         return;
-    if (const auto direction = m_scene->cube().directionAt(pixelOf(event->position()))) {
+    if (const auto direction = cubeSideAt(event->position())) {
         lookFrom(*direction);
         return;
     }
@@ -49,20 +40,22 @@ bool ViewportWidget::isForTools(const QPointF& position)
     return m_manipulation->isFixing() || m_manipulation->picker().pick(rayAt(position)).kind == PickHit::Kind::Tool;
 }
 
-void ViewportWidget::hover(const QPointF& position)
+void ViewportWidget::hoverFrom(const Camera& camera, const WindowSize& window, const Pixel& pixel)
 {
-    m_manipulation->hover(rayAt(position));
-    m_regions->sight().look(m_camera, window());
+    if (m_past)
+        return;
+    m_manipulation->hover(camera.ray(pixel, window));
+    m_regions->sight().look(camera, window);
     if (m_mode || m_manipulation->isFixing() || m_manipulation->hovered().kind == PickHit::Kind::Tool)
         m_regions->leave();
     else
-        m_regions->hover(pixelOf(position));
+        m_regions->hover(pixel);
 }
 
 void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
 {
-    const QPointF step = event->position() - m_lastMouse;
-    m_lastMouse = event->position();
+    const QPointF step = event->globalPosition() - m_lastMouse;
+    m_lastMouse = event->globalPosition();
     if (m_isNavigating) {
         Camera camera = m_camera;
         if (event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier))
@@ -75,8 +68,8 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
         m_regions->drag(pixelOf(event->position()));
     } else if (event->buttons() & Qt::LeftButton) {
         m_manipulation->drag(rayAt(event->position()), m_camera);
-    } else if (!m_past) {
-        hover(event->position());
+    } else {
+        hoverFrom(m_camera, window(), pixelOf(event->position()));
     }
 }
 
@@ -103,7 +96,7 @@ void ViewportWidget::wheelEvent(QWheelEvent* event)
 {
     m_turning->stop();
     Camera camera = m_camera;
-    camera.zoom(std::pow(zoomPerNotch, event->angleDelta().y() / anglePerNotch), pixelOf(event->position()), window());
+    camera.zoomByWheel(event->angleDelta().y(), pixelOf(event->position()), window());
     setCamera(camera);
     event->accept();
 }

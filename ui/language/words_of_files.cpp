@@ -1,0 +1,197 @@
+#include "ui/language/words_of_files.h"
+
+#include "ui/language/phrasebook.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace knead {
+
+namespace {
+
+constexpr const char* fileWords = "FileWords";
+
+// What io and core say of files: as they put it together, with places for what differs.
+constexpr const char* const sentences[] = {
+    // of a part
+    QT_TRANSLATE_NOOP("FileWords", "was inside out and has been turned."),
+    QT_TRANSLATE_NOOP("FileWords", "is not a closed surface: %1. It is shown and cannot be filled."),
+    QT_TRANSLATE_NOOP("FileWords", "is an open surface: %1. It is shown and cannot be filled."),
+    QT_TRANSLATE_NOOP("FileWords", "is not closed: %1. It is shown and cannot be filled."),
+    QT_TRANSLATE_NOOP("FileWords", "is a closed surface but no solid; it is shown and cannot be filled."),
+    QT_TRANSLATE_NOOP("FileWords", "could not be covered with a closed net of triangles; it cannot be filled."),
+    QT_TRANSLATE_NOOP("FileWords", "has no volume; it cannot be filled."),
+    QT_TRANSLATE_NOOP("FileWords", "does not pass the geometry checks; look at it closely before you trust it."),
+    QT_TRANSLATE_NOOP("FileWords", "has gaps of up to %1, a hundredth of its size or more."),
+    QT_TRANSLATE_NOOP("FileWords", "has faces that do not meet well: its volume is uncertain by %1."),
+    QT_TRANSLATE_NOOP("FileWords", "has 1 face without triangles: not shown, for the file describes what cannot be."),
+    QT_TRANSLATE_NOOP("FileWords", "has %1 faces without triangles: not shown, for the file describes what cannot be."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "is incomplete: %1 of %2 faces of a shell could be read; the others are damaged in the file."),
+    // of its borders
+    QT_TRANSLATE_NOOP("FileWords", "%1 in %2, %3 long in all; the largest opening is %4 across"),
+    QT_TRANSLATE_NOOP("FileWords", "%1 in %2, %3 long in all; the largest opening is %4 across and flat"),
+    QT_TRANSLATE_NOOP("FileWords", "1 open edge"),
+    QT_TRANSLATE_NOOP("FileWords", "%1 open edges"),
+    QT_TRANSLATE_NOOP("FileWords", "1 border"),
+    QT_TRANSLATE_NOOP("FileWords", "%1 borders"),
+    // what was repaired
+    QT_TRANSLATE_NOOP("FileWords", "1 triangle was there twice and removed."),
+    QT_TRANSLATE_NOOP("FileWords", "%1 triangles were there twice and removed."),
+    QT_TRANSLATE_NOOP("FileWords", "The surface was given with both its sides; one of them was removed."),
+    QT_TRANSLATE_NOOP("FileWords", "1 pair of triangles back to back was removed."),
+    QT_TRANSLATE_NOOP("FileWords", "%1 pairs of triangles back to back were removed."),
+    QT_TRANSLATE_NOOP("FileWords", "1 triangle faced the wrong way and was turned."),
+    QT_TRANSLATE_NOOP("FileWords", "%1 triangles faced the wrong way and were turned."),
+    QT_TRANSLATE_NOOP("FileWords", "1 small hole was closed, which added %1 to the area."),
+    QT_TRANSLATE_NOOP("FileWords", "%1 small holes were closed, which added %2 to the area."),
+    QT_TRANSLATE_NOOP("FileWords", "The surface was inside out and has been turned."),
+    QT_TRANSLATE_NOOP("FileWords", "The solid was inside out and has been turned."),
+    QT_TRANSLATE_NOOP("FileWords", "1 shell was inside out and turned."),
+    QT_TRANSLATE_NOOP("FileWords", "%1 shells were inside out and turned."),
+    QT_TRANSLATE_NOOP("FileWords", "The closed surface was made a solid."),
+    QT_TRANSLATE_NOOP("FileWords", "The closed surface was made a solid, with 1 void in it."),
+    QT_TRANSLATE_NOOP("FileWords", "The closed surface was made a solid, with %1 voids in it."),
+    QT_TRANSLATE_NOOP("FileWords", "1 flat opening was closed with a plane face, %1 % of the area."),
+    QT_TRANSLATE_NOOP("FileWords", "%1 flat openings were closed with plane faces, %2 % of the area."),
+    QT_TRANSLATE_NOOP("FileWords", "Edges that failed the geometry checks were rebuilt."),
+    QT_TRANSLATE_NOOP("FileWords", "1 face that failed the geometry checks was rebuilt."),
+    QT_TRANSLATE_NOOP("FileWords", "%1 faces that failed the geometry checks were rebuilt."),
+    QT_TRANSLATE_NOOP("FileWords", "1 separate face was sewn with a tolerance of %1."),
+    QT_TRANSLATE_NOOP("FileWords", "%1 separate faces were sewn with a tolerance of %2."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "1 separate face was sewn with a tolerance of %1; the widest gap between two of them is %2."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "%1 separate faces were sewn with a tolerance of %2; the widest gap between two of them is %3."),
+    // of the file
+    QT_TRANSLATE_NOOP("FileWords",
+                      "%1: the 3MF does not keep to the format in 1 place; compare the parts with the program that "
+                      "wrote it."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "%1: the 3MF does not keep to the format in %2 places; compare the parts with the program that "
+                      "wrote it."),
+    QT_TRANSLATE_NOOP("FileWords", "%1: the file states no length unit; millimetres were taken."),
+    QT_TRANSLATE_NOOP("FileWords", "%1: the file mixes the length units %2 and %3; check the sizes of the parts."),
+    QT_TRANSLATE_NOOP("FileWords", "%1: its schema \"%2\" is none for CAD parts; check that nothing is missing."),
+    QT_TRANSLATE_NOOP("FileWords", "%1: the part is %2 long; if its lengths are %3, it is %4."),
+    QT_TRANSLATE_NOOP("FileWords", "%1: the parts together are %2 long; if their lengths are %3, they are %4."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "%1: the part is %2 long; if its lengths are %3, it is %4. Open that file alone to correct it."),
+    QT_TRANSLATE_NOOP("FileWords", "%1: the parts together are %2 long; if their lengths are %3, they are %4. Open "
+                                   "that file alone to correct it."),
+    QT_TRANSLATE_NOOP("FileWords", "millimetres"),
+    QT_TRANSLATE_NOOP("FileWords", "centimetres"),
+    QT_TRANSLATE_NOOP("FileWords", "metres"),
+    QT_TRANSLATE_NOOP("FileWords", "inches"),
+    QT_TRANSLATE_NOOP("FileWords", "feet"),
+    QT_TRANSLATE_NOOP("FileWords", "micrometres"),
+    QT_TRANSLATE_NOOP("FileWords", "decimetres"),
+    QT_TRANSLATE_NOOP("FileWords", "kilometres"),
+    QT_TRANSLATE_NOOP("FileWords", "miles"),
+    // what is missing
+    QT_TRANSLATE_NOOP("FileWords", "\"%1\" has no triangles."),
+    QT_TRANSLATE_NOOP("FileWords", "1 shape of the STEP file could not be read: its faces are damaged or of an unknown "
+                                   "kind."),
+    QT_TRANSLATE_NOOP("FileWords", "%1 shapes of the STEP file could not be read: its faces are damaged or of an "
+                                   "unknown kind."),
+    QT_TRANSLATE_NOOP("FileWords", "\"%1\" was left out: %2."),
+    QT_TRANSLATE_NOOP("FileWords", "it has no finite size: numbers in it are damaged, or its edges are smaller than "
+                                   "0.1 um and lost; check the length unit"),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "it reaches farther than 100 km from the origin; check the length unit and the position"),
+    QT_TRANSLATE_NOOP("FileWords", "its faces lead far away from their edges: numbers in it are damaged"),
+    QT_TRANSLATE_NOOP("FileWords", "it is smaller than a micrometre; check the length unit"),
+    QT_TRANSLATE_NOOP("FileWords", "its faces and edges are up to %1 apart, at a size of %2"),
+    QT_TRANSLATE_NOOP("FileWords", "the solid has no volume"),
+    QT_TRANSLATE_NOOP("FileWords", "it could not be measured (%1)"),
+    // of the filling
+    QT_TRANSLATE_NOOP("FileWords", "The thinnest wall is %1: %2 cells, so it will be weak or missing; a spacing of %3 "
+                                   "would give %4 cells and about %5 objects."),
+    QT_TRANSLATE_NOOP("FileWords", "\"%1\" is not simulated: %2"),
+    QT_TRANSLATE_NOOP("FileWords", "\"%1\" has no surface, so it is not shown."),
+    QT_TRANSLATE_NOOP("FileWords", "\"%1\" is not a closed solid: it is shown, and not simulated. Close its surfaces "
+                                   "and import it again."),
+    QT_TRANSLATE_NOOP("FileWords", "A spacing of %1 needs more than %2 objects. Choose a larger spacing."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "The part has no triangles, so there is nothing to fill. Import a part with a surface."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "A vertex of the surface is not at a finite place. Repair the file and import again."),
+    QT_TRANSLATE_NOOP(
+        "FileWords",
+        "The surface is not closed: %1 edges of triangles have no partner. Close the gaps and import again."),
+    QT_TRANSLATE_NOOP("FileWords", "The surface does not bound a volume: its holes are too large to tell inside from "
+                                   "outside. Close them and import again."),
+    QT_TRANSLATE_NOOP(
+        "FileWords",
+        "The part is too thin for a spacing of %1: no cell holds enough material. Choose a smaller spacing."),
+    // of what is written
+    QT_TRANSLATE_NOOP("FileWords", "its surface passes through itself near %1; other programs may refuse that."),
+    QT_TRANSLATE_NOOP("FileWords", "%1 of its faces could not be carried along: %2."),
+    QT_TRANSLATE_NOOP("FileWords", "an edge has no curve on its face"),
+    QT_TRANSLATE_NOOP("FileWords", "an edge has a curve on its face that does not match it"),
+    QT_TRANSLATE_NOOP("FileWords", "a face has no surface"),
+    QT_TRANSLATE_NOOP("FileWords", "a face has no border"),
+    QT_TRANSLATE_NOOP("FileWords", "a face is degenerate"),
+    QT_TRANSLATE_NOOP("FileWords", "its faces do not fit together any more as they are bent now."),
+    QT_TRANSLATE_NOOP(
+        "FileWords",
+        "\"%1\": face %2 does not come as close to the skin as was aimed at, %3 mm; face %4 is %5 mm off."),
+    QT_TRANSLATE_NOOP(
+        "FileWords",
+        "\"%1\": %2 faces, %3, do not come as close to the skin as was aimed at, %4 mm; face %5 is %6 mm off."),
+    QT_TRANSLATE_NOOP("FileWords", "1 face was added: those that close in themselves came in two, since as they were "
+                                   "bent here they did not make a sound solid."),
+    QT_TRANSLATE_NOOP("FileWords", "%1 faces were added: those that close in themselves came in two, since as they "
+                                   "were bent here they did not make a sound solid."),
+    QT_TRANSLATE_NOOP("FileWords", "it came as a mesh, which has no smooth faces."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "faces that met smoothly now meet at an angle near %1; a smaller tolerance may help."),
+    QT_TRANSLATE_NOOP("FileWords", "The file holds %1 parts where %2 were written."),
+    QT_TRANSLATE_NOOP("FileWords", "\"%1\" is cracked but in one piece: 1 of its connections is broken, and its skin "
+                                   "spans the crack, stretched to %2 times its length there near %3."),
+    QT_TRANSLATE_NOOP("FileWords", "\"%1\" is cracked but in one piece: %2 of its connections are broken, and its skin "
+                                   "spans the crack, stretched to %3 times its length there near %4."),
+    QT_TRANSLATE_NOOP("FileWords", "too few of its objects hang together to say how it is deformed: it is written in "
+                                   "its shape at rest, moved as they have."),
+    QT_TRANSLATE_NOOP("FileWords", "the part is torn; this is one of %1 pieces."),
+    QT_TRANSLATE_NOOP("FileWords", "read back from the file, its bent faces do not pass the geometry checks."),
+    QT_TRANSLATE_NOOP("FileWords", "read back from the file, its bent faces leave gaps."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "read back from the file, its bent faces are up to %1 mm off the skin where %2 mm are allowed."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "read back from the file, its bent faces enclose a volume %1 % off that of the skin."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "\"%1\" would need %2 flat faces, more than CAD programs can work with; export it as a mesh."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "\"%1\" is an open mesh, which CAD files cannot hold; hide it, or export as a mesh."),
+};
+
+const Phrasebook& wordsOfFiles()
+{
+    static const Phrasebook book = [] {
+        Phrasebook made;
+        for (const char* sentence : sentences)
+            made.add(QString::fromUtf8(sentence), {fileWords, sentence, {}});
+        return made;
+    }();
+    return book;
+}
+
+} // namespace
+
+QString inWords(const std::string& sentence)
+{
+    return wordsOfFiles().translated(QString::fromStdString(sentence), {fileWords}, [](const Phrase& phrase, int) {
+        return QCoreApplication::translate(phrase.context, phrase.source);
+    });
+}
+
+QStringList sentencesOfFiles()
+{
+    QStringList all;
+    for (const char* sentence : sentences)
+        all << QString::fromUtf8(sentence);
+    return all;
+}
+
+} // namespace knead
