@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -55,6 +56,64 @@ private slots:
         undo();
         settle();
         QCOMPARE(tool().pose.position, start.position);
+    }
+
+    /// Middle button on top of the left one.
+    void theViewIsTurnedWhileAHandleIsDragged()
+    {
+        openWithBlock();
+        const Vec3 start = tool().pose.position;
+        press(handle(GizmoPart::moveX));
+        drag(QPoint(40, 0));
+        QTRY_VERIFY(tool().pose.position != start);
+        QTest::qWait(100);
+        const Vec3 reached = tool().pose.position;
+        turnBy(QPoint(260, 30));
+        QTest::qWait(100);
+        QVERIFY2((tool().pose.position - reached).norm() < 1e-12, "turning moves nothing");
+        // The arrow is seen otherwise now: along it the tool goes as far as the mouse.
+        const auto seen = [this](const Vec3& place) { return *view().widgetPosition(place); };
+        const QPointF arrow = seen(reached + Vec3(0.01, 0, 0)) - seen(reached);
+        const QPointF before = seen(reached);
+        const QPoint way = (arrow * (60 / std::hypot(arrow.x(), arrow.y()))).toPoint();
+        moveBy(way);
+        QTRY_VERIFY((tool().pose.position - reached).norm() > 0.0005);
+        QTest::qWait(100);
+        const QPointF gone = seen(tool().pose.position) - before;
+        QVERIFY2(std::hypot(gone.x() - way.x(), gone.y() - way.y()) < 6,
+                 qPrintable(QStringLiteral("%1 %2 for %3 %4").arg(gone.x()).arg(gone.y()).arg(way.x()).arg(way.y())));
+        const Vec3 moved = tool().pose.position - reached;
+        QVERIFY(std::abs(moved.y()) + std::abs(moved.z()) < 1e-12);
+        QTest::keyClick(&view(), Qt::Key_Escape);
+        release();
+        settle();
+        QCOMPARE(presentName(), QString("Add Block 1"));
+    }
+
+    void theViewIsTurnedWhileAToolIsDragged()
+    {
+        openWithBlock();
+        action("gizmo")->setChecked(false);
+        const Vec3 start = tool().pose.position;
+        press(view().widgetPosition(start)->toPoint());
+        moveBy(QPoint(30, -10));
+        QTRY_VERIFY((tool().pose.position - start).norm() > 0.0005);
+        QTest::qWait(150);
+        const Vec3 reached = tool().pose.position;
+        turnBy(QPoint(200, 20));
+        moveBy(QPoint(1, 0)); // from here on
+        QTest::qWait(150);
+        QVERIFY2((tool().pose.position - reached).norm() < 1e-3, "it does not jump");
+        const QPointF before = *view().widgetPosition(tool().pose.position);
+        const Vec3 here = tool().pose.position;
+        moveBy(QPoint(40, 20));
+        QTRY_VERIFY((tool().pose.position - here).norm() > 0.0005);
+        const QPointF gone = *view().widgetPosition(tool().pose.position) - before;
+        QVERIFY2(std::hypot(gone.x() - 40, gone.y() - 20) < 6,
+                 qPrintable(QStringLiteral("%1 %2").arg(gone.x()).arg(gone.y())));
+        release();
+        action("gizmo")->setChecked(true);
+        settle();
     }
 
     void aNumberIsTypedWhileDragging()
@@ -496,7 +555,7 @@ private slots:
         key(Qt::Key_Space);
         QTRY_VERIFY(!snapshot().playing);
         settle();
-        QTest::qWait(200);
+        QTRY_COMPARE(plot->record().times.size(), document().timeline().pictures.size()); // it follows at leisure
         const ForceRecord& record = plot->record();
         QCOMPARE(record.curves.size(), std::size_t{2}); // the block and the fixture
         QCOMPARE(record.curves[0].name, std::string("Block 1"));
@@ -621,6 +680,21 @@ private:
         QTest::mouseMove(&view(), m_now);
     }
     void release() { QTest::mouseRelease(&view(), Qt::LeftButton, {}, m_now); }
+    void moveBy(const QPoint& way, Qt::MouseButtons buttons = Qt::LeftButton)
+    {
+        m_now += way;
+        QMouseEvent event(QEvent::MouseMove, QPointF(m_now), view().mapToGlobal(QPointF(m_now)), Qt::NoButton, buttons,
+                          {});
+        QApplication::sendEvent(&view(), &event);
+    }
+    /// Turns the view while the left button is held.
+    void turnBy(const QPoint& way)
+    {
+        QTest::mousePress(&view(), Qt::MiddleButton, {}, m_now);
+        for (int i = 0; i < 10; ++i)
+            moveBy(way / 10, Qt::LeftButton | Qt::MiddleButton);
+        QTest::mouseRelease(&view(), Qt::MiddleButton, {}, m_now);
+    }
 
     void fixOneEnd()
     {

@@ -96,7 +96,7 @@ private slots:
     {
         if (!hasDisplay())
             QSKIP("The view needs a display: run this test under xvfb-run.");
-        prepare();
+        prepare(Eyes::open);
     }
 
     void init() { show(m_services); }
@@ -145,6 +145,10 @@ private slots:
 
     void filesDroppedTogetherAreOneAssembly()
     {
+        QWidget other; // where the files come from
+        other.show();
+        other.activateWindow();
+        QTRY_VERIFY(other.isActiveWindow());
         QMimeData data;
         data.setUrls({QUrl::fromLocalFile(example("bar.step")), QUrl::fromLocalFile(example("bracket.step")),
                       QUrl::fromLocalFile(write("no.step", "this is no part"))});
@@ -153,6 +157,7 @@ private slots:
         QVERIFY(enter.isAccepted());
         QDropEvent drop(QPointF(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(m_window.get(), &drop);
+        QTRY_VERIFY(m_window->isActiveWindow());
         QTRY_VERIFY_WITH_TIMEOUT(!document().isEmpty(), patience);
         QCOMPARE(document().content().model->tree.children.size(), std::size_t{2});
         // The third one is not lost without a word.

@@ -129,6 +129,12 @@ private slots:
         QTRY_VERIFY(m_window->banner().sentence().contains("already"));
         QCOMPARE(readMaterials(file()).size(), std::size_t{1});
 
+        QCOMPARE(m_window->banner().sentence(),
+                 QString("There is a material named \"steel\" already: choose another name."));
+        nameWith("saveMaterial", " ");
+        QTRY_COMPARE(m_window->banner().sentence(), QString("A material needs a name: type one."));
+        QCOMPARE(readMaterials(file()).size(), std::size_t{1});
+
         // Another window has it too.
         show(m_services);
         openExample("bar.step");
@@ -177,6 +183,7 @@ private slots:
         QTRY_COMPARE(snapshot().materials[0].friction, 0.12);
         nameWith("saveMaterial", "Nowhere");
         QTRY_VERIFY(m_window->banner().sentence().contains("no room"));
+        QVERIFY(m_window->banner().sentence().startsWith("The material was not saved: "));
         QCOMPARE(presets()->findText("Nowhere"), -1);
     }
 
@@ -217,7 +224,16 @@ private slots:
         QCOMPARE(rows.size(), 1);
         QCOMPARE(rows[0]->text(1), QString("200 kPa"));
         QCOMPARE(rows[0]->text(2), QString("210 GPa"));
-        QCOMPARE(rows[0]->text(3), QString("1.05e+06 times"));
+        QCOMPARE(rows[0]->text(3), QString("1,050,000 times"));
+        QCOMPARE(table->findItems("Density", Qt::MatchExactly)[0]->text(3), QString("13.1 times"));
+        auto* left = find<QComboBox>("comparedLeft");
+        const int first = left->currentIndex();
+        left->setCurrentIndex(right->currentIndex());
+        right->setCurrentIndex(first);
+        QCOMPARE(table->findItems("Young's modulus", Qt::MatchExactly)[0]->text(3), QString("1/1,050,000 of it"));
+        for (int row = 0; row < table->topLevelItemCount(); ++row)
+            QVERIFY2(!table->topLevelItem(row)->text(3).contains('e' + QString("+")),
+                     qPrintable(table->topLevelItem(row)->text(3)));
         picture("material-comparison");
         find<QDialog>("materialComparison")->close();
     }

@@ -144,6 +144,11 @@ private slots:
         measure("measureRadiusOfFace", {at(45, 25, 8)});
         QVERIFY(last().readings.empty());
         QVERIFY(last().remark.contains("flat"));
+        measure("measureAngleOfFaces", {at(45, 25, 8), at(10.5, 25, 46)});
+        QVERIFY2(last().remark.startsWith("The face is not flat: it is up to "), qPrintable(last().remark));
+        measure("measureRadius", {at(58, 0, 8), at(58, 0, 8), at(58, 0, 8)});
+        QVERIFY(last().readings.empty());
+        QCOMPARE(last().remark, QString("The three places lie on a line: pick others, further around."));
     }
 
     void sizeVolumeAndMassOfTheBracketAreThoseOfItsDrawing()
@@ -211,7 +216,9 @@ private slots:
         compare(bar.largestDistance, std::abs(moved.z()), 0.02); // the tip is below the end of the original
         // Top and bottom are 0.4 of it away in the mean; the other sides slide within their planes.
         QVERIFY(bar.meanDistance > 0.1 * bar.largestDistance);
-        find<QDialog>("comparisonDialog")->close();
+        QVERIFY(QTest::qWaitForWindowActive(find<QDialog>("comparisonDialog")));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QTRY_VERIFY(find<QDialog>("comparisonDialog") == nullptr);
 
         const QTemporaryDir folder;
         for (const char* name : {"report.html", "report.pdf"}) {
@@ -280,6 +287,13 @@ private slots:
     void aComparisonGoesWithItsPart()
     {
         openExample("bar.step");
+        action("compareWithOriginal")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(find<QDialog>("comparisonDialog") != nullptr, patience);
+        find<QDialog>("comparisonDialog")->activateWindow(); // there may be no window manager that does it
+        QVERIFY(QTest::qWaitForWindowActive(find<QDialog>("comparisonDialog")));
+        QTest::keyClick(find<QDialog>("comparisonDialog"), Qt::Key_Escape);
+        QTRY_VERIFY(find<QDialog>("comparisonDialog") == nullptr);
+        m_window->activateWindow();
         action("compareWithOriginal")->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(find<QDialog>("comparisonDialog") != nullptr, patience);
         openExample("bracket.step");

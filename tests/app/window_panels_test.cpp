@@ -87,6 +87,65 @@ private slots:
         picture("ball");
     }
 
+    /// A frame from before comes between any two of them.
+    void numbersTypedFasterThanFramesComeAllHold()
+    {
+        openExample("bar.step");
+        QTest::keyClick(m_window.get(), Qt::Key_B);
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
+        const auto typeOver = [&](const char* name, const QString& text) {
+            auto* field = find<QuantityField>(name);
+            field->setFocus();
+            field->selectAll();
+            QTest::keyClicks(field, text);
+            QTest::keyClick(field, Qt::Key_Return);
+            emit document().changed(Document::Change::Frame);
+            QCOMPARE(field->text(), text);
+        };
+        const char* places[] = {"toolPositionX", "toolPositionY", "toolPositionZ"};
+        const char* sizes[] = {"toolSizeX", "toolSizeY", "toolSizeZ"};
+        for (int axis = 0; axis < 3; ++axis) {
+            typeOver(places[axis], QString("%1 mm").arg(100 + axis));
+            typeOver(sizes[axis], QString("%1 mm").arg(20 + axis));
+        }
+        typeOver("toolFriction", "0.25");
+        QTRY_COMPARE(snapshot().tools[0].friction, 0.25);
+        QVERIFY((snapshot().tools[0].pose.position - Vec3(0.1, 0.101, 0.102)).norm() < 1e-12);
+        QVERIFY((snapshot().tools[0].size - Vec3(0.02, 0.021, 0.022)).norm() < 1e-12);
+        typeOver("gravityX", "1 m/s²");
+        typeOver("gravityY", "2 m/s²");
+        QTRY_COMPARE(snapshot().gravity, Vec3(1, 2, 0));
+        typeOver("allDampingRatio", "0.11");
+        typeOver("allShapeDamping", "7 1/s");
+        QTRY_COMPARE(snapshot().materials[0].shapeDamping, 7.0);
+        QCOMPARE(snapshot().materials[0].dampingRatio, 0.11);
+    }
+
+    /// A tool that is on its way in one direction goes on in it when another is typed; and from Play on it never jumps.
+    void aToolGoesToAllThatWasTypedWhileTimeRuns()
+    {
+        openExample("bar.step");
+        QTest::keyClick(m_window.get(), Qt::Key_B);
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
+        const auto typeOver = [&](const char* name, const QString& text) {
+            auto* field = find<QuantityField>(name);
+            field->setFocus();
+            field->selectAll();
+            QTest::keyClicks(field, text);
+            QTest::keyClick(field, Qt::Key_Return);
+        };
+        const Vec3 start = snapshot().tools[0].pose.position;
+        const double limit = snapshot().tools[0].speedLimit;
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        typeOver("toolPositionX", "180 mm");
+        QTRY_VERIFY(snapshot().playing && (snapshot().tools[0].pose.position - start).norm() > 0);
+        QVERIFY((snapshot().tools[0].pose.position - start).norm() < limit * snapshot().time + 1e-9);
+        QTest::qWait(50); // on its way
+        typeOver("toolPositionY", "60 mm");
+        const Vec3 goal(0.18, 0.06, start.z());
+        QTRY_VERIFY_WITH_TIMEOUT((snapshot().tools[0].pose.position - goal).norm() < 1e-9, patience);
+    }
+
     void aMaterialSaysHowItFlowsAndBreaks()
     {
         openExample("bar.step");

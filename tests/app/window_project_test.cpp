@@ -3,6 +3,7 @@
 #include "io/project/recovery.h"
 #include "support/projects_on_test.h"
 #include "ui/run_window.h"
+#include "ui/shell/thumbnails.h"
 
 #include <QFileDialog>
 #include <QLabel>
@@ -228,7 +229,8 @@ private slots:
     {
         openExample("bar.step", 10);
         saveTo(file("a.knead"));
-        newWindow(m_services);
+        newWindow(m_services); // before anything else could be done
+        QTRY_VERIFY(!thumbnails::of(file("a.knead")).isNull());
         QTest::qWait(100);
         picture("home with recent files");
         clickOn<QPushButton>("recent_a.knead");

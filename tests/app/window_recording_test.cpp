@@ -1,3 +1,4 @@
+#include "support/full_disk.h"
 #include "support/window_on_test.h"
 #include "ui/dialogs/record_dialog.h"
 #include "ui/run_window.h"
@@ -6,6 +7,8 @@
 #include <QDialog>
 #include <QFile>
 #include <QLabel>
+#include <QOpenGLContext>
+#include <QScopedValueRollback>
 #include <QTemporaryDir>
 #include <QtEndian>
 #include <QtTest>
@@ -48,6 +51,9 @@ VideoFacts factsOf(const QString& path)
     return facts;
 }
 
+bool refusesContexts = false; ///< the graphics card makes no more of them
+bool refusesThreads = false;  ///< the driver draws in one thread only
+
 /// Share of pixels that differ visibly.
 double difference(const QImage& a, const QImage& b)
 {
@@ -59,6 +65,22 @@ double difference(const QImage& a, const QImage& b)
 }
 
 } // namespace
+
+// What the program calls instead of QOpenGLContext::create() and supportsThreadedOpenGL(): the linker sees to that.
+extern "C" {
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
+bool __real__ZN14QOpenGLContext6createEv(QOpenGLContext* context);
+bool __wrap__ZN14QOpenGLContext6createEv(QOpenGLContext* context)
+{
+    return !refusesContexts && __real__ZN14QOpenGLContext6createEv(context);
+}
+bool __real__ZN14QOpenGLContext22supportsThreadedOpenGLEv();
+bool __wrap__ZN14QOpenGLContext22supportsThreadedOpenGLEv()
+{
+    return !refusesThreads && __real__ZN14QOpenGLContext22supportsThreadedOpenGLEv();
+}
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
+}
 
 /// Videos and pictures of what was simulated.
 class WindowRecordingTest : public QObject, WindowOnTest {
@@ -84,7 +106,7 @@ private slots:
     {
         if (!hasDisplay())
             QSKIP("without a display there is nothing to draw with");
-        prepare();
+        prepare(Eyes::open);
         show(m_services);
         openExample("bar.step", 8);
         document().post(SetGravity{Vec3(0, 0, -0.2)});
@@ -123,6 +145,7 @@ private slots:
         whole.size = m_window->viewport().size();
         m_window->record(path("now"), whole);
         wait();
+        QCOMPARE(document().timeline().pictures.back().frame->time, whole.to); // the last moment is there, too
         const QImage drawn(path("now/now-0001.png"));
         const QImage seen = m_window->viewport().grabFramebuffer();
         QCOMPARE(drawn.size(), seen.size());
@@ -131,7 +154,7 @@ private slots:
             seen.save(folder + "/recording-seen.png");
         }
         const QRect withoutCube(0, 0, drawn.width() * 4 / 5, drawn.height());
-        QVERIFY(difference(drawn.copy(withoutCube), seen.copy(withoutCube)) < 0.02); // up to 33 ms apart
+        QVERIFY(difference(drawn.copy(withoutCube), seen.copy(withoutCube)) < 0.02);
         QVERIFY(difference(drawn.mirrored(), seen) > 0.05);
     }
 
@@ -197,6 +220,65 @@ private slots:
         wait();
         QVERIFY(m_window->banner().sentence().startsWith("No folder can be made in "));
         m_window->banner().hide();
+    }
+
+    /// Pictures and videos that find no room leave nothing behind.
+    void aFullDiskIsSaid()
+    {
+        for (const auto kind : {Recording::Kind::pictures, Recording::Kind::video}) {
+            {
+                const FullDisk disk(3000);
+                m_window->record(path("fall"), shortOne(kind));
+                [&] { wait(); }();
+            }
+            QVERIFY2(m_window->banner().sentence().startsWith("There is no room left in " + m_folder->path()),
+                     qPrintable(m_window->banner().sentence()));
+            QVERIFY(names().isEmpty());
+            m_window->banner().hide();
+        }
+    }
+
+    void aFolderThatSomebodyElseMakesMeanwhileStays()
+    {
+        Recording recording = shortOne(Recording::Kind::pictures);
+        recording.speed = 0.1;
+        m_window->record(path("fall"), recording);
+        QTRY_VERIFY_WITH_TIMEOUT(!names().isEmpty(), patience);
+        QVERIFY(QDir(m_folder->path()).mkpath("fall/file"));
+        wait();
+        QVERIFY2(m_window->banner().sentence().startsWith(path("fall") + " cannot be made (") &&
+                     m_window->banner().sentence().contains("Choose another name"),
+                 qPrintable(m_window->banner().sentence()));
+        QCOMPARE(names(), QStringList("fall"));
+        QCOMPARE(QDir(path("fall")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList("file"));
+        m_window->banner().hide();
+    }
+
+    void aGraphicsCardThatFailsIsSaid()
+    {
+        const auto failsWith = [&](const Recording& recording, const char* words) {
+            m_window->record(path("fall"), recording);
+            [&] { wait(); }();
+            const QString sentence = m_window->banner().isVisible() ? m_window->banner().sentence() : QString();
+            m_window->banner().hide();
+            return sentence.contains(words) && names().isEmpty();
+        };
+        for (const auto kind : {Recording::Kind::pictures, Recording::Kind::video}) {
+            {
+                const QScopedValueRollback<bool> refuses(refusesContexts, true);
+                QVERIFY(failsWith(shortOne(kind), "takes no more pictures. Close other programs"));
+            }
+            {
+                const QScopedValueRollback<bool> refuses(refusesThreads, true);
+                QVERIFY(failsWith(shortOne(kind), "LIBGL_ALWAYS_SOFTWARE=1"));
+            }
+            Recording large = shortOne(kind);
+            large.size = {40'000, 16};
+            QVERIFY(failsWith(large, "draws no pictures of this size. Choose a smaller one"));
+        }
+        m_window->record(path("fall"), shortOne(Recording::Kind::pictures));
+        wait();
+        QCOMPARE(names(), QStringList("fall"));
     }
 
     void theDialogSaysWhatThereWillBe()

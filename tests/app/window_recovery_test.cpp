@@ -1,20 +1,19 @@
 #include "io/project/project_file.h"
 #include "io/project/project_lock.h"
 #include "io/project/recovery.h"
+#include "support/full_disk.h"
 #include "support/projects_on_test.h"
 #include "ui/run_window.h"
 
 #include <QFileDialog>
 #include <QLabel>
 #include <QListWidget>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QToolButton>
 
 #include <atomic>
-#include <csignal>
 #include <stdexcept>
-
-#include <sys/resource.h>
 
 using namespace knead;
 
@@ -33,6 +32,8 @@ class WindowRecoveryTest : public QObject, ProjectsOnTest {
         file.seek(0);
         file.write(bytes);
     }
+
+    QString logged() { return find<QPlainTextEdit>("log")->toPlainText(); }
 
 private slots:
     void initTestCase()
@@ -101,6 +102,9 @@ private slots:
         clickOn<QToolButton>("bannerRemedy");
         QTRY_VERIFY_WITH_TIMEOUT(find<QMessageBox>("missingBox") != nullptr, patience);
         QTest::qWait(100);
+        QCOMPARE(find<QMessageBox>("missingBox")->text(), QString("This could not be brought back:"));
+        QVERIFY(!find<QMessageBox>("missingBox")->informativeText().isEmpty());
+        QVERIFY(find<QPlainTextEdit>("log")->toPlainText().contains("Not whole: "));
         picture("missing");
         answer("missingBox", QMessageBox::Ok);
         QVERIFY(!document().isEmpty());
@@ -153,16 +157,12 @@ private slots:
         saveTo(file("a.knead"));
         const std::uint64_t before = hash();
         pushOn();
-        rlimit limit{};
-        getrlimit(RLIMIT_FSIZE, &limit);
-        const rlimit small{100'000, limit.rlim_max};
-        signal(SIGXFSZ, SIG_IGN);
-        setrlimit(RLIMIT_FSIZE, &small);
-        projects().save();
         const auto isTold = [&] { return m_window->banner().sentence().contains("a.knead"); };
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(isTold(), patience); }();
-        setrlimit(RLIMIT_FSIZE, &limit);
-        QVERIFY(isTold());
+        {
+            const FullDisk disk(100'000);
+            projects().save();
+            QTRY_VERIFY_WITH_TIMEOUT(isTold(), patience);
+        }
         QVERIFY(m_window->isWindowModified());
         const Project left = readProject(bytesOf(file("a.knead")));
         QCOMPARE(left.entries[left.current].hash, before);
@@ -288,6 +288,54 @@ private slots:
         QCOMPARE(document().history().tree().current(), project.entries.back().parent);
     }
 
+    void aProjectOfWhichNothingIsLeftSaysWhatToDo()
+    {
+        openExample("bar.step", 10);
+        switchGravity();
+        document().history().rename(document().history().tree().current(), "Unlike any other");
+        saveTo(file("a.knead"));
+        const auto rescue = [&](const Services& services, const QByteArray& spoilt, const QString& sentence) {
+            newWindow(services);
+            spoil(file("a.knead"), spoilt);
+            openProject(file("a.knead"));
+            QCOMPARE(find<QToolButton>("bannerRemedy")->text(), QString("Rescue what is whole"));
+            clickOn<QToolButton>("bannerRemedy");
+            QTRY_VERIFY2_WITH_TIMEOUT(m_window->banner().sentence().contains(sentence),
+                                      qPrintable(m_window->banner().sentence()), patience);
+            wait();
+            QVERIFY(document().isEmpty());
+        };
+        Services withoutParts = m_services;
+        withoutParts.projects.rescue = [rescued = m_services.projects.rescue](const std::string& path,
+                                                                              TaskControl& control) {
+            RescuedProject result = rescued(path, control);
+            result.project.model = nullptr;
+            return result;
+        };
+        rescue(withoutParts, "Unlike any other", "Open the part that it was made from.");
+        rescue(m_services, QByteArray::fromHex("28b52ffd"), // of everything that is packed
+               "nothing of this project can be read any more; open a copy of it, or the part that it was made from.");
+    }
+
+    void workThatAnotherWindowHasIsNotTakenTwice()
+    {
+        openExample("bar.step", 10);
+        switchGravity();
+        newWindow(m_services);
+        m_window->offerRecoveries();
+        QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("recoveryRecover") != nullptr, patience);
+        {
+            const RecoveryFile other(findRecoveries().at(0));
+            clickOn<QPushButton>("recoveryRecover");
+            wait();
+            QVERIFY2(m_window->banner().sentence().contains("nother window"),
+                     qPrintable(m_window->banner().sentence()));
+            QVERIFY(document().isEmpty());
+        }
+        recoverByHand(); // the other window has gone
+        QVERIFY(!snapshot().gravity.isZero());
+    }
+
     void workThatIsNotWantedIsDropped()
     {
         openExample("bar.step", 10);
@@ -313,10 +361,13 @@ private slots:
     void aDiskThatRefusesTheRecoveryIsSaidOnce()
     {
         std::atomic<int> tries = 0;
+        std::atomic<bool> isFull = true;
         Services refusing = m_services;
-        refusing.projects.keepWork = [&tries]() -> std::unique_ptr<KeptWork> {
+        refusing.projects.keepWork = [&tries, &isFull, keep = m_services.projects.keepWork] {
             ++tries;
-            throw std::runtime_error("The work cannot be kept for recovery (No space left on device).");
+            if (isFull)
+                throw std::runtime_error("The work cannot be kept for recovery (No space left on device).");
+            return keep();
         };
         newWindow(refusing);
         openExample("bar.step", 10);
@@ -325,6 +376,12 @@ private slots:
         pushOn(); // work goes on
         saveTo(file("a.knead"));
         QVERIFY(tries >= 1);
+        QVERIFY(!logged().contains("kept for recovery again"));
+        // It is tried again by and by.
+        isFull = false;
+        QTRY_VERIFY_WITH_TIMEOUT(logged().contains("The work is kept for recovery again."), patience);
+        QVERIFY(tries >= 2);
+        QCOMPARE(logged().count("cannot be kept"), 1);
     }
 };
 

@@ -59,7 +59,7 @@ private slots:
     {
         if (!hasDisplay())
             QSKIP("The view needs a display: run this test under xvfb-run.");
-        prepare();
+        prepare(Eyes::open);
     }
 
     void init() { show(m_services); }

@@ -1,5 +1,6 @@
 #include "support/window_on_test.h"
 #include "ui/language/language.h"
+#include "ui/panels/plot_view.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/run_window.h"
 #include "ui/shell/command_palette.h"
@@ -169,6 +170,7 @@ private slots:
         QCOMPARE(list->currentRow(), 0);
         QTest::keyClicks(field, "qqqq");
         QVERIFY(palette()->shown().empty());
+        QCOMPARE(list->item(0)->text(), QString("Nothing is called like that: try fewer letters."));
         press(field, Qt::Key_Return); // nothing happens
         QVERIFY(palette()->isVisible());
     }
@@ -218,7 +220,10 @@ private slots:
         auto* key = dialog()->findChild<QKeySequenceEdit*>("shortcutKey");
         key->setFocus();
         press(key, Qt::Key_PageUp);
-        QTRY_VERIFY(dialog()->findChild<QLabel*>("shortcutConflict")->text().contains("drives the selected tool"));
+        QTRY_VERIFY(dialog()
+                        ->findChild<QLabel*>("shortcutConflict")
+                        ->text()
+                        .contains("drives the selected tool: choose another key."));
         QCOMPARE(action("fit")->shortcut(), QKeySequence(Qt::Key_F));
     }
 
@@ -318,9 +323,13 @@ private slots:
         QVERIFY(!find<QTreeWidget>("modelTree")->findItems("Werkzeuge", Qt::MatchExactly).isEmpty());
         QVERIFY(action("undo")->text().startsWith("Rückgängig"));
         QTRY_VERIFY(find<QLabel>("objectCount")->text().endsWith(" Objekte"));
+        QVERIFY(find<PlotView>("probePlot")->hint().startsWith("Noch keine"));
         QTRY_COMPARE(dialog()->windowTitle(), QString("Einstellungen"));
         QTRY_COMPARE(dialog()->findChild<QListWidget*>("preferencesIndex")->item(1)->text(),
                      QString("Speicher und Sicherheit"));
+        for (const char* name : {"filmBack", "filmRate-0"})
+            QCOMPARE(action(name)->property("whyDisabled").toString(),
+                     QString("Simulieren Sie zuerst etwas, und sehen Sie darauf zurück."));
         QTest::qWait(500);
         picture("german");
         dialog()->close();
@@ -475,6 +484,26 @@ private slots:
         const auto* play = qobject_cast<QToolButton*>(bar->widgetForAction(action("play")));
         QCOMPARE(play->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
         picture("tool-bar-wide");
+    }
+
+    void theToolBarStaysWhereItIsWhileTimeRuns()
+    {
+        openExample("bar.step");
+        const auto* bar = find<QToolBar>("toolBar");
+        const auto places = [bar] {
+            QList<QRect> all;
+            for (const auto* button : bar->findChildren<QToolButton*>())
+                all << button->geometry();
+            return all;
+        };
+        QTest::qWait(50);
+        const QList<QRect> before = places();
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_COMPARE(action("play")->text(), QString("Pause"));
+        QTest::qWait(50);
+        QCOMPARE(places(), before);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_COMPARE(action("play")->text(), QString("Play"));
     }
 
     void theSelectionBarIsShownWithTheViewAsWished()

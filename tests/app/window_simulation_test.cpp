@@ -1,5 +1,6 @@
 #include "support/window_on_test.h"
 #include "ui/panels/quantity_field.h"
+#include "ui/panels/timeline_axis.h"
 #include "ui/run_window.h"
 
 #include <QComboBox>
@@ -53,6 +54,17 @@ class WindowSimulationTest : public QObject, WindowOnTest {
         QTest::keyClick(m_window.get(), Qt::Key_Space);
         QTRY_VERIFY_WITH_TIMEOUT(!snapshot().health.ok, patience);
         QTRY_VERIFY(m_window->banner().sentence().contains("stopped"));
+    }
+
+    const TimelineAxis& axis() { return *find<TimelineAxis>("timelineAxis"); }
+
+    /// Of all pictures [s].
+    double lastFilmed()
+    {
+        double last = 0;
+        for (const Timeline::Picture& picture : document().timeline().pictures)
+            last = std::max(last, picture.frame->time);
+        return last;
     }
 
 private slots:
@@ -189,12 +201,50 @@ private slots:
         QTRY_VERIFY(m_window->banner().sentence().isEmpty());
     }
 
+    void troubleWithoutToolsOffersDamping()
+    {
+        openExample("bar.step");
+        Material soft;
+        soft.youngsModulus = 1e4;
+        soft.density = 2000;
+        soft.dampingRatio = 0.1;
+        document().post(SetMaterial{0, soft});
+        type("gravityZ", "-10000 m/s2");
+        QTRY_COMPARE(snapshot().gravity.z(), -10000.0);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(!snapshot().health.ok, patience);
+        QCOMPARE(snapshot().health.trouble, Trouble::runaway);
+        auto* remedy = find<QToolButton>("bannerRemedy");
+        QTRY_VERIFY(remedy->isVisible());
+        QCOMPARE(remedy->text(), QString("More damping"));
+        QVERIFY(m_window->banner().sentence().contains("Lower gravity or raise the damping ratio, then reset."));
+        QTest::mouseClick(remedy, Qt::LeftButton);
+        QTRY_COMPARE(snapshot().materials[0].dampingRatio, 0.2);
+        QTRY_COMPARE(snapshot().time, 0.0);
+        QTRY_VERIFY(snapshot().health.ok && m_window->banner().sentence().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(document().isSettled(), patience);
+        const auto& records = document().history().tree().records();
+        QCOMPARE(records[records.size() - 2].name, std::string("More damping"));
+        QCOMPARE(records.back().name, std::string("Reset"));
+    }
+
     void troubleCanBeReset()
     {
         makeTrouble();
+        QTRY_VERIFY_WITH_TIMEOUT(document().isSettled(), patience);
+        const double ran = lastFilmed();
+        QVERIFY2(document().film().underWay().empty(), "all that was seen belongs to what was done");
+        QTRY_COMPARE(axis().timeline().present, std::max(ran, snapshot().time));
         QTest::mouseClick(find<QToolButton>("bannerOther"), Qt::LeftButton);
         QTRY_VERIFY(snapshot().health.ok);
         QTRY_COMPARE(snapshot().time, 0.0);
+        QTRY_VERIFY_WITH_TIMEOUT(document().isSettled(), patience);
+        // The reset itself takes no time, and has no pictures.
+        const auto tree = document().history().tree();
+        QVERIFY(document().film().framesOf(tree.current()).empty());
+        QTRY_COMPARE(axis().timeline().ticks.back().entry, tree.current());
+        const auto& ticks = axis().timeline().ticks;
+        QCOMPARE(ticks.back().at, ticks[ticks.size() - 2].at);
         QCOMPARE(snapshot().tools[0].speedLimit, tooFast);
     }
 };

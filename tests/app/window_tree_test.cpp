@@ -10,8 +10,11 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStackedWidget>
 #include <QTemporaryDir>
+#include <QWheelEvent>
 #include <QtTest>
 
 #include <algorithm>
@@ -225,13 +228,42 @@ private slots:
         QVERIFY(hidden().empty());
     }
 
+    void whatIsLockedCanBeReadToItsEnd()
+    {
+        openExample("bracket.step", 10);
+        clickLine(partLine(0));
+        auto* page = qobject_cast<QScrollArea*>(find<QStackedWidget>("properties")->currentWidget());
+        QScrollBar* bar = page->verticalScrollBar();
+        QTRY_VERIFY(bar->maximum() > 0);
+        clickLock(partLine(0));
+        QTRY_VERIFY(!page->widget()->isEnabled());
+        auto* last = find<QWidget>("refill");
+        QVERIFY(last->visibleRegion().isEmpty() && !last->isEnabled());
+        for (int notch = 0; notch < 60 && bar->value() < bar->maximum(); ++notch) {
+            const QPoint middle = page->viewport()->rect().center();
+            QWidget* under = page->viewport()->childAt(middle);
+            while (!under->isEnabled()) // that is where a wheel that nobody takes goes on to
+                under = under->parentWidget();
+            QWheelEvent wheel(under->mapFrom(page->viewport(), middle), page->viewport()->mapToGlobal(middle), {},
+                              {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+            QApplication::sendEvent(under, &wheel);
+        }
+        QCOMPARE(bar->value(), bar->maximum());
+        QVERIFY(!last->visibleRegion().isEmpty());
+        picture("tree-locked-end");
+        bar->setValue(0);
+        QTest::mouseClick(bar, Qt::LeftButton, {}, bar->rect().center() + QPoint(0, bar->height() / 3));
+        QVERIFY2(bar->value() > 0, "the bar itself can be clicked");
+    }
+
     void whatIsLockedStaysAsItIs()
     {
         openExample("bracket.step", 10);
         clickLock(partLine(0));
         QVERIFY(document().isLocked({Selection::Kind::Body, 0}));
         clickLine(partLine(0));
-        QVERIFY(!find<QStackedWidget>("properties")->currentWidget()->isEnabled());
+        auto* page = qobject_cast<QScrollArea*>(find<QStackedWidget>("properties")->currentWidget());
+        QVERIFY(!page->widget()->isEnabled());
         const Material before = snapshot().materials[0];
         document().post(SetMaterial{0, {.youngsModulus = 7e7}});
         QTRY_VERIFY(m_window->banner().sentence().contains("is locked"));

@@ -317,6 +317,15 @@ private slots:
             const double last = simulation.snapshot()->tools[0].force.norm();
             QVERIFY2(largest < 1.1 * press.forceLimit, qPrintable(QString::number(largest / press.forceLimit)));
             QVERIFY2(last > 0.4 * press.forceLimit, qPrintable(QString::number(last / press.forceLimit)));
+            // It goes back as it likes.
+            const double pressed = simulation.snapshot()->tools[0].pose.position.z();
+            simulation.post(SetManipulatorMotion{0, DriveAt{Vec3(0, 0, 0.05), Vec3::Zero()}});
+            const double end = simulation.time() + 0.2;
+            while (simulation.time() < end)
+                simulation.step();
+            const double back = simulation.snapshot()->tools[0].pose.position.z() - pressed;
+            QVERIFY2(std::abs(back - 0.01) < 0.001, qPrintable(QString::number(back)));
+            QCOMPARE(simulation.snapshot()->tools[0].force.norm(), 0.0);
         }
     }
 

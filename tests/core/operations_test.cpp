@@ -1,4 +1,5 @@
 // The modeling operations of the paper, each doing its job: bending and re-normalizing, cutting, breaking, sticking, healing.
+#include "core/aggregate/pieces.h"
 #include "support/material_scenes.h"
 
 #include <QTest>
@@ -102,6 +103,8 @@ private slots:
         QFETCH(double, poisson);
         QFETCH(double, duration);
         for (const bool renormalized : {false, true}) {
+            if (!renormalized && duration > 0)
+                continue; // the same bar springs back in the rows of what is done at once
             BentBar bar(poisson);
             const Aggregate& aggregate = *bar.scene.bodies[0].aggregate;
             Simulation simulation(bar.scene);
@@ -171,6 +174,7 @@ private slots:
         QVERIFY2(simulation.health().ok, simulation.health().message.c_str());
         const auto shot = simulation.snapshot();
         QVERIFY2(shot->components >= 2, qPrintable(QString::number(shot->components)));
+        QCOMPARE(shot->components, findPieces(bar, *shot->bodies[0].broken).count);
         qInfo("%zu pieces, %zu connections broken, fracture %.3g J", shot->components, shot->broken,
               shot->energy.fracture);
         QVERIFY(shot->energy.fracture > 0);

@@ -201,7 +201,7 @@ void ExporterTest::meshesBecomeSolidsOfFlatFaces()
     QVERIFY(part.closed && part.valid);
 }
 
-/// Turned inside out in its middle.
+/// Turned inside out in its middle, and bent, so that no face of it stays flat.
 class FoldMap final : public maps::PointMap {
 public:
     explicit FoldMap(const Box& box)
@@ -218,6 +218,8 @@ protected:
         const double t = (point[along] - m_box.center()[along]) / length;
         Vec3 moved = point;
         moved[along] -= 2 * length * t * std::exp(-40 * t * t);
+        moved[(along + 1) % 3] += 0.2 * length * t * t;
+        moved[(along + 2) % 3] += 0.2 * length * t * t;
         return moved;
     }
 
@@ -233,6 +235,7 @@ void ExporterTest::foldedMaterialFallsBack()
     const PartExportReport& part = file.report.parts.front();
     QCOMPARE(part.form, PartExportReport::Form::faceted);
     QVERIFY2(part.reason.find("folded") != std::string::npos, part.reason.c_str());
+    QVERIFY(part.facesAfter > 1000);
 }
 
 /// The bar's ends are bent past each other, through one another.

@@ -77,7 +77,7 @@ void FragmentsCorpusTest::brokenSolidsAreClosed()
 
 void FragmentsCorpusTest::checkPart(const Part& part)
 {
-    const FillingSize size = sizeWithWalls(part.mesh);
+    const FillingSize size = sizeOf(part.mesh);
     const Aggregate aggregate =
         fill(part.mesh, {.spacing = spacingFor({SpacingChoice::Kind::CellsAlong, cellsAlong}, size)});
     const std::vector<ConnectionId> broken = brokenAround(aggregate, size.box);

@@ -1,6 +1,6 @@
-#include "io/worker/import_worker.h"
 #include "io/worker/isolated_import.h"
 #include "support/fuzz_inputs.h"
+#include "support/loaded_reader.h"
 #include "support/model_flaws.h"
 
 #include <QtTest>
@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -29,8 +30,8 @@ constexpr double mostGrowth = 32; // [MiB] of this process, from the tenth part 
 constexpr double mebibyte = 1 << 20;
 constexpr std::size_t mostNamed = 8; // files of one manner of end, in the report
 
-/// This program reads files for itself, as knead does: main() below.
-const std::string reader = "/proc/self/exe";
+/// Stands for this program, which reads files for itself, as knead does.
+const std::string reader = KNEAD_READER_LAUNCHER;
 
 std::uint64_t environmentNumber(const char* name, std::uint64_t otherwise)
 {
@@ -128,11 +129,13 @@ class ImportFuzzTest : public QObject {
 public:
     ImportFuzzTest()
         : m_inputs(std::string(KNEAD_TEST_DATA) + "/fuzz/seeds")
+        , m_kept(qEnvironmentVariable("KNEAD_FUZZ_KEEP", QDir::tempPath() + "/knead-fuzz").toStdString())
     {
+        qputenv("TMPDIR", m_temporary.path().toUtf8());
+        m_readers.emplace(m_folder.path().toStdString());
     }
 
 private slots:
-    void initTestCase();
     void soundFilesAreRead();
     void entitiesArePutTogetherAgain();
     void theSameSeedGivesTheSameFiles();
@@ -155,13 +158,8 @@ private:
     QTemporaryDir m_folder;
     QTemporaryDir m_temporary; ///< what the readers take for the folder for temporary files
     std::filesystem::path m_kept;
+    std::optional<LoadedReader> m_readers;
 };
-
-void ImportFuzzTest::initTestCase()
-{
-    m_kept = qEnvironmentVariable("KNEAD_FUZZ_KEEP", QDir::tempPath() + "/knead-fuzz").toStdString();
-    qputenv("TMPDIR", m_temporary.path().toUtf8());
-}
 
 void ImportFuzzTest::soundFilesAreRead()
 {
@@ -256,11 +254,9 @@ void ImportFuzzTest::nothingIsLeftBehind()
 
 int main(int argc, char** argv)
 {
-    if (isImportWorker(argc, argv))
-        return runImportWorker(argc, argv);
+    ImportFuzzTest test;                             // before there are threads
     qputenv("QTEST_FUNCTION_TIMEOUT", "2000000000"); // [ms]; the tests take as long as there are inputs
     QCoreApplication application(argc, argv);
-    ImportFuzzTest test;
     return QTest::qExec(&test, argc, argv);
 }
 #include "import_fuzz_test.moc"

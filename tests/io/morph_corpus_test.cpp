@@ -221,6 +221,7 @@ void MorphCorpusTest::theFloorHolds()
         QSKIP("No part was tried.");
     for (const auto& [name, count] : m_counts)
         std::printf("%-8s %d of %d\n", name.c_str(), count.first, count.second);
+    QVERIFY(!m_volumeErrors.empty());
     std::printf("%d of %d pairs come out exact and sound; median volume error %.1e\n", m_sound, m_pairs,
                 medianOf(m_volumeErrors));
     QVERIFY(m_sound >= leastShare * m_pairs);

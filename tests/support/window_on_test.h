@@ -42,7 +42,7 @@ protected:
     void show(const Services& services)
     {
         m_window = std::make_unique<MainWindow>(services);
-        m_window->resize(1280, 800);
+        m_window->resize(windowSize());
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         m_window->activateWindow(); // there may be no window manager that does it
@@ -75,6 +75,7 @@ protected:
         const QString folder = qEnvironmentVariable("KNEAD_PICTURES");
         if (folder.isEmpty())
             return;
+        QTest::qWait(100); // panels lie where they will
         QPixmap image = m_window->grab();
         QPainter painter(&image);
         for (QWidget* dialog : m_window->findChildren<QDialog*>()) // in front of it, wherever it lies
@@ -85,10 +86,21 @@ protected:
         image.save(QDir(folder).filePath(QString(name) + ".png"));
     }
 
+    /// For pictures of other sizes: KNEAD_PICTURES_SIZE=1920x1080.
+    static QSize windowSize()
+    {
+        const QStringList size = qEnvironmentVariable("KNEAD_PICTURES_SIZE", "1280x800").split('x');
+        return {size.value(0).toInt(), size.value(1).toInt()};
+    }
+
     static bool hasDisplay() { return QGuiApplication::platformName() != "offscreen"; }
 
-    /// Settings and recoveries of its own, so that those of a person stay as they are.
-    void prepare()
+    /// Who looks at the pictures that the view draws.
+    enum class Eyes { none, open };
+
+    /// Settings and recoveries of its own, so that those of a person stay as they are. Where nobody looks, edges are not smoothed,
+    /// which takes a quarter of the time of a test on a machine without a graphics card.
+    void prepare(Eyes eyes = Eyes::none)
     {
         QStandardPaths::setTestModeEnabled(true);
         static const QTemporaryDir state;
@@ -98,9 +110,16 @@ protected:
         QApplication::setOrganizationName("knead-test");
         QApplication::setApplicationName("window-test");
         setCadProgram(KNEAD_PROGRAM);
+        choosePreferences(eyes);
+        m_services = fileServices();
+    }
+
+    static void choosePreferences(Eyes eyes = Eyes::none)
+    {
         QSettings().setValue("language", "en");
         QSettings().setValue("theme", "light");
-        m_services = fileServices();
+        if (eyes == Eyes::none && qEnvironmentVariableIsEmpty("KNEAD_PICTURES"))
+            QSettings().setValue("view/smoothing", 1);
     }
 };
 

@@ -18,8 +18,8 @@ inline double ownTime()
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// An application that watches how long each event keeps the window's thread from the next one. Drawing the view is told
-/// apart: on a machine without a graphics card the processor does it. Loops of dialogs are not the event that opened them.
+/// An application that watches how long each event keeps the window's thread from the next one. Drawing the view is told apart: on
+/// a machine without a graphics card the processor does it. Loops of dialogs are not the event that opened them.
 class WatchedApplication final : public QApplication {
 public:
     using QApplication::QApplication;
@@ -36,13 +36,13 @@ public:
         m_longestDrawing = 0;
     }
     const Longest& longest() const { return m_longest; }
-    double longestDrawing() const { return m_longestDrawing; } ///< of one picture of the view [s]
+    double longestDrawing() const { return m_longestDrawing; } ///< of one picture [s]
 
     bool notify(QObject* receiver, QEvent* event) override
     {
         if (QThread::currentThread() != thread())
             return QApplication::notify(receiver, event);
-        if (event->type() == QEvent::Paint && receiver->objectName() == "viewport")
+        if (isDrawing(*receiver, *event))
             return draw(receiver, event);
         const int level = thread()->loopLevel();
         if (!m_running.empty() && m_running.back().level == level)
@@ -67,6 +67,11 @@ private:
         int level = 0;        ///< of the event loop
         double elsewhere = 0; ///< in drawing and in events of loops within [s]
     };
+
+    static bool isDrawing(const QObject& receiver, const QEvent& event)
+    {
+        return event.type() == QEvent::Paint && receiver.objectName() == "viewport";
+    }
 
     bool draw(QObject* receiver, QEvent* event)
     {

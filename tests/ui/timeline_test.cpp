@@ -20,13 +20,18 @@ HistoryRecord at(double time, bool isReset = false)
     return record;
 }
 
+std::uint64_t stepAt(double time)
+{
+    return static_cast<std::uint64_t>(1000 * time);
+}
+
 /// Objects at a time.
 Snapshot frameAt(double time, std::size_t objects = 100, std::uint32_t resets = 0)
 {
     Snapshot snapshot;
     snapshot.resets = resets;
     snapshot.time = time;
-    snapshot.step = static_cast<std::uint64_t>(1000 * time);
+    snapshot.step = stepAt(time);
     snapshot.bodies.push_back({.positions = std::vector<Vec3>(objects, Vec3::Zero())});
     return snapshot;
 }
@@ -59,12 +64,37 @@ private slots:
         for (int i = 0; i <= 30; ++i)
             film.add(frameAt(i / 30.0));
         QCOMPARE(film.underWay().size(), std::size_t{31});
-        film.append(1, 0.5);
+        film.append(1, stepAt(0.5));
         QVERIFY(film.framesOf(1).back()->time <= 0.5);
         QVERIFY(film.underWay().front()->time > 0.5);
-        film.append(2, 1);
+        film.append(2, stepAt(1));
         QVERIFY(film.underWay().empty());
         QVERIFY(film.framesOf(7).empty());
+    }
+
+    /// Sixty frames a second are seen, thirty are kept; none between is lost at the end.
+    void theLastFrameOfAnEntryIsKept()
+    {
+        for (const int last : {30, 31}) {
+            Film film;
+            for (int i = 0; i <= last; ++i)
+                film.see(std::make_shared<Snapshot>(frameAt(i / 60.0)));
+            QCOMPARE(film.underWay().size(), std::size_t{16});
+            film.append(1, stepAt(last / 60.0));
+            QVERIFY(film.underWay().empty());
+            QCOMPARE(film.framesOf(1).back()->time, last / 60.0);
+            QCOMPARE(film.framesOf(1).size(), std::size_t{16} + (last == 31 ? 1 : 0));
+        }
+        Film film;
+        film.see(std::make_shared<Snapshot>(frameAt(0)));
+        film.see(std::make_shared<Snapshot>(frameAt(1 / 60.0)));
+        film.dropUnderWay();
+        film.append(1, stepAt(1 / 60.0)); // of another way
+        QVERIFY(film.framesOf(1).empty());
+        film.see(std::make_shared<Snapshot>(frameAt(0)));
+        film.see(std::make_shared<Snapshot>(frameAt(1 / 60.0)));
+        film.append(2, 0);
+        QCOMPARE(film.framesOf(2).size(), std::size_t{1});
     }
 
     void aBranchBeginsWithTheFramesOfTheOther()
@@ -72,10 +102,10 @@ private slots:
         Film film;
         for (int i = 0; i <= 30; ++i)
             film.add(frameAt(i / 30.0));
-        film.append(1, 1);
+        film.append(1, stepAt(1));
         const std::size_t before = film.memory();
         film.repeat(1, 500);
-        film.append(2, 0.5);
+        film.append(2, stepAt(0.5));
         QCOMPARE(film.framesOf(1).size(), std::size_t{31});
         QCOMPARE(film.framesOf(2).back(), film.framesOf(1)[15]);
         QVERIFY(film.underWay().empty() && film.memory() > before);
@@ -90,7 +120,7 @@ private slots:
             film.add(frameAt(i / 20.0));
             QVERIFY(film.memory() <= memory);
             if (i % 200 == 199)
-                film.append(static_cast<Entry>(i / 200), i / 20.0);
+                film.append(static_cast<Entry>(i / 200), stepAt(i / 20.0));
         }
         QVERIFY(!film.framesOf(14).empty());
         QVERIFY(film.framesOf(14).size() > film.framesOf(1).size());
@@ -136,6 +166,33 @@ private slots:
         QCOMPARE(placesOf(line), (std::vector<double>{0, 2, 2, 2.5}));
     }
 
+    /// It went on to 0.9 s, was in trouble, and went back to 0.5 s; then it was reset, and ran for 0.2 s.
+    void whatWasSeenBeforeTroubleBelongsToItsEntry()
+    {
+        History history(at(0));
+        Film film;
+        for (int i = 0; i <= 9; ++i)
+            film.add(frameAt(i / 10.0));
+        const Entry run = history.append(at(0.5));
+        film.append(run, stepAt(0.95));
+        QVERIFY(film.underWay().empty());
+        Timeline line = timelineOf(history, film, false);
+        QCOMPARE(line.present, 0.9);
+        QCOMPARE(line.pictures.size(), std::size_t{10});
+        const Entry reset = history.append(at(0, true));
+        film.append(reset, 0, 1);
+        QVERIFY(film.framesOf(reset).empty());
+        for (int i = 0; i <= 2; ++i)
+            film.add(frameAt(i / 10.0, 100, 1));
+        const Entry again = history.append(at(0.2));
+        film.append(again, stepAt(0.2));
+        QCOMPARE(film.framesOf(run).size(), std::size_t{10});
+        QCOMPARE(film.framesOf(again).size(), std::size_t{3});
+        line = timelineOf(history, film, false);
+        QCOMPARE(placesOf(line), (std::vector<double>{0, 0.9, 0.9, 1.1}));
+        QCOMPARE(line.pictures.back().at, 1.1);
+    }
+
     void timeGoesOnAfterAResetWithinAnEntry()
     {
         History history(at(0));
@@ -143,10 +200,10 @@ private slots:
         for (const std::uint32_t run : {0U, 1U, 2U})
             for (const double time : {0.25, 0.5})
                 film.add(frameAt(time, 1, run));
-        film.append(history.append(at(0.5, true)), 0.5, 1);
+        film.append(history.append(at(0.5, true)), stepAt(0.5), 1);
         QCOMPARE(film.framesOf(1).size(), std::size_t{4});
-        film.append(history.append(at(0, true)), 0, 1); // nothing is seen of it
-        film.append(history.append(at(0.5)), 0.5);
+        film.append(history.append(at(0, true)), stepAt(0), 1); // nothing is seen of it
+        film.append(history.append(at(0.5)), stepAt(0.5));
         QCOMPARE(film.framesOf(3).size(), std::size_t{2});
         QVERIFY(film.underWay().empty());
         film.add(frameAt(0.75, 1, 2));
@@ -164,11 +221,11 @@ private slots:
         film.dropUnderWay(); // a branch from the second run of the first one
         film.repeat(1, 250, 1);
         history.goTo(0);
-        film.append(history.append(at(0.25, true)), 0.25, 1);
+        film.append(history.append(at(0.25, true)), stepAt(0.25), 1);
         QCOMPARE(film.framesOf(4).size(), std::size_t{3});
         QCOMPARE(film.framesOf(4)[2], film.framesOf(1)[2]);
         film.repeat(1, 250, 0); // and one from the first run
-        film.append(history.append(at(0.25)), 0.25);
+        film.append(history.append(at(0.25)), stepAt(0.25));
         QCOMPARE(film.framesOf(5).size(), std::size_t{1});
     }
 
@@ -221,7 +278,7 @@ private slots:
         Film film;
         film.add(frameAt(0.5));
         film.add(frameAt(1));
-        film.append(history.append(at(1)), 1);
+        film.append(history.append(at(1)), stepAt(1));
         film.add(frameAt(1.25));
         const Timeline line = timelineOf(history, film, true);
         QCOMPARE(line.pictures.size(), std::size_t{3});
@@ -250,7 +307,7 @@ private slots:
         film.add(shot(0, 0));
         film.add(shot(0.1, 1));
         film.add(shot(0.9, 2));
-        film.append(history.append(at(1)), 1);
+        film.append(history.append(at(1)), stepAt(1));
         const Timeline line = timelineOf(history, film, false);
         const FilmFramePointer frame = line.frameAt(0.025);
         QCOMPARE(frame->objects[0][3], 0.25F);

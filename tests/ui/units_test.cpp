@@ -57,6 +57,17 @@ private slots:
         QCOMPARE(formatQuantity(0.0254, Quantity::Length), QString("25.4 mm"));
     }
 
+    void readingsOfTinyLengthsAreInMicrometres()
+    {
+        QCOMPARE(formatReading(3.1416e-5, Quantity::Length), QString("0.0314 mm"));
+        QCOMPARE(formatReading(-2.944e-6, Quantity::Length), QString("-2.94 µm"));
+        QCOMPARE(formatReading(8.763e-8, Quantity::Length), QString("0.0876 µm"));
+        QCOMPARE(formatReading(0, Quantity::Length), QString("0 mm"));
+        setLengthUnit("in");
+        QCOMPARE(formatReading(2.54e-6, Quantity::Length), QString("0.0001 in"));
+        setLengthUnit("mm");
+    }
+
     void theUnitsThatMayBeTypedAreNamedOnce()
     {
         QCOMPARE(unitsFor(Quantity::Length), (QStringList{"mm", "m", "cm", "µm", "in"}));
