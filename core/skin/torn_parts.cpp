@@ -70,6 +70,16 @@ std::string crackRemark(const PartToExport& part)
     return "\"" + part.part.name + "\"" + text;
 }
 
+/// Of pieces that are too small for a shape of their own, so that nobody looks for them in vain.
+void remarkOnDust(const Fragment& fragment, std::vector<std::string>& remarks)
+{
+    if (!fragment.dust.empty())
+        remarks.push_back(
+            "crumbs that came off it are too small for a shape of their own and are written as part of it; "
+            "objects in them: " +
+            std::to_string(fragment.dust.size()) + ".");
+}
+
 /// The pieces of one part; none when it hangs together, of which the part then says what is cracked.
 std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangles, TaskControl& control)
 {
@@ -79,6 +89,7 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
     std::vector<Fragment> fragments = fragmentsOf(*whole.aggregate, skin, *whole.broken, {}, control);
     if (fragments.size() < 2) {
         whole.remarks.push_back(crackRemark(whole));
+        remarkOnDust(fragments.front(), whole.remarks);
         return {};
     }
     std::vector<CarriedFragment> now =
@@ -94,6 +105,7 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
             piece.remarks.emplace_back(
                 "too few of its objects hang together to say how it is deformed: it is written in "
                 "its shape at rest, moved as they have.");
+        remarkOnDust(fragments[i], piece.remarks);
         piece.reason = "the part is torn; this is one of " + std::to_string(fragments.size()) + " pieces.";
         pieces.push_back(std::move(piece));
     }

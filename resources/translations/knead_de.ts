@@ -1625,6 +1625,10 @@
         <translation>zu wenige seiner Objekte hängen zusammen, um zu sagen, wie es verformt ist: es wird in seiner Ruheform geschrieben, bewegt wie sie.</translation>
     </message>
     <message>
+        <source>crumbs that came off it are too small for a shape of their own and are written as part of it; objects in them: %1.</source>
+        <translation>Krümel, die davon abgebrochen sind, sind zu klein für eine eigene Form und werden als Teil davon geschrieben; Objekte darin: %1.</translation>
+    </message>
+    <message>
         <source>the part is torn; this is one of %1 pieces.</source>
         <translation>das Teil ist zerrissen; dies ist eines von %1 Stücken.</translation>
     </message>

@@ -1625,6 +1625,10 @@
         <translation>trop peu de ses objets tiennent ensemble pour dire comment elle est déformée : elle est écrite dans sa forme au repos, déplacée comme eux.</translation>
     </message>
     <message>
+        <source>crumbs that came off it are too small for a shape of their own and are written as part of it; objects in them: %1.</source>
+        <translation>des miettes qui s&apos;en sont détachées sont trop petites pour une forme propre et sont écrites comme en faisant partie ; objets qu&apos;elles contiennent : %1.</translation>
+    </message>
+    <message>
         <source>the part is torn; this is one of %1 pieces.</source>
         <translation>la pièce est déchirée ; ceci est l&apos;un de ses %1 morceaux.</translation>
     </message>

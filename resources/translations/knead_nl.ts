@@ -1625,6 +1625,10 @@
         <translation>te weinig objecten hangen samen om te zeggen hoe het vervormd is: het wordt in zijn rustvorm geschreven, verplaatst zoals zij.</translation>
     </message>
     <message>
+        <source>crumbs that came off it are too small for a shape of their own and are written as part of it; objects in them: %1.</source>
+        <translation>kruimels die ervan zijn afgebroken zijn te klein voor een eigen vorm en worden als deel ervan geschreven; objecten erin: %1.</translation>
+    </message>
+    <message>
         <source>the part is torn; this is one of %1 pieces.</source>
         <translation>het onderdeel is gescheurd; dit is een van %1 stukken.</translation>
     </message>

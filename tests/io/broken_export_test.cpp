@@ -48,6 +48,7 @@ class BrokenExportTest : public QObject {
 
 private slots:
     void tornPartsComeAsClosedPieces();
+    void crumbsAreWrittenWithWhatTheyCameOff();
     void crackedPartsInOnePieceSaySo();
     void crackedPartsThatAreFoldedSayWhyTheyAreFlat();
 };
@@ -83,6 +84,36 @@ void BrokenExportTest::tornPartsComeAsClosedPieces()
             volume += part.volume;
         }
         QVERIFY2(std::abs(volume / model.parts.front().volume - 1) < 0.01, qPrintable(QString::number(volume)));
+    }
+}
+
+void BrokenExportTest::crumbsAreWrittenWithWhatTheyCameOff()
+{
+    const Model model = example("bar.step");
+    const Box box = boxOf(model);
+    const maps::Identity still;
+    for (const bool isSevered : {false, true}) {
+        ExportJob job = jobOf(model, &still);
+        PartToExport& whole = job.parts.front();
+        const Lattice& lattice = whole.aggregate->lattice;
+        const Vec3 inRight = box.center() + Vec3(box.sizes().x() / 4, 0, 0);
+        ObjectIndex crumb = 0;
+        for (ObjectIndex i = 0; i < lattice.size(); ++i)
+            if ((lattice.position(i) - inRight).norm() < (lattice.position(crumb) - inRight).norm())
+                crumb = i;
+        const Vec3 off = lattice.position(crumb);
+        whole.broken = brokenAcross(*whole.aggregate, [&](const Vec3& at) {
+            return (at - off).norm() < 1e-9 ? 2.0 : isSevered && at.x() < box.center().x() + 0.0004 ? 1.0 : 0.0;
+        });
+        job = withPieces(std::move(job), 6000, TaskControl::none());
+        QCOMPARE(job.parts.size(), std::size_t{isSevered ? 2U : 1U});
+        const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
+        QVERIFY(file.report.isSound());
+        std::size_t said = 0;
+        for (const PartExportReport& part : file.report.parts)
+            for (const std::string& remark : part.remarks)
+                said += remark.starts_with("crumbs that came off") && remark.ends_with("objects in them: 1.") ? 1 : 0;
+        QCOMPARE(said, std::size_t{1});
     }
 }
 

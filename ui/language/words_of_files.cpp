@@ -153,6 +153,8 @@ constexpr const char* const sentences[] = {
                                    "spans the crack, stretched to %3 times its length there near %4."),
     QT_TRANSLATE_NOOP("FileWords", "too few of its objects hang together to say how it is deformed: it is written in "
                                    "its shape at rest, moved as they have."),
+    QT_TRANSLATE_NOOP("FileWords", "crumbs that came off it are too small for a shape of their own and are written as "
+                                   "part of it; objects in them: %1."),
     QT_TRANSLATE_NOOP("FileWords", "the part is torn; this is one of %1 pieces."),
     QT_TRANSLATE_NOOP("FileWords", "read back from the file, its bent faces do not pass the geometry checks."),
     QT_TRANSLATE_NOOP("FileWords", "read back from the file, its bent faces leave gaps."),
