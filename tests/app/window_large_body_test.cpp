@@ -1,4 +1,6 @@
 // A body of 27,000 objects in the hands of a person: whatever is done to it, the window answers at once.
+#include "core/aggregate/pieces.h"
+#include "core/skin/fragments.h"
 #include "support/history_on_test.h"
 #include "support/story_on_test.h"
 #include "ui/panels/display_panel.h"
@@ -8,6 +10,8 @@
 
 #include <QDialogButtonBox>
 #include <QPushButton>
+
+#include <algorithm>
 
 using namespace knead;
 
@@ -259,8 +263,23 @@ private:
         exportByHand(name);
         stage(what);
         const QString said = info(name);
-        const QString parts = QString("%1 parts (%1 closed)").arg(snapshot().components);
+        const QString parts = QString("%1 parts (%1 closed)").arg(piecesToWrite());
         QVERIFY2(said.contains(parts), qPrintable(said));
+    }
+
+    /// Those that are large enough to have a shape of their own, see FragmentOptions.
+    std::size_t piecesToWrite()
+    {
+        std::size_t count = 0;
+        for (const Snapshot::BodyState& body : snapshot().bodies) {
+            const Pieces pieces = findPieces(*body.aggregate, body.broken ? *body.broken : std::vector<ConnectionId>());
+            std::vector<std::size_t> sizes(pieces.count);
+            for (const std::uint32_t piece : pieces.ofObject)
+                ++sizes[piece];
+            count += static_cast<std::size_t>(
+                std::ranges::count_if(sizes, [](std::size_t size) { return size >= FragmentOptions{}.leastObjects; }));
+        }
+        return count;
     }
 
     /// Connections break while they and the marks of broken ones are looked at. That is undone and redone as well.
