@@ -367,7 +367,7 @@ private slots:
         QTRY_VERIFY(find<QWidget>("keyCards")->isVisible());
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
-        QTest::qWait(500);
+        rest(500);
         // One step for a press while time stands still.
         const std::array<Vec3, 3> start = places();
         QTest::keyClick(&view(), Qt::Key_Right);
@@ -419,7 +419,7 @@ private slots:
         key(Qt::Key_F4);
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
-        QTest::qWait(500);
+        rest(500);
         document().select({Selection::Kind::Tool, snapshot().tools[1].id});
         const std::array<Vec3, 3> start = places();
         key(Qt::Key_Space);
@@ -454,7 +454,7 @@ private slots:
         fixOneEnd();
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
-        QTest::qWait(500);
+        rest(500);
         settle();
         const std::uint64_t before = digest();
         const std::size_t entries = tree().records().size();
@@ -531,7 +531,7 @@ private slots:
         document().select({Selection::Kind::Tool, snapshot().tools[0].id});
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
-        QTest::qWait(500);
+        rest(500);
         m_window->exportForces(m_folder.filePath("early.csv"));
         QVERIFY(m_window->banner().sentence().contains("press Play"));
         m_window->banner().hide();
@@ -631,7 +631,7 @@ private:
         openBar();
         addBlock();
         key(Qt::Key_F);
-        QTest::qWait(500);
+        rest(500);
         settle();
     }
 

@@ -146,7 +146,7 @@ private slots:
     {
         addBlock();
         key(Qt::Key_F);
-        QTest::qWait(500);
+        rest(500);
         const std::uint64_t before = digest();
         const std::size_t entries = tree().records().size();
         ViewportWidget& view = m_window->viewport();
@@ -290,7 +290,7 @@ private slots:
         std::vector<std::uint64_t> digests{digest()};
         for (int i = 0; i < 6; ++i) {
             key(Qt::Key_Period);
-            QTest::qWait(1100); // or they would be one
+            rest(1100); // or they would be one
             digests.push_back(digest());
         }
         for (int i = 0; i < 6; ++i)

@@ -191,7 +191,7 @@ private slots:
         QVERIFY(report().contains("open edges"));
         QVERIFY(!action("play")->isEnabled() && !action("export")->isEnabled() && action("fit")->isEnabled());
         QVERIFY(!document().content().model->parts[0].openEdges.empty());
-        QTest::qWait(300);
+        rest(300);
         picture("open-surface");
         const QImage seen = m_window->viewport().grabFramebuffer();
         QVERIFY(seen.pixelColor(5, 5).lightness() > 200); // the light ground above the part
@@ -255,7 +255,7 @@ private slots:
         auto& watched = *static_cast<WatchedApplication*>(qApp);
         watched.clear();
         openAndWait({example("handle.step"), example("bracket.step")});
-        QTest::qWait(500);
+        rest(500);
         QCOMPARE(document().content().model->tree.children.size(), std::size_t{2});
         qInfo("Busy for %.1f ms at most (%s), and drawing for %.1f ms.", 1000 * watched.longest().time,
               qPrintable(watched.longest().what), 1000 * watched.longestDrawing());

@@ -159,7 +159,7 @@ private slots:
         document().select({});
         QTest::keyClick(m_window.get(), Qt::Key_F);
         QTest::mouseMove(&view(), QPoint(5, view().height() - 5));
-        QTest::qWait(500);
+        rest(500);
         const QImage seen = view().grabFramebuffer();
         keep(seen, "ball");
         const double scale = seen.devicePixelRatio();
@@ -201,7 +201,7 @@ private slots:
         openExample("bracket.step", 10);
         press(Qt::Key_F4, Qt::ShiftModifier);
         QTRY_VERIFY(views().sideView(ViewSlot::front) != nullptr);
-        QTest::qWait(300);
+        rest(300);
         SideView& front = *views().sideView(ViewSlot::front);
         QTest::keyClick(m_window.get(), Qt::Key_M);
         QVERIFY(action("measureDistance")->isChecked());

@@ -393,7 +393,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         m_window->open(QStringList(folder.filePath("bar.stl")));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
-        QTest::qWait(400);
+        rest(400);
         action("measureRadiusOfFace")->trigger();
         const ContentBody& body = *document().content().bodies[0];
         Box box;

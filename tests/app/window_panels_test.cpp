@@ -60,7 +60,7 @@ private slots:
         }
         m_window->viewport().setFocus();
         QTest::keyClick(m_window.get(), Qt::Key_F);
-        QTest::qWait(600);
+        rest(600);
         picture("tools");
     }
 
@@ -263,7 +263,7 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_B);
         QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
         QTest::keyClick(m_window.get(), Qt::Key_F);
-        QTest::qWait(500);
+        rest(500);
         const Vec3 start = snapshot().tools[0].pose.position;
         ViewportWidget& view = m_window->viewport();
         const QPoint from = view.widgetPosition(start)->toPoint();

@@ -83,7 +83,7 @@ private slots:
         QCOMPARE(snapshot().tools.size(), std::size_t{1});
         QVERIFY(!m_window->isWindowModified());
         QVERIFY(statesOfSteps(20) == later); // goes on to the same bits
-        QTest::qWait(300);
+        rest(300);
         picture("opened project");
     }
 

@@ -97,7 +97,7 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_1, Qt::KeypadModifier);
         action("driveByKeys")->setChecked(true);
         QTest::keyClick(m_window.get(), Qt::Key_F);
-        QTest::qWait(500);
+        rest(500);
         auto* cards = find<QWidget>("keyCards");
         QTRY_VERIFY(cards->isVisible());
         picture(qPrintable("key-cards-" + file.chopped(5)));
@@ -117,7 +117,7 @@ private slots:
         auto* legend = find<QWidget>("colorLegend");
         QTRY_VERIFY(legend->isVisible());
         QTest::keyClick(m_window.get(), Qt::Key_F);
-        QTest::qWait(500);
+        rest(500);
         picture("legend-front");
         QTRY_VERIFY(!seenPart().intersects(legend->geometry()));
     }

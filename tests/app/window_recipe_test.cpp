@@ -43,7 +43,7 @@ private slots:
         QCOMPARE(document().history().tree().records()[0].name, std::string("Open press.recipe.json"));
         QVERIFY(recent_files::list().contains(m_recipe));
         QVERIFY(!m_window->projects().isModified());
-        QTest::qWait(400);
+        rest(400);
         picture("recipe-opened");
     }
 
@@ -175,7 +175,7 @@ private slots:
         open(m_recipe);
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
-        QTest::qWait(500);
+        rest(500);
         key(Qt::Key_B);
         QTRY_COMPARE(snapshot().tools.size(), std::size_t{2});
         click(snapshot().tools[1].pose.position);
@@ -240,7 +240,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning() && isOpen(), patience);
         QCOMPARE(snapshot().tools.size(), std::size_t{2});
         QCOMPARE(snapshot().tools[0].name, std::string("anvil"));
-        QTest::qWait(400);
+        rest(400);
         picture("recipe-bend-bar");
     }
 

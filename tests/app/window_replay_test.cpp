@@ -133,7 +133,7 @@ private:
         QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
-        QTest::qWait(500);
+        rest(500);
         key(Qt::Key_Space);
         waitFor(0.05);
         drag(QPoint(0, 60));

@@ -186,11 +186,11 @@ private slots:
         QVERIFY(!m_window->tasks().isRunning());
         switchGravity();
         pressSave();
-        QTest::qWait(300);
+        rest(300);
         QVERIFY(m_window->isWindowModified());
         m_isDiskSlow = false;
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->isWindowModified(), patience);
-        QTest::qWait(300);
+        rest(300);
         QCOMPARE(entriesIn(file("a.knead")), entries());
     }
 

@@ -45,7 +45,7 @@ class WindowSelectionTest : public QObject, WindowOnTest {
         if (view().camera().perspective)
             key(Qt::Key_5);
         key(Qt::Key_F);
-        QTest::qWait(600);
+        rest(600);
     }
 
     QRect screenBox(const Box& box)
@@ -314,7 +314,7 @@ private slots:
         QCOMPARE(selected().region().count(), std::size_t{5}); // all but the top
         QVERIFY(!selected().region().contains(0, top.items.at(0).front()));
         view().lookFrom(Vec3(0, 0, -1));
-        QTest::qWait(400);
+        rest(400);
         click(Vec3(box.center().x(), box.center().y(), box.min().z())); // what is left has its face
         QCOMPARE(selected().region().count(), std::size_t{1});
         QVERIFY(selected().region() != top);

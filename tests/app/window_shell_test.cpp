@@ -330,7 +330,7 @@ private slots:
         for (const char* name : {"filmBack", "filmRate-0"})
             QCOMPARE(action(name)->property("whyDisabled").toString(),
                      QString("Simulieren Sie zuerst etwas, und sehen Sie darauf zurück."));
-        QTest::qWait(500);
+        rest(500);
         picture("german");
         dialog()->close();
         const auto untranslated =
@@ -342,7 +342,7 @@ private slots:
             Preferences other = readPreferences();
             other.language = code;
             m_window->setPreferences(other);
-            QTest::qWait(500);
+            rest(500);
             picture(code);
         }
         QCOMPARE(m_window->menuBar()->actions().front()->text(), QString("&File"));

@@ -90,7 +90,7 @@ private slots:
         const Camera there = turned();
         jump(there, false);
         QVERIFY(!view().isSketch());
-        QTest::qWait(300);
+        rest(300);
         const QImage full = seen();
         Camera elsewhere = there;
         elsewhere.orbit(-30, 10);
@@ -139,7 +139,7 @@ private slots:
         switchGravity();
         document().play();
         QTRY_VERIFY_WITH_TIMEOUT(view().isSketch() && snapshot().time > 0, patience);
-        QTest::qWait(400);
+        rest(400);
         QTRY_VERIFY_WITH_TIMEOUT(view().isSketch(), patience);
         document().pause();
         QTRY_VERIFY_WITH_TIMEOUT(!view().isSketch(), patience);
@@ -152,7 +152,7 @@ private slots:
         QTRY_VERIFY((side = m_window->findChild<SideView*>()) != nullptr && side->isVisible());
         side->setLongestFull(0);
         QTRY_VERIFY_WITH_TIMEOUT(!side->isSketch() && side->drawings() > 0, patience);
-        QTest::qWait(300);
+        rest(300);
         Camera camera = side->camera();
         camera.orbit(20, 20);
         side->setCamera(camera);

@@ -114,7 +114,7 @@ private slots:
         };
         const auto connections = static_cast<int>(Stage::connections);
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().ratio > 0 && milliseconds(connections) > 0, patience);
-        QTest::qWait(500);
+        rest(500);
         picture("performance");
         // What the panel says are the stages of the snapshot, on the way to a frame.
         double all = 0;

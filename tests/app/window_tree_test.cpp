@@ -291,7 +291,7 @@ private slots:
         key(Qt::Key_B);
         QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
         key(Qt::Key_F);
-        QTest::qWait(500);
+        rest(500);
         document().setLocked({Selection::Kind::Tool, 0}, true);
         ViewportWidget& view = m_window->viewport();
         const Vec3 start = snapshot().tools[0].pose.position;
@@ -442,7 +442,7 @@ private slots:
         key(Qt::Key_B);
         QTRY_VERIFY(line("Block 1") != nullptr);
         m_window->resize(1280, 1000);
-        QTest::qWait(300);
+        rest(300);
         picture("tree-dark");
         m_window->setTheme(Theme::Light);
         QTest::qWait(100);

@@ -86,7 +86,7 @@ private slots:
     {
         openExample("bracket.step");
         press(Qt::Key_F4, Qt::ShiftModifier);
-        QTest::qWait(300);
+        rest(300);
         std::array<Camera, 4> before = cameras();
         wheel(placeOf(ViewSlot::front).center(), 240);
         QVERIFY(views().camera(ViewSlot::front).distance < 0.8 * before[1].distance);
@@ -120,11 +120,11 @@ private slots:
         for (const ViewSlot slot : {ViewSlot::free, ViewSlot::top, ViewSlot::right})
             QCOMPARE(views().camera(slot).yaw, before[index(slot)].yaw);
         press(Qt::Key_F); // smoothly
-        QTest::qWait(400);
+        rest(400);
         verifyLinked();
         press(Qt::Key_7); // and the wheel elsewhere does not stop it halfway
         wheel(placeOf(ViewSlot::top).center(), 120);
-        QTest::qWait(400);
+        rest(400);
         QCOMPARE(views().name(ViewSlot::front).name(), QString("Top"));
         verifyLinked();
         press(Qt::Key_F5, Qt::ShiftModifier);
@@ -201,7 +201,7 @@ private slots:
         bothThemes("section");
         press(Qt::Key_F4, Qt::ShiftModifier);
         press(Qt::Key_V, Qt::ShiftModifier); // before and after
-        QTest::qWait(300);
+        rest(300);
         for (const ViewSlot slot : {ViewSlot::front, ViewSlot::top, ViewSlot::right})
             QVERIFY(views().sideView(slot)->findChild<QWidget*>("dividerHandle")->isVisible());
         auto* line = views().sideView(ViewSlot::top)->findChild<QWidget*>("dividerHandle");
@@ -247,7 +247,7 @@ private slots:
         press(Qt::Key_F2, Qt::ShiftModifier);
         press(Qt::Key_1, Qt::KeypadModifier); // as wide as the view
         press(Qt::Key_F);
-        QTest::qWait(500);
+        rest(500);
         const double before = view().camera().viewHeight();
         m_window->resize(1000, 800);
         QTRY_COMPARE(m_window->width(), 1000);
@@ -255,7 +255,7 @@ private slots:
         const double after = view().camera().viewHeight();
         QVERIFY(after > 1.1 * before);
         press(Qt::Key_F);
-        QTest::qWait(500);
+        rest(500);
         QVERIFY(std::abs(view().camera().viewHeight() / after - 1) < 1e-3);
     }
 
@@ -270,7 +270,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.4, patience);
         press(Qt::Key_Space);
         QTRY_VERIFY(!snapshot().playing && document().isSettled());
-        QTest::qWait(300);
+        rest(300);
         SideView& front = *views().sideView(ViewSlot::front);
         const QImage present = front.grabFramebuffer();
         auto* axis = find<TimelineAxis>("timelineAxis");

@@ -145,7 +145,7 @@ private slots:
         QCOMPARE(views().activeSlot(), ViewSlot::right);
         QVERIFY(view().isOnCube(onCube));
         QCOMPARE(document().selected().region(), selected);
-        QTest::qWait(400); // the side in the middle of its cube is the one that is looked at already
+        rest(400); // the side in the middle of its cube is the one that is looked at already
         QCOMPARE(views().name(ViewSlot::right).name(), QString("Right"));
     }
 

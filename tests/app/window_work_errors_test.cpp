@@ -279,7 +279,7 @@ private slots:
         writeCube("cube.stl", 1);
         m_window->open(QStringList(m_folder->filePath("cube.stl")));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning() && !document().isEmpty(), patience);
-        QTest::qWait(500);
+        rest(500);
         settle();
         remember();
         ViewportWidget& view = m_window->viewport();

@@ -39,7 +39,7 @@ protected:
     /// A gesture may be gone on with for a second, and is an entry of the history only then.
     void waitForGesture()
     {
-        QTest::qWait(1200);
+        rest(1200);
         wait();
     }
 

@@ -10,7 +10,6 @@
 #include <QComboBox>
 #include <QProcess>
 #include <QScrollArea>
-#include <QVariantAnimation>
 
 #include <cmath>
 #include <limits>
@@ -29,13 +28,7 @@ protected:
     /// Until the view has turned to where it was told to, and shows it.
     void waitForView()
     {
-        const auto isTurning = [&] {
-            const auto turns = view().findChildren<QVariantAnimation*>();
-            return std::ranges::any_of(
-                turns, [](const QVariantAnimation* turn) { return turn->state() == QAbstractAnimation::Running; });
-        };
-        QTest::qWait(100); // it may not have begun
-        QTRY_VERIFY_WITH_TIMEOUT(!isTurning(), patience);
+        rest(100); // it may not have begun
         QTest::qWait(50);
     }
 

@@ -14,8 +14,10 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <QVariantAnimation>
 #include <QtTest>
 
+#include <algorithm>
 #include <memory>
 
 namespace knead {
@@ -49,6 +51,20 @@ protected:
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
     }
 
+    /// Waits, and then until no view turns any more, which takes as long as the machine needs for its pictures.
+    void rest(int milliseconds)
+    {
+        QTest::qWait(milliseconds);
+        const auto turns = [&] {
+            const auto animations =
+                m_window ? m_window->findChildren<QVariantAnimation*>() : QList<QVariantAnimation*>();
+            return std::ranges::any_of(animations, [](const QVariantAnimation* animation) {
+                return animation->state() == QAbstractAnimation::Running;
+            });
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(!turns(), patience);
+    }
+
     /// Opens an example, filled coarsely so that it runs briskly on any machine.
     void openExample(const char* name, double cells = 16)
     {
@@ -57,7 +73,7 @@ protected:
         QVERIFY2(!document().isEmpty(), qPrintable(m_window->banner().sentence()));
         m_window->refill(document().size() / cells);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
-        QTest::qWait(300); // the view turns to fit
+        rest(300); // the view turns to fit
     }
 
     /// Left-clicks the view where a place is seen.
