@@ -6,6 +6,7 @@
 #include "ui/run_window.h"
 
 #include <QComboBox>
+#include <QDockWidget>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QToolButton>
@@ -160,6 +161,28 @@ private slots:
         panel().stopLooking(); // before it was drawn
         QTest::qWait(200);
         QVERIFY(seen.empty() && !find<QLabel>("pastCaption")->isVisible());
+    }
+
+    /// By menu and keys.
+    void theFilmIsThereWithoutItsPanel()
+    {
+        find<QDockWidget>("timelineDock")->toggleViewAction()->trigger();
+        QVERIFY(!panel().isVisible());
+        addBlock();
+        auto* toEnd = action("filmEnd");
+        QVERIFY(!toEnd->isEnabled() && !find<QComboBox>("filmRate")->isEnabled());
+        for (const double time : {0.3, 0.3}) { // of the second run the film is longer
+            simulate(time);
+            settle();
+            QTRY_VERIFY(toEnd->isEnabled() && find<QComboBox>("filmRate")->isEnabled());
+            QTRY_COMPARE(axis().timeline().end, snapshot().time);
+            const QString end = timeText(snapshot().time);
+            toEnd->trigger();
+            QVERIFY(panel().isLookingBack());
+            QTRY_COMPARE(find<QLabel>("filmState")->text(), end + " / " + end);
+            QTest::keyClick(m_window.get(), Qt::Key_Escape);
+            QVERIFY(!panel().isLookingBack());
+        }
     }
 
     void anotherPartTakesTheTimelineAway()

@@ -131,7 +131,8 @@ void TimelinePanel::documentChanged(Document::Change what)
         m_axis->show({});
         showState();
     }
-    if (isVisible() && what != Document::Change::Selection && what != Document::Change::Fixtures && !m_soon->isActive())
+    // Hidden too: its actions are in a menu and on keys as well.
+    if (what != Document::Change::Selection && what != Document::Change::Fixtures && !m_soon->isActive())
         m_soon->start();
 }
 
