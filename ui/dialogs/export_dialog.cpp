@@ -117,8 +117,8 @@ ExportDialog::ExportDialog(const std::vector<Services::Format>& formats, const Q
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::formatChanged);
     m_format->setCurrentIndex(std::max(0, m_format->findText(QSettings().value("export/format").toString())));
     connect(this, &QDialog::accepted, this, [this] { QSettings().setValue("export/format", m_format->currentText()); });
+    resize(exportDialogWidth, 1);
     formatChanged();
-    resize(exportDialogWidth, layout()->totalHeightForWidth(exportDialogWidth));
 }
 
 const Services::Format& ExportDialog::format() const
@@ -133,6 +133,8 @@ void ExportDialog::formatChanged()
     m_unit->setEnabled(format().name != "glTF"); // which is in metres
     m_ap214->setVisible(format().name == "STEP");
     m_text->setVisible(hasText(format()));
+    layout()->activate();
+    resize(exportDialogWidth, std::max(height(), layout()->totalHeightForWidth(exportDialogWidth)));
 }
 
 ExportRequest ExportDialog::request() const
