@@ -144,7 +144,7 @@ const std::vector<std::array<std::uint32_t, 2>>&
 RegionActor::outlineOf(BodyId id, const std::shared_ptr<const ContentBody>& body, const Region::Items& faces)
 {
     Outline& outline = m_outlines[id];
-    if (outline.body == body && outline.faces == faces)
+    if (outline.body.lock() == body && outline.faces == faces)
         return outline.lines;
     outline = {body, faces, {}};
     const RenderMesh& mesh = body->render;

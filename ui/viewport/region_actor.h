@@ -39,7 +39,7 @@ private:
 
     /// Found once, as long as body and faces stay the same.
     struct Outline {
-        std::shared_ptr<const ContentBody> body;
+        std::weak_ptr<const ContentBody> body; ///< does not keep a part that is gone
         Region::Items faces;
         std::vector<std::array<std::uint32_t, 2>> lines; ///< of vertices of the mesh
     };

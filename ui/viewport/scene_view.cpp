@@ -124,12 +124,9 @@ void SceneView::setStyle(const SceneStyle& style)
     m_parts->cube->setStyle(style);
     m_parts->openEdges->setColor(style.openEdge);
     m_parts->sight->setStyle(style);
-    for (Parts::Regions* regions : {m_parts->within.get(), m_parts->inFront.get()}) {
-        regions->selected.setColor(style.selectedEdge);
-        regions->hovered.setColor(style.highlight);
-    }
     layGrid();
     colorBodies();
+    colorRegions();
     colorSurfaces();
     if (m_frame)
         showTools();
@@ -167,6 +164,7 @@ void SceneView::setLooks(const PartLooks& looks)
     m_parts->sight->setLooks(looks);
     m_parts->objects.clear();
     colorBodies();
+    colorRegions();
     colorSurfaces();
     showObjects();
 }

@@ -120,6 +120,7 @@ private:
     bool isGlass() const;
     void tintValues(BodyId body);
     void showRegions();
+    void colorRegions();
     void showSelectedRegion();
     void showHoveredRegion();
     void showRegion(const Region& region, RegionActor& within, RegionActor& inFront, double scale);

@@ -69,6 +69,7 @@ void SceneView::setSight(const SightPointer& sight)
         });
     m_parts->sight->setSight(sight);
     colorBodies();
+    colorRegions();
 }
 
 std::optional<ColorScale> SceneView::scale() const
@@ -91,16 +92,25 @@ void SceneView::showRegions()
     showHoveredRegion();
 }
 
+/// In front of all nothing has to stand out from a face.
+void SceneView::colorRegions()
+{
+    m_parts->within->selected.setColor(markOn(m_marks.selected, m_style.selectedEdge, m_style.selectedOther));
+    m_parts->within->hovered.setColor(markOn(m_marks.hovered, m_style.highlight, m_style.highlightOther));
+    m_parts->inFront->selected.setColor(m_style.selectedEdge);
+    m_parts->inFront->hovered.setColor(m_style.highlight);
+}
+
 /// May be many thousands of objects: not for every move of the mouse.
 void SceneView::showSelectedRegion()
 {
-    m_parts->within->selected.setColor(markOn(m_marks.selected, m_style.selectedEdge, m_style.selectedOther));
+    colorRegions();
     showRegion(m_marks.selected, m_parts->within->selected, m_parts->inFront->selected, selectedScale);
 }
 
 void SceneView::showHoveredRegion()
 {
-    m_parts->within->hovered.setColor(markOn(m_marks.hovered, m_style.highlight, m_style.highlightOther));
+    colorRegions();
     showRegion(m_marks.hovered, m_parts->within->hovered, m_parts->inFront->hovered, hoveredScale);
 }
 
