@@ -11,6 +11,7 @@
 #include "ui/viewport/side_view.h"
 
 #include <QHeaderView>
+#include <QSettings>
 #include <QTextLayout>
 
 #include <algorithm>
@@ -81,6 +82,25 @@ private slots:
         keep(dialog.grab().toImage(), "export-dialog");
     }
 
+    void theExportDialogGrowsWithTheWordsOfAnotherFormat()
+    {
+        QSettings().setValue("export/format", "OBJ (.obj)");
+        ExportDialog dialog(m_services.exportFormats, {}, false, m_window.get());
+        QSettings().remove("export/format");
+        auto* format = dialog.findChild<QComboBox*>("exportFormat");
+        QCOMPARE(format->currentText(), QString("OBJ (.obj)"));
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        const auto* about = dialog.findChild<QLabel*>("exportAbout");
+        const int fewWords = about->height();
+        QTest::keyClicks(format, "STEP");
+        QCOMPARE(format->currentText(), QString("STEP (.step)"));
+        QTRY_VERIFY(about->height() > fewWords);
+        QCOMPARE(about->height(), about->heightForWidth(about->width()));
+        QVERIFY(dialog.findChild<QWidget*>("exportAp214")->height() >=
+                dialog.findChild<QWidget*>("exportAp214")->sizeHint().height());
+    }
+
     void theComparisonIsAsHighAsItsTable()
     {
         Comparison comparison;
@@ -147,6 +167,33 @@ private slots:
             keep(view().grabFramebuffer(), theme == Theme::Light ? "selected-part-light" : "selected-part-dark");
             QVERIFY2(marked() > before + 200, "a blue part has yellow edges");
         }
+    }
+
+    /// Of what it marks, the line around it, and not only its fill.
+    void aSelectedFaceStandsOutWhenItsPartIsColored()
+    {
+        openExample("bracket.step", 10);
+        const Color other = lightScene().selectedOther;
+        const auto marked = [&] {
+            QTest::mouseMove(&view(), QPoint(5, view().height() - 5));
+            QTest::qWait(150);
+            return countOf(view().grabFramebuffer(), other);
+        };
+        document().selected().setLevel(Level::Face);
+        const int before = marked();
+        const auto& faces = document().content().bodies[0]->mesh.faceOfTriangle;
+        Region::Items every(faces.begin(), faces.end());
+        std::ranges::sort(every);
+        every.erase(std::ranges::unique(every).begin(), every.end());
+        Region::Items half;
+        for (std::size_t i = 0; i < every.size(); i += 2) // around all of them there is no line
+            half.push_back(every[i]);
+        document().selected().select(regionOf(Level::Face, 0, half));
+        QVERIFY2(marked() > before + 200, "on a blue part it is yellow");
+        for (std::size_t part = 0; part < document().content().model->parts.size(); ++part)
+            document().colorPart(part, Color{0.7, 0.7, 0.7});
+        const int gray = marked();
+        QVERIFY2(gray <= before, qPrintable(QString::number(gray)));
     }
 
     /// Of a ball in front of the background: beside its rim lie pixels that are partly of both.
