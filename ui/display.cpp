@@ -142,8 +142,7 @@ void Display::makeMaps()
     m_automatic =
         make("automaticRange", tr("Range as needed"), nullptr, {}, tr("The colors reach as far as the numbers do"));
     connect(m_automatic, &QAction::toggled, this, &Display::switchAutomatic);
-    for (QAction* action : m_maps->actions() + QList{m_automatic})
-        action->setProperty("whyDisabled", tr("Color the skin by a quantity first."));
+    m_automatic->setProperty("whyDisabled", tr("Color the skin by a quantity first."));
 }
 
 void Display::makeCuts()
@@ -338,6 +337,11 @@ void Display::follow()
     m_isFollowing = false;
     m_automatic->setEnabled(options.colors.quantity.has_value());
     m_maps->setEnabled(options.colors.quantity && !hasSign(*options.colors.quantity));
+    const QString whyNoMap = options.colors.quantity
+                                 ? tr("This quantity has colors of its own, since it has two signs.")
+                                 : tr("Color the skin by a quantity first.");
+    for (QAction* action : m_maps->actions())
+        action->setProperty("whyDisabled", whyNoMap);
     m_maps->actions().at(static_cast<int>(options.colors.map))->setChecked(true);
     m_axes->actions().at(static_cast<int>(m_plane.axis))->setChecked(true);
     if (options.section.plane)
