@@ -1,5 +1,6 @@
 #include "io/recipe.h"
 
+#include "core/simulation/scene_limits.h"
 #include "io/cad_format.h"
 #include "io/json_reader.h"
 #include "io/json_value.h"

@@ -1,4 +1,5 @@
 // Events of a recipe: what changes on the way.
+#include "core/simulation/scene_limits.h"
 #include "io/recipe_sections.h"
 #include "io/recipe_values.h"
 #include "io/scene_words.h"

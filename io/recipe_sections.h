@@ -10,8 +10,6 @@ namespace knead {
 
 // The sections of a recipe, one reader each. All of them throw as readRecipe() does.
 
-constexpr double strongestGravity = 1e4; ///< [m/s^2], a thousand times that of the earth
-
 /// The part of the recipe with the choices of its import.
 void readRecipePart(const JsonNode& node, Recipe& recipe);
 RecipeMaterial readRecipeMaterial(const JsonNode& node, const std::vector<MaterialPreset>& presets);

@@ -62,7 +62,9 @@ void Simulation::State::checkHealth()
     const auto slower = [&] {
         const bool hasTools =
             std::any_of(tools.begin(), tools.end(), [](const auto& tool) { return tool.has_value(); });
-        return hasTools ? "Make the tools slower" : "Lower gravity";
+        return hasTools                  ? "Make the tools slower"
+               : gravity != Vec3::Zero() ? "Lower gravity"
+                                         : "Move bodies and fixtures slower";
     };
     std::ostringstream cause;
     Trouble trouble = Trouble::none;

@@ -196,6 +196,27 @@ private slots:
         simulation.step();
         QVERIFY(simulation.health().ok);
     }
+
+    /// Tools, gravity, or else what bodies and fixtures were given at the start.
+    void theRemedyIsAboutWhatDrives()
+    {
+        const auto sentenceOf = [](const Vec3& gravity, bool hasTool) {
+            Scene scene;
+            scene.bodies.push_back(scenes::box({4, 4, 4}, spacing));
+            scene.bodies[0].material.youngsModulus = 1e4;
+            scene.bodies[0].material.density = 2000;
+            scene.bodies[0].velocity = Vec3(900, 0, 0);
+            scene.gravity = gravity;
+            if (hasTool)
+                scene.manipulators.push_back({.size = Vec3(1e-3, 1e-3, 1e-3), .pose = {Vec3(0, 0.1, 0)}});
+            Simulation simulation(scene);
+            simulation.step();
+            return simulation.health().message;
+        };
+        QVERIFY(sentenceOf(Vec3::Zero(), false).find("Move bodies and fixtures slower or") != std::string::npos);
+        QVERIFY(sentenceOf(Vec3(0, 0, -9.81), false).find("Lower gravity or") != std::string::npos);
+        QVERIFY(sentenceOf(Vec3(0, 0, -9.81), true).find("Make the tools slower or") != std::string::npos);
+    }
 };
 
 QTEST_GUILESS_MAIN(HostileTest)
