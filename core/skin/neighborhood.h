@@ -34,7 +34,9 @@ struct Neighborhood {
 
     /// How far objects belong to the material around a point, from 0 to 1: what they are to the corners of the cell that it is in,
     /// interpolated between these; beside all kept cells, of the nearest of them, those about as near each having its part. So it
-    /// changes continuously from place to place, where objects that can only be reached around a gap come in.
+    /// changes continuously from place to place, where objects that can only be reached around a gap come in, as long as a kept
+    /// cell is nearer than two thirds of a cell; farther off, across gaps of two cells that a web too thin for the lattice spans,
+    /// it may jump from one side to the other.
     /// @param coordinates of the point in the lattice
     std::vector<double> shares(const Vec3& coordinates) const;
 };

@@ -70,14 +70,16 @@ std::string crackRemark(const PartToExport& part)
     return "\"" + part.part.name + "\"" + text;
 }
 
-/// Of pieces that are too small for a shape of their own, so that nobody looks for them in vain.
+/// Of pieces without a shape of their own, so that nobody looks for them in vain.
 void remarkOnDust(const Fragment& fragment, std::vector<std::string>& remarks)
 {
-    if (!fragment.dust.empty())
-        remarks.push_back(
-            "crumbs that came off it are too small for a shape of their own and are written as part of it; "
-            "objects in them: " +
-            std::to_string(fragment.dust.size()) + ".");
+    if (fragment.isUncut)
+        remarks.push_back("its cracks could not be made into surfaces: other pieces of it are written as one with it; "
+                          "objects in them: " +
+                          std::to_string(fragment.dust.size()) + ".");
+    else if (!fragment.dust.empty())
+        remarks.push_back("pieces too small for a shape of their own are written as part of it; objects in them: " +
+                          std::to_string(fragment.dust.size()) + ".");
 }
 
 /// The pieces of one part; none when it hangs together, of which the part then says what is cracked.
@@ -88,7 +90,8 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
     const TriangleMesh skin = refine(whole.part.mesh, whole.aggregate->lattice.spacing, mostTriangles);
     std::vector<Fragment> fragments = fragmentsOf(*whole.aggregate, skin, *whole.broken, {}, control);
     if (fragments.size() < 2) {
-        whole.remarks.push_back(crackRemark(whole));
+        if (!fragments.front().isUncut)
+            whole.remarks.push_back(crackRemark(whole));
         remarkOnDust(fragments.front(), whole.remarks);
         return {};
     }

@@ -147,6 +147,8 @@ bool isSpoilt(const PartToExport& part, const PartExportReport& report)
 /// @pre they are not sound
 std::string whyUnsound(const PartExportReport& report)
 {
+    if (report.facesAfter == 0)
+        return "its bent faces were not found again in the file when that was read back.";
     const std::string bent = "read back from the file, its bent faces ";
     if (!report.valid)
         return bent + "do not pass the geometry checks.";

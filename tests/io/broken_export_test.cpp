@@ -112,7 +112,7 @@ void BrokenExportTest::crumbsAreWrittenWithWhatTheyCameOff()
         std::size_t said = 0;
         for (const PartExportReport& part : file.report.parts)
             for (const std::string& remark : part.remarks)
-                said += remark.starts_with("crumbs that came off") && remark.ends_with("objects in them: 1.") ? 1 : 0;
+                said += remark.starts_with("pieces too small") && remark.ends_with("objects in them: 1.") ? 1 : 0;
         QCOMPARE(said, std::size_t{1});
     }
 }
