@@ -1,6 +1,7 @@
 // Materials and how time runs in the main window: the simulation dock, and what is offered when a simulation had to stop.
 #include "ui/main_window.h"
 
+#include "ui/language/words_of_files.h"
 #include "ui/materials/material_store.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/panel_area.h"
@@ -83,7 +84,7 @@ void MainWindow::showHealth(const Health& health)
     if (health.message == m_shownHealth)
         return;
     m_shownHealth = health.message;
-    const QString sentence = QString::fromStdString(health.message);
+    const QString sentence = inWords(health.message);
     const auto reset = [this] { m_document.reset(); };
     if (health.message.empty())
         return m_banner->hide();

@@ -672,6 +672,10 @@
         <translation>Die Farben reichen so weit wie die Zahlen</translation>
     </message>
     <message>
+        <source>This quantity has colors of its own, since it has two signs.</source>
+        <translation>Diese Größe hat eigene Farben, da sie zwei Vorzeichen hat.</translation>
+    </message>
+    <message>
         <source>Color the skin by a quantity first.</source>
         <translation>Färben Sie zuerst die Haut nach einer Größe.</translation>
     </message>
@@ -1625,8 +1629,52 @@
         <translation>zu wenige seiner Objekte hängen zusammen, um zu sagen, wie es verformt ist: es wird in seiner Ruheform geschrieben, bewegt wie sie.</translation>
     </message>
     <message>
-        <source>crumbs that came off it are too small for a shape of their own and are written as part of it; objects in them: %1.</source>
-        <translation>Krümel, die davon abgebrochen sind, sind zu klein für eine eigene Form und werden als Teil davon geschrieben; Objekte darin: %1.</translation>
+        <source>its cracks could not be made into surfaces: other pieces of it are written as one with it; objects in them: %1.</source>
+        <translation>aus seinen Rissen ließen sich keine Flächen machen: andere Stücke davon werden mit ihm als eines geschrieben; Objekte darin: %1.</translation>
+    </message>
+    <message>
+        <source>pieces too small for a shape of their own are written as part of it; objects in them: %1.</source>
+        <translation>Stücke, die zu klein für eine eigene Form sind, werden als Teil davon geschrieben; Objekte darin: %1.</translation>
+    </message>
+    <message>
+        <source>its bent faces were not found again in the file when that was read back.</source>
+        <translation>seine gebogenen Flächen fanden sich in der zurückgelesenen Datei nicht wieder.</translation>
+    </message>
+    <message>
+        <source>The simulation was stopped at %1 s: %2 It went back to %3 s.</source>
+        <translation>Die Simulation wurde bei %1 s angehalten: %2 Sie ging auf %3 s zurück.</translation>
+    </message>
+    <message>
+        <source>a position is no longer a number. %1 or make the material softer, then reset.</source>
+        <translation>eine Lage ist keine Zahl mehr. %1 oder das Material weicher machen, dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>objects moved at %1 m/s. %2 or raise the damping ratio, then reset.</source>
+        <translation>Objekte bewegten sich mit %1 m/s. %2 oder den Dämpfungsgrad erhöhen, dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>Make the tools slower</source>
+        <translation>Die Werkzeuge verlangsamen</translation>
+    </message>
+    <message>
+        <source>Lower gravity</source>
+        <translation>Die Schwerkraft verringern</translation>
+    </message>
+    <message>
+        <source>Move bodies and fixtures slower</source>
+        <translation>Körper und Einspannungen langsamer bewegen</translation>
+    </message>
+    <message>
+        <source>material of %1 was squashed flat or turned inside out. Press less far, raise Poisson&apos;s ratio or the yield stress, or fill the part with a smaller spacing, then reset.</source>
+        <translation>Material von %1 wurde flach gedrückt oder umgestülpt. Weniger weit drücken, die Querkontraktionszahl oder die Fließgrenze erhöhen oder das Teil mit kleinerem Abstand füllen, dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>the body</source>
+        <translation>der Körper</translation>
+    </message>
+    <message>
+        <source>the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, or a softer or more damped material.</source>
+        <translation>der gewählte Zeitschritt von %1 s ist länger als der stabile von %2 s. Einen kürzeren wählen oder ein weicheres oder stärker gedämpftes Material.</translation>
     </message>
     <message>
         <source>the part is torn; this is one of %1 pieces.</source>

@@ -672,6 +672,10 @@
         <translation>Les couleurs vont aussi loin que les nombres</translation>
     </message>
     <message>
+        <source>This quantity has colors of its own, since it has two signs.</source>
+        <translation>Cette grandeur a ses propres couleurs, puisqu&apos;elle a deux signes.</translation>
+    </message>
+    <message>
         <source>Color the skin by a quantity first.</source>
         <translation>Colorez d&apos;abord la peau selon une grandeur.</translation>
     </message>
@@ -1625,8 +1629,52 @@
         <translation>trop peu de ses objets tiennent ensemble pour dire comment elle est déformée : elle est écrite dans sa forme au repos, déplacée comme eux.</translation>
     </message>
     <message>
-        <source>crumbs that came off it are too small for a shape of their own and are written as part of it; objects in them: %1.</source>
-        <translation>des miettes qui s&apos;en sont détachées sont trop petites pour une forme propre et sont écrites comme en faisant partie ; objets qu&apos;elles contiennent : %1.</translation>
+        <source>its cracks could not be made into surfaces: other pieces of it are written as one with it; objects in them: %1.</source>
+        <translation>ses fissures n&apos;ont pas pu devenir des surfaces : d&apos;autres morceaux sont écrits avec lui comme un seul ; objets qu&apos;ils contiennent : %1.</translation>
+    </message>
+    <message>
+        <source>pieces too small for a shape of their own are written as part of it; objects in them: %1.</source>
+        <translation>des morceaux trop petits pour une forme propre sont écrits comme en faisant partie ; objets qu&apos;ils contiennent : %1.</translation>
+    </message>
+    <message>
+        <source>its bent faces were not found again in the file when that was read back.</source>
+        <translation>ses faces déformées n&apos;ont pas été retrouvées dans le fichier relu.</translation>
+    </message>
+    <message>
+        <source>The simulation was stopped at %1 s: %2 It went back to %3 s.</source>
+        <translation>La simulation a été arrêtée à %1 s : %2 Elle est revenue à %3 s.</translation>
+    </message>
+    <message>
+        <source>a position is no longer a number. %1 or make the material softer, then reset.</source>
+        <translation>une position n&apos;est plus un nombre. %1 ou assouplir la matière, puis réinitialiser.</translation>
+    </message>
+    <message>
+        <source>objects moved at %1 m/s. %2 or raise the damping ratio, then reset.</source>
+        <translation>des objets se déplaçaient à %1 m/s. %2 ou augmenter le taux d&apos;amortissement, puis réinitialiser.</translation>
+    </message>
+    <message>
+        <source>Make the tools slower</source>
+        <translation>Ralentir les outils</translation>
+    </message>
+    <message>
+        <source>Lower gravity</source>
+        <translation>Réduire la gravité</translation>
+    </message>
+    <message>
+        <source>Move bodies and fixtures slower</source>
+        <translation>Déplacer plus lentement les corps et les fixations</translation>
+    </message>
+    <message>
+        <source>material of %1 was squashed flat or turned inside out. Press less far, raise Poisson&apos;s ratio or the yield stress, or fill the part with a smaller spacing, then reset.</source>
+        <translation>la matière de %1 a été écrasée ou retournée. Presser moins loin, augmenter le coefficient de Poisson ou la limite d&apos;élasticité, ou remplir la pièce avec un espacement plus petit, puis réinitialiser.</translation>
+    </message>
+    <message>
+        <source>the body</source>
+        <translation>le corps</translation>
+    </message>
+    <message>
+        <source>the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, or a softer or more damped material.</source>
+        <translation>le pas de temps choisi de %1 s est plus long que le pas stable de %2 s. En choisir un plus court, ou une matière plus souple ou plus amortie.</translation>
     </message>
     <message>
         <source>the part is torn; this is one of %1 pieces.</source>

@@ -672,6 +672,10 @@
         <translation>De kleuren reiken zo ver als de getallen</translation>
     </message>
     <message>
+        <source>This quantity has colors of its own, since it has two signs.</source>
+        <translation>Deze grootheid heeft eigen kleuren, omdat ze twee tekens heeft.</translation>
+    </message>
+    <message>
         <source>Color the skin by a quantity first.</source>
         <translation>Kleur eerst de huid naar een grootheid.</translation>
     </message>
@@ -1625,8 +1629,52 @@
         <translation>te weinig objecten hangen samen om te zeggen hoe het vervormd is: het wordt in zijn rustvorm geschreven, verplaatst zoals zij.</translation>
     </message>
     <message>
-        <source>crumbs that came off it are too small for a shape of their own and are written as part of it; objects in them: %1.</source>
-        <translation>kruimels die ervan zijn afgebroken zijn te klein voor een eigen vorm en worden als deel ervan geschreven; objecten erin: %1.</translation>
+        <source>its cracks could not be made into surfaces: other pieces of it are written as one with it; objects in them: %1.</source>
+        <translation>van de scheuren konden geen vlakken worden gemaakt: andere stukken ervan worden er als één geheel mee geschreven; objecten erin: %1.</translation>
+    </message>
+    <message>
+        <source>pieces too small for a shape of their own are written as part of it; objects in them: %1.</source>
+        <translation>stukken die te klein zijn voor een eigen vorm worden als deel ervan geschreven; objecten erin: %1.</translation>
+    </message>
+    <message>
+        <source>its bent faces were not found again in the file when that was read back.</source>
+        <translation>de gebogen vlakken ervan zijn in het teruggelezen bestand niet teruggevonden.</translation>
+    </message>
+    <message>
+        <source>The simulation was stopped at %1 s: %2 It went back to %3 s.</source>
+        <translation>De simulatie is bij %1 s gestopt: %2 Ze ging terug naar %3 s.</translation>
+    </message>
+    <message>
+        <source>a position is no longer a number. %1 or make the material softer, then reset.</source>
+        <translation>een positie is geen getal meer. %1 of het materiaal zachter maken, dan terugzetten.</translation>
+    </message>
+    <message>
+        <source>objects moved at %1 m/s. %2 or raise the damping ratio, then reset.</source>
+        <translation>objecten bewogen met %1 m/s. %2 of de dempingsgraad verhogen, dan terugzetten.</translation>
+    </message>
+    <message>
+        <source>Make the tools slower</source>
+        <translation>De gereedschappen langzamer maken</translation>
+    </message>
+    <message>
+        <source>Lower gravity</source>
+        <translation>De zwaartekracht verlagen</translation>
+    </message>
+    <message>
+        <source>Move bodies and fixtures slower</source>
+        <translation>Lichamen en inklemmingen langzamer bewegen</translation>
+    </message>
+    <message>
+        <source>material of %1 was squashed flat or turned inside out. Press less far, raise Poisson&apos;s ratio or the yield stress, or fill the part with a smaller spacing, then reset.</source>
+        <translation>materiaal van %1 is platgedrukt of binnenstebuiten gekeerd. Minder ver drukken, de dwarscontractiecoëfficiënt of de vloeigrens verhogen, of het onderdeel met een kleinere afstand vullen, dan terugzetten.</translation>
+    </message>
+    <message>
+        <source>the body</source>
+        <translation>het lichaam</translation>
+    </message>
+    <message>
+        <source>the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, or a softer or more damped material.</source>
+        <translation>de gekozen tijdstap van %1 s is langer dan de stabiele van %2 s. Kies een kortere, of een zachter of sterker gedempt materiaal.</translation>
     </message>
     <message>
         <source>the part is torn; this is one of %1 pieces.</source>

@@ -58,6 +58,12 @@ private slots:
         }
         speak("de");
         QCOMPARE(inWords("whatever nobody ever said."), QString("whatever nobody ever said."));
+        QCOMPARE(
+            inWords("The simulation was stopped at 0.5 s: objects moved at 800 m/s. Make the tools slower or raise the "
+                    "damping ratio, then reset. It went back to 0.25 s."),
+            QString::fromUtf8(
+                "Die Simulation wurde bei 0.5 s angehalten: Objekte bewegten sich mit 800 m/s. Die Werkzeuge "
+                "verlangsamen oder den Dämpfungsgrad erhöhen, dann zurücksetzen. Sie ging auf 0.25 s zurück."));
         QCOMPARE(inWords("is not closed: 4 open edges in 1 border, 80 mm long in all; the largest opening is 20 mm "
                          "across and flat. It is shown and cannot be filled."),
                  QString::fromUtf8("ist nicht geschlossen: 4 offene Kanten in 1 Rand, zusammen 80 mm lang; die größte "

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* fileWords = "FileWords";
 
-// What io and core say of files: as they put it together, with places for what differs.
+// What io and core say of files and of simulations: as they put it together, with places for what differs.
 constexpr const char* const sentences[] = {
     // of a part
     QT_TRANSLATE_NOOP("FileWords", "was inside out and has been turned."),
@@ -153,8 +153,11 @@ constexpr const char* const sentences[] = {
                                    "spans the crack, stretched to %3 times its length there near %4."),
     QT_TRANSLATE_NOOP("FileWords", "too few of its objects hang together to say how it is deformed: it is written in "
                                    "its shape at rest, moved as they have."),
-    QT_TRANSLATE_NOOP("FileWords", "crumbs that came off it are too small for a shape of their own and are written as "
-                                   "part of it; objects in them: %1."),
+    QT_TRANSLATE_NOOP("FileWords", "its cracks could not be made into surfaces: other pieces of it are written as one "
+                                   "with it; objects in them: %1."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "pieces too small for a shape of their own are written as part of it; objects in them: %1."),
+    QT_TRANSLATE_NOOP("FileWords", "its bent faces were not found again in the file when that was read back."),
     QT_TRANSLATE_NOOP("FileWords", "the part is torn; this is one of %1 pieces."),
     QT_TRANSLATE_NOOP("FileWords", "read back from the file, its bent faces do not pass the geometry checks."),
     QT_TRANSLATE_NOOP("FileWords", "read back from the file, its bent faces leave gaps."),
@@ -166,6 +169,19 @@ constexpr const char* const sentences[] = {
                       "\"%1\" would need %2 flat faces, more than CAD programs can work with; export it as a mesh."),
     QT_TRANSLATE_NOOP("FileWords",
                       "\"%1\" is an open mesh, which CAD files cannot hold; hide it, or export as a mesh."),
+    // of a simulation that stopped
+    QT_TRANSLATE_NOOP("FileWords", "The simulation was stopped at %1 s: %2 It went back to %3 s."),
+    QT_TRANSLATE_NOOP("FileWords", "a position is no longer a number. %1 or make the material softer, then reset."),
+    QT_TRANSLATE_NOOP("FileWords", "objects moved at %1 m/s. %2 or raise the damping ratio, then reset."),
+    QT_TRANSLATE_NOOP("FileWords", "Make the tools slower"),
+    QT_TRANSLATE_NOOP("FileWords", "Lower gravity"),
+    QT_TRANSLATE_NOOP("FileWords", "Move bodies and fixtures slower"),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "material of %1 was squashed flat or turned inside out. Press less far, raise Poisson's ratio or "
+                      "the yield stress, or fill the part with a smaller spacing, then reset."),
+    QT_TRANSLATE_NOOP("FileWords", "the body"),
+    QT_TRANSLATE_NOOP("FileWords", "the chosen time step of %1 s is longer than the stable one of %2 s. Choose a "
+                                   "shorter one, or a softer or more damped material."),
 };
 
 const Phrasebook& wordsOfFiles()
