@@ -134,7 +134,7 @@ void ExportDialog::formatChanged()
     m_ap214->setVisible(format().name == "STEP");
     m_text->setVisible(hasText(format()));
     layout()->activate();
-    resize(exportDialogWidth, std::max(height(), layout()->totalHeightForWidth(exportDialogWidth)));
+    resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
 }
 
 ExportRequest ExportDialog::request() const
