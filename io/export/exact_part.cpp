@@ -271,9 +271,7 @@ std::string bend(ReadyPart& ready, TaskControl& control)
 void makeBent(const PartToExport& part, const FaceChoice& choice, TaskControl& control, ReadyPart& ready)
 {
     const FaceManner from = choice.from;
-    const auto flat = ready.report.crossesItself ? std::nullopt // as flat faces would
-                                                 : std::optional(FaceManner::flat);
-    ready.next = from == FaceManner::own && hasClosedFaces(ready.source) ? FaceManner::divided : flat;
+    ready.next = from == FaceManner::own && hasClosedFaces(ready.source) ? FaceManner::divided : FaceManner::flat;
     std::string reason = choice.reason;
     if (from == FaceManner::own) {
         TaskPortion portion(control, 0, 0.5);
@@ -282,7 +280,7 @@ void makeBent(const PartToExport& part, const FaceChoice& choice, TaskControl& c
             return;
     }
     if (from != FaceManner::flat && divideClosedFaces(part, ready)) {
-        ready.next = flat;
+        ready.next = FaceManner::flat;
         TaskPortion portion(control, 0.5, 1);
         reason = bend(ready, portion);
         if (reason.empty())

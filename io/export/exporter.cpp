@@ -164,15 +164,24 @@ std::string whyUnsound(const PartExportReport& report)
     return bent + text;
 }
 
+/// Whether flat faces would be better than those that came back. They pass through themselves as well, but leave no gaps.
+bool areFlatOnesBetter(const PartExportReport& report)
+{
+    return !report.crossesItself || !report.valid || !report.closed || report.freeEdges > 0;
+}
+
 /// Chooses what is to be tried next. @return false when every part came back as well as it can
 bool choose(const ExportJob& job, const Attempt& last, Choices& choices)
 {
     bool isAny = false;
-    for (std::size_t i = 0; i < job.parts.size(); ++i)
-        if (last.next[i] && isSpoilt(job.parts[i], last.file.report.parts[i])) {
-            choices[i] = {*last.next[i], whyUnsound(last.file.report.parts[i])};
-            isAny = true;
-        }
+    for (std::size_t i = 0; i < job.parts.size(); ++i) {
+        const PartExportReport& report = last.file.report.parts[i];
+        if (!last.next[i] || !isSpoilt(job.parts[i], report) ||
+            (*last.next[i] == FaceManner::flat && !areFlatOnesBetter(report)))
+            continue;
+        choices[i] = {*last.next[i], whyUnsound(report)};
+        isAny = true;
+    }
     return isAny;
 }
 
