@@ -206,6 +206,7 @@ void MainWindow::contentChanged()
 {
     const Content& content = m_document.content();
     const QString name = QFileInfo(QString::fromStdString(content.model->file)).fileName();
+    showSelectionBar(true); // before the view is there: it is laid out, and drawn, once
     m_pages->setCurrentWidget(m_views);
     const bool isSimulated = !content.bodies.empty();
     m_actions->setDocumentOpen(true, isSimulated);

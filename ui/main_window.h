@@ -209,6 +209,7 @@ private:
     void makeShell();
     void listPanels();
     void listSelectionBar(QMenu& panels);
+    void showSelectionBar(bool isView);
     void resetLayout();
     void keepHintClear();
     void showPreferences(PreferencesDialog::Page page);

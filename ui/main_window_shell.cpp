@@ -126,13 +126,16 @@ void MainWindow::listSelectionBar(QMenu& panels)
     toggle->setObjectName("show_selectionBar");
     panels.addAction(toggle);
     connect(toggle, &QAction::triggered, this, [](bool on) { QSettings().setValue(selectionBarShown, on); });
-    const auto follow = [this, bar, toggle] {
-        const bool isView = m_pages->currentWidget() == m_views;
-        toggle->setEnabled(isView);
-        bar->setVisible(isView && QSettings().value(selectionBarShown, true).toBool());
-    };
+    const auto follow = [this] { showSelectionBar(m_pages->currentWidget() == m_views); };
     connect(m_pages, &QStackedWidget::currentChanged, this, follow);
     follow();
+}
+
+void MainWindow::showSelectionBar(bool isView)
+{
+    auto* bar = findChild<QToolBar*>("selectionBar");
+    bar->toggleViewAction()->setEnabled(isView);
+    bar->setVisible(isView && QSettings().value(selectionBarShown, true).toBool());
 }
 
 void MainWindow::resetLayout()
