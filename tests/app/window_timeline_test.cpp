@@ -137,6 +137,27 @@ private slots:
         verifyStraightRun();
     }
 
+    /// The film on the axis is then still that of a run under way.
+    void whatWasJustSeenIsBranchedAt()
+    {
+        addBlock();
+        key(Qt::Key_G);
+        const double end = snapshot().time + 0.4;
+        key(Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time >= end, patience);
+        key(Qt::Key_Space);
+        for (int i = 0; i < 3; ++i)
+            QTest::mouseClick(find<QToolButton>("filmBack"), Qt::LeftButton);
+        QVERIFY(panel().isLookingBack());
+        const Timeline line = axis().timeline();
+        QVERIFY(line.pictures.size() > 4 && line.pictures.back().isUnderWay);
+        QTest::mouseClick(find<QToolButton>("filmBranch"), Qt::LeftButton);
+        settle();
+        QVERIFY2(presentName().startsWith("Branch at "), qPrintable(presentName()));
+        QCOMPARE(present().step, line.pictures[line.pictures.size() - 4].frame->step);
+        verifyStraightRun();
+    }
+
     void theWindowDoesNotWaitForWhatIsLookedAt()
     {
         const Timeline line = filmed();

@@ -249,11 +249,14 @@ void TimelinePanel::playOn()
 
 void TimelinePanel::branchHere()
 {
-    const Timeline::Picture* picture = m_looking ? m_axis->timeline().pictureAt(*m_looking) : nullptr;
-    if (picture == nullptr || picture->isUnderWay)
-        return;
     m_player->stop();
-    m_document.branchAt(picture->entry, picture->frame->step, picture->run);
+    // What was just seen is no entry yet, and a branch begins in one.
+    m_document.whenSettled([this] {
+        bringUpToDate();
+        const Timeline::Picture* picture = m_looking ? m_axis->timeline().pictureAt(*m_looking) : nullptr;
+        if (picture != nullptr && !picture->isUnderWay)
+            m_document.branchAt(picture->entry, picture->frame->step, picture->run);
+    });
 }
 
 void TimelinePanel::stopLooking()
