@@ -67,6 +67,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     connectRecording();
     connectHands();
     connect(&m_document, &Document::changed, this, &MainWindow::documentChanged);
+    connect(&m_document, &Document::stopping, this, [this] { showSteppable(false); });
     connect(&m_document, &Document::recipeEnded, this, [this](const QString& sentence) { m_log->add(sentence); });
     connect(&m_document, &Document::notice, this, [this](const QString& sentence) { showProblem(sentence); });
     selectionChanged();
@@ -253,6 +254,12 @@ void MainWindow::showSurroundings()
     m_actions->floor->setChecked(snapshot.floorHeight.has_value());
 }
 
+/// Before a frame shows it: who pauses and steps at once does not wait for one.
+void MainWindow::showSteppable(bool isPlaying)
+{
+    m_actions->step->setEnabled(!isPlaying && !m_document.content().bodies.empty());
+}
+
 void MainWindow::frameChanged()
 {
     const Snapshot& snapshot = *m_document.frame()->snapshot;
@@ -262,7 +269,7 @@ void MainWindow::frameChanged()
     m_readings->show(snapshot);
     m_performance->show(snapshot);
     m_actions->setPlaying(snapshot.playing);
-    m_actions->step->setEnabled(!snapshot.playing && !m_document.content().bodies.empty());
+    showSteppable(m_document.isPlaying());
     showHealth(snapshot.health);
 }
 

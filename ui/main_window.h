@@ -161,6 +161,7 @@ private:
     void contentChanged();
     void showSurroundings();
     void showHint();
+    void showSteppable(bool isPlaying);
     void frameChanged();
     void selectionChanged();
     void historyChanged();

@@ -103,8 +103,16 @@ void MainWindow::refill(double spacing)
                        fixtures = m_document.fixtures().list()](TaskControl& control) {
         return prepareRefill(before, spacing, *now, fixtures, control);
     };
+    const auto finish = [this, spacing, edits = m_document.edits(),
+                         isSeen = m_document.showsEdits()](PreparedContent prepared) {
+        if (isSeen && m_document.edits() == edits)
+            showRefilled(std::move(prepared));
+        else // once more, with what was done meanwhile
+            QTimer::singleShot(0, this,
+                               [this, spacing] { m_document.whenSettled([this, spacing] { refill(spacing); }); });
+    };
     m_tasks.run<PreparedContent>(tr("Filling with a spacing of %1").arg(formatQuantity(spacing, Quantity::Length)),
-                                 work, [this](PreparedContent prepared) { showRefilled(std::move(prepared)); });
+                                 work, finish);
 }
 
 /// A part that does not suit the spacing, unlike the others, is only shown from now on.

@@ -231,6 +231,35 @@ private slots:
         QCOMPARE(present().parent, project.current);
     }
 
+    void whatIsGrabbedOnAWayIsNotHeldForEver()
+    {
+        document().post(SetGravity{Vec3(0, 0, -9.81)});
+        addBlock();
+        simulate(0.3);
+        key(Qt::Key_F);
+        rest(500);
+        document().post(SetGravity{Vec3(0, 0, 5)});
+        settle();
+        Project project = document().project();
+        for (Entry entry = 1; entry < project.current; ++entry)
+            project.entries[entry].moment = nullptr;
+        document().open(prepareProject(project, m_services.packing, TaskControl::none()));
+        settle();
+        ViewportWidget& view = m_window->viewport();
+        const QPoint place = view.widgetPosition(snapshot().tools[0].pose.position)->toPoint();
+        undo();
+        QVERIFY(document().isGoing());
+        QTest::mousePress(&view, Qt::LeftButton, {}, place);
+        QTest::mouseMove(&view, place + QPoint(20, 0));
+        settle();
+        QTest::mouseMove(&view, place + QPoint(40, 0));
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, place + QPoint(40, 0));
+        document().post(SetMaterial{0, {.youngsModulus = 7e5}});
+        settle();
+        QCOMPARE(snapshot().materials[0].youngsModulus, 7e5);
+        QCOMPARE(present().parent, project.entries[project.current].parent);
+    }
+
     void aHundredEntriesOfALargeBodyStayWithinMemoryWhileTheWindowAnswers()
     {
         m_window->refill(spacingOfObjects(27'000));

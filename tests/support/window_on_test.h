@@ -46,9 +46,9 @@ protected:
         m_window = std::make_unique<MainWindow>(services);
         m_window->resize(windowSize());
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), patience));
         m_window->activateWindow(); // there may be no window manager that does it
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), patience));
     }
 
     /// Waits, and then until no view turns any more, which takes as long as the machine needs for its pictures.
@@ -63,6 +63,13 @@ protected:
             });
         };
         QTRY_VERIFY_WITH_TIMEOUT(!turns(), patience);
+    }
+
+    /// Waits until a frame shows what came of everything that was asked for.
+    void seen()
+    {
+        const std::uint64_t asked = document().requests();
+        QTRY_VERIFY_WITH_TIMEOUT(document().hasSeen(asked), patience);
     }
 
     /// Opens an example, filled coarsely so that it runs briskly on any machine.

@@ -189,7 +189,8 @@ void Document::start(Simulation simulation, std::shared_ptr<const Content> conte
     m_simulation->setSpeed(m_speed);
     m_seen = m_simulation->latest();
     m_arrivals = 0;
-    m_agendaEnds = m_fixtureRequest = 0;
+    ++m_edits;
+    m_agendaEnds = m_fixtureRequest = m_editRequest = 0;
     m_whenKnown.clear();
     m_toolRequests.forget();
     m_isPlaying = false;

@@ -210,11 +210,18 @@ public:
 
     /// A tool as panels show it: with edits that are on their way to the simulation. None: there is no such tool.
     std::optional<ToolState> toolWithEdits(ToolId tool) const;
+    /// Where a move by hand begins: where the tool is seen while time runs, else where it was put last, seen there already or not.
+    /// @pre there is such a tool
+    Pose poseToMoveFrom(ToolId tool) const;
     /// While paused the tool is put there; while time runs it goes there. @param axis 0, 1, 2: x, y, z
     void placeTool(ToolId tool, int axis, double coordinate);
     /// @param change of kind, size, friction and limits; the size is fitted to the kind afterwards
     void reshapeTool(ToolId tool, std::function<void(ToolState&)> change);
 
+    /// Another number after every edit, and wherever undo, redo and another start led.
+    std::uint64_t edits() const { return m_edits; }
+    /// The frame shows what came of all of them.
+    bool showsEdits() const { return hasSeen(m_editRequest) && !isGoing(); }
     /// So much was asked of the simulation until now; and whether the frame shows what came of it.
     std::uint64_t requests() const { return m_simulation ? m_simulation->requests() : 0; }
     bool hasSeen(std::uint64_t request) const { return m_frame->snapshot->requests >= request; }
@@ -317,11 +324,13 @@ private:
     std::uint64_t m_playRequest = 0; ///< snapshots that count as many requests have heard of it
 
     JourneyState m_journey = JourneyState::none;
-    Entry m_shown = 0;            ///< where the simulation is, or was when it began to do something else
-    Entry m_target = 0;           ///< of the journey
-    std::uint64_t m_travels = 0;  ///< counts them; who comes late is dropped
-    QString m_longTitle;          ///< of the task that does a long journey
-    std::uint64_t m_arrivals = 0; ///< that frames must have seen
+    Entry m_shown = 0;  ///< where the simulation is, or was when it began to do something else
+    Entry m_target = 0; ///< of the journey
+    std::uint64_t m_edits = 0;
+    std::uint64_t m_editRequest = 0; ///< the last of them
+    std::uint64_t m_travels = 0;     ///< counts them; who comes late is dropped
+    QString m_longTitle;             ///< of the task that does a long journey
+    std::uint64_t m_arrivals = 0;    ///< that frames must have seen
     std::vector<Wish> m_wishes;
     bool m_isTakenBack = false;                      ///< the simulation is no longer where the history is
     std::vector<std::function<void()>> m_afterwards; ///< when the journey has ended

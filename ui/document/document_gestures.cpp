@@ -93,6 +93,8 @@ void Document::post(Command command, const QString& name)
         emit looksChanged();
     }
     m_simulation->post(std::move(command));
+    ++m_edits;
+    m_editRequest = m_simulation->requests();
     if (isOfFixture)
         m_fixtureRequest = m_simulation->requests();
     if (!m_gesture.isHeld)

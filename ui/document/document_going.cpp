@@ -196,6 +196,7 @@ void Document::goInSimulation(MomentPointer moment)
 {
     m_journey = JourneyState::arriving; // until a frame shows it
     ++m_arrivals;
+    ++m_edits;
     m_toolRequests.forget();
     follow(*moment);
     m_simulation->goTo(std::move(moment));
@@ -207,7 +208,7 @@ Timeline Document::timeline() const
 {
     const bool isOfContent =
         !m_history.isEmpty() && m_history.tree().record(m_history.tree().current()).start == m_start;
-    return isOfContent ? timelineOf(m_history.tree(), m_film, m_gesture.isAny) : Timeline();
+    return isOfContent ? timelineOf(m_history.tree(), m_film, m_gesture.isAny || !m_history.isSettled()) : Timeline();
 }
 
 void Document::branchAt(Entry entry, std::uint64_t step, std::uint32_t run)

@@ -161,8 +161,10 @@ void DocumentHistory::arrive(const Ticket& ticket, HistoryRecord record)
 void DocumentHistory::append(HistoryRecord record, std::optional<std::uint32_t> start)
 {
     const HistoryRecord& before = m_tree->record(m_tree->current());
-    if (!start && isNothing(record, before))
+    if (!start && isNothing(record, before)) {
+        emit changed(); // what is undone next is another than while it went on
         return;
+    }
     record.wallTime = now();
     if (record.name.empty())
         record.name = simulatedName(record.time - before.time).toStdString();

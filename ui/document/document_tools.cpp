@@ -15,6 +15,11 @@ std::optional<ToolState> Document::toolWithEdits(ToolId id) const
     return m_toolRequests.isOnItsWay(id, *m_frame->snapshot) ? m_toolRequests.asked(*found) : *found;
 }
 
+Pose Document::poseToMoveFrom(ToolId id) const
+{
+    return m_isPlaying ? tool(id)->pose : toolWithEdits(id)->pose;
+}
+
 void Document::placeTool(ToolId id, int axis, double coordinate)
 {
     const ToolState* found = tool(id);

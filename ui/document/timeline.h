@@ -35,7 +35,7 @@ struct Timeline {
     const Tick* tickNear(double at, double reach) const; ///< the nearest within reach; null: none
 };
 
-/// @param isUnderWay something is being done: what was done from here before is no longer ahead
+/// @param isUnderWay something is being done, or is no entry yet: what was done from here before is no longer ahead
 Timeline timelineOf(const History& history, const Film& film, bool isUnderWay);
 
 } // namespace knead

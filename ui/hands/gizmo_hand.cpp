@@ -113,9 +113,11 @@ bool GizmoHand::mousePressed(QMouseEvent& event)
     const GizmoPart part = handles->partAt(pixelOf(event.position()));
     if (part == GizmoPart::none)
         return false;
+    if (m_document.isGoing())
+        return true; // what would be held may be gone on arrival
     const ToolId tool = m_document.selection().id;
     const int values = handles->amount(part, {}, {}).count;
-    const Pose pose = m_document.tool(tool)->pose;
+    const Pose pose = m_document.poseToMoveFrom(tool);
     const GizmoAmount none{{}, values};
     m_drag = Drag{tool, part, pose, pose, *handles, m_view.camera(), pixelOf(event.position()), {}, none, none, none};
     m_typed.clear();

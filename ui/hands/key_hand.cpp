@@ -132,7 +132,7 @@ void KeyHand::step(const BoundKey& key)
     const ToolState* moved = tool(key.tool);
     if (moved == nullptr)
         return;
-    Pose pose = moved->pose;
+    Pose pose = m_document.poseToMoveFrom(moved->id);
     pose.position += m_settings.choices().keyStep * slowness() * keyDirection(key.arrow, m_view.camera());
     m_document.post(PlaceManipulator{moved->id, pose});
 }

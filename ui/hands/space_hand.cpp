@@ -116,7 +116,8 @@ void SpaceHand::moveTool(const ToolState& tool, const SpaceMotion& motion)
 {
     const DriveAt drive = toolMotion(tool, m_view.camera(), motion, m_settings.choices().spaceMouseRate);
     if (!m_document.isPlaying()) {
-        Manipulator moved{.size = tool.size, .pose = tool.pose, .speedLimit = tool.speedLimit, .motion = drive};
+        const Pose pose = m_document.poseToMoveFrom(tool.id);
+        Manipulator moved{.size = tool.size, .pose = pose, .speedLimit = tool.speedLimit, .motion = drive};
         m_document.post(PlaceManipulator{tool.id, advance(moved, 0, std::min(motion.seconds, longestLook))});
         return;
     }

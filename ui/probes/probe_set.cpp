@@ -154,6 +154,7 @@ void ProbeSet::placesChanged()
 
 void ProbeSet::forgetAfter(double time)
 {
+    ++m_films; // what is read of one may be later
     for (Probe& probe : m_all)
         std::erase_if(probe.samples, [time](const ProbeSample& sample) { return sample.time > time; });
     m_seen = nullptr;
@@ -181,6 +182,8 @@ void ProbeSet::take(std::uint64_t generation, const std::vector<ProbeSample>& sa
     m_isReading = false;
     for (std::size_t i = 0; i < m_all.size(); ++i) {
         auto& known = m_all[i].samples;
+        if (!known.empty() && known.back().time > samples[i].time) // what is read of the film was later, too
+            ++m_films;
         while (!known.empty() && known.back().time >= samples[i].time) // back after a reset, or the same moment again
             known.pop_back();
         known.push_back(samples[i]);
@@ -194,7 +197,7 @@ void ProbeSet::readFilm()
     const std::vector<FilmFramePointer> frames = framesSoFar(m_document.timeline());
     if (frames.empty())
         return;
-    m_reading.run([this, generation = m_generation, film = ++m_films, places = m_places, frames, with = m_withStrains] {
+    m_reading.run([this, film = ++m_films, places = m_places, frames, with = m_withStrains] {
         std::vector<std::vector<ProbeSample>> samples(places.size());
         for (const FilmFramePointer& frame : frames) {
             if (film != m_films)
@@ -203,14 +206,14 @@ void ProbeSet::readFilm()
             for (std::size_t i = 0; i < read.size(); ++i)
                 samples[i].push_back(read[i]);
         }
-        const auto tell = [this, generation, samples = std::move(samples)] { takeFilm(generation, samples); };
+        const auto tell = [this, film, samples = std::move(samples)] { takeFilm(film, samples); };
         QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
     });
 }
 
-void ProbeSet::takeFilm(std::uint64_t generation, const std::vector<std::vector<ProbeSample>>& samples)
+void ProbeSet::takeFilm(std::uint64_t film, const std::vector<std::vector<ProbeSample>>& samples)
 {
-    if (generation != m_generation)
+    if (film != m_films)
         return;
     for (std::size_t i = 0; i < m_all.size(); ++i)
         merge(m_all[i].samples, samples[i]);

@@ -49,7 +49,7 @@ private:
     void read();
     void readFilm();
     void take(std::uint64_t generation, const std::vector<ProbeSample>& samples);
-    void takeFilm(std::uint64_t generation, const std::vector<std::vector<ProbeSample>>& samples);
+    void takeFilm(std::uint64_t film, const std::vector<std::vector<ProbeSample>>& samples);
 
     Document& m_document;
     std::vector<Probe> m_all;

@@ -97,7 +97,9 @@ void Manipulation::press(const Ray& ray)
     setHovered(hit);
     if (hit.kind == PickHit::Kind::Tool) {
         m_document.select({Selection::Kind::Tool, hit.id});
-        const Pose pose = m_document.tool(hit.id)->pose;
+        if (m_document.isGoing())
+            return; // what would be held may be gone on arrival
+        const Pose pose = m_document.poseToMoveFrom(hit.id);
         m_drag = Drag{hit.id, hit.place, pose, pose, pose, {}};
         m_document.beginGesture();
     } else if (hit.kind == PickHit::Kind::Body) {
@@ -212,7 +214,7 @@ void Manipulation::drive()
 void Manipulation::nudge(int key, bool isSlow)
 {
     const ToolState* tool = selectedTool();
-    Pose pose = tool->pose;
+    Pose pose = m_document.poseToMoveFrom(tool->id);
     pose.position += tool->speedLimit * nudgeTime * (isSlow ? slowness : 1) * keyDirection(key, m_camera);
     m_document.post(PlaceManipulator{tool->id, pose});
 }

@@ -56,7 +56,7 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF step = event->globalPosition() - m_lastMouse;
     m_lastMouse = event->globalPosition();
-    if (m_isNavigating) {
+    if (m_isNavigating && event->buttons() & Qt::MiddleButton) {
         Camera camera = m_camera;
         if (event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier))
             camera.pan(step.x(), step.y(), window());
@@ -64,6 +64,8 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
             camera.orbit(step.x(), step.y());
         setCamera(camera);
     } else if (m_regions->isPressed()) {
+        if (!(event->buttons() & Qt::LeftButton)) // of before the press, or let go where nobody could see it
+            return;
         m_regions->sight().look(m_camera, window());
         m_regions->drag(pixelOf(event->position()));
     } else if (event->buttons() & Qt::LeftButton) {
