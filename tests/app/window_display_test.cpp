@@ -267,6 +267,8 @@ private slots:
         for (const Vec3& point : section.points)
             whole.extend(point);
         near.fit(whole, static_cast<double>(view().width()) / view().height());
+        QTRY_VERIFY_WITH_TIMEOUT(view().sight() && view().sight()->wish.section == view().options().section.plane,
+                                 patience);
         view().jumpTo(near);
         const QImage seen = shot();
         const QColor cap = seen.pixelColor(view().widgetPosition(middle)->toPoint());

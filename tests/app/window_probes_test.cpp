@@ -78,10 +78,12 @@ private slots:
         hang();
         place(Vec3(0.16, 0, 0.02));
         QVERIFY(find<QDockWidget>("probeDock")->isVisible());
-        runTo(0.3);
-        QTRY_COMPARE(newest(0).time, snapshot().time);
         const auto& samples = probes()[0].samples;
-        QVERIFY(samples.size() > 3);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.3 && samples.size() > 3, patience);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing);
+        QTRY_COMPARE(newest(0).time, snapshot().time);
         for (std::size_t i = 1; i < samples.size(); ++i)
             QVERIFY(samples[i].time > samples[i - 1].time);
         // As the drawn vertex has moved.

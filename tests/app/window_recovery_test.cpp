@@ -371,7 +371,7 @@ private slots:
         };
         newWindow(refusing);
         openExample("bar.step", 10);
-        QTRY_VERIFY(m_window->banner().sentence().contains("cannot be kept"));
+        QTRY_VERIFY(logged().contains("cannot be kept"));
         picture("recovery refused");
         pushOn(); // work goes on
         saveTo(file("a.knead"));

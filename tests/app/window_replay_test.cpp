@@ -91,7 +91,7 @@ private slots:
     }
 
 private:
-    void settle() { QTRY_VERIFY_WITH_TIMEOUT(document().isSettled(), 5'000); }
+    void settle() { QTRY_VERIFY_WITH_TIMEOUT(document().isSettled(), patience); }
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(m_window.get(), key, modifiers); }
 
     std::string presentHash()

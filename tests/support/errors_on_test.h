@@ -78,8 +78,10 @@ protected:
         const QString sentence = m_window->banner().sentence();
         QVERIFY2(sentence.endsWith('.'), qPrintable(sentence));
         QVERIFY(m_window->banner().isVisible());
-        QVERIFY(find<QPlainTextEdit>("log")->toPlainText().contains("Error: " + sentence));
+        QVERIFY(logged().contains("Error: " + sentence));
     }
+
+    QString logged() { return find<QPlainTextEdit>("log")->toPlainText(); }
 
     void verifyWhyNot(const char* letters, const QString& why)
     {

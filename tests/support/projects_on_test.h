@@ -40,6 +40,7 @@ protected:
     void waitForGesture()
     {
         rest(1200);
+        QTRY_VERIFY_WITH_TIMEOUT(document().isPlaying() || !document().isAnythingUnderWay(), patience);
         wait();
     }
 
@@ -129,7 +130,8 @@ protected:
     /// Answers the message that is asked.
     void answer(const char* name, QMessageBox::StandardButton button)
     {
-        QTRY_VERIFY2(find<QMessageBox>(name) != nullptr && find<QMessageBox>(name)->isVisible(), name);
+        QTRY_VERIFY2_WITH_TIMEOUT(find<QMessageBox>(name) != nullptr && find<QMessageBox>(name)->isVisible(), name,
+                                  patience);
         QTest::mouseClick(find<QMessageBox>(name)->button(button), Qt::LeftButton);
         QTRY_VERIFY(find<QMessageBox>(name) == nullptr);
         m_window->activateWindow(); // there may be no window manager that does it
