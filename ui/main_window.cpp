@@ -26,6 +26,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
+#include <QScreen>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QStackedWidget>
@@ -45,7 +46,6 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     setWindowIcon(icon("knead"));
     setAcceptDrops(true);
     setDockNestingEnabled(true);
-    resize(1280, 800);
     makeCenter();
     makeMaterials();
     makeDocks();
@@ -72,6 +72,7 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     connect(&m_document, &Document::notice, this, [this](const QString& sentence) { showProblem(sentence); });
     selectionChanged();
     makeShell();
+    resize(QSize(1280, 800).boundedTo(screen()->availableSize())); // panels that were not laid out yet took more
     restoreSettings();
     m_log->add(tr("Ready. Open a part with Ctrl+O, or drop a file on the window."));
 }

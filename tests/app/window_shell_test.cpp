@@ -427,6 +427,14 @@ private slots:
 
     // --- panels, status -------------------------------------------------------------------------------------------------
 
+    void theWindowBeginsNoLargerThanASmallScreen()
+    {
+        m_window = std::make_unique<MainWindow>(m_services);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), patience));
+        QCOMPARE(m_window->size(), QSize(1280, 800));
+    }
+
     void panelsCloseComeBackAndAreRemembered()
     {
         auto* dock = find<QDockWidget>("propertiesDock");
