@@ -203,6 +203,7 @@ void MainWindow::connectTree()
         dock->raise();
         panel->beginSearch();
     });
+    connect(m_tree, &ModelTree::toolClicked, m_viewport, [this] { m_viewport->setFocus(); }); // whose keys drive it
     connect(m_tree, &ModelTree::problem, this, [this](const QString& sentence) { showProblem(sentence); });
     connect(&m_document.notes(), &ModelNotes::changed, this, &MainWindow::showLock);
     m_tree->setMenu([this](QMenu& menu, TreeItem type) { fillTreeMenu(menu, static_cast<int>(type)); });

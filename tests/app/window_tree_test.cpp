@@ -228,6 +228,29 @@ private slots:
         QVERIFY(hidden().empty());
     }
 
+    void aToolThatIsClickedInTheTreeIsDrivenByKeysAtOnce()
+    {
+        openExample("bar.step", 10);
+        key(Qt::Key_B);
+        QTRY_VERIFY(line("Block 1") != nullptr);
+        clickLine(partLine(0));
+        QVERIFY(tree()->hasFocus()); // arrows go through the lines
+        clickLine(line("Block 1"));
+        QCOMPARE(QApplication::focusWidget(), &m_window->viewport());
+        const double z = snapshot().tools[0].pose.position.z();
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_PageDown);
+        QTRY_VERIFY(snapshot().tools[0].pose.position.z() < z);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_F2);
+        QTRY_VERIFY(tree()->findChild<QLineEdit*>() != nullptr);
+        QTest::keyClick(tree()->findChild<QLineEdit*>(), Qt::Key_Escape);
+        QTRY_VERIFY(tree()->findChild<QLineEdit*>() == nullptr);
+        clickLine(line("Block 1"));
+        const QPoint place = tree()->visualItemRect(line("Block 1")).center();
+        QTest::mouseDClick(tree()->viewport(), Qt::LeftButton, {}, place);
+        QTest::mouseRelease(tree()->viewport(), Qt::LeftButton, {}, place);
+        QTRY_VERIFY(tree()->findChild<QLineEdit*>() != nullptr && tree()->findChild<QLineEdit*>()->hasFocus());
+    }
+
     void whatIsLockedCanBeReadToItsEnd()
     {
         openExample("bracket.step", 10);

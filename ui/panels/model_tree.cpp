@@ -226,8 +226,12 @@ void ModelTree::mousePressEvent(QMouseEvent* event)
 
 void ModelTree::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (!std::exchange(m_isOnButton, false))
-        QTreeWidget::mouseReleaseEvent(event);
+    if (std::exchange(m_isOnButton, false))
+        return;
+    QTreeWidget::mouseReleaseEvent(event);
+    const bool isPlainClick = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
+    if (isPlainClick && state() == NoState && m_document.selection().kind == Selection::Kind::Tool)
+        emit toolClicked();
 }
 
 void ModelTree::mouseDoubleClickEvent(QMouseEvent* event)

@@ -71,6 +71,7 @@ public:
 signals:
     void hiddenChanged(const std::set<std::size_t>& hiddenParts);
     void problem(const QString& sentence);
+    void toolClicked(); ///< which is selected now
 
 protected:
     void mousePressEvent(QMouseEvent* event) override;
