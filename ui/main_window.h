@@ -181,6 +181,8 @@ private:
     void askForChoices(std::vector<FilePreview> previews);
     void takeIn(const QString& unit);
     void takeHealed(bool heal);
+    void startRefill(double spacing);
+    void refillOnceMore(double spacing);
     void showRefilled(PreparedContent prepared);
     void fillOpenParts();
     void openAgain(const QString& title, std::function<Model(const Model&)> change, const ImportChoices& request);

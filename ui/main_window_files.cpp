@@ -99,20 +99,37 @@ void MainWindow::refill(double spacing)
     if (m_document.isEmpty() || isBusy())
         return;
     m_banner->hide();
+    startRefill(spacing);
+}
+
+void MainWindow::startRefill(double spacing)
+{
     const auto work = [before = m_document.content(), spacing, now = m_document.frame()->snapshot,
                        fixtures = m_document.fixtures().list()](TaskControl& control) {
         return prepareRefill(before, spacing, *now, fixtures, control);
     };
     const auto finish = [this, spacing, edits = m_document.edits(),
                          isSeen = m_document.showsEdits()](PreparedContent prepared) {
-        if (isSeen && m_document.edits() == edits)
+        if (isSeen && m_document.edits() == edits && !m_document.isGoing())
             showRefilled(std::move(prepared));
-        else // once more, with what was done meanwhile
-            QTimer::singleShot(0, this,
-                               [this, spacing] { m_document.whenSettled([this, spacing] { refill(spacing); }); });
+        else
+            QTimer::singleShot(0, this, [this, spacing] { refillOnceMore(spacing); });
     };
     m_tasks.run<PreparedContent>(tr("Filling with a spacing of %1").arg(formatQuantity(spacing, Quantity::Length)),
                                  work, finish);
+}
+
+/// With what was done meanwhile, as soon as no hand holds anything any more.
+void MainWindow::refillOnceMore(double spacing)
+{
+    constexpr int untilNextLook = 100; // [ms]
+    if (m_document.isInGesture())
+        QTimer::singleShot(untilNextLook, this, [this, spacing] { refillOnceMore(spacing); });
+    else
+        m_document.whenSettled([this, spacing] {
+            if (!m_document.isEmpty() && !isBusy())
+                startRefill(spacing);
+        });
 }
 
 /// A part that does not suit the spacing, unlike the others, is only shown from now on.

@@ -144,13 +144,17 @@ private slots:
         key(Qt::Key_G);
         const double end = snapshot().time + 0.4;
         key(Qt::Key_Space);
-        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time >= end, patience);
+        const auto isFilmed = [&] { // as far as the axis knows
+            const auto& pictures = axis().timeline().pictures;
+            return pictures.size() > 4 && pictures.back().isUnderWay;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time >= end && isFilmed(), patience);
         key(Qt::Key_Space);
         for (int i = 0; i < 3; ++i)
             QTest::mouseClick(find<QToolButton>("filmBack"), Qt::LeftButton);
         QVERIFY(panel().isLookingBack());
         const Timeline line = axis().timeline();
-        QVERIFY(line.pictures.size() > 4 && line.pictures.back().isUnderWay);
+        QVERIFY(isFilmed());
         QTest::mouseClick(find<QToolButton>("filmBranch"), Qt::LeftButton);
         settle();
         QVERIFY2(presentName().startsWith("Branch at "), qPrintable(presentName()));

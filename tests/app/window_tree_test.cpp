@@ -245,6 +245,11 @@ private slots:
         QTest::keyClick(tree()->findChild<QLineEdit*>(), Qt::Key_Escape);
         QTRY_VERIFY(tree()->findChild<QLineEdit*>() == nullptr);
         clickLine(line("Block 1"));
+        QCOMPARE(QApplication::focusWidget(), &m_window->viewport());
+        const QRect part = tree()->visualItemRect(line("bar.step")); // its arrow folds it: the tool stays selected
+        QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {}, QPoint(part.left() - 10, part.center().y()));
+        QCOMPARE(document().selection().kind, Selection::Kind::Tool);
+        QVERIFY(QApplication::focusWidget() != &m_window->viewport());
         const QPoint place = tree()->visualItemRect(line("Block 1")).center();
         QTest::mouseDClick(tree()->viewport(), Qt::LeftButton, {}, place);
         QTest::mouseRelease(tree()->viewport(), Qt::LeftButton, {}, place);

@@ -210,9 +210,11 @@ public:
 
     /// A tool as panels show it: with edits that are on their way to the simulation. None: there is no such tool.
     std::optional<ToolState> toolWithEdits(ToolId tool) const;
-    /// Where a move by hand begins: where the tool is seen while time runs, else where it was put last, seen there already or not.
+    /// Where a move by hand begins: where the tool was put last, if that is not seen yet, else where it is seen.
     /// @pre there is such a tool
     Pose poseToMoveFrom(ToolId tool) const;
+    /// Puts a tool elsewhere. @param move is told where the move begins
+    void moveTool(ToolId tool, std::function<Pose(const Pose&)> move);
     /// While paused the tool is put there; while time runs it goes there. @param axis 0, 1, 2: x, y, z
     void placeTool(ToolId tool, int axis, double coordinate);
     /// @param change of kind, size, friction and limits; the size is fitted to the kind afterwards
@@ -284,6 +286,7 @@ private:
     void noticeEmptyFixtures();
 
     void openGesture(const QString& key);
+    void noteEdit();
     void noteGesture();
     void noticeStop();
 

@@ -66,6 +66,7 @@ void Document::reset()
     finishGesture();
     m_toolRequests.forget();
     m_simulation->reset();
+    noteEdit();
     m_isPlaying = false;
     m_gesture = {.isAny = true, .name = tr("Reset")};
     finishGesture();
@@ -93,12 +94,18 @@ void Document::post(Command command, const QString& name)
         emit looksChanged();
     }
     m_simulation->post(std::move(command));
-    ++m_edits;
-    m_editRequest = m_simulation->requests();
+    noteEdit();
     if (isOfFixture)
         m_fixtureRequest = m_simulation->requests();
     if (!m_gesture.isHeld)
         m_ending->start(key.isEmpty() ? 0 : goingOnTime);
+}
+
+/// The simulation was asked for another state than it had.
+void Document::noteEdit()
+{
+    ++m_edits;
+    m_editRequest = m_simulation->requests();
 }
 
 /// There is something to undo from now on.

@@ -17,7 +17,14 @@ std::optional<ToolState> Document::toolWithEdits(ToolId id) const
 
 Pose Document::poseToMoveFrom(ToolId id) const
 {
-    return m_isPlaying ? tool(id)->pose : toolWithEdits(id)->pose;
+    return m_toolRequests.placed(id, *m_frame->snapshot).value_or(tool(id)->pose);
+}
+
+void Document::moveTool(ToolId id, std::function<Pose(const Pose&)> move)
+{
+    if (tool(id) == nullptr || later([this, id, move] { moveTool(id, move); }))
+        return;
+    post(PlaceManipulator{id, move(poseToMoveFrom(id))});
 }
 
 void Document::placeTool(ToolId id, int axis, double coordinate)

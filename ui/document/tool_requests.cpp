@@ -65,6 +65,14 @@ bool ToolRequests::isOnItsWay(ToolId tool, const Snapshot& snapshot) const
            (asked.pose && snapshot.requests < asked.poseRequest);
 }
 
+std::optional<Pose> ToolRequests::placed(ToolId tool, const Snapshot& snapshot) const
+{
+    const auto found = m_asked.find(tool);
+    const bool isPut =
+        found != m_asked.end() && !found->second.isGoing && snapshot.requests < found->second.poseRequest;
+    return isPut ? found->second.pose : std::nullopt;
+}
+
 ToolState ToolRequests::asked(const ToolState& tool) const
 {
     ToolState result = tool;

@@ -21,6 +21,8 @@ public:
 
     /// Some edit of the tool is in no snapshot yet.
     bool isOnItsWay(ToolId tool, const Snapshot& snapshot) const;
+    /// Where it was put, which is in no snapshot yet; a goal that it is on its way to does not count.
+    std::optional<Pose> placed(ToolId tool, const Snapshot& snapshot) const;
     /// The tool as it will be when all that was asked of it is done. @param tool as the newest snapshot has it
     ToolState asked(const ToolState& tool) const;
 

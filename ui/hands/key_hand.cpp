@@ -132,9 +132,8 @@ void KeyHand::step(const BoundKey& key)
     const ToolState* moved = tool(key.tool);
     if (moved == nullptr)
         return;
-    Pose pose = m_document.poseToMoveFrom(moved->id);
-    pose.position += m_settings.choices().keyStep * slowness() * keyDirection(key.arrow, m_view.camera());
-    m_document.post(PlaceManipulator{moved->id, pose});
+    const Vec3 step = m_settings.choices().keyStep * slowness() * keyDirection(key.arrow, m_view.camera());
+    m_document.moveTool(moved->id, [step](const Pose& from) { return Pose{from.position + step, from.rotation}; });
 }
 
 QRect KeyHand::overlayArea() const

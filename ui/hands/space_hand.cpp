@@ -116,9 +116,12 @@ void SpaceHand::moveTool(const ToolState& tool, const SpaceMotion& motion)
 {
     const DriveAt drive = toolMotion(tool, m_view.camera(), motion, m_settings.choices().spaceMouseRate);
     if (!m_document.isPlaying()) {
-        const Pose pose = m_document.poseToMoveFrom(tool.id);
-        Manipulator moved{.size = tool.size, .pose = pose, .speedLimit = tool.speedLimit, .motion = drive};
-        m_document.post(PlaceManipulator{tool.id, advance(moved, 0, std::min(motion.seconds, longestLook))});
+        Manipulator moved{.size = tool.size, .speedLimit = tool.speedLimit, .motion = drive};
+        m_document.moveTool(tool.id,
+                            [moved, seconds = std::min(motion.seconds, longestLook)](const Pose& from) mutable {
+                                moved.pose = from;
+                                return advance(moved, 0, seconds);
+                            });
         return;
     }
     if (!m_driven)

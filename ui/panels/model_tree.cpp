@@ -228,9 +228,11 @@ void ModelTree::mouseReleaseEvent(QMouseEvent* event)
 {
     if (std::exchange(m_isOnButton, false))
         return;
+    const QTreeWidgetItem* item = itemAt(event->position().toPoint());
+    const bool isTool = item != nullptr && selectionOf(item).kind == Selection::Kind::Tool;
     QTreeWidget::mouseReleaseEvent(event);
     const bool isPlainClick = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
-    if (isPlainClick && state() == NoState && m_document.selection().kind == Selection::Kind::Tool)
+    if (isTool && isPlainClick && state() == NoState && m_document.selection().kind == Selection::Kind::Tool)
         emit toolClicked();
 }
 

@@ -214,9 +214,8 @@ void Manipulation::drive()
 void Manipulation::nudge(int key, bool isSlow)
 {
     const ToolState* tool = selectedTool();
-    Pose pose = m_document.poseToMoveFrom(tool->id);
-    pose.position += tool->speedLimit * nudgeTime * (isSlow ? slowness : 1) * keyDirection(key, m_camera);
-    m_document.post(PlaceManipulator{tool->id, pose});
+    const Vec3 step = tool->speedLimit * nudgeTime * (isSlow ? slowness : 1) * keyDirection(key, m_camera);
+    m_document.moveTool(tool->id, [step](const Pose& from) { return Pose{from.position + step, from.rotation}; });
 }
 
 } // namespace knead
