@@ -217,6 +217,7 @@ private slots:
             m_window->exportForces(m_folder->filePath("forces.csv"));
             // In the log: work may be kept for recovery at that time, which has its own sentence in the banner then.
             QTRY_VERIFY_WITH_TIMEOUT(logged().contains("forces.csv cannot be written"), patience);
+            QVERIFY(m_window->banner().isVisible());
         }
         const QStringList lines = logged().split('\n').filter("forces.csv cannot be written");
         QCOMPARE(lines.size(), 1);
