@@ -112,16 +112,40 @@ private:
                motion.angularMomentum.allFinite() && std::abs(motion.rotation.norm() - 1) < 1e-6;
     }
 
+    /// C of every object is positive, with its determinant near enough to 1.
+    static bool areMetrics(const PlasticState& plastic, std::size_t objects)
+    {
+        for (const LaneVector<double>& component : plastic.metric)
+            if (component.size() != plastic.metric[0].size() ||
+                !all(component, [](double entry) { return std::isfinite(entry); }))
+                return false;
+        if (plastic.metric[0].empty())
+            return plastic.equivalentStrain.empty() && plastic.damage.empty();
+        const auto isMetric = [&](std::size_t i) {
+            const auto& c = plastic.metric;
+            const double minor = c[0][i] * c[1][i] - c[3][i] * c[3][i];
+            const double determinant = c[2][i] * minor - c[5][i] * (c[0][i] * c[5][i] - c[3][i] * c[4][i]) +
+                                       c[4][i] * (c[3][i] * c[5][i] - c[1][i] * c[4][i]);
+            return c[0][i] > 0 && minor > 0 && std::abs(determinant - 1) < 0.01;
+        };
+        for (std::size_t i = 0; i < plastic.metric[0].size(); ++i)
+            if (!isMetric(i))
+                return false;
+        return plastic.metric[0].size() == objects && plastic.equivalentStrain.size() == objects &&
+               plastic.damage.size() == objects && all(plastic.equivalentStrain, isAmount) &&
+               all(plastic.damage, isAmount);
+    }
+
     static bool areChanges(const StructuralConnections::Changes& changes, const Aggregate& aggregate)
     {
         for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
-            const auto fits = [&](const LaneVector<double>& numbers) {
-                return numbers.empty() || numbers.size() == aggregate.weight[d].size();
-            };
-            if (!fits(changes.nominalLength[d]) || !all(changes.nominalLength[d], isPositive) ||
-                !fits(changes.plasticStrain[d]) || !all(changes.plasticStrain[d], isAmount))
+            const LaneVector<double>& lengths = changes.plastic.nominalLength[d];
+            const bool fits = lengths.empty() || lengths.size() == aggregate.weight[d].size();
+            if (!fits || !all(lengths, isPositive))
                 return false;
         }
+        if (!areMetrics(changes.plastic, aggregate.size()))
+            return false;
         std::set<ConnectionId> seen;
         const auto canBreak = [&](const ConnectionId& connection) {
             return connection.direction < Lattice::directionCount &&

@@ -20,8 +20,9 @@ using Of = std::conditional_t<Stream::isReader, Value, const Value>;
 /// How many numbers a body has, for those who read it; who writes it knows.
 struct Sizes {
     Sizes() = default;
-    explicit Sizes(const Aggregate& aggregate)
+    Sizes(const Aggregate& aggregate, std::uint32_t written)
         : objects(aggregate.size())
+        , version(written)
     {
         for (std::size_t d = 0; d < Lattice::directionCount; ++d)
             connections[d] = aggregate.weight[d].size();
@@ -29,6 +30,7 @@ struct Sizes {
 
     std::size_t objects = 0;
     std::array<std::size_t, Lattice::directionCount> connections{};
+    std::uint32_t version = momentVersion;
 };
 
 std::uint64_t fingerprintOf(const ToolPart& part)
@@ -216,9 +218,20 @@ void rigidMotion(Stream& bytes, Of<Stream, RigidMotion::Memory>& motion, std::si
 template <typename Stream>
 void changes(Stream& bytes, Of<Stream, StructuralConnections::Changes>& changes, const Sizes& sizes)
 {
+    auto& plastic = changes.plastic;
     for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
-        bytes.numbers(changes.nominalLength[d], sizes.connections[d]);
-        bytes.numbers(changes.plasticStrain[d], sizes.connections[d]);
+        bytes.numbers(plastic.nominalLength[d], sizes.connections[d]);
+        if constexpr (Stream::isReader)
+            if (sizes.version == 1) {
+                LaneVector<double> strainOfConnections; // objects have their own now, which begins anew
+                bytes.numbers(strainOfConnections, sizes.connections[d]);
+            }
+    }
+    if (sizes.version > 1) {
+        for (auto& component : plastic.metric)
+            bytes.numbers(component, sizes.objects);
+        bytes.numbers(plastic.equivalentStrain, sizes.objects);
+        bytes.numbers(plastic.damage, sizes.objects);
     }
     bytes.numbers(changes.restDilatation, sizes.objects);
     bytes.list(changes.broken, [&](auto& connection) {
@@ -291,7 +304,8 @@ Bytes momentContent(const Moment& moment)
     return bytes.take();
 }
 
-Moment momentFromContent(std::span<const std::byte> content, std::span<const Body> bodies, const ToolParts& parts)
+Moment momentFromContent(std::span<const std::byte> content, std::span<const Body> bodies, const ToolParts& parts,
+                         std::uint32_t version)
 {
     ByteReader bytes(content);
     Moment moment;
@@ -301,7 +315,7 @@ Moment momentFromContent(std::span<const std::byte> content, std::span<const Bod
         throw std::runtime_error("it has another number of bodies than the scene");
     for (const Body& each : bodies) {
         Moment::BodyMoment& read = moment.bodies.emplace_back(Moment::BodyMoment{.materials = MaterialMap({}, 0)});
-        body(bytes, read, Sizes(*each.aggregate));
+        body(bytes, read, Sizes(*each.aggregate, version));
     }
     rest(bytes, moment, parts);
     if (!bytes.atEnd())

@@ -7,11 +7,16 @@
 
 namespace knead {
 
+/// Of what momentContent() gives. 1: each connection had a plastic strain of its own; 2: each object has a plastic metric.
+inline constexpr std::uint32_t momentVersion = 2;
+
 /// What momentToBytes() packs: all of a moment, value after value.
 Bytes momentContent(const Moment& moment);
 
 /// The other way.
+/// @param version that it was written with, 1 .. momentVersion
 /// @throws std::runtime_error, a phrase such as "it ends early", when it is no moment of these bodies
-Moment momentFromContent(std::span<const std::byte> content, std::span<const Body> bodies, const ToolParts& parts);
+Moment momentFromContent(std::span<const std::byte> content, std::span<const Body> bodies, const ToolParts& parts,
+                         std::uint32_t version = momentVersion);
 
 } // namespace knead

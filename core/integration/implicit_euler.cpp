@@ -115,7 +115,7 @@ Contacts::Report ImplicitEuler::findForces(Contacts& contacts, std::span<const R
 {
     for (BodyView& body : m_bodies) {
         if (body.deforms) {
-            body.connections->computeForces(*body.state, step.duration);
+            body.connections->computeForces(*body.state, step.duration, step.duration);
         } else {
             body.state->force.setZero();
             body.state->damping.setZero();
@@ -333,6 +333,7 @@ Contacts::Report ImplicitEuler::settle(Contacts& contacts, std::span<const Rigid
 void ImplicitEuler::undo()
 {
     for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        m_bodies[b].connections->rejectFlow();
         m_bodies[b].state->position = m_startPosition[b];
         m_bodies[b].state->velocity = m_startVelocity[b];
         if (m_startMotion[b])
@@ -391,7 +392,9 @@ ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const Ri
                 report.largestSpeed = std::isfinite(speed) ? speed : std::numeric_limits<double>::infinity();
         }
     }
-    report.numerical = numericalLoss(report.contacts, elasticEnergy() + report.contacts.energy - before, h);
+    for (const BodyView& body : m_bodies)
+        report.plastic += body.connections->flowedEnergy();
+    report.numerical = -report.plastic + numericalLoss(report.contacts, elasticEnergy() + report.contacts.energy - before, h);
     return report;
 }
 

@@ -41,6 +41,7 @@ public:
         int iterations = 0;       ///< of conjugate gradients, in all of them
         double largestSpeed = 0;  ///< [m/s]; not finite when any velocity is not
         double dampingWork = 0;   ///< of state.damping on the objects [J]
+        double plastic = 0;       ///< energy that flowed off [J]; what flowed is kept by acceptFlow() only
         double numerical = 0;     ///< energy that the scheme itself took out [J]
         Contacts::Report contacts; ///< at the end
     };

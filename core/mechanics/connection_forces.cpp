@@ -35,50 +35,64 @@ constexpr std::size_t vectorBegin(std::size_t place)
 
 } // namespace
 
-void StructuralConnections::computeStress(const VectorArray& position)
+/// Calls run() for the runs of objects whose stress is found together, on several threads.
+void StructuralConnections::forEachSurroundings(const VectorArray& position,
+                                                const std::function<void(const kernels::Surroundings&)>& run) const
 {
-    std::array<const double*, Lattice::directionCount> stiffness{};
-    std::array<const double*, 6> inverseShape{};
+    const auto stiffness = pointersTo<const double*>(m_stiffness);
+    const auto inverseShape = pointersTo<const double*>(m_inverseShape);
+    forEachBlock(position.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
+        forEachRun(m_stressRuns, begin, end, [&](const LatticeRun& part, std::size_t first, std::size_t last) {
+            run({.begin = first,
+                 .end = last,
+                 .position = position.data(),
+                 .stride = static_cast<std::ptrdiff_t>(position.stride()),
+                 .forward = part.forward,
+                 .backward = part.backward,
+                 .ahead = part.ahead.data(),
+                 .behind = part.behind.data(),
+                 .hasBehind = m_hasBehind.data(),
+                 .stiffness = stiffness.data(),
+                 .inverseShape = inverseShape.data(),
+                 .restDilatation = m_changes.restDilatation.data(),
+                 .spacing = m_aggregate->lattice.spacing});
+        });
+    });
+}
+
+/// Where the stress of objects goes, column by column.
+std::array<double*, 9> StructuralConnections::stressColumns(std::size_t objects)
+{
     std::array<double*, 9> stress{};
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-        stiffness[d] = m_stiffness[d].data();
-    for (std::size_t c = 0; c < 6; ++c)
-        inverseShape[c] = m_inverseShape[c].data();
     for (VectorArray& column : m_stress)
-        if (column.size() != position.size())
-            column.resize(position.size());
+        if (column.size() != objects)
+            column.resize(objects);
     for (std::size_t c = 0; c < 9; ++c)
         stress[c] = m_stress[c / 3].component(c % 3);
-    forEachBlock(position.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
-        forEachRun(m_stressRuns, begin, end, [&](const LatticeRun& run, std::size_t first, std::size_t last) {
-            kernels::best().volumetricStress({.begin = first,
-                                              .end = last,
-                                              .position = position.data(),
-                                              .stride = static_cast<std::ptrdiff_t>(position.stride()),
-                                              .forward = run.forward,
-                                              .backward = run.backward,
-                                              .ahead = run.ahead.data(),
-                                              .behind = run.behind.data(),
-                                              .hasBehind = m_hasBehind.data(),
-                                              .stiffness = stiffness.data(),
-                                              .inverseShape = inverseShape.data(),
-                                              .bulk = m_bulk.data(),
-                                              .restDilatation = m_changes.restDilatation.data(),
-                                              .spacing = m_aggregate->lattice.spacing,
-                                              .stress = stress.data(),
-                                              .theta = m_theta.data()});
-        });
+    return stress;
+}
+
+void StructuralConnections::computeStress(const VectorArray& position)
+{
+    if (m_tensors) {
+        applyTensorLaw(position, nullptr);
+        return;
+    }
+    const std::array<double*, 9> stress = stressColumns(position.size());
+    forEachSurroundings(position, [&](const kernels::Surroundings& at) {
+        kernels::best().volumetricStress(
+            {.at = at, .bulk = m_bulk.data(), .stress = stress.data(), .theta = m_theta.data()});
     });
     for (const ObjectIndex object : m_flat)
         m_theta[object] = 0;
-    m_thetaIsPresent = true;
 }
 
 kernels::ForceDirection StructuralConnections::forceDirection(std::size_t d) const
 {
     kernels::ForceDirection direction{};
     direction.stiffness = m_stiffness[d].data();
-    direction.nominalLength = m_changes.nominalLength[d].empty() ? nullptr : m_changes.nominalLength[d].data();
+    const LaneVector<double>& lengths = plasticState().nominalLength[d];
+    direction.nominalLength = lengths.empty() ? nullptr : lengths.data();
     direction.dampingTime = m_dampingTime[d].empty() ? nullptr : m_dampingTime[d].data();
     direction.uniformLength = m_aggregate->lattice.direction(static_cast<int>(d)).norm();
     for (std::size_t c = 0; c < 3; ++c)
@@ -115,7 +129,7 @@ void StructuralConnections::addForcesOfBlock(ObjectState& state, std::size_t beg
                                       .stride = static_cast<std::ptrdiff_t>(state.position.stride()),
                                       .dampingTime = m_laws.largestDampingTime(),
                                       .stressStride =
-                                          m_hasBulk ? static_cast<std::ptrdiff_t>(m_stress[0].stride()) : 0};
+                                          m_hasBulk || m_tensors ? static_cast<std::ptrdiff_t>(m_stress[0].stride()) : 0};
     Directions near;
     Directions far;
     forEachRun(m_runs, begin, end, [&](const LatticeRun& run, std::size_t first, std::size_t last) {
@@ -174,10 +188,12 @@ void StructuralConnections::addMargins(ObjectState& state, std::size_t begin, st
         add(m_margins[block]);
 }
 
-void StructuralConnections::computeForces(ObjectState& state, double dt)
+void StructuralConnections::computeForces(ObjectState& state, double dt, double flowTime)
 {
-    m_thetaIsPresent = false;
-    if (m_hasBulk)
+    m_hasTrial = false;
+    if (m_tensors && flowTime > 0)
+        flow(state.position, flowTime);
+    else if (m_hasBulk || m_tensors)
         computeStress(state.position);
     forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         for (VectorArray* array : {&state.force, &state.damping})

@@ -35,7 +35,7 @@ std::vector<double> StructuralConnections::bondBounds(const ObjectState& state, 
     forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         std::vector<Mat3> stiffness(end - begin, Mat3::Zero());
         for (std::uint32_t d = 0; d < Lattice::directionCount; ++d) {
-            const LaneVector<double>& own = m_changes.nominalLength[d];
+            const LaneVector<double>& own = plasticState().nominalLength[d];
             const double uniform = m_aggregate->lattice.direction(static_cast<int>(d)).norm();
             const auto add = [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
                 for (std::size_t s = 0; s < n; ++s)
@@ -117,7 +117,6 @@ double StructuralConnections::iteratedFrequency(ObjectState& state, const std::v
         }
         squared = std::max(squared, numerator / denominator);
     }
-    m_thetaIsPresent = false; // the probe's were written over it
     double contact = 0;
     for (std::size_t i = 0; i < count; ++i)
         contact = std::max(contact, added[i] / state.mass[i]);
@@ -157,7 +156,7 @@ double StructuralConnections::leastDampingTime() const
 
 double StructuralConnections::largestFrequency(ObjectState& state, const std::vector<double>& added)
 {
-    if (m_materials->largest([](const Material& material) { return material.poissonRatio; }) > 0.25)
+    if (m_tensors || m_materials->largest([](const Material& material) { return material.poissonRatio; }) > 0.25)
         return iteratedFrequency(state, added);
     const std::vector<double> bounds = bondBounds(state, added);
     double squared = 0;

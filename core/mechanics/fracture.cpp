@@ -93,6 +93,8 @@ void StructuralConnections::markBroken(const ConnectionId& connection)
     // What has begun to break apart bears no hydrostatic tension any more.
     m_bulk[lower] = 0;
     m_bulk[upper] = 0;
+    if (m_tensors)
+        m_tensors->tensionShare[lower] = m_tensors->tensionShare[upper] = 0;
 }
 
 void StructuralConnections::weakenBesideCracks(std::size_t d, std::size_t lower, std::size_t upper, std::size_t count,
@@ -109,7 +111,6 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
                                            std::vector<Overloaded>& found) const
 {
     double limit[chunkSize];
-    double ductility[chunkSize];
     double excess[chunkSize];
     double rest[chunkSize];
     // What no limit is below. Nearly always nothing exceeds it, and the limits need not be known.
@@ -117,9 +118,9 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
         m_laws.leastBreakingStrain() * (1 - strengthScatter) * (m_brokenAround.empty() ? 1 : strengthBesideCrack);
     using kernels::from;
     for (std::uint32_t d = 0; d < Lattice::directionCount; ++d) {
-        const LaneVector<double>& plastic = m_changes.plasticStrain[d];
-        const LaneVector<double>& own = m_changes.nominalLength[d];
-        const bool mayBeSpent = !plastic.empty() && m_laws.anyTires();
+        const LaneVector<double>& damage = m_changes.plastic.damage;
+        const LaneVector<double>& own = m_changes.plastic.nominalLength[d];
+        const bool mayBeSpent = !damage.empty() && m_laws.anyTires();
         std::fill_n(rest, chunkSize, m_aggregate->lattice.direction(static_cast<int>(d)).norm());
         forEachForward(
             m_aggregate->lattice, d, begin, end, [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {
@@ -132,15 +133,12 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
                         !kernels::best().anyLonger(count, self, neighbor, &m_stiffness[d][s], lengths, 1 + least))
                         continue;
                     m_laws.fill(&ConnectionLaw::breakingStrain, s, s + j - i, count, limit);
-                    m_laws.fill(&ConnectionLaw::ductility, s, s + j - i, count, ductility);
                     for (std::size_t c = 0; c < count; ++c)
                         limit[c] *= 1 + strengthScatter * scatter(d, s + c);
                     if (!m_brokenAround.empty())
                         weakenBesideCracks(d, s, s + j - i, count, limit);
-                    // A connection that has flowed as far as it can breaks as soon as it is stretched again.
-                    for (std::size_t c = 0; c < count && !plastic.empty(); ++c)
-                        if (plastic[s + c] > ductility[c])
-                            limit[c] = 0;
+                    if (mayBeSpent)
+                        dropSpent(s, s + j - i, count, limit);
                     kernels::best().excessStrain(count, self, neighbor, lengths, limit, excess);
                     for (std::size_t c = 0; c < count; ++c)
                         if (excess[c] > 0 && m_stiffness[d][s + c] > 0)
@@ -148,6 +146,17 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
                 }
             });
     }
+}
+
+/// Where material at both ends has flowed as far as it can, a connection breaks as soon as it is stretched again.
+void StructuralConnections::dropSpent(std::size_t lower, std::size_t upper, std::size_t count, double* limit) const
+{
+    const LaneVector<double>& damage = m_changes.plastic.damage;
+    double ductility[chunkSize];
+    m_laws.fill(&ConnectionLaw::ductility, lower, upper, count, ductility);
+    for (std::size_t c = 0; c < count; ++c)
+        if (0.5 * (damage[lower + c] + damage[upper + c]) > ductility[c])
+            limit[c] = 0;
 }
 
 std::vector<ConnectionId> StructuralConnections::overloaded(const ObjectState& state) const
@@ -201,13 +210,20 @@ double StructuralConnections::breakAll(const ObjectState& state, const std::vect
     objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
     // In the semi-implicit scheme the force of a connection has acted up to half a step ago: what it had then is set free.
     const double back = step / 2;
-    double released = energyAround(state, objects, back);
+    VectorArray before;
+    if (m_tensors) {
+        before = state.position;
+        for (std::size_t i = 0; i < state.size(); ++i)
+            before.set(i, placeBefore(state, i, back));
+    }
+    double released = m_tensors ? energy(before) : energyAround(state, objects, back);
     for (const ConnectionId& connection : connections) {
         double& k = m_stiffness[connection.direction][connection.lower];
         const auto [lower, upper] = endsOf(connection);
         const double length = (placeBefore(state, upper, back) - placeBefore(state, lower, back)).norm();
         const double stretch = length - nominalLength(connection);
-        released += 0.5 * k * stretch * stretch;
+        if (!m_tensors)
+            released += 0.5 * k * stretch * stretch;
         k = 0;
         m_changes.broken.push_back(connection);
         markBroken(connection);
@@ -215,8 +231,34 @@ double StructuralConnections::breakAll(const ObjectState& state, const std::vect
     m_count -= connections.size();
     for (const ObjectIndex object : objects)
         setInverseShape(object, shapeAround(state, object).reference);
-    m_thetaIsPresent = false;
-    return released; // the volumetric energy of the ends is all set free
+    if (!m_tensors)
+        return released; // the volumetric energy of the ends is all set free
+    for (const ObjectIndex object : objects)
+        m_tensors->volume[object] = m_aggregate->volume[object] * liveShare(object);
+    return released - energy(before);
+}
+
+/// Of the connections that an object was made with, by k |D|^2.
+double StructuralConnections::liveShare(ObjectIndex object) const
+{
+    double live = 0;
+    forEachConnection(object, [&](ObjectIndex, const ConnectionId& connection) {
+        live += m_aggregate->weight[connection.direction][connection.lower] *
+                latticeStep(connection, object).squaredNorm();
+    });
+    return m_tensors->wholeShape[object] > 0 ? live / m_tensors->wholeShape[object] : 1;
+}
+
+StructuralConnections::BreakReport StructuralConnections::breakOverloaded(const ObjectState& state, double step)
+{
+    BreakReport report;
+    if (!m_laws.anyBreaks())
+        return report;
+    if (const std::vector<ConnectionId> broken = overloaded(state); !broken.empty()) {
+        report.released = breakAll(state, broken, step);
+        report.broken = broken.size();
+    }
+    return report;
 }
 
 } // namespace knead

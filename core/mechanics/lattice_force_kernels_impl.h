@@ -192,7 +192,7 @@ struct ShapeSums {
 };
 
 template <int d>
-KNEAD_INLINE void addShapeOfDirection(const StressArguments& a, std::size_t i, UnsignedBits behind, ShapeSums& sums)
+KNEAD_INLINE void addShapeOfDirection(const Surroundings& a, std::size_t i, UnsignedBits behind, ShapeSums& sums)
 {
     constexpr int o[3] = {latticeDirections[d][0], latticeDirections[d][1], latticeDirections[d][2]};
     const bool hasNext = (a.forward >> d & 1U) != 0;
@@ -218,7 +218,7 @@ KNEAD_INLINE void addShapeOfDirection(const StressArguments& a, std::size_t i, U
     }
 }
 
-KNEAD_INLINE ShapeSums shapeOfVector(const StressArguments& a, std::size_t i)
+KNEAD_INLINE ShapeSums shapeOfVector(const Surroundings& a, std::size_t i)
 {
     ShapeSums sums{};
     const auto behind = __builtin_convertvector(*reinterpret_cast<const HalfLaneBits*>(a.hasBehind + i), UnsignedBits);
@@ -239,8 +239,9 @@ KNEAD_INLINE ShapeSums shapeOfVector(const StressArguments& a, std::size_t i)
 }
 
 template <bool partial>
-KNEAD_INLINE void stressOfVector(const StressArguments& a, std::size_t i)
+KNEAD_INLINE void stressOfVector(const StressArguments& arguments, std::size_t i)
 {
+    const Surroundings& a = arguments.at;
     const ShapeSums shape = shapeOfVector(a, i);
     const Lanes(&m)[3][3] = shape.m;
     const Lanes inverseSpacing = all(1 / a.spacing);
@@ -267,7 +268,7 @@ KNEAD_INLINE void stressOfVector(const StressArguments& a, std::size_t i)
     const Lanes below = determinant < smallest ? determinant / smallest - 1 : all(0);
     const Lanes dilatation = naturalLogarithm<UnsignedBits>(ratio) + below - load(a.restDilatation + i);
     // See volumetricStrain(): g g' / ratio, g' = 1 / (1 - theta)^2 where g = theta / (1 - theta).
-    const Lanes bulk = load(a.bulk + i);
+    const Lanes bulk = load(arguments.bulk + i);
     const LaneBits softens = (bulk < all(0)) & (dilatation < all(0));
     const Lanes damped = softens ? 1 / (1 - dilatation) : all(1);
     const Lanes slope = (softens & (determinant < all(0))) ? all(0) : damped * damped * damped;
@@ -282,18 +283,18 @@ KNEAD_INLINE void stressOfVector(const StressArguments& a, std::size_t i)
                     to[i + lane] = values[lane];
         }
     };
-    put(a.theta, dilatation);
+    put(arguments.theta, dilatation);
     for (int c = 0; c < 3; ++c) {
-        put(a.stress[c], p * (cofactor[0][c] * uu + cofactor[1][c] * uv + cofactor[2][c] * uw));
-        put(a.stress[3 + c], p * (cofactor[0][c] * uv + cofactor[1][c] * vv + cofactor[2][c] * vw));
-        put(a.stress[6 + c], p * (cofactor[0][c] * uw + cofactor[1][c] * vw + cofactor[2][c] * ww));
+        put(arguments.stress[c], p * (cofactor[0][c] * uu + cofactor[1][c] * uv + cofactor[2][c] * uw));
+        put(arguments.stress[3 + c], p * (cofactor[0][c] * uv + cofactor[1][c] * vv + cofactor[2][c] * vw));
+        put(arguments.stress[6 + c], p * (cofactor[0][c] * uw + cofactor[1][c] * vw + cofactor[2][c] * ww));
     }
 }
 
 void volumetricStress(const StressArguments& arguments)
 {
-    for (std::size_t i = firstVector(arguments.begin, arguments.end); i < arguments.end; i += lanes) {
-        if (i >= arguments.begin && i + lanes <= arguments.end)
+    for (std::size_t i = firstVector(arguments.at.begin, arguments.at.end); i < arguments.at.end; i += lanes) {
+        if (i >= arguments.at.begin && i + lanes <= arguments.at.end)
             stressOfVector<false>(arguments, i);
         else
             stressOfVector<true>(arguments, i);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/mechanics/tensor_law.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -9,12 +11,6 @@
 /// does the same IEEE operations and fused multiply-add is off.
 namespace knead::kernels {
 
-/// Component pointers to the first object of a stretch.
-struct ConstVectors {
-    const double* x;
-    const double* y;
-    const double* z;
-};
 struct Vectors {
     double* x;
     double* y;
@@ -58,22 +54,10 @@ struct ForceArguments {
 
 /// The volumetric stress of a run of objects.
 struct StressArguments {
-    std::size_t begin;
-    std::size_t end;
-    const double* position;
-    std::ptrdiff_t stride;
-    std::uint32_t forward;             ///< bit d: direction d is there ahead of the objects
-    std::uint32_t backward;            ///< bit d: behind them
-    const std::int32_t* ahead;         ///< per direction
-    const std::int32_t* behind;        ///< per direction
-    const std::uint32_t* hasBehind;    ///< per object: bit d where the connection from behind is its own
-    const double* const* stiffness;    ///< per direction: k at the lower object
-    const double* const* inverseShape; ///< 6: uu vv ww uv uw vw of K^-1 = (sum k o o^T)^-1
-    const double* bulk;                ///< (lambda - mu) V [J]
-    const double* restDilatation;      ///< theta at which there is no pressure
-    double spacing;                    ///< a [m]
-    double* const* stress;             ///< 9, written: (p / a) F^-T K^-1, column-wise, p = (lambda - mu) V theta
-    double* theta;                     ///< written: ln det F - restDilatation, F = (sum k d o^T) K^-1 / a
+    Surroundings at;
+    const double* bulk;    ///< (lambda - mu) V [J]
+    double* const* stress; ///< 9, written: (p / a) F^-T K^-1, column-wise, p = (lambda - mu) V theta
+    double* theta;         ///< written: ln det F - restDilatation, F = (sum k d o^T) K^-1 / a
 };
 
 /// Objects that move on. Arrays begin at the first of them, which is the first of a vector; the last vector is done whole.
@@ -114,25 +98,6 @@ inline double volumetricStrain(double bulk, double theta, double restDilatation)
     return least / (1 - least);
 }
 
-/// Arrays of a stretch of connections that flow. Strains are ln(L / l) less a third of the dilatation at the two ends.
-struct FlowArguments {
-    ConstVectors self;
-    ConstVectors neighbor;
-    const double* selfDilatation;
-    const double* neighborDilatation;
-    const double* stiffness;
-    const double* yieldStrain;
-    const double* hardening;
-    const double* share; ///< of the strain beyond yield that flows off now, 0 .. 1
-    double* nominalLength;
-    double* plasticStrain; ///< sum of all flow so far
-    double* dissipated;    ///< sumLanes partial sums [J]
-};
-
-/// Where the dilatation at an end is below this (a quarter of the volume left), connections do not flow: what F says about
-/// the volume there is no longer reliable.
-inline constexpr double leastFlowingDilatation = -1.4;
-
 /// Partial sums that a reducing kernel keeps apart.
 inline constexpr std::size_t sumLanes = 8;
 
@@ -144,7 +109,18 @@ struct Kernels {
 
     void (*volumetricStress)(const StressArguments& arguments);
 
-    void (*flow)(std::size_t count, const FlowArguments& arguments);
+    /// Forces, and flow, of objects with the law of tensor_law.h.
+    void (*tensorLaw)(const TensorLawArguments& arguments);
+
+    /// Writes ln det F - restDilatation, and F by lattice column unless `gradient` is null.
+    void (*deformation)(const Surroundings& at, double* theta, double* const* gradient);
+
+    /// Writes ln(L / l).
+    void (*naturalStrain)(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor,
+                          const double* nominalLength, double* strain);
+
+    /// Nominal lengths follow a flow.
+    void (*lengthen)(std::size_t count, const LengthArguments& arguments);
 
     /// Whether any connection (of stiffness > 0) is longer than `factor` times its nominal length.
     bool (*anyLonger)(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor,

@@ -6,47 +6,13 @@
 
 #include "core/mechanics/lattice_force_kernels_impl.h"
 #include "core/mechanics/lattice_kernels.h"
+#include "core/mechanics/tensor_law_kernels_impl.h"
 
 #include <cstdint>
 
 namespace knead::kernels::KNEAD_KERNEL_SET {
 
 namespace {
-
-void flow(std::size_t count, const FlowArguments& arguments)
-{
-    const double *x0 = arguments.self.x, *y0 = arguments.self.y, *z0 = arguments.self.z;
-    const double *x1 = arguments.neighbor.x, *y1 = arguments.neighbor.y, *z1 = arguments.neighbor.z;
-    const double *t0 = arguments.selfDilatation, *t1 = arguments.neighborDilatation;
-    const double *k = arguments.stiffness, *yield = arguments.yieldStrain, *hardening = arguments.hardening;
-    const double* share = arguments.share;
-    double *l = arguments.nominalLength, *plastic = arguments.plasticStrain;
-    double* dissipated = arguments.dissipated;
-    const auto one = [&](std::size_t i, double& sum) {
-        const double dx = x1[i] - x0[i], dy = y1[i] - y0[i], dz = z1[i] - z0[i];
-        const double length = __builtin_sqrt(dx * dx + dy * dy + dz * dz + tinyLengthSquared);
-        const double strain = naturalLogarithm<std::uint64_t>(length / l[i]) - (t0[i] + t1[i]) * (1.0 / 6);
-        const double size = strain < 0 ? -strain : strain;
-        const double beyond = size - (yield[i] + hardening[i] * plastic[i]);
-        const double least = t0[i] < t1[i] ? t0[i] : t1[i];
-        const double amount = beyond > 0 && least > leastFlowingDilatation && k[i] > 0 ? beyond * share[i] : 0;
-        const double before = length - l[i];
-        // exp(strain) to first order, in the form that stays positive.
-        const double nominal = strain > 0 ? l[i] * (1 + amount) : l[i] / (1 + amount);
-        const double after = length - nominal;
-        l[i] = nominal;
-        plastic[i] += amount;
-        sum += 0.5 * k[i] * (before * before - after * after);
-    };
-    const std::size_t whole = count - count % sumLanes;
-    for (std::size_t first = 0; first < whole; first += sumLanes) {
-#pragma GCC ivdep
-        for (std::size_t lane = 0; lane < sumLanes; ++lane)
-            one(first + lane, dissipated[lane]);
-    }
-    for (std::size_t i = whole; i < count; ++i)
-        one(i, dissipated[i - whole]);
-}
 
 bool anyLonger(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor, const double* stiffness,
                const double* nominalLength, double factor)
@@ -112,6 +78,7 @@ AdvanceReport advance(const AdvanceArguments& a)
 } // namespace
 
 extern const Kernels set;
-const Kernels set{addForces, volumetricStress, flow, anyLonger, excessStrain, advance, KNEAD_KERNEL_NAME};
+const Kernels set{addForces, volumetricStress, tensorLaw, deformation,  naturalStrain,
+                  lengthen,  anyLonger,        excessStrain, advance, KNEAD_KERNEL_NAME};
 
 } // namespace knead::kernels::KNEAD_KERNEL_SET

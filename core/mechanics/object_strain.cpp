@@ -16,23 +16,6 @@ namespace {
 constexpr std::size_t objectsPerBlock = 512;
 constexpr double flattestShape = 0.01; // surroundings nearer to a plane say nothing about what is across it
 constexpr double leastStretch = 1e-3;  // of squashed material: logarithms stay finite
-constexpr double unknownMetric = 1e-6; // weight of the metric at rest, for surroundings that do not say it all
-
-using Vec6 = Eigen::Matrix<double, 6, 1>;
-using Mat6 = Eigen::Matrix<double, 6, 6>;
-
-/// o^T C o as a product of two vectors, for a symmetric C = (C00, C11, C22, C01, C02, C12).
-Vec6 quadraticForm(const Vec3& o)
-{
-    return {o[0] * o[0], o[1] * o[1], o[2] * o[2], 2 * o[0] * o[1], 2 * o[0] * o[2], 2 * o[1] * o[2]};
-}
-
-Mat3 symmetric(const Vec6& c)
-{
-    Mat3 matrix;
-    matrix << c[0], c[3], c[4], c[3], c[1], c[5], c[4], c[5], c[2];
-    return matrix;
-}
 
 /// The live connections of objects.
 class Surroundings {
@@ -102,25 +85,6 @@ Mat3 deformationGradient(const Surroundings& surroundings, std::span<const Vec3>
     return svd.matrixU() * stretches.asDiagonal() * svd.matrixV().transpose();
 }
 
-/// C with l^2 = o^T C o for the nominal lengths l, as well as they go with one metric.
-Mat3 relaxedMetric(const Surroundings& surroundings, const RelaxedState& relaxed, double spacing, ObjectIndex object)
-{
-    Mat6 normal = Mat6::Zero();
-    Vec6 right = Vec6::Zero();
-    double all = 0;
-    surroundings.forEach(object, [&](ObjectIndex, const Vec3& step, double weight, const ConnectionId& connection) {
-        const Vec6 form = quadraticForm(step / spacing);
-        const double growth = static_cast<double>(relaxed.growth[connection.direction][connection.lower]);
-        normal += weight * form * form.transpose();
-        right += weight * (step / spacing).squaredNorm() * growth * (2 + growth) * form;
-        all += weight;
-    });
-    if (all == 0)
-        return Mat3::Identity();
-    normal.diagonal().array() += unknownMetric * all;
-    return Mat3::Identity() + symmetric(normal.ldlt().solve(right));
-}
-
 /// ln sqrt(b) of a symmetric b.
 Mat3 halfLogarithm(const Mat3& b)
 {
@@ -144,6 +108,16 @@ Mat3 deviator(const Mat3& tensor)
 
 } // namespace
 
+Mat3 relaxedMetric(const RelaxedState& relaxed, const Lattice& lattice, ObjectIndex object)
+{
+    if (!relaxed.hasFlowed())
+        return Mat3::Identity();
+    const auto entry = [&](std::size_t n) { return static_cast<double>(relaxed.metric[n][object]); };
+    Mat3 metric;
+    metric << entry(0), entry(3), entry(4), entry(3), entry(1), entry(5), entry(4), entry(5), entry(2);
+    return lattice.axes * metric * lattice.axes.transpose();
+}
+
 std::vector<ObjectStrain> objectStrains(const Aggregate& aggregate, std::span<const Vec3> displacements,
                                         const RelaxedState& relaxed, std::span<const ConnectionId> broken)
 {
@@ -157,7 +131,7 @@ std::vector<ObjectStrain> objectStrains(const Aggregate& aggregate, std::span<co
             strains[i].strain = halfLogarithm(gradient * gradient.transpose());
             Mat3 elastic = strains[i].strain;
             if (relaxed.hasFlowed()) {
-                const Mat3 metric = relaxedMetric(surroundings, relaxed, aggregate.lattice.spacing, object);
+                const Mat3 metric = relaxedMetric(relaxed, aggregate.lattice, object);
                 elastic = halfLogarithm(gradient * metric.inverse() * gradient.transpose());
                 strains[i].flow = halfLogarithm(metric);
             }

@@ -14,10 +14,11 @@ namespace knead {
 struct RelaxedState {
     MaterialMap materials;
 
-    /// Nominal length of each connection by its length at rest, less 1; at the lower object. Empty: 0 for all, as at the start.
-    std::array<std::vector<float>, Lattice::directionCount> growth{};
+    /// Per object, the metric C of its relaxed material: uu vv ww uv uw vw, in lattice axes; what of it is volume included.
+    /// Empty: the identity for all, as at the start.
+    std::array<std::vector<float>, 6> metric{};
 
-    bool hasFlowed() const { return !growth[0].empty(); }
+    bool hasFlowed() const { return !metric[0].empty(); }
 
     friend bool operator==(const RelaxedState&, const RelaxedState&) = default;
 };
@@ -30,15 +31,17 @@ struct ObjectStrain {
     Mat3 flow = Mat3::Zero();
 };
 
+/// C of an object, in world axes; the identity where nothing has flowed.
+Mat3 relaxedMetric(const RelaxedState& relaxed, const Lattice& lattice, ObjectIndex object);
+
 /// Strain and stress at all objects.
 ///
 /// F is the deformation gradient that fits the connections of an object best, each by its cut-cell weight; broken ones do not
 /// count. Where they lie in a plane or on a line, nothing is known across it, and F neither stretches nor shears there.
 ///
-/// Flow and re-normalization change nominal lengths: of them the same fit makes the metric C of the relaxed material. What is
-/// elastic is then ln sqrt(F C^-1 F^T), and the stress (lambda tr(e) I + 2 mu e) / sqrt(det F C^-1 F^T) with mu and lambda of
-/// the object's material: what the connections and the volumetric term add up to where the strain is even. After flow its
-/// pressure is as rough as one metric fits the nominal lengths.
+/// Flow and re-normalization change the metric C of the relaxed material. What is elastic is ln sqrt(F C^-1 F^T), and the
+/// stress (lambda tr(e) I + 2 mu e) / sqrt(det F C^-1 F^T) with mu and lambda of the object's material: what the connections
+/// and the volumetric term add up to where the strain is even.
 /// Any thread; uses several.
 /// @param displacements per object, from rest [m]
 std::vector<ObjectStrain> objectStrains(const Aggregate& aggregate, std::span<const Vec3> displacements,

@@ -1,12 +1,15 @@
-// Plastic flow, re-normalization and recovery: how nominal lengths change. Part of StructuralConnections.
+// Plastic flow, re-normalization and recovery: how nominal lengths and plastic metrics change. Part of StructuralConnections.
 #include "core/mechanics/kernel_views.h"
 #include "core/mechanics/lattice_stretches.h"
 #include "core/mechanics/structural_connections.h"
 #include "core/task/parallel.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace knead {
@@ -15,107 +18,285 @@ namespace {
 
 constexpr std::size_t chunkSize = 256;
 
-/// Energy of a connection [J].
-double springEnergy(double stiffness, double length, double nominalLength)
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+Mat3 symmetric(const Vec6& c)
 {
-    return 0.5 * stiffness * (length - nominalLength) * (length - nominalLength);
+    Mat3 matrix;
+    matrix << c[0], c[3], c[4], c[3], c[1], c[5], c[4], c[5], c[2];
+    return matrix;
+}
+
+Mat3 metricAt(const PlasticState& state, std::size_t object)
+{
+    Vec6 c;
+    for (std::size_t n = 0; n < 6; ++n)
+        c[static_cast<Eigen::Index>(n)] = state.metric[n][object];
+    return symmetric(c);
+}
+
+void setMetric(PlasticState& state, std::size_t object, const Mat3& metric)
+{
+    constexpr Eigen::Index rows[6] = {0, 1, 2, 0, 0, 1};
+    constexpr Eigen::Index columns[6] = {0, 1, 2, 1, 2, 2};
+    for (std::size_t n = 0; n < 6; ++n)
+        state.metric[n][object] = metric(rows[n], columns[n]);
 }
 
 } // namespace
 
-/// Deviatoric flow (Perzyna with linear hardening, per connection; the bond form of state-based plasticity, Mitchell 2011):
-/// strain beyond yield, measured against the dilatation from ln det F, so that flow keeps volume at finite strain.
-double StructuralConnections::flowBlock(const ObjectState& state, std::size_t begin, std::size_t end, double dt)
+void StructuralConnections::findTensorNumbers()
 {
-    std::array<double, kernels::sumLanes> dissipated{};
-    double yield[chunkSize];
-    double hardening[chunkSize];
-    double share[chunkSize];
-    using kernels::from;
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-        forEachForward(m_aggregate->lattice, d, begin, end,
-                       [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {
-                           for (std::size_t s = 0; s < n; s += chunkSize) {
-                               const std::size_t count = std::min(chunkSize, n - s);
-                               m_laws.fill(&ConnectionLaw::yieldStrain, i + s, j + s, count, yield);
-                               m_laws.fill(&ConnectionLaw::hardening, i + s, j + s, count, hardening);
-                               m_laws.fill(&ConnectionLaw::flowTime, i + s, j + s, count, share);
-                               for (std::size_t c = 0; c < count; ++c)
-                                   share[c] = share[c] > 0 ? -std::expm1(-dt / share[c]) : 1;
-                               kernels::best().flow(count, {from(state.position, i + s), from(state.position, j + s),
-                                                            &m_theta[i + s], &m_theta[j + s], &m_stiffness[d][i + s],
-                                                            yield, hardening, share, &m_changes.nominalLength[d][i + s],
-                                                            &m_changes.plasticStrain[d][i + s], dissipated.data()});
+    m_tensors = m_laws.anyYields() ? std::make_unique<TensorBody>() : nullptr;
+    if (!m_tensors)
+        return;
+    const std::size_t count = m_aggregate->size();
+    TensorBody& body = *m_tensors;
+    for (auto* numbers : {&body.volume, &body.shear, &body.bulk, &body.tensionShare, &body.yieldStress, &body.hardening,
+                          &body.flowTime, &body.energy, &body.wholeShape})
+        numbers->assign(count, 0);
+    std::vector<double> live(count, 0);
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
+        const Lattice::Node& o = Lattice::directions[d];
+        const double squared = Vec3(o[0], o[1], o[2]).squaredNorm();
+        forEachForward(m_aggregate->lattice, d, 0, count,
+                       [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
+                           for (std::size_t s = 0; s < n; ++s) {
+                               const double share = squared * m_aggregate->weight[d][lower + s];
+                               for (const std::size_t end : {i + s, j + s}) {
+                                   body.wholeShape[end] += share;
+                                   live[end] += m_stiffness[d][lower + s] > 0 ? share : 0;
+                               }
                            }
                        });
-    return std::accumulate(dissipated.begin(), dissipated.end(), 0.0);
-}
-
-StructuralConnections::FlowReport StructuralConnections::flowAndBreak(const ObjectState& state, double dt, double step)
-{
-    FlowReport report;
-    if (m_laws.anyYields()) {
-        if (!m_thetaIsPresent)
-            computeStress(state.position);
-        std::vector<double> dissipated((state.size() + m_blockSize - 1) / m_blockSize);
-        forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
-            dissipated[begin / m_blockSize] = flowBlock(state, begin, end, dt);
-        });
-        report.plastic = std::accumulate(dissipated.begin(), dissipated.end(), 0.0);
-        m_lengthVersion += report.plastic > 0 ? 1 : 0;
     }
-    if (m_laws.anyBreaks())
-        if (const std::vector<ConnectionId> broken = overloaded(state); !broken.empty()) {
-            report.fracture = breakAll(state, broken, step);
-            report.broken = broken.size();
-        }
-    return report;
+    for (ObjectIndex i = 0; i < count; ++i) {
+        const Material& material = m_materials->of(i);
+        body.volume[i] = m_aggregate->volume[i] * (body.wholeShape[i] > 0 ? live[i] / body.wholeShape[i] : 1);
+        body.shear[i] = material.shearModulus();
+        body.bulk[i] = material.lameLambda() + 2.0 / 3 * material.shearModulus();
+        body.tensionShare[i] = 1;
+        body.yieldStress[i] = material.yields() ? material.yieldStress : std::numeric_limits<double>::infinity();
+        body.hardening[i] = material.hardening;
+        body.flowTime[i] = material.relaxationTime;
+    }
 }
 
+void StructuralConnections::applyTensorLaw(const VectorArray& position, const kernels::FlowResult* flow)
+{
+    TensorBody& body = *m_tensors;
+    const PlasticState& state = flow != nullptr ? m_changes.plastic : plasticState();
+    const std::array<double*, 9> stress = stressColumns(position.size());
+    const auto metric = pointersTo<const double*>(state.metric);
+    forEachSurroundings(position, [&](const kernels::Surroundings& at) {
+        kernels::best().tensorLaw({.at = at,
+                                   .numbers = {.volume = body.volume.data(),
+                                               .shear = body.shear.data(),
+                                               .bulk = body.bulk.data(),
+                                               .tensionShare = body.tensionShare.data(),
+                                               .yieldStress = body.yieldStress.data(),
+                                               .hardening = body.hardening.data(),
+                                               .flowTime = body.flowTime.data()},
+                                   .plastic = {.metric = metric.data(),
+                                               .equivalentStrain = state.equivalentStrain.data(),
+                                               .damage = state.damage.data()},
+                                   .flow = flow,
+                                   .stress = stress.data(),
+                                   .theta = m_theta.data(),
+                                   .energy = body.energy.data()});
+    });
+}
+
+/// ln(L / l) of all connections, and the dilatation of all objects.
+void StructuralConnections::findStrains(const VectorArray& position)
+{
+    TensorBody& body = *m_tensors;
+    const DirectionArray& lengths = m_changes.plastic.nominalLength;
+    forEachSurroundings(position, [&](const kernels::Surroundings& at) {
+        kernels::best().deformation(at, m_theta.data(), nullptr);
+    });
+    forEachBlock(position.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+            forEachForward(m_aggregate->lattice, d, begin, end,
+                           [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {
+                               kernels::best().naturalStrain(n, kernels::from(position, i), kernels::from(position, j),
+                                                             &lengths[d][i], &body.strain[d][i]);
+                           });
+    });
+}
+
+/// Nominal lengths after the flow of the objects. @return energy of the connections that went with it [J]
+double StructuralConnections::lengthen(const VectorArray& position)
+{
+    TensorBody& body = *m_tensors;
+    const DirectionArray& before = m_changes.plastic.nominalLength;
+    std::vector<double> sums((position.size() + m_blockSize - 1) / m_blockSize);
+    forEachBlock(position.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
+        std::array<double, kernels::sumLanes> lanes{};
+        for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+            forEachForward(m_aggregate->lattice, d, begin, end,
+                           [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {
+                               kernels::best().lengthen(n, {.lower = kernels::from(position, i),
+                                                            .upper = kernels::from(position, j),
+                                                            .strain = &body.strain[d][i],
+                                                            .lowerShare = &body.share[i],
+                                                            .upperShare = &body.share[j],
+                                                            .lowerAffine = &body.affine[d][i],
+                                                            .upperAffine = &body.affine[d][j],
+                                                            .lowerLengthening = &body.lengthening[d][i],
+                                                            .upperLengthening = &body.lengthening[d][j],
+                                                            .stiffness = &m_stiffness[d][i],
+                                                            .before = &before[d][i],
+                                                            .after = &body.flowed.nominalLength[d][i],
+                                                            .dissipated = lanes.data()});
+                           });
+        sums[begin / m_blockSize] = std::accumulate(lanes.begin(), lanes.end(), 0.0);
+    });
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+void StructuralConnections::flow(const VectorArray& position, double duration)
+{
+    TensorBody& body = *m_tensors;
+    if (body.share.size() != position.size()) {
+        body.flowed = m_changes.plastic;
+        body.share.assign(position.size(), 1);
+        body.dissipated.assign(position.size(), 0);
+        for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
+            const std::size_t used = m_stiffness[d].empty() ? 0 : position.size();
+            body.strain[d].assign(used, 0);
+            body.affine[d].assign(used, 0);
+            body.lengthening[d].assign(used, 1);
+        }
+    }
+    findStrains(position);
+    const auto strain = pointersTo<const double*>(body.strain);
+    const auto metric = pointersTo<double*>(body.flowed.metric);
+    const auto affine = pointersTo<double*>(body.affine);
+    const auto lengthening = pointersTo<double*>(body.lengthening);
+    const LaneVector<double> dilatation = m_theta; // of neighbors in other blocks, while these are written again
+    const kernels::FlowResult result{.duration = duration,
+                                     .connectionStrain = strain.data(),
+                                     .dilatation = dilatation.data(),
+                                     .metric = metric.data(),
+                                     .equivalentStrain = body.flowed.equivalentStrain.data(),
+                                     .damage = body.flowed.damage.data(),
+                                     .share = body.share.data(),
+                                     .affine = affine.data(),
+                                     .lengthening = lengthening.data(),
+                                     .dissipated = body.dissipated.data()};
+    applyTensorLaw(position, &result);
+    body.dissipatedEnergy =
+        lengthen(position) + std::accumulate(body.dissipated.begin(), body.dissipated.end(), 0.0);
+    m_hasTrial = true;
+}
+
+double StructuralConnections::acceptFlow()
+{
+    if (!m_hasTrial)
+        return 0;
+    m_hasTrial = false;
+    std::swap(m_changes.plastic, m_tensors->flowed);
+    const bool hasFlowed = std::any_of(m_tensors->share.begin(), m_tensors->share.end(), [](double s) { return s < 1; });
+    m_lengthVersion += hasFlowed ? 1 : 0;
+    return m_tensors->dissipatedEnergy;
+}
+
+/// C becomes what F makes of the shape at rest, all shear is forgotten; on the way there the elastic part of F shrinks.
 double StructuralConnections::renormalize(const ObjectState& state, const std::vector<std::uint8_t>& marks,
                                           double share)
 {
+    m_hasTrial = false;
     makeLengthsOwn();
     ++m_lengthVersion;
     const auto takesPart = [&](std::size_t object) { return marks.empty() || marks[object] != 0; };
-    double released = 0;
+    const double before = energy(state.position);
+    PlasticState& plastic = m_changes.plastic;
     for (std::uint32_t d = 0; d < Lattice::directionCount; ++d)
         forEachForward(m_aggregate->lattice, d, 0, state.size(),
                        [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
                            for (std::size_t s = 0; s < n; ++s) {
-                               const double k = m_stiffness[d][lower + s];
-                               if (k == 0 || !takesPart(i + s) || !takesPart(j + s))
+                               if (m_stiffness[d][lower + s] == 0 || !takesPart(i + s) || !takesPart(j + s))
                                    continue;
-                               double& nominal = m_changes.nominalLength[d][lower + s];
+                               double& nominal = plastic.nominalLength[d][lower + s];
                                const double length = (state.position.at(j + s) - state.position.at(i + s)).norm();
-                               released += springEnergy(k, length, nominal);
                                nominal += share * (length - nominal);
-                               released -= springEnergy(k, length, nominal);
-                               m_changes.plasticStrain[d][lower + s] *= 1 - share;
                            }
                        });
-    computeStress(state.position);
+    std::array<LaneVector<double>, 9> gradients;
+    for (auto& component : gradients)
+        component.assign(state.size(), 0);
+    const auto gradient = pointersTo<double*>(gradients);
+    forEachSurroundings(state.position, [&](const kernels::Surroundings& at) {
+        kernels::best().deformation(at, m_theta.data(), gradient.data());
+    });
     for (std::size_t i = 0; i < state.size(); ++i) {
         if (!takesPart(i))
             continue;
-        const double relaxed = share * m_theta[i];
-        released += volumetricEnergy(i);
-        m_theta[i] -= relaxed;
-        m_changes.restDilatation[i] += relaxed;
-        released -= volumetricEnergy(i);
+        plastic.equivalentStrain[i] *= 1 - share;
+        plastic.damage[i] *= 1 - share;
+        if (m_inverseShape[0][i] == 0)
+            continue; // flat: it has no F
+        m_changes.restDilatation[i] += share * m_theta[i];
+        Mat3 f;
+        for (std::size_t n = 0; n < 9; ++n)
+            f(static_cast<Eigen::Index>(n % 3), static_cast<Eigen::Index>(n / 3)) = gradients[n][i];
+        if (f.determinant() < kernels::smallestVolumeRatio)
+            continue;
+        const Mat3 shape = f / std::cbrt(f.determinant());
+        const Mat3 elastic = shape * metricAt(plastic, i).inverse() * shape.transpose();
+        Mat3 kept = (1 - share) * elastic + share * elastic.trace() / 3 * Mat3::Identity();
+        kept /= std::cbrt(kept.determinant());
+        setMetric(plastic, i, shape.transpose() * kept.inverse() * shape);
     }
-    return released;
+    return before - energy(state.position);
+}
+
+/// C from nominal lengths alone, of states that were kept without it: the symmetric H with n^T H n = ln(l / l_rest) as well as
+/// it goes makes C = e^(2 H), which stays positive however the lengths were sheared.
+void StructuralConnections::findMetric()
+{
+    PlasticState& plastic = m_changes.plastic;
+    const std::size_t count = m_aggregate->size();
+    std::vector<Mat6> normal(count, Mat6::Identity() * 1e-9);
+    std::vector<Vec6> right(count, Vec6::Zero());
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
+        const Lattice::Node& o = Lattice::directions[d];
+        const Vec3 n = Vec3(o[0], o[1], o[2]).normalized();
+        const Vec6 form{n[0] * n[0], n[1] * n[1], n[2] * n[2], 2 * n[0] * n[1], 2 * n[0] * n[2], 2 * n[1] * n[2]};
+        const double rest = m_aggregate->lattice.direction(static_cast<int>(d)).norm();
+        forEachForward(m_aggregate->lattice, d, 0, count,
+                       [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t m) {
+                           for (std::size_t s = 0; s < m; ++s) {
+                               const double weight = m_aggregate->weight[d][lower + s];
+                               const double strain = std::log(plastic.nominalLength[d][lower + s] / rest);
+                               for (const std::size_t end : {i + s, j + s}) {
+                                   normal[end] += weight * form * form.transpose();
+                                   right[end] += weight * strain * form;
+                               }
+                           }
+                       });
+    }
+    makeLengthsOwn();
+    for (std::size_t i = 0; i < count; ++i) {
+        Mat3 strain = symmetric(normal[i].ldlt().solve(right[i]));
+        strain -= strain.trace() / 3 * Mat3::Identity();
+        const Eigen::SelfAdjointEigenSolver<Mat3> solver(strain);
+        const Vec3 stretches = (2 * solver.eigenvalues()).array().exp();
+        setMetric(plastic, i, solver.eigenvectors() * stretches.asDiagonal() * solver.eigenvectors().transpose());
+    }
 }
 
 void StructuralConnections::recover(double dt)
 {
-    const auto healing = [&](ObjectIndex i) {
-        const Material& material = m_materials->of(i);
-        return material.heals() ? std::exp(-dt / material.healingTime) : 1;
-    };
-    for (auto& strains : m_changes.plasticStrain)
-        for (ObjectIndex i = 0; i < strains.size(); ++i)
-            strains[i] *= healing(i);
+    const auto& materials = m_materials->materials();
+    std::vector<double> kept;
+    for (const Material& material : materials)
+        kept.push_back(material.heals() ? std::exp(-dt / material.healingTime) : 1);
+    LaneVector<double>& damage = m_changes.plastic.damage;
+    for (ObjectIndex i = 0; i < damage.size(); ++i)
+        damage[i] *= kept[m_materials->indexOf(i)];
 }
 
 } // namespace knead

@@ -74,6 +74,7 @@ void StructuralConnections::updateMaterials()
     m_laws = ConnectionLaws(*m_materials, m_aggregate->lattice.spacing);
     findStiffness();
     m_mode.resize(0);
+    m_hasTrial = false;
     if (m_laws.anyYields())
         makeLengthsOwn();
     findInverseShapes();
@@ -85,6 +86,8 @@ void StructuralConnections::restore(Changes changes)
     ++m_lengthVersion;
     if (m_changes.restDilatation.empty())
         m_changes.restDilatation.assign(m_aggregate->size(), 0);
+    if (!m_changes.plastic.nominalLength[0].empty() && m_changes.plastic.metric[0].empty())
+        findMetric();
     updateMaterials();
 }
 
@@ -125,20 +128,25 @@ void StructuralConnections::findDampingTimes()
 
 void StructuralConnections::makeLengthsOwn()
 {
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
-        const std::size_t size = m_stiffness[d].size();
-        if (m_changes.nominalLength[d].size() != size)
-            m_changes.nominalLength[d].assign(size, m_aggregate->lattice.direction(static_cast<int>(d)).norm());
-        if (m_changes.plasticStrain[d].size() != size)
-            m_changes.plasticStrain[d].assign(size, 0);
-    }
+    const auto ensure = [](LaneVector<double>& numbers, std::size_t size, double value) {
+        if (numbers.size() != size)
+            numbers.assign(size, value);
+    };
+    PlasticState& plastic = m_changes.plastic;
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+        ensure(plastic.nominalLength[d], m_stiffness[d].size(),
+               m_aggregate->lattice.direction(static_cast<int>(d)).norm());
+    for (std::size_t c = 0; c < 6; ++c)
+        ensure(plastic.metric[c], m_aggregate->size(), c < 3 ? 1 : 0);
+    ensure(plastic.equivalentStrain, m_aggregate->size(), 0);
+    ensure(plastic.damage, m_aggregate->size(), 0);
 }
 
 const double* StructuralConnections::nominalLengths(std::size_t d, std::size_t lower, std::size_t count,
                                                     double* buffer) const
 {
-    if (!m_changes.nominalLength[d].empty())
-        return &m_changes.nominalLength[d][lower];
+    if (const LaneVector<double>& own = plasticState().nominalLength[d]; !own.empty())
+        return &own[lower];
     std::fill_n(buffer, count, m_aggregate->lattice.direction(static_cast<int>(d)).norm());
     return buffer;
 }
@@ -164,7 +172,6 @@ void StructuralConnections::findInverseShapes()
     m_bulk.resize(count);
     m_flat.clear();
     m_theta.assign(count, 0);
-    m_thetaIsPresent = false;
     std::vector<Mat3> shape(count, Mat3::Zero());
     for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
         const Mat3 dyad = latticeVector(d) * latticeVector(d).transpose();
@@ -180,6 +187,7 @@ void StructuralConnections::findInverseShapes()
         m_bulk[i] = bulkModulus(m_materials->of(i)) * m_aggregate->volume[i];
         setInverseShape(i, shape[i]);
     }
+    findTensorNumbers();
     m_brokenAround.clear();
     for (const ConnectionId& broken : m_changes.broken)
         markBroken(broken);
@@ -212,18 +220,15 @@ void StructuralConnections::setInverseShape(ObjectIndex object, const Mat3& shap
 
 double StructuralConnections::energy(const VectorArray& position)
 {
-    // Looking must not change what happens next: flow goes by the dilatation of the last forces.
-    std::vector<double> theta;
-    const bool isPresent = m_thetaIsPresent;
-    if (m_hasBulk) {
-        theta = m_theta;
+    const bool hasObjects = m_hasBulk || m_tensors;
+    if (hasObjects)
         computeStress(position);
-    }
+    const DirectionArray& lengths = plasticState().nominalLength;
     std::vector<double> sums((position.size() + m_blockSize - 1) / m_blockSize);
     forEachBlock(position.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         double& sum = sums[begin / m_blockSize];
         for (std::uint32_t d = 0; d < Lattice::directionCount; ++d) {
-            const LaneVector<double>& own = m_changes.nominalLength[d];
+            const LaneVector<double>& own = lengths[d];
             const double uniform = m_aggregate->lattice.direction(static_cast<int>(d)).norm();
             forEachForward(m_aggregate->lattice, d, begin, end,
                            [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
@@ -234,18 +239,16 @@ double StructuralConnections::energy(const VectorArray& position)
                                }
                            });
         }
-        for (std::size_t i = begin; m_hasBulk && i < end; ++i)
-            sum += volumetricEnergy(i);
+        for (std::size_t i = begin; hasObjects && i < end; ++i)
+            sum += objectEnergy(i);
     });
-    if (m_hasBulk) {
-        m_theta = std::move(theta);
-        m_thetaIsPresent = isPresent;
-    }
     return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-double StructuralConnections::volumetricEnergy(std::size_t object) const
+double StructuralConnections::objectEnergy(std::size_t object) const
 {
+    if (m_tensors)
+        return m_tensors->energy[object];
     const double strain = kernels::volumetricStrain(m_bulk[object], m_theta[object], m_changes.restDilatation[object]);
     return 0.5 * m_bulk[object] * strain * strain;
 }

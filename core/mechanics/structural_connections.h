@@ -7,9 +7,11 @@
 #include "core/mechanics/connection_law.h"
 #include "core/mechanics/lattice_kernels.h"
 #include "core/mechanics/object_state.h"
+#include "core/mechanics/plastic_state.h"
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -26,6 +28,9 @@ namespace knead {
 /// Poisson's ratio 1/4; the rest is a volumetric energy per object, 1/2 (lambda - mu) V theta^2 with
 /// theta = ln det F, F the least-squares deformation gradient over the object's connections. It is absent at 1/4.
 ///
+/// Where a material of the body yields, its objects have the law of tensor_law.h instead: neo-Hooke and J2 flow of a tensor per
+/// object, which the nominal lengths follow.
+///
 /// Nominal lengths change by plastic flow and re-normalization, connections are taken away by fracture; all of that is
 /// `Changes`, and going back to an earlier moment means putting earlier changes back.
 ///
@@ -34,12 +39,11 @@ namespace knead {
 /// place, and the bits do not depend on their number.
 class StructuralConnections {
 public:
-    using DirectionArray = std::array<LaneVector<double>, Lattice::directionCount>;
+    using DirectionArray = knead::DirectionArray;
 
     /// What has become of the connections since the body was made. Arrays are empty until they are needed.
     struct Changes {
-        DirectionArray nominalLength;      ///< l [m]
-        DirectionArray plasticStrain;      ///< sum of the flow of each connection
+        PlasticState plastic;
         LaneVector<double> restDilatation; ///< per object: theta of no pressure
         std::vector<ConnectionId> broken;  ///< in the order of breaking
     };
@@ -62,20 +66,29 @@ public:
 
     /// Writes state.force and state.damping. Reads positions and velocities.
     /// @param dt limits structural friction, which must not turn motion around [s]
-    void computeForces(ObjectState& state, double dt = 0);
+    /// @param flowTime plastic flow over so much time at the present positions comes first, and the forces are those after it
+    /// [s]; 0: none. It begins at changes(), and is kept by acceptFlow() only: a trial may follow another.
+    void computeForces(ObjectState& state, double dt = 0, double flowTime = 0);
 
-    /// Plastic flow of nominal lengths over a time dt, and breaking of connections that bear too much, at present positions.
-    /// @param dt since the last flow [s]
+    /// The flow of the last forces takes place. @return energy that went with it [J]; 0 when there was none
+    double acceptFlow();
+
+    /// What acceptFlow() would return.
+    double flowedEnergy() const { return m_hasTrial ? m_tensors->dissipatedEnergy : 0; }
+
+    /// Forgets the flow of the last forces.
+    void rejectFlow() { m_hasTrial = false; }
+
+    /// Breaking of connections that bear too much, at present positions.
     /// @param step of the integrator [s]: velocities lag half of it behind, and so does the energy that a connection had
-    struct FlowReport {
-        double plastic = 0;  ///< energy that flowed off [J]
-        double fracture = 0; ///< energy of connections that broke [J]
+    struct BreakReport {
+        double released = 0; ///< energy of connections that broke [J]
         std::size_t broken = 0;
     };
-    FlowReport flowAndBreak(const ObjectState& state, double dt, double step);
+    BreakReport breakOverloaded(const ObjectState& state, double step);
 
-    /// Whether flowAndBreak() can do anything with the present materials.
-    bool flowsOrBreaks() const { return m_laws.anyYields() || m_laws.anyBreaks(); }
+    bool yields() const { return m_laws.anyYields(); }
+    bool breaks() const { return m_laws.anyBreaks(); }
 
     /// Re-normalization: nominal lengths approach present lengths, and rest dilatations present ones.
     /// @param marks per object, 1 where it takes part; a connection does when both its objects do. Empty: all.
@@ -83,7 +96,7 @@ public:
     /// @return energy taken out [J]
     double renormalize(const ObjectState& state, const std::vector<std::uint8_t>& marks, double share);
 
-    /// Plastic strains of connections between healing materials decay [s of time].
+    /// What healing materials have flowed towards breaking is forgotten by and by [s of time].
     void recover(double dt);
 
     /// Elastic energy at positions, volumetric part included [J].
@@ -163,21 +176,32 @@ private:
     void findDampingTimes();
     void findInverseShapes();
     void setInverseShape(ObjectIndex object, const Mat3& shape);
+    void forEachSurroundings(const VectorArray& position,
+                             const std::function<void(const kernels::Surroundings&)>& run) const;
+    std::array<double*, 9> stressColumns(std::size_t objects);
     void computeStress(const VectorArray& position);
-    double volumetricEnergy(std::size_t object) const; ///< at the dilatation computed last [J]
+    double objectEnergy(std::size_t object) const; ///< besides that of connections, at the stress computed last [J]
+    void findTensorNumbers();
+    void applyTensorLaw(const VectorArray& position, const kernels::FlowResult* flow);
+    void findStrains(const VectorArray& position);
+    double lengthen(const VectorArray& position);
+    void flow(const VectorArray& position, double duration);
+    const PlasticState& plasticState() const { return m_hasTrial ? m_tensors->flowed : m_changes.plastic; }
+    void findMetric();
     kernels::ForceDirection forceDirection(std::size_t d) const;
     void addForcesOfBlock(ObjectState& state, std::size_t begin, std::size_t end);
     void addMargins(ObjectState& state, std::size_t begin, std::size_t end) const;
     void addFriction(ObjectState& state, double dt) const;
     void makeLengthsOwn();
-    double flowBlock(const ObjectState& state, std::size_t begin, std::size_t end, double dt);
     std::vector<ConnectionId> overloaded(const ObjectState& state) const;
     void markBroken(const ConnectionId& connection);
+    void dropSpent(std::size_t lower, std::size_t upper, std::size_t count, double* limit) const;
     void weakenBesideCracks(std::size_t d, std::size_t lower, std::size_t upper, std::size_t count,
                             double* limit) const;
     void findOverloaded(const ObjectState& state, std::size_t begin, std::size_t end,
                         std::vector<Overloaded>& found) const;
     double breakAll(const ObjectState& state, const std::vector<ConnectionId>& connections, double step);
+    double liveShare(ObjectIndex object) const;
     double energyAround(const ObjectState& state, const std::vector<ObjectIndex>& objects, double back) const;
     Shape shapeAround(const ObjectState& state, ObjectIndex object, double back = 0) const;
     std::vector<double> bondBounds(const ObjectState& state, const std::vector<double>& added) const;
@@ -204,8 +228,9 @@ private:
     std::vector<ObjectIndex> m_flat;                  ///< those: they have no dilatation
     std::array<LaneVector<double>, 6> m_inverseShape; ///< (sum k o o^T)^-1 in lattice axes: uu vv ww uv uw vw [m/N]
     std::array<VectorArray, 3> m_stress;              ///< by lattice column, see kernels::StressArguments
-    std::vector<double> m_theta;                      ///< ln det F less its rest value
-    bool m_thetaIsPresent = false;                    ///< but for the last step
+    LaneVector<double> m_theta;                       ///< ln det F less its rest value
+    std::unique_ptr<TensorBody> m_tensors;            ///< null where no material yields
+    bool m_hasTrial = false;                          ///< a flow that is not accepted yet is in m_tensors
     VectorArray m_mode;                               ///< of the largest frequency, as found last
 };
 

@@ -17,10 +17,11 @@ namespace {
 constexpr std::uint64_t shapeDampingInterval = 16;
 // Plastic flow and fracture go with the time of the material, which is slower than that of the step [steps].
 constexpr std::uint64_t flowInterval = 4;
+constexpr std::uint64_t breakingInterval = 4;
 // Annealing and recovery are slower still [steps].
 constexpr std::uint64_t annealingInterval = 16;
 // Ends of broken connections may touch things from here on [steps].
-constexpr std::uint64_t breakingInterval = 16;
+constexpr std::uint64_t touchingInterval = 16;
 
 } // namespace
 
@@ -69,20 +70,17 @@ void Simulation::State::updateVicinity()
 
 void Simulation::State::changeConnections()
 {
-    const std::uint64_t flowSteps = every(flowInterval);
-    if (step % flowSteps == 0)
+    if (step % every(breakingInterval) == 0)
         for (auto& run : runs) {
-            if (!run->deforms() || !run->connections.flowsOrBreaks())
+            if (!run->deforms() || !run->connections.breaks())
                 continue;
-            const auto report = run->connections.flowAndBreak(run->state, timeStep * static_cast<double>(flowSteps),
-                                                              isImplicit() ? 0 : timeStep);
-            energy.plastic += report.plastic;
-            energy.fracture += report.fracture;
+            const auto report = run->connections.breakOverloaded(run->state, isImplicit() ? 0 : timeStep);
+            energy.fracture += report.released;
             newlyBroken = newlyBroken || report.broken > 0;
         }
     if (step % every(annealingInterval) == 0)
         anneal();
-    if (newlyBroken && step % every(breakingInterval) == 0) {
+    if (newlyBroken && step % every(touchingInterval) == 0) {
         contacts->connectionsBroke();
         newlyBroken = false;
     }
@@ -92,7 +90,7 @@ void Simulation::State::anneal()
 {
     const double dt = timeStep * static_cast<double>(every(annealingInterval));
     for (auto& run : runs)
-        if (run->deforms() && run->connections.flowsOrBreaks() &&
+        if (run->deforms() && run->connections.yields() &&
             run->materials.largest([](const Material& material) { return material.healingTime; }) > 0)
             run->connections.recover(dt);
     for (const Annealing& annealing : annealings) {
@@ -105,9 +103,11 @@ void Simulation::State::anneal()
 
 void Simulation::State::computeForces()
 {
+    const double flowTime = step % flowInterval == 0 ? static_cast<double>(flowInterval) * timeStep : 0;
     for (auto& run : runs) {
         if (run->deforms()) {
-            run->connections.computeForces(run->state, timeStep);
+            run->connections.computeForces(run->state, timeStep, flowTime);
+            energy.plastic += run->connections.acceptFlow();
             continue;
         }
         run->state.force.setZero();

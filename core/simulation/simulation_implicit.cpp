@@ -76,7 +76,7 @@ void Simulation::State::chooseIntegrator()
     for (const auto& run : runs) {
         if (!run->deforms())
             continue;
-        const double plastic = run->connections.flowsOrBreaks() ? plasticCost : 0;
+        const double plastic = run->connections.yields() ? plasticCost : 0;
         needed += static_cast<double>(run->connections.count()) *
                   ((run->connections.hasBulk() ? volumetricCost : 1) + plastic);
     }
@@ -294,6 +294,8 @@ void Simulation::State::stepImplicitly()
     contactReport.energy = settled.energy;
     energy.plastic += settled.plastic;
     energy.fracture += settled.fracture;
+    for (auto& run : runs)
+        energy.plastic += run->connections.acceptFlow();
     loadFixtures();
     for (auto& run : runs)
         if (const double rate = run->materials.materials().front().shapeDamping; rate > 0 && run->deforms())

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace knead {
 
@@ -21,16 +22,17 @@ std::shared_ptr<const std::vector<ConnectionId>> brokenOf(BodyRun& run)
     return run.published;
 }
 
-std::vector<float> growthOf(const BodyRun& run, std::size_t d)
+/// Component n of the metric of each object's relaxed material, what of it is volume included.
+std::vector<float> metricOf(const BodyRun& run, std::size_t n)
 {
-    const LaneVector<double>& lengths = run.connections.changes().nominalLength[d];
-    const double rest = run.connections.aggregate().lattice.direction(static_cast<int>(d)).norm();
-    std::vector<float> growth(lengths.size());
-    forEachBlock(lengths.size(), snapshotBlockSize, [&](std::size_t begin, std::size_t end) {
+    const StructuralConnections::Changes& changes = run.connections.changes();
+    const LaneVector<double>& shape = changes.plastic.metric[n];
+    std::vector<float> metric(shape.size());
+    forEachBlock(shape.size(), snapshotBlockSize, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            growth[i] = static_cast<float>(lengths[i] / rest - 1);
+            metric[i] = static_cast<float>(shape[i] * std::exp(2.0 / 3 * changes.restDilatation[i]));
     });
-    return growth;
+    return metric;
 }
 
 /// Elastic material stays as it is.
@@ -40,13 +42,14 @@ std::shared_ptr<const RelaxedState> relaxedOf(BodyRun& run)
     if (run.relaxed && run.relaxedVersion == version && run.relaxed->materials == run.materials)
         return run.relaxed;
     auto relaxed = std::make_shared<RelaxedState>(RelaxedState{.materials = run.materials});
-    for (std::size_t d = 0; version > 0 && d < Lattice::directionCount; ++d)
-        relaxed->growth[d] = growthOf(run, d);
-    const auto isAtRest = [](const std::vector<float>& growth) {
-        return std::all_of(growth.begin(), growth.end(), [](float one) { return one == 0; });
-    };
-    if (std::all_of(relaxed->growth.begin(), relaxed->growth.end(), isAtRest)) // it may have been put back
-        relaxed->growth = {};
+    for (std::size_t n = 0; version > 0 && n < relaxed->metric.size(); ++n)
+        relaxed->metric[n] = metricOf(run, n);
+    bool isAtRest = true; // it may have been put back
+    for (std::size_t n = 0; n < relaxed->metric.size(); ++n)
+        isAtRest = isAtRest && std::all_of(relaxed->metric[n].begin(), relaxed->metric[n].end(),
+                                           [&](float one) { return one == (n < 3 ? 1.0F : 0.0F); });
+    if (isAtRest)
+        relaxed->metric = {};
     run.relaxed = std::move(relaxed);
     run.relaxedVersion = version;
     return run.relaxed;

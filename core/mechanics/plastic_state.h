@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/aggregate/lattice.h"
+#include "core/mechanics/vector_array.h"
+
+#include <array>
+#include <tuple>
+#include <type_traits>
+
+namespace knead {
+
+/// A number per connection, by direction, at the lower object.
+using DirectionArray = std::array<LaneVector<double>, Lattice::directionCount>;
+
+/// What of a body has flowed. Arrays are empty until something can.
+struct PlasticState {
+    DirectionArray nominalLength;                ///< l [m]
+    std::array<LaneVector<double>, 6> metric;    ///< C per object, in lattice axes: uu vv ww uv uw vw; det C = 1
+    LaneVector<double> equivalentStrain;         ///< alpha per object: sum of all flow
+    LaneVector<double> damage;                   ///< per object: what of it counts towards breaking, see tensor_law.h
+};
+
+/// Pointers to the arrays of a group, one by one.
+template <typename Pointer, typename Arrays>
+auto pointersTo(Arrays& arrays)
+{
+    std::array<Pointer, std::tuple_size_v<std::remove_const_t<Arrays>>> pointers{};
+    for (std::size_t n = 0; n < pointers.size(); ++n)
+        pointers[n] = arrays[n].data();
+    return pointers;
+}
+
+/// Numbers and working space of a body with the law of tensor_law.h. All are per object but for the arrays by direction.
+struct TensorBody {
+    LaneVector<double> volume; ///< V, less the share of its connections that broke [m^3]
+    LaneVector<double> shear;  ///< mu [Pa]
+    LaneVector<double> bulk;   ///< K [Pa]
+    LaneVector<double> tensionShare;
+    LaneVector<double> yieldStress; ///< [Pa]
+    LaneVector<double> hardening;   ///< [Pa]
+    LaneVector<double> flowTime;    ///< [s]
+    LaneVector<double> energy;      ///< at the stress computed last [J]
+    LaneVector<double> wholeShape;  ///< sum of w |o|^2 over all connections that were made
+
+    PlasticState flowed;           ///< after the last flow
+    double dissipatedEnergy = 0;   ///< by it [J]
+    LaneVector<double> share;      ///< S of it
+    LaneVector<double> dissipated; ///< [J]
+    DirectionArray strain;         ///< ln(L / l) per connection
+    DirectionArray affine;         ///< ln(|F D| / l_b) per object
+    DirectionArray lengthening;    ///< D^T C' D / D^T C D per object
+};
+
+} // namespace knead

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+/// The law of material that yields or stretches far: a tensor per object beside the springs of its connections.
+///
+/// F is the least-squares deformation gradient of an object's connections, C its plastic metric (symmetric, det C = 1, the
+/// identity at rest), theta = ln det F - theta_rest. With G = C^-1 and the elastic b = J^(-2/3) F G F^T, t = tr b / 3:
+///     energy of the object   V [K theta^2 / 2 + mu (3 t - 3) / 2]        (neo-Hooke; K = lambda + 2 mu / 3)
+///     Kirchhoff stress       tau = s + K theta I,  s = mu (b - t I)
+/// The springs k (L - l) would bear part of that; what they bear when all follow F is taken off, so that they only
+/// stabilize what F does not see:
+///     B = [V tau F^-T - sum_b k / 2 (1 - l_b / |F D|) F D D^T] K^-1,  l_b = sqrt(D^T C D),  K = sum k D D^T
+///     force of i towards j = k (L - l) n + k (B_i + B_j) D,  l = sqrt(l_i l_j) e^q
+///
+/// Flow is J2 (von Mises) with isotropic linear hardening, returned radially within the step. The norm counts what the
+/// connections are strained beyond F:
+///     e_b = ln(L / l) - (theta_i + theta_j) / 6,  e_d = ln(|F D| / l_b) - theta / 3
+///     N^2 = max(|s|^2 / 4, |s|^2 + 7.5 (2 mu)^2 sum_b k |D|^2 (e_b^2 - e_d^2) / sum_b k |D|^2)
+///     Y = sqrt(2/3) (sigma_y + H alpha)
+///     N > Y:  dg = (1 - e^(-dt / tau)) (N - Y) / (2 mu t (1 + H / (3 mu t))),  S = 1 - 2 mu t dg / N (else 1)
+///             s <- S s,  alpha += sqrt(2/3) dg,  b <- s / mu + t I, det b = 1,  C <- J^(-2/3) F^T b^-1 F
+/// and what a connection is strained beyond its two F relaxes by the same factor: r = ln(L / l) - (e_i + e_j) / 2 with
+/// e = ln(|F D| / l_b), q <- q + r (1 - (S_i + S_j) / 2).
+///
+/// Sources: Simo (1988) for the multiplicative return; Tupek and Radovitzky (2014) and Silling (2017) for what stabilizes a
+/// deformation gradient that is fitted to connections.
+namespace knead::kernels {
+
+/// Component pointers to the first object of a stretch.
+struct ConstVectors {
+    const double* x;
+    const double* y;
+    const double* z;
+};
+
+/// Objects of a run, what surrounds them, and where they are. Arrays begin at object 0 and have a vector's slack around.
+struct Surroundings {
+    std::size_t begin;
+    std::size_t end;
+    const double* position; ///< component c of object i at [c * stride + i]
+    std::ptrdiff_t stride;
+    std::uint32_t forward;             ///< bit d: direction d is there ahead of the objects
+    std::uint32_t backward;            ///< bit d: behind them
+    const std::int32_t* ahead;         ///< per direction
+    const std::int32_t* behind;        ///< per direction
+    const std::uint32_t* hasBehind;    ///< per object: bit d where the connection from behind is its own
+    const double* const* stiffness;    ///< per direction: k at the lower object
+    const double* const* inverseShape; ///< 6: uu vv ww uv uw vw of (sum k o o^T)^-1; all 0 where surroundings are flat
+    const double* restDilatation;      ///< theta at which there is no pressure
+    double spacing;                    ///< a [m]
+};
+
+/// What each object is made of. Arrays begin at object 0.
+struct TensorLawNumbers {
+    const double* volume;       ///< V, less the share of its connections that broke [m^3]
+    const double* shear;        ///< mu [Pa]
+    const double* bulk;         ///< K [Pa]
+    const double* tensionShare; ///< 1, or 0 where broken: of K while theta > 0
+    const double* yieldStress;  ///< sigma_y [Pa]; infinite: does not yield
+    const double* hardening;    ///< H [Pa]
+    const double* flowTime;     ///< tau [s]
+};
+
+/// The plastic state of the objects. Null where nothing has flowed yet: C = I, alpha = 0.
+struct PlasticState {
+    const double* const* metric;    ///< 6: uu vv ww uv uw vw of C, in lattice axes; det C = 1
+    const double* equivalentStrain; ///< alpha
+    const double* damage; ///< alpha that counts towards breaking: d alpha clamp(1/2 + 3/2 triaxiality, 0, 1), which is d alpha
+                          ///< in tension, half of it in shear, nothing in compression
+};
+
+/// What a flow finds. Arrays begin at object 0, all of them are written for the objects of the run.
+struct FlowResult {
+    double duration; ///< dt [s]
+    const double* const* connectionStrain; ///< per direction: ln(L / l) at the lower object
+    const double* dilatation;              ///< theta of all objects
+    double* const* metric;                 ///< 6: C afterwards
+    double* equivalentStrain;
+    double* damage;
+    double* share;           ///< S
+    double* const* affine;   ///< per direction: e = ln(|F D| / l_b), with C as it was
+    double* const* lengthening; ///< per direction: D^T C' D / D^T C D
+    double* dissipated;      ///< energy of the object that went with it [J]
+};
+
+struct TensorLawArguments {
+    Surroundings at;
+    TensorLawNumbers numbers;
+    PlasticState plastic;
+    const FlowResult* flow; ///< null: none
+    double* const* stress;  ///< 9, written: a B of the formula above, column-wise
+    double* theta;          ///< written
+    double* energy;         ///< written: of the object, less what its springs have of it [J]
+};
+
+/// Connections from lower + i to upper + i whose nominal lengths follow a flow; see the namespace. Arrays begin at the first.
+struct LengthArguments {
+    ConstVectors lower; ///< places of the objects
+    ConstVectors upper;
+    const double* strain; ///< ln(L / l)
+    const double* lowerShare;
+    const double* upperShare;
+    const double* lowerAffine;
+    const double* upperAffine;
+    const double* lowerLengthening;
+    const double* upperLengthening;
+    const double* stiffness;
+    const double* before; ///< l
+    double* after;        ///< l; may be the same place
+    double* dissipated;   ///< sumLanes partial sums [J]
+};
+
+/// theta below which material does not flow, a quarter of the volume left: what F says there is no longer reliable.
+inline constexpr double leastFlowingDilatation = -1.4;
+
+} // namespace knead::kernels

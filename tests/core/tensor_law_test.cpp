@@ -1,0 +1,288 @@
+// The law of material that yields: its forces are those of an energy, it flows at the stress that was typed in every direction,
+// and its plastic state keeps its volume and its account.
+#include "core/aggregate/fill.h"
+#include "core/mechanics/structural_connections.h"
+#include "support/scenes.h"
+
+#include <Eigen/Dense>
+#include <QTest>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <random>
+
+using namespace knead;
+
+namespace {
+
+constexpr double spacing = 2e-3;
+
+Material steel()
+{
+    Material material;
+    material.density = 7850;
+    material.youngsModulus = 210e9;
+    material.poissonRatio = 0.3;
+    material.dampingRatio = 0;
+    material.yieldStress = 250e6;
+    return material;
+}
+
+Material clay()
+{
+    Material material;
+    material.density = 1700;
+    material.youngsModulus = 5e5;
+    material.poissonRatio = 0.45;
+    material.dampingRatio = 0;
+    material.yieldStress = 1e4;
+    return material;
+}
+
+/// A box of objects that are put where a test wants them.
+struct Block {
+    Block(const Material& material, const Eigen::Vector3i& cells)
+        : body(scenes::box(cells, spacing, material))
+        , materials(material, body.aggregate->size())
+        , connections(std::make_unique<StructuralConnections>(body.aggregate, materials))
+        , state(objectsAtRest(*body.aggregate))
+    {
+        for (const double one : body.aggregate->volume)
+            volume += one;
+    }
+
+    Vec3 rest(ObjectIndex i) const { return body.aggregate->lattice.position(i); }
+
+    /// All objects at F X; flow over a second, taken for good.
+    double follow(const Mat3& f, double flowTime = 1)
+    {
+        for (ObjectIndex i = 0; i < body.aggregate->size(); ++i)
+            state.position.set(i, f * rest(i));
+        connections->computeForces(state, 0, flowTime);
+        return connections->acceptFlow();
+    }
+
+    /// Cauchy stress by the virial of the forces [Pa].
+    Mat3 stress(const Mat3& f) const
+    {
+        Mat3 sum = Mat3::Zero();
+        for (ObjectIndex i = 0; i < body.aggregate->size(); ++i)
+            sum -= state.force.at(i) * state.position.at(i).transpose();
+        return sum / (volume * f.determinant());
+    }
+
+    Body body;
+    MaterialMap materials;
+    std::unique_ptr<StructuralConnections> connections;
+    ObjectState state;
+    double volume = 0;
+};
+
+Mat3 pulledAlong(const Vec3& axis, double logarithmic)
+{
+    const Vec3 n = axis.normalized();
+    return std::exp(logarithmic) * n * n.transpose() +
+           std::exp(-0.5 * logarithmic) * (Mat3::Identity() - n * n.transpose());
+}
+
+double vonMises(const Mat3& stress)
+{
+    return std::sqrt(1.5) * (stress - stress.trace() / 3 * Mat3::Identity()).norm();
+}
+
+} // namespace
+
+class TensorLawTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void flowStressIsThatTypedInEveryDirection_data()
+    {
+        QTest::addColumn<double>("u");
+        QTest::addColumn<double>("v");
+        QTest::addColumn<double>("w");
+        QTest::addColumn<double>("strain");
+        for (const double strain : {0.3, -0.3}) {
+            QTest::addRow("[100] %+.1f", strain) << 1.0 << 0.0 << 0.0 << strain;
+            QTest::addRow("[110] %+.1f", strain) << 1.0 << 1.0 << 0.0 << strain;
+            QTest::addRow("[111] %+.1f", strain) << 1.0 << 1.0 << 1.0 << strain;
+            QTest::addRow("[123] %+.1f", strain) << 1.0 << 2.0 << 3.0 << strain;
+        }
+    }
+    void flowStressIsThatTypedInEveryDirection()
+    {
+        QFETCH(double, u);
+        QFETCH(double, v);
+        QFETCH(double, w);
+        QFETCH(double, strain);
+        for (const double hardening : {0.0, 1e9}) {
+            Material material = steel();
+            material.hardening = hardening;
+            Block block(material, {4, 4, 4});
+            constexpr int steps = 60;
+            for (int n = 1; n <= steps; ++n) {
+                const Mat3 f = pulledAlong({u, v, w}, strain * n / steps);
+                block.follow(f);
+                const double plastic = block.connections->changes().plastic.equivalentStrain[0];
+                if (plastic == 0)
+                    continue;
+                const double expected = material.yieldStress + hardening * plastic;
+                const double found = vonMises(block.stress(f));
+                QVERIFY2(std::abs(found / expected - 1) < 0.01,
+                         qPrintable(QString("%1 of the typed stress at a strain of %2")
+                                        .arg(found / expected)
+                                        .arg(strain * n / steps)));
+            }
+            QVERIFY(std::abs(block.connections->changes().plastic.equivalentStrain[0] - std::abs(strain)) < 0.01);
+        }
+    }
+
+    void flowDoesNotDependOnTheTimeItTakes()
+    {
+        const auto stressAfter = [](int steps) {
+            Block block(clay(), {3, 3, 3});
+            Mat3 f;
+            for (int n = 1; n <= steps; ++n)
+                block.follow(f = pulledAlong({1, 0.3, 0}, -0.2 * n / steps), 20.0 / n);
+            return vonMises(block.stress(f));
+        };
+        QVERIFY(std::abs(stressAfter(10) / stressAfter(400) - 1) < 0.01);
+    }
+
+    void relaxationLetsStressBeyondYieldDecay()
+    {
+        Material slow = clay();
+        slow.relaxationTime = 0.5;
+        Block block(slow, {3, 3, 3});
+        const Mat3 f = pulledAlong({1, 0, 0}, 0.04);
+        block.follow(f, 0);
+        const double beyond = vonMises(block.stress(f)) - slow.yieldStress;
+        for (int n = 0; n < 200; ++n)
+            block.follow(f, 0.5 / 200);
+        const double left = vonMises(block.stress(f)) - slow.yieldStress;
+        QVERIFY(std::abs(left / beyond - std::exp(-1)) < 0.01);
+    }
+
+    /// Places at random about a sheared shape, after a flow: what is left is elastic.
+    void forcesAreTheGradientOfTheEnergy()
+    {
+        for (const Material& material : {steel(), clay()}) {
+            Block block(material, {3, 2, 3});
+            const double big = material.yieldStress / material.youngsModulus * 10;
+            Mat3 f = pulledAlong({1, 0.2, 0.1}, big);
+            f(0, 1) += big;
+            block.follow(f);
+            std::mt19937 random(3);
+            std::uniform_real_distribution<double> part(-1, 1);
+            for (ObjectIndex i = 0; i < block.body.aggregate->size(); ++i)
+                block.state.position.add(i, 0.02 * spacing * Vec3(part(random), part(random), part(random)));
+            block.connections->computeForces(block.state);
+            const VectorArray force = block.state.force;
+            double largest = 0;
+            for (std::size_t i = 0; i < force.size(); ++i)
+                largest = std::max(largest, force.at(i).norm());
+            const double h = 1e-5 * spacing;
+            for (ObjectIndex i = 0; i < block.body.aggregate->size(); i += 5)
+                for (int c = 0; c < 3; ++c) {
+                    VectorArray moved = block.state.position;
+                    moved.add(i, h * Vec3::Unit(c));
+                    const double ahead = block.connections->energy(moved);
+                    moved.add(i, -2 * h * Vec3::Unit(c));
+                    const double behind = block.connections->energy(moved);
+                    QVERIFY(std::abs(force.at(i)[c] + (ahead - behind) / (2 * h)) < 1e-5 * largest);
+                }
+        }
+    }
+
+    void flowTakesOutTheEnergyThatItSays()
+    {
+        Block block(clay(), {3, 3, 3});
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> part(-1, 1);
+        block.follow(pulledAlong({1, 0.5, 0.2}, 0.3));
+        for (ObjectIndex i = 0; i < block.body.aggregate->size(); ++i)
+            block.state.position.add(i, 0.1 * spacing * Vec3(part(random), part(random), part(random)));
+        const double before = block.connections->energy(block.state);
+        block.connections->computeForces(block.state, 0, 1);
+        const double gone = block.connections->acceptFlow();
+        const double after = block.connections->energy(block.state);
+        QVERIFY(gone > 0.1 * before);
+        QVERIFY(std::abs(gone - (before - after)) < 1e-9 * before);
+    }
+
+    void aTrialThatIsNotTakenLeavesNothing()
+    {
+        Block block(clay(), {3, 3, 3});
+        block.follow(pulledAlong({1, 0, 0}, 0.1));
+        const auto kept = block.connections->changes().plastic;
+        for (ObjectIndex i = 0; i < block.body.aggregate->size(); ++i)
+            block.state.position.set(i, pulledAlong({1, 0, 0}, 0.2) * block.rest(i));
+        block.connections->computeForces(block.state, 0, 1);
+        block.connections->rejectFlow();
+        const auto& now = block.connections->changes().plastic;
+        QVERIFY(now.nominalLength == kept.nominalLength && now.metric == kept.metric);
+        QVERIFY(now.equivalentStrain == kept.equivalentStrain && now.damage == kept.damage);
+    }
+
+    void theMetricKeepsItsVolume()
+    {
+        Block block(clay(), {3, 3, 3});
+        Mat3 f = Mat3::Identity();
+        for (int n = 0; n < 200; ++n) {
+            const double angle = 0.3 * n;
+            block.follow(f = pulledAlong({std::cos(angle), std::sin(angle), 0.3}, 0.05) * f);
+        }
+        const auto& metric = block.connections->changes().plastic.metric;
+        for (std::size_t i = 0; i < metric[0].size(); ++i) {
+            Mat3 c;
+            c << metric[0][i], metric[3][i], metric[4][i], metric[3][i], metric[1][i], metric[5][i], metric[4][i],
+                metric[5][i], metric[2][i];
+            QVERIFY(std::abs(c.determinant() - 1) < 1e-9 * c.norm() * c.norm() * c.norm());
+        }
+    }
+
+    void aTurnedBodyFeelsWhatItFelt()
+    {
+        const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(1, 2, -1).normalized()).toRotationMatrix();
+        Block here(clay(), {3, 3, 2});
+        Block there(clay(), {3, 3, 2});
+        for (int n = 1; n <= 10; ++n) {
+            const Mat3 f = pulledAlong({1, 0, 0}, 0.02 * n);
+            here.follow(f);
+            there.follow(turn * f);
+        }
+        for (ObjectIndex i = 0; i < here.body.aggregate->size(); ++i)
+            QVERIFY((turn * here.state.force.at(i) - there.state.force.at(i)).norm() < 1e-9);
+    }
+
+    void damageCountsTensionFullyShearByHalfAndCompressionNot()
+    {
+        const auto damageOf = [](const std::function<Mat3(double)>& path) {
+            Block block(clay(), {3, 3, 3});
+            for (int n = 1; n <= 100; ++n)
+                block.follow(path(n / 100.0));
+            return block.connections->changes().plastic.damage[0] /
+                   block.connections->changes().plastic.equivalentStrain[0];
+        };
+        // Without pressure besides that of the load: lateral strains that leave the sides free.
+        const auto uniaxial = [](double sign) {
+            return [sign](double t) -> Mat3 {
+                const Material material = clay();
+                const double bulk = material.lameLambda() + 2.0 / 3 * material.shearModulus();
+                return std::exp(sign * material.yieldStress / (9 * bulk)) * pulledAlong({1, 0, 0}, sign * 0.5 * t);
+            };
+        };
+        QVERIFY(damageOf(uniaxial(1)) > 0.97);
+        QVERIFY(damageOf(uniaxial(-1)) < 0.03);
+        const double shear = damageOf([](double t) -> Mat3 {
+            Mat3 f = Mat3::Identity();
+            f(0, 1) = 0.5 * t;
+            return f;
+        });
+        QVERIFY(std::abs(shear - 0.5) < 0.02);
+    }
+};
+
+QTEST_GUILESS_MAIN(TensorLawTest)
+#include "tensor_law_test.moc"
