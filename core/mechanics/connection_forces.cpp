@@ -72,10 +72,10 @@ std::array<double*, 9> StructuralConnections::stressColumns(std::size_t objects)
     return stress;
 }
 
-void StructuralConnections::computeStress(const VectorArray& position)
+void StructuralConnections::computeStress(const VectorArray& position, bool withEnergy)
 {
     if (m_tensors) {
-        applyTensorLaw(position, nullptr);
+        applyTensorLaw(position, nullptr, withEnergy);
         return;
     }
     const std::array<double*, 9> stress = stressColumns(position.size());
@@ -194,7 +194,7 @@ void StructuralConnections::computeForces(ObjectState& state, double dt, double 
     if (m_tensors && flowTime > 0)
         flow(state.position, flowTime);
     else if (m_hasBulk || m_tensors)
-        computeStress(state.position);
+        computeStress(state.position, false);
     forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         for (VectorArray* array : {&state.force, &state.damping})
             for (std::size_t c = 0; c < 3; ++c)

@@ -11,12 +11,39 @@ namespace {
 // A closer look at what has moved may find that so much of the margin is used up at most; else it would soon be due again.
 constexpr double usedShare = 0.5;
 
+// Objects of one body meet where their outward directions point at each other, by at least so much of the way between them:
+// what is stacked below the skin comes nearer too when material is squashed, and is no contact.
+constexpr double leastFacing = 0.2;
+
 } // namespace
+
+/// Where the skin is nearest, as seen from an object now: against the way to its neighbors, each by how much deeper it lies.
+Vec3 Contacts::outwardOf(const ContactObject& object) const
+{
+    const BodyView& body = m_bodies[object.ref.body];
+    const std::vector<double>& depth = body.connections->aggregate().depth;
+    const ObjectIndex self = object.ref.object;
+    const Vec3 here = body.state->position.at(self);
+    Vec3 outward = Vec3::Zero();
+    body.connections->forEachConnection(self, [&](ObjectIndex neighbor, const ConnectionId&) {
+        outward -= (depth[neighbor] - depth[self]) * (body.state->position.at(neighbor) - here);
+    });
+    return outward.stableNormalized();
+}
+
+bool Contacts::faceEachOther(const ContactObject& a, const ContactObject& b) const
+{
+    const bool isOpen = a.isCut || b.isCut || a.facesSlit || b.facesSlit; // the skin does not say where their surface is
+    if (isOpen || m_bodies[a.ref.body].kind != BodyKind::deformable)
+        return true;
+    const Vec3 way = (placeOf(b) - placeOf(a)).stableNormalized();
+    return outwardOf(a).dot(way) > leastFacing && outwardOf(b).dot(way) < -leastFacing;
+}
 
 bool Contacts::mayBeInContact(const ContactObject& a, const ContactObject& b) const
 {
     const bool bothGlue = m_bodies[a.ref.body].kind == BodyKind::glue && m_bodies[b.ref.body].kind == BodyKind::glue;
-    return !bothGlue && (a.ref.body != b.ref.body || !areNeighbors(a, b));
+    return !bothGlue && (a.ref.body != b.ref.body || (!areNeighbors(a, b) && faceEachOther(a, b)));
 }
 
 std::vector<Contacts::ContactPair> Contacts::findPairs(Vicinity& vicinity, double margin) const

@@ -170,6 +170,8 @@ private:
     std::vector<ContactPair> findPairs(Vicinity& vicinity, double margin) const;
     void takeOverLengths(std::vector<ContactPair>& pairs) const;
     bool areNeighbors(const ContactObject& a, const ContactObject& b) const;
+    Vec3 outwardOf(const ContactObject& object) const;
+    bool faceEachOther(const ContactObject& a, const ContactObject& b) const;
     bool mayBeInContact(const ContactObject& a,
                         const ContactObject& b) const; ///< glue with glue and neighbors never are
     void keepDistances();

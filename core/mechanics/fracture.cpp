@@ -93,8 +93,10 @@ void StructuralConnections::markBroken(const ConnectionId& connection)
     // What has begun to break apart bears no hydrostatic tension any more.
     m_bulk[lower] = 0;
     m_bulk[upper] = 0;
-    if (m_tensors)
+    if (m_tensors) {
+        m_tensors->tensionShare.resize(m_aggregate->size(), 1);
         m_tensors->tensionShare[lower] = m_tensors->tensionShare[upper] = 0;
+    }
 }
 
 void StructuralConnections::weakenBesideCracks(std::size_t d, std::size_t lower, std::size_t upper, std::size_t count,

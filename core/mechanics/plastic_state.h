@@ -33,19 +33,22 @@ auto pointersTo(Arrays& arrays)
 /// Numbers and working space of a body with the law of tensor_law.h. All are per object but for the arrays by direction.
 struct TensorBody {
     LaneVector<double> volume; ///< V, less the share of its connections that broke [m^3]
-    LaneVector<double> shear;  ///< mu [Pa]
-    LaneVector<double> bulk;   ///< K [Pa]
-    LaneVector<double> tensionShare;
+    LaneVector<double> tensionShare; ///< 0 where broken, else 1; empty: nothing is broken
+    LaneVector<double> energy;       ///< at the stress computed last, where that was asked for [J]
+
+    /// Of each object; empty where all are of one material.
+    LaneVector<double> shear;       ///< mu [Pa]
+    LaneVector<double> bulk;        ///< K [Pa]
     LaneVector<double> yieldStress; ///< [Pa]
     LaneVector<double> hardening;   ///< [Pa]
     LaneVector<double> flowTime;    ///< [s]
-    LaneVector<double> energy;      ///< at the stress computed last [J]
     LaneVector<double> wholeShape;  ///< sum of w |o|^2 over all connections that were made
 
     PlasticState flowed;           ///< after the last flow
     double dissipatedEnergy = 0;   ///< by it [J]
     LaneVector<double> share;      ///< S of it
     LaneVector<double> dissipated; ///< [J]
+    LaneVector<double> dilatation; ///< theta
     DirectionArray strain;         ///< ln(L / l) per connection
     DirectionArray affine;         ///< ln(|F D| / l_b) per object
     DirectionArray lengthening;    ///< D^T C' D / D^T C D per object

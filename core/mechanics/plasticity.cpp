@@ -44,6 +44,16 @@ void setMetric(PlasticState& state, std::size_t object, const Mat3& metric)
         state.metric[n][object] = metric(rows[n], columns[n]);
 }
 
+double bulkModulusOf(const Material& material)
+{
+    return material.lameLambda() + 2.0 / 3 * material.shearModulus();
+}
+
+double yieldStressOf(const Material& material)
+{
+    return material.yields() ? material.yieldStress : std::numeric_limits<double>::infinity();
+}
+
 } // namespace
 
 void StructuralConnections::findTensorNumbers()
@@ -53,9 +63,11 @@ void StructuralConnections::findTensorNumbers()
         return;
     const std::size_t count = m_aggregate->size();
     TensorBody& body = *m_tensors;
-    for (auto* numbers : {&body.volume, &body.shear, &body.bulk, &body.tensionShare, &body.yieldStress, &body.hardening,
-                          &body.flowTime, &body.energy, &body.wholeShape})
+    for (auto* numbers : {&body.volume, &body.energy, &body.wholeShape})
         numbers->assign(count, 0);
+    if (!m_materials->isUniform())
+        for (auto* numbers : {&body.shear, &body.bulk, &body.yieldStress, &body.hardening, &body.flowTime})
+            numbers->assign(count, 0);
     std::vector<double> live(count, 0);
     for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
         const Lattice::Node& o = Lattice::directions[d];
@@ -72,39 +84,51 @@ void StructuralConnections::findTensorNumbers()
                        });
     }
     for (ObjectIndex i = 0; i < count; ++i) {
-        const Material& material = m_materials->of(i);
         body.volume[i] = m_aggregate->volume[i] * (body.wholeShape[i] > 0 ? live[i] / body.wholeShape[i] : 1);
+        if (m_materials->isUniform())
+            continue;
+        const Material& material = m_materials->of(i);
         body.shear[i] = material.shearModulus();
-        body.bulk[i] = material.lameLambda() + 2.0 / 3 * material.shearModulus();
-        body.tensionShare[i] = 1;
-        body.yieldStress[i] = material.yields() ? material.yieldStress : std::numeric_limits<double>::infinity();
+        body.bulk[i] = bulkModulusOf(material);
+        body.yieldStress[i] = yieldStressOf(material);
         body.hardening[i] = material.hardening;
         body.flowTime[i] = material.relaxationTime;
     }
 }
 
-void StructuralConnections::applyTensorLaw(const VectorArray& position, const kernels::FlowResult* flow)
+kernels::TensorLawNumbers StructuralConnections::tensorNumbers() const
+{
+    const TensorBody& body = *m_tensors;
+    const Material& own = m_materials->materials().front();
+    const auto number = [](const LaneVector<double>& each, double all) {
+        return kernels::ObjectNumber{each.empty() ? nullptr : each.data(), all};
+    };
+    return {.volume = body.volume.data(),
+            .shear = number(body.shear, own.shearModulus()),
+            .bulk = number(body.bulk, bulkModulusOf(own)),
+            .tensionShare = number(body.tensionShare, 1),
+            .yieldStress = number(body.yieldStress, yieldStressOf(own)),
+            .hardening = number(body.hardening, own.hardening),
+            .flowTime = number(body.flowTime, own.relaxationTime)};
+}
+
+void StructuralConnections::applyTensorLaw(const VectorArray& position, const kernels::FlowResult* flow, bool withEnergy)
 {
     TensorBody& body = *m_tensors;
+    const kernels::TensorLawNumbers numbers = tensorNumbers();
     const PlasticState& state = flow != nullptr ? m_changes.plastic : plasticState();
     const std::array<double*, 9> stress = stressColumns(position.size());
     const auto metric = pointersTo<const double*>(state.metric);
     forEachSurroundings(position, [&](const kernels::Surroundings& at) {
         kernels::best().tensorLaw({.at = at,
-                                   .numbers = {.volume = body.volume.data(),
-                                               .shear = body.shear.data(),
-                                               .bulk = body.bulk.data(),
-                                               .tensionShare = body.tensionShare.data(),
-                                               .yieldStress = body.yieldStress.data(),
-                                               .hardening = body.hardening.data(),
-                                               .flowTime = body.flowTime.data()},
+                                   .numbers = numbers,
                                    .plastic = {.metric = metric.data(),
                                                .equivalentStrain = state.equivalentStrain.data(),
                                                .damage = state.damage.data()},
                                    .flow = flow,
                                    .stress = stress.data(),
-                                   .theta = m_theta.data(),
-                                   .energy = body.energy.data()});
+                                   .theta = withEnergy ? m_theta.data() : nullptr,
+                                   .energy = withEnergy ? body.energy.data() : nullptr});
     });
 }
 
@@ -114,7 +138,7 @@ void StructuralConnections::findStrains(const VectorArray& position)
     TensorBody& body = *m_tensors;
     const DirectionArray& lengths = m_changes.plastic.nominalLength;
     forEachSurroundings(position, [&](const kernels::Surroundings& at) {
-        kernels::best().deformation(at, m_theta.data(), nullptr);
+        kernels::best().deformation(at, body.dilatation.data(), nullptr);
     });
     forEachBlock(position.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         for (std::size_t d = 0; d < Lattice::directionCount; ++d)
@@ -163,6 +187,7 @@ void StructuralConnections::flow(const VectorArray& position, double duration)
         body.flowed = m_changes.plastic;
         body.share.assign(position.size(), 1);
         body.dissipated.assign(position.size(), 0);
+        body.dilatation.assign(position.size(), 0);
         for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
             const std::size_t used = m_stiffness[d].empty() ? 0 : position.size();
             body.strain[d].assign(used, 0);
@@ -175,10 +200,9 @@ void StructuralConnections::flow(const VectorArray& position, double duration)
     const auto metric = pointersTo<double*>(body.flowed.metric);
     const auto affine = pointersTo<double*>(body.affine);
     const auto lengthening = pointersTo<double*>(body.lengthening);
-    const LaneVector<double> dilatation = m_theta; // of neighbors in other blocks, while these are written again
     const kernels::FlowResult result{.duration = duration,
                                      .connectionStrain = strain.data(),
-                                     .dilatation = dilatation.data(),
+                                     .dilatation = body.dilatation.data(),
                                      .metric = metric.data(),
                                      .equivalentStrain = body.flowed.equivalentStrain.data(),
                                      .damage = body.flowed.damage.data(),
@@ -186,7 +210,7 @@ void StructuralConnections::flow(const VectorArray& position, double duration)
                                      .affine = affine.data(),
                                      .lengthening = lengthening.data(),
                                      .dissipated = body.dissipated.data()};
-    applyTensorLaw(position, &result);
+    applyTensorLaw(position, &result, false);
     body.dissipatedEnergy =
         lengthen(position) + std::accumulate(body.dissipated.begin(), body.dissipated.end(), 0.0);
     m_hasTrial = true;

@@ -179,10 +179,11 @@ private:
     void forEachSurroundings(const VectorArray& position,
                              const std::function<void(const kernels::Surroundings&)>& run) const;
     std::array<double*, 9> stressColumns(std::size_t objects);
-    void computeStress(const VectorArray& position);
+    void computeStress(const VectorArray& position, bool withEnergy = true);
     double objectEnergy(std::size_t object) const; ///< besides that of connections, at the stress computed last [J]
     void findTensorNumbers();
-    void applyTensorLaw(const VectorArray& position, const kernels::FlowResult* flow);
+    kernels::TensorLawNumbers tensorNumbers() const;
+    void applyTensorLaw(const VectorArray& position, const kernels::FlowResult* flow, bool withEnergy);
     void findStrains(const VectorArray& position);
     double lengthen(const VectorArray& position);
     void flow(const VectorArray& position, double duration);

@@ -52,15 +52,21 @@ struct Surroundings {
     double spacing;                    ///< a [m]
 };
 
-/// What each object is made of. Arrays begin at object 0.
+/// A number of all objects, or of each of them from object 0 on: arrays that are not read leave room in the cache.
+struct ObjectNumber {
+    const double* each; ///< null: all have the same
+    double all;
+};
+
+/// What objects are made of.
 struct TensorLawNumbers {
-    const double* volume;       ///< V, less the share of its connections that broke [m^3]
-    const double* shear;        ///< mu [Pa]
-    const double* bulk;         ///< K [Pa]
-    const double* tensionShare; ///< 1, or 0 where broken: of K while theta > 0
-    const double* yieldStress;  ///< sigma_y [Pa]; infinite: does not yield
-    const double* hardening;    ///< H [Pa]
-    const double* flowTime;     ///< tau [s]
+    const double* volume;      ///< V, less the share of its connections that broke [m^3]
+    ObjectNumber shear;        ///< mu [Pa]
+    ObjectNumber bulk;         ///< K [Pa]
+    ObjectNumber tensionShare; ///< 1, or 0 where broken: of K while theta > 0
+    ObjectNumber yieldStress;  ///< sigma_y [Pa]; infinite: does not yield
+    ObjectNumber hardening;    ///< H [Pa]
+    ObjectNumber flowTime;     ///< tau [s]
 };
 
 /// The plastic state of the objects. Null where nothing has flowed yet: C = I, alpha = 0.
@@ -91,8 +97,8 @@ struct TensorLawArguments {
     PlasticState plastic;
     const FlowResult* flow; ///< null: none
     double* const* stress;  ///< 9, written: a B of the formula above, column-wise
-    double* theta;          ///< written
-    double* energy;         ///< written: of the object, less what its springs have of it [J]
+    double* theta;          ///< written; null: not asked for
+    double* energy;         ///< written: of the object, less what its springs have of it [J]; null: not asked for
 };
 
 /// Connections from lower + i to upper + i whose nominal lengths follow a flow; see the namespace. Arrays begin at the first.

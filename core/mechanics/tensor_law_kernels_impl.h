@@ -237,6 +237,94 @@ struct Writer {
     }
 };
 
+/// How far connections that follow F are from l_b: rho = 1 - l_b^2 / |F D|^2 per direction.
+struct Excess {
+    Lanes rho[latticeDirectionCount];
+    bool isSmall; ///< all of them are within smallExcess
+};
+
+// Below this, series to the tenth power are exact to rounding, and much quicker than roots and logarithms.
+constexpr double smallExcess = 0.04;
+
+KNEAD_INLINE bool anyBeyond(Lanes values, double limit)
+{
+    std::int64_t beyond = 0;
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        beyond |= values[lane] > limit ? 1 : 0;
+    return beyond != 0;
+}
+
+KNEAD_INLINE Excess excessOf(const Surroundings& a, const Gradient& g, const Symmetric& metric)
+{
+    // One division for all: each inverse is the product of the others times the inverse of the product.
+    Lanes squared[latticeDirectionCount];
+    Lanes products[latticeDirectionCount];
+    Lanes product = all(1);
+    const std::uint32_t used = a.forward | a.backward;
+    forEachDirection([&]<int d>() __attribute__((always_inline)) {
+        squared[d] = all(1);
+        if ((used >> d & 1U) != 0) {
+            Lanes step[3];
+            along<d>(g, step);
+            squared[d] = step[0] * step[0] + step[1] * step[1] + step[2] * step[2] + 1e-12; // finite where F is flat
+        }
+        products[d] = product;
+        product *= squared[d];
+    });
+    Lanes inverse = 1 / product;
+    Excess excess;
+    Lanes largest{};
+    const auto find = [&]<int d>() __attribute__((always_inline)) {
+        excess.rho[d] = Lanes{};
+        if ((used >> d & 1U) == 0)
+            return;
+        excess.rho[d] = (squared[d] - quadratic<d>(metric)) * (inverse * products[d]);
+        inverse *= squared[d];
+        largest = larger(largest, larger(excess.rho[d], -excess.rho[d]));
+    };
+    find.template operator()<12>();
+    find.template operator()<11>();
+    find.template operator()<10>();
+    find.template operator()<9>();
+    find.template operator()<8>();
+    find.template operator()<7>();
+    find.template operator()<6>();
+    find.template operator()<5>();
+    find.template operator()<4>();
+    find.template operator()<3>();
+    find.template operator()<2>();
+    find.template operator()<1>();
+    find.template operator()<0>();
+    excess.isSmall = !anyBeyond(largest, smallExcess);
+    return excess;
+}
+
+/// x sum c_n x^n.
+template <int count>
+KNEAD_INLINE Lanes series(const double (&coefficients)[count], Lanes x)
+{
+    Lanes sum = all(coefficients[count - 1]);
+    for (int n = count - 2; n >= 0; --n)
+        sum = sum * x + coefficients[n];
+    return x * sum;
+}
+
+/// 1 - l_b / |F D| = 1 - sqrt(1 - rho).
+KNEAD_INLINE Lanes relativeStretch(Lanes rho, bool isSmall)
+{
+    constexpr double coefficients[] = {1.0 / 2,    1.0 / 8,     1.0 / 16,     5.0 / 128,    7.0 / 256,
+                                       21.0 / 1024, 33.0 / 2048, 429.0 / 32768, 715.0 / 65536, 2431.0 / 262144};
+    return isSmall ? series(coefficients, rho) : 1 - squareRoot(1 - rho);
+}
+
+/// ln(|F D| / l_b) = -ln(1 - rho) / 2.
+KNEAD_INLINE Lanes naturalStretch(Lanes rho, bool isSmall)
+{
+    constexpr double coefficients[] = {1.0 / 2,  1.0 / 4,  1.0 / 6,  1.0 / 8,  1.0 / 10,
+                                       1.0 / 12, 1.0 / 14, 1.0 / 16, 1.0 / 18, 1.0 / 20};
+    return isSmall ? series(coefficients, rho) : -0.5 * logarithm(1 - rho);
+}
+
 /// What the connections of eight objects would bear if all followed F: sum_b k / 2 (1 - l_b / |F o|) F o o^T by lattice column,
 /// and the energy sum_b k / 4 (|F o| - l_b)^2 (each connection belongs to two objects); both for a spacing of 1.
 struct SpringShare {
@@ -245,7 +333,7 @@ struct SpringShare {
 };
 
 KNEAD_INLINE SpringShare springShare(const Surroundings& a, std::size_t i, UnsignedBits behind, const Gradient& g,
-                                     const Symmetric& metric)
+                                     const Excess& excess)
 {
     SpringShare share{};
     forEachDirection([&]<int d>() __attribute__((always_inline)) {
@@ -255,10 +343,10 @@ KNEAD_INLINE SpringShare springShare(const Surroundings& a, std::size_t i, Unsig
         const Lanes k = stiffnessAround<d>(a, i, behind);
         Lanes step[3];
         along<d>(g, step);
-        const Lanes squared = step[0] * step[0] + step[1] * step[1] + step[2] * step[2] + tinyLengthSquared;
-        const Lanes excess = 1 - squareRoot(quadratic<d>(metric) / squared);
-        const Lanes half = 0.5 * k * excess;
-        share.energy += 0.5 * half * excess * squared;
+        const Lanes squared = step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
+        const Lanes stretch = relativeStretch(excess.rho[d], excess.isSmall);
+        const Lanes half = 0.5 * k * stretch;
+        share.energy += 0.5 * half * stretch * squared;
         for (int c = 0; c < 3; ++c)
             for (int column = 0; column < 3; ++column) {
                 if (o[column] > 0)
@@ -275,10 +363,15 @@ struct LaneNumbers {
     Lanes volume, shear, bulk;
 };
 
+KNEAD_INLINE Lanes valuesOf(const ObjectNumber& number, std::size_t i)
+{
+    return number.each ? load(number.each + i) : all(number.all);
+}
+
 KNEAD_INLINE LaneNumbers numbersOf(const TensorLawNumbers& a, std::size_t i, Lanes theta)
 {
-    const Lanes tension = load(a.tensionShare + i);
-    return {load(a.volume + i), load(a.shear + i), load(a.bulk + i) * (theta > all(0) ? tension : all(1))};
+    const Lanes tension = valuesOf(a.tensionShare, i);
+    return {load(a.volume + i), valuesOf(a.shear, i), valuesOf(a.bulk, i) * (theta > all(0) ? tension : all(1))};
 }
 
 /// Energy of eight objects, less what their springs have of it.
@@ -292,7 +385,7 @@ KNEAD_INLINE Lanes energyOf(const LaneNumbers& numbers, const Gradient& g, const
 
 /// N of the namespace squared, from |s|^2.
 KNEAD_INLINE Lanes squaredNorm(const TensorLawArguments& arguments, std::size_t i, UnsignedBits behind, const Gradient& g,
-                               const Symmetric& metric, const LaneNumbers& numbers, Lanes squaredDeviator)
+                               const Excess& excess, const LaneNumbers& numbers, Lanes squaredDeviator)
 {
     const Surroundings& a = arguments.at;
     const FlowResult& flow = *arguments.flow;
@@ -302,10 +395,7 @@ KNEAD_INLINE Lanes squaredNorm(const TensorLawArguments& arguments, std::size_t 
     forEachDirection([&]<int d>() __attribute__((always_inline)) {
         if (((a.forward | a.backward) >> d & 1U) == 0)
             return;
-        Lanes step[3];
-        along<d>(g, step);
-        const Lanes squared = step[0] * step[0] + step[1] * step[1] + step[2] * step[2] + tinyLengthSquared;
-        const Lanes affine = g.isFlat ? all(0) : 0.5 * logarithm(squared / quadratic<d>(metric));
+        const Lanes affine = g.isFlat ? all(0) : naturalStretch(excess.rho[d], excess.isSmall);
         write(flow.affine[d], affine);
         const Lanes shape = affine - g.theta * (1.0 / 3);
         const Lanes follows = g.isFlat ? all(0) : shape * shape;
@@ -329,47 +419,18 @@ KNEAD_INLINE Lanes squaredNorm(const TensorLawArguments& arguments, std::size_t 
     return larger(0.25 * squaredDeviator, squaredDeviator + extra);
 }
 
-/// The return of eight objects: writes their plastic state afterwards. @return C
-KNEAD_INLINE Symmetric flowOfVector(const TensorLawArguments& arguments, std::size_t i, UnsignedBits behind,
-                                    const Gradient& g, const Symmetric& metric)
+/// Of eight objects, before they flow.
+struct Trial {
+    const Gradient& g;
+    const Symmetric& metric;
+    const ElasticPart& elastic;
+    const Excess& excess;
+    const LaneNumbers& numbers;
+};
+
+/// C where b^-1 of what is elastic afterwards is `inverse`: J^(-2/3) F^T b^-1 F.
+KNEAD_INLINE Symmetric metricOf(const Gradient& g, const Symmetric& inverse)
 {
-    const Surroundings& a = arguments.at;
-    const FlowResult& flow = *arguments.flow;
-    const Writer write{a, i, i < a.begin || i + lanes > a.end};
-    const LaneNumbers numbers = numbersOf(arguments.numbers, i, g.theta);
-    const ElasticPart e = elasticPart(g, metric);
-    Symmetric deviator = e.b;
-    for (int n = 0; n < 3; ++n)
-        deviator.m[n] -= e.third;
-    Lanes squared{};
-    for (int n = 0; n < 6; ++n) {
-        deviator.m[n] = g.isFlat ? all(0) : numbers.shear * deviator.m[n];
-        squared += (n < 3 ? 1.0 : 2.0) * deviator.m[n] * deviator.m[n];
-    }
-    const Lanes norm = squareRoot(squaredNorm(arguments, i, behind, g, metric, numbers, squared)) + 1e-300;
-
-    const Lanes alpha = arguments.plastic.equivalentStrain ? load(arguments.plastic.equivalentStrain + i) : all(0);
-    const Lanes hardening = load(arguments.numbers.hardening + i);
-    const Lanes yield = 0.81649658092772603 * (load(arguments.numbers.yieldStress + i) + hardening * alpha); // sqrt(2/3)
-    const LaneBits flows = (norm > yield) & (g.theta > all(leastFlowingDilatation));
-    const Lanes time = load(arguments.numbers.flowTime + i);
-    const Lanes within = time > all(0) ? 1 - exponential(larger(-flow.duration / time, all(-600))) : all(1);
-    const Lanes modulus = numbers.shear * e.third;
-    const Lanes amount = flows ? within * (norm - yield) / (2 * modulus * (1 + hardening / (3 * modulus))) : all(0);
-    const Lanes share = flows ? 1 - 2 * modulus * amount / norm : all(1);
-    const Lanes grown = 0.81649658092772603 * amount;
-    // 3/2 sigma_m / sigma_eq of the stress afterwards; 1.2247 = sqrt(3/2).
-    const Lanes equivalent = 1.2247448713915890 * squareRoot(squared) * share + 1e-300;
-    const Lanes triaxial = 1.5 * numbers.bulk * g.theta / equivalent;
-    const Lanes counted = smaller(larger(0.5 + triaxial, all(0)), all(1));
-
-    Symmetric relaxed;
-    for (int n = 0; n < 6; ++n)
-        relaxed.m[n] = share * deviator.m[n] / numbers.shear + (n < 3 ? e.third : all(0));
-    const Lanes unit = exponential(logarithm(larger(determinant(relaxed), all(1e-300))) * (-1.0 / 3));
-    for (Lanes& entry : relaxed.m)
-        entry *= unit;
-    const Symmetric inverse = adjugate(relaxed);
     Lanes product[3][3]; // b^-1 F by lattice column
     for (int column = 0; column < 3; ++column) {
         const Lanes(&f)[3] = g.f[column];
@@ -379,56 +440,110 @@ KNEAD_INLINE Symmetric flowOfVector(const TensorLawArguments& arguments, std::si
     }
     constexpr int rows[6] = {0, 1, 2, 0, 0, 1};
     constexpr int columns[6] = {0, 1, 2, 1, 2, 2};
-    const LaneBits changes = flows & ~g.isFlat & ~g.isSquashed;
-    Symmetric after;
+    Symmetric metric;
     for (int n = 0; n < 6; ++n) {
         const Lanes(&f)[3] = g.f[rows[n]];
         const Lanes(&p)[3] = product[columns[n]];
-        const Lanes flowed = g.scale * (f[0] * p[0] + f[1] * p[1] + f[2] * p[2]);
-        after.m[n] = changes ? flowed : metric.m[n];
+        metric.m[n] = g.scale * (f[0] * p[0] + f[1] * p[1] + f[2] * p[2]);
+    }
+    return metric;
+}
+
+/// The return of eight objects: writes their plastic state afterwards, C in `after`. @return whether any of them flows
+KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t i, UnsignedBits behind, const Trial& trial,
+                               Symmetric& after)
+{
+    const Surroundings& a = arguments.at;
+    const FlowResult& flow = *arguments.flow;
+    const Writer write{a, i, i < a.begin || i + lanes > a.end};
+    const Gradient& g = trial.g;
+    const ElasticPart& e = trial.elastic;
+    const Lanes shear = trial.numbers.shear;
+    Symmetric deviator = e.b;
+    for (int n = 0; n < 3; ++n)
+        deviator.m[n] -= e.third;
+    Lanes squared{};
+    for (int n = 0; n < 6; ++n) {
+        deviator.m[n] = g.isFlat ? all(0) : shear * deviator.m[n];
+        squared += (n < 3 ? 1.0 : 2.0) * deviator.m[n] * deviator.m[n];
+    }
+    const Lanes norm =
+        squareRoot(squaredNorm(arguments, i, behind, g, trial.excess, trial.numbers, squared)) + 1e-300;
+
+    constexpr double rootTwoThirds = 0.81649658092772603;
+    const Lanes alpha = arguments.plastic.equivalentStrain ? load(arguments.plastic.equivalentStrain + i) : all(0);
+    const Lanes damage = arguments.plastic.damage ? load(arguments.plastic.damage + i) : all(0);
+    const Lanes hardening = valuesOf(arguments.numbers.hardening, i);
+    const Lanes yield = rootTwoThirds * (valuesOf(arguments.numbers.yieldStress, i) + hardening * alpha);
+    const LaneBits flows = (norm > yield) & (g.theta > all(leastFlowingDilatation));
+    after = trial.metric;
+    if (!anyBeyond(flows ? all(1) : all(0), 0)) {
+        for (int n = 0; n < 6; ++n)
+            write(flow.metric[n], after.m[n]);
+        write(flow.equivalentStrain, alpha);
+        write(flow.damage, damage);
+        write(flow.share, all(1));
+        write(flow.dissipated, all(0));
+        forEachDirection([&]<int d>() __attribute__((always_inline)) {
+            if (((a.forward | a.backward) >> d & 1U) != 0)
+                write(flow.lengthening[d], all(1));
+        });
+        return false;
+    }
+    const Lanes time = valuesOf(arguments.numbers.flowTime, i);
+    const Lanes within = time > all(0) ? 1 - exponential(larger(-flow.duration / time, all(-600))) : all(1);
+    const Lanes modulus = shear * e.third;
+    const Lanes amount = flows ? within * (norm - yield) / (2 * modulus * (1 + hardening / (3 * modulus))) : all(0);
+    const Lanes share = flows ? 1 - 2 * modulus * amount / norm : all(1);
+    const Lanes grown = rootTwoThirds * amount;
+    // 1/2 + 3/2 sigma_m / sigma_eq of the stress afterwards, sigma_eq = sqrt(3/2) |s|.
+    const Lanes equivalent = 1.2247448713915890 * squareRoot(squared) * share + 1e-300;
+    const Lanes counted =
+        smaller(larger(0.5 + 1.5 * trial.numbers.bulk * g.theta / equivalent, all(0)), all(1));
+
+    Symmetric relaxed;
+    for (int n = 0; n < 6; ++n)
+        relaxed.m[n] = share * deviator.m[n] / shear + (n < 3 ? e.third : all(0));
+    const Lanes unit = exponential(logarithm(larger(determinant(relaxed), all(1e-300))) * (-1.0 / 3));
+    for (Lanes& entry : relaxed.m)
+        entry *= unit;
+    const Symmetric flowed = metricOf(g, adjugate(relaxed));
+    const LaneBits changes = flows & ~g.isFlat & ~g.isSquashed;
+    for (int n = 0; n < 6; ++n) {
+        after.m[n] = changes ? flowed.m[n] : trial.metric.m[n];
         write(flow.metric[n], after.m[n]);
     }
     write(flow.equivalentStrain, alpha + grown);
-    write(flow.damage, (arguments.plastic.damage ? load(arguments.plastic.damage + i) : all(0)) + counted * grown);
+    write(flow.damage, damage + counted * grown);
     write(flow.share, share);
     forEachDirection([&]<int d>() __attribute__((always_inline)) {
         if (((a.forward | a.backward) >> d & 1U) != 0)
-            write(flow.lengthening[d], changes ? quadratic<d>(after) / quadratic<d>(metric) : all(1));
+            write(flow.lengthening[d], changes ? quadratic<d>(after) / quadratic<d>(trial.metric) : all(1));
     });
-    return after;
+    return true;
 }
 
-template <bool flows>
-KNEAD_INLINE void tensorLawOfVector(const TensorLawArguments& arguments, std::size_t i)
+/// Writes the stress of eight objects. @return their energy
+KNEAD_INLINE Lanes stressOfTensor(const TensorLawArguments& arguments, std::size_t i, const LaneNumbers& numbers,
+                                  const Gradient& g, const ElasticPart& e, const SpringShare& share)
 {
     const Surroundings& a = arguments.at;
     const Writer write{a, i, i < a.begin || i + lanes > a.end};
-    const Gradient g = gradientOf<true>(a, i);
-    const UnsignedBits behind = behindOf(a, i);
-    const LaneNumbers numbers = numbersOf(arguments.numbers, i, g.theta);
-    Symmetric metric = loadSymmetric(arguments.plastic.metric, i);
-    Lanes before{};
-    if constexpr (flows) {
-        before = energyOf(numbers, g, elasticPart(g, metric), springShare(a, i, behind, g, metric), a.spacing);
-        metric = flowOfVector(arguments, i, behind, g, metric);
-    }
-    const ElasticPart e = elasticPart(g, metric);
-    const SpringShare share = springShare(a, i, behind, g, metric);
     const Lanes energy = energyOf(numbers, g, e, share, a.spacing);
-    if constexpr (flows)
-        write(arguments.flow->dissipated, before - energy);
-    write(arguments.energy, energy);
-    write(arguments.theta, g.theta);
+    if (arguments.energy)
+        write(arguments.energy, energy);
+    if (arguments.theta)
+        write(arguments.theta, g.theta);
     // P = tau F^-T, as the gradient of the energy: where J is below what the logarithm is taken of, t does not depend on it.
-    const Lanes shear = numbers.shear * g.scale;
+    const Lanes shear = numbers.volume * numbers.shear * g.scale;
     const Lanes pressure =
-        (numbers.bulk * g.theta - (g.isSquashed ? all(0) : numbers.shear * e.third)) / g.ratio;
+        numbers.volume * (numbers.bulk * g.theta - (g.isSquashed ? all(0) : numbers.shear * e.third)) / g.ratio;
+    const double inverseSpacing = 1 / a.spacing;
     Lanes p[3][3];
     for (int column = 0; column < 3; ++column)
         for (int c = 0; c < 3; ++c)
-            p[column][c] = (numbers.volume * (shear * e.h[column][c] + pressure * g.cofactor[column][c]) -
-                            a.spacing * a.spacing * share.pull[column][c]) /
-                           a.spacing;
+            p[column][c] = (shear * e.h[column][c] + pressure * g.cofactor[column][c]) * inverseSpacing -
+                           a.spacing * share.pull[column][c];
     const Lanes uu = load(a.inverseShape[0] + i), vv = load(a.inverseShape[1] + i), ww = load(a.inverseShape[2] + i);
     const Lanes uv = load(a.inverseShape[3] + i), uw = load(a.inverseShape[4] + i), vw = load(a.inverseShape[5] + i);
     for (int c = 0; c < 3; ++c) {
@@ -436,6 +551,30 @@ KNEAD_INLINE void tensorLawOfVector(const TensorLawArguments& arguments, std::si
         write(arguments.stress[3 + c], p[0][c] * uv + p[1][c] * vv + p[2][c] * vw);
         write(arguments.stress[6 + c], p[0][c] * uw + p[1][c] * vw + p[2][c] * ww);
     }
+    return energy;
+}
+
+template <bool flows>
+KNEAD_INLINE void tensorLawOfVector(const TensorLawArguments& arguments, std::size_t i)
+{
+    const Surroundings& a = arguments.at;
+    const Gradient g = gradientOf<true>(a, i);
+    const UnsignedBits behind = behindOf(a, i);
+    const LaneNumbers numbers = numbersOf(arguments.numbers, i, g.theta);
+    const Symmetric metric = loadSymmetric(arguments.plastic.metric, i);
+    const ElasticPart e = elasticPart(g, metric);
+    const Excess excess = excessOf(a, g, metric);
+    const SpringShare share = springShare(a, i, behind, g, excess);
+    Symmetric after;
+    if (flows && flowOfVector(arguments, i, behind, {g, metric, e, excess, numbers}, after)) {
+        const Writer write{a, i, i < a.begin || i + lanes > a.end};
+        const Lanes before = energyOf(numbers, g, e, share, a.spacing);
+        const Lanes energy = stressOfTensor(arguments, i, numbers, g, elasticPart(g, after),
+                                            springShare(a, i, behind, g, excessOf(a, g, after)));
+        write(arguments.flow->dissipated, before - energy);
+        return;
+    }
+    stressOfTensor(arguments, i, numbers, g, e, share);
 }
 
 template <typename OfVector>
