@@ -40,6 +40,9 @@ constexpr int limitIterations = 6;
 // Friction that was kept so may exceed Coulomb's by this share of it, over all contacts; else it is made to fit again.
 constexpr double frictionTolerance = 0.1;
 
+// Accelerated iterations that make the residual so much larger, squared, are forgotten and begun anew.
+constexpr double mixingLost = 4;
+
 // The coarse factor is found again when iterations per decade have grown by this factor and so many since it was new.
 constexpr double staleFactor = 1.5;
 constexpr double staleMore = 3;
@@ -240,6 +243,15 @@ double ImplicitEuler::elasticEnergy() const
     return sum;
 }
 
+/// Of the trial so far [J].
+double ImplicitEuler::flowedEnergy() const
+{
+    double sum = 0;
+    for (const BodyView& body : m_bodies)
+        sum += body.connections->flowedEnergy();
+    return sum;
+}
+
 namespace {
 
 /// Momentum, center of mass, angular momentum about it and inertia of a body's objects.
@@ -346,11 +358,13 @@ ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const Ri
 {
     Report report;
     rememberStart();
-    const double before = elasticEnergy() + contactEnergy;
+    const double startEnergy = elasticEnergy() + contactEnergy;
+    m_mixing.restart();
     ContactStep step{.duration = h, .stickSpeed = stickShare * m_spacing / h, .isTrial = true};
     const double floor = m_mass * std::pow(restShare * m_spacing / h, 2);
     double first = 0;
     double reference = 0;
+    double lastSize = std::numeric_limits<double>::infinity();
     bool isOverBraked = false;
     for (;; ++report.newtonIterations) {
         tryVelocities(h);
@@ -380,7 +394,15 @@ ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const Ri
         }
         if (report.newtonIterations > 0)
             updateSystem(report.contacts.tangents, h);
+        // The first solution brings contacts about; from then on the tangent, which is elastic, is what is wrong where it flows.
+        const bool flows = report.newtonIterations > 0 && flowedEnergy() > 0;
+        if (size > mixingLost * lastSize)
+            m_mixing.restart();
+        lastSize = size;
+        m_scratch = m_velocity;
         report.iterations += solve(std::max(linearTolerance * linearTolerance * reference, 0.25 * floor));
+        if (flows)
+            m_mixing.accelerate(m_scratch, m_velocity);
     }
     keepMomenta(report.contacts.tangents, gravity, h);
     for (const BodyView& body : m_bodies) {
@@ -392,9 +414,8 @@ ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const Ri
                 report.largestSpeed = std::isfinite(speed) ? speed : std::numeric_limits<double>::infinity();
         }
     }
-    for (const BodyView& body : m_bodies)
-        report.plastic += body.connections->flowedEnergy();
-    report.numerical = -report.plastic + numericalLoss(report.contacts, elasticEnergy() + report.contacts.energy - before, h);
+    report.plastic = flowedEnergy();
+    report.numerical = -report.plastic + numericalLoss(report.contacts, elasticEnergy() + report.contacts.energy - startEnergy, h);
     return report;
 }
 

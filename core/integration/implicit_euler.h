@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/integration/anderson_mixing.h"
 #include "core/integration/conjugate_gradients.h"
 #include "core/mechanics/contacts.h"
 #include "core/mechanics/rigid_motion.h"
@@ -68,6 +69,7 @@ private:
     LinkEnd endOf(const ObjectRef& object) const;
     void updateSystem(const std::vector<ContactTangent>& tangents, double h);
     int solve(double goal);
+    double flowedEnergy() const;
     double sizeOf(const VectorArray& momenta);
     double sizeOfLoads(const std::vector<ContactTangent>& tangents, double h);
     double elasticEnergy() const;
@@ -82,6 +84,7 @@ private:
     ImplicitSystem m_system;
     RigidModePreconditioner m_preconditioner;
     ConjugateGradients m_solver;
+    AndersonMixing m_mixing; ///< of iterations in which material flows
     std::vector<VectorArray> m_startPosition; ///< per body
     std::vector<VectorArray> m_startVelocity;
     std::vector<std::optional<RigidMotion>> m_startMotion; ///< of rigid bodies that move
