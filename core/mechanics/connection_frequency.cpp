@@ -156,7 +156,7 @@ double StructuralConnections::leastDampingTime() const
 
 double StructuralConnections::largestFrequency(ObjectState& state, const std::vector<double>& added)
 {
-    if (m_tensors || m_materials->largest([](const Material& material) { return material.poissonRatio; }) > 0.25)
+    if (m_materials->largest([](const Material& material) { return material.poissonRatio; }) > 0.25)
         return iteratedFrequency(state, added);
     const std::vector<double> bounds = bondBounds(state, added);
     double squared = 0;

@@ -118,7 +118,8 @@ struct LengthArguments {
     double* dissipated;   ///< sumLanes partial sums [J]
 };
 
-/// theta below which material does not flow, a quarter of the volume left: what F says there is no longer reliable.
-inline constexpr double leastFlowingDilatation = -1.4;
+/// det F below which ln det F goes on as its tangent and material flows no more: what F says there is not reliable, and a
+/// logarithm that went on would be stiffer than steps that were chosen before can take (by 22 times at a quarter of the volume).
+inline constexpr double leastVolumeRatio = 0.5;
 
 } // namespace knead::kernels

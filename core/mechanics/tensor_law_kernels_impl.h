@@ -83,7 +83,7 @@ KNEAD_INLINE Lanes quadratic(const Symmetric& a)
 struct Gradient {
     Lanes f[3][3];        ///< [column][world component]
     Lanes cofactor[3][3]; ///< of F: J F^-T
-    Lanes ratio;          ///< J, not below smallestVolumeRatio
+    Lanes ratio;          ///< J, not below leastVolumeRatio
     LaneBits isSquashed;  ///< J is below that
     LaneBits isFlat;      ///< nothing is known of F
     Lanes theta;
@@ -116,7 +116,7 @@ KNEAD_INLINE Gradient gradientOf(const Surroundings& a, std::size_t i)
     }
     const Lanes volume =
         g.f[0][0] * g.cofactor[0][0] + g.f[0][1] * g.cofactor[0][1] + g.f[0][2] * g.cofactor[0][2];
-    const Lanes smallest = all(smallestVolumeRatio);
+    const Lanes smallest = all(leastVolumeRatio);
     g.isSquashed = volume < smallest;
     g.ratio = g.isSquashed ? smallest : volume;
     const Lanes below = g.isSquashed ? volume / smallest - 1 : all(0);
@@ -325,6 +325,10 @@ KNEAD_INLINE Lanes naturalStretch(Lanes rho, bool isSmall)
     return isSmall ? series(coefficients, rho) : -0.5 * logarithm(1 - rho);
 }
 
+// 1 - l_b / |F D| of a connection at half its length. Where it is shorter, its share is taken off no further: it turns ever
+// more quickly with F, and steps that were chosen before cannot take that.
+constexpr double leastStretch = -1;
+
 /// What the connections of eight objects would bear if all followed F: sum_b k / 2 (1 - l_b / |F o|) F o o^T by lattice column,
 /// and the energy sum_b k / 4 (|F o| - l_b)^2 (each connection belongs to two objects); both for a spacing of 1.
 struct SpringShare {
@@ -344,9 +348,12 @@ KNEAD_INLINE SpringShare springShare(const Surroundings& a, std::size_t i, Unsig
         Lanes step[3];
         along<d>(g, step);
         const Lanes squared = step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
-        const Lanes stretch = relativeStretch(excess.rho[d], excess.isSmall);
+        const Lanes whole = relativeStretch(excess.rho[d], excess.isSmall);
+        const LaneBits isShort = whole < all(leastStretch);
+        const Lanes stretch = isShort ? all(leastStretch) : whole;
         const Lanes half = 0.5 * k * stretch;
-        share.energy += 0.5 * half * stretch * squared;
+        // Below the least stretch the force goes on in proportion to |F o|: sum_b k / 4 (l_b^2 / 2 - |F o|^2).
+        share.energy += 0.25 * k * squared * (isShort ? -0.5 - 0.5 * excess.rho[d] : stretch * stretch);
         for (int c = 0; c < 3; ++c)
             for (int column = 0; column < 3; ++column) {
                 if (o[column] > 0)
@@ -475,7 +482,7 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
     const Lanes damage = arguments.plastic.damage ? load(arguments.plastic.damage + i) : all(0);
     const Lanes hardening = valuesOf(arguments.numbers.hardening, i);
     const Lanes yield = rootTwoThirds * (valuesOf(arguments.numbers.yieldStress, i) + hardening * alpha);
-    const LaneBits flows = (norm > yield) & (g.theta > all(leastFlowingDilatation));
+    const LaneBits flows = (norm > yield) & ~g.isSquashed;
     after = trial.metric;
     if (!anyBeyond(flows ? all(1) : all(0), 0)) {
         for (int n = 0; n < 6; ++n)
@@ -508,7 +515,7 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
     for (Lanes& entry : relaxed.m)
         entry *= unit;
     const Symmetric flowed = metricOf(g, adjugate(relaxed));
-    const LaneBits changes = flows & ~g.isFlat & ~g.isSquashed;
+    const LaneBits changes = flows & ~g.isFlat;
     for (int n = 0; n < 6; ++n) {
         after.m[n] = changes ? flowed.m[n] : trial.metric.m[n];
         write(flow.metric[n], after.m[n]);
