@@ -177,16 +177,15 @@ class SkinStressTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// The strain of pure bending is linear: quadratic displacements, of which the map knows the gradient. What is left is
-    /// that a quadratic is damped where cells across are few.
+    /// The strain of pure bending is linear: quadratic displacements, of which the map knows the gradient. One cell
+    /// across does not determine it whole.
     void bendingIsReadAtTheSkin()
     {
-        for (const auto& [cells, most] :
-             {std::pair(1.0, 0.07), {1.5, 0.04}, {2.0, 0.04}, {3.0, 0.02}, {4.0, 0.015}, {6.0, 0.01}}) {
+        for (const double cells : {1.0, 1.5, 2.0, 3.0, 4.0, 6.0}) {
             const Comparison bent = bentBar(cells);
             qInfo("%g cells across: %+.2g to %+.2g %%, estimated %.2g %%", cells, 100 * bent.least, 100 * bent.most,
                   100 * bent.error);
-            QVERIFY(bent.worst() < most);
+            QVERIFY(bent.worst() < (cells > 1 ? 1e-3 : 0.04));
             QVERIFY(bent.worst() < bent.error);
         }
     }
@@ -208,7 +207,8 @@ private slots:
     }
 
     /// Of a plate 12 radii wide that is pulled, with 8 cells across the hole. Heywood: the stress at the hole is
-    /// 2 + (1 - d / w)^3 times that on the net section.
+    /// 2 + (1 - d / w)^3 times that on the net section, 2.58 here; quadratic finite elements of this very plate, by CalculiX, say
+    /// 2.60 in the middle of its thickness and 2.46 at its faces.
     void holeConcentratesStress()
     {
         constexpr double radius = 0.004;

@@ -101,6 +101,15 @@ private slots:
         QVERIFY(areNear(stretched(1.001).values(SurfaceQuantity::vonMisesStress), 2 * mu * 1e-3, 3e-3));
     }
 
+    void stressComesWithItsError()
+    {
+        const Bar bar = stretched(1.1);
+        const SkinStresses stresses = surfaceStresses(bar.state());
+        QCOMPARE(stresses.vonMises, bar.values(SurfaceQuantity::vonMisesStress));
+        QCOMPARE(stresses.error.size(), stresses.vonMises.size());
+        QVERIFY(stresses.errorShare < 1e-5); // even stress is read as well at any resolution
+    }
+
     void whatHasNotFlowedHasNoPlasticStrain()
     {
         QVERIFY(areNear(stretched(1.25).values(SurfaceQuantity::plasticStrain), 0, 0));
@@ -192,6 +201,9 @@ private slots:
                 continue;
             const auto shot = simulation.snapshot();
             QVERIFY(shot->bodies[0].pressing);
+            for (const ObjectIndex object : loadedObjects(*shot, 0))
+                QVERIFY((*shot->bodies[0].pressing)[object].norm() > 0);
+            QVERIFY(loadedObjects(*shot, 0).size() >= 4);
             for (const Vec3& force : *shot->bodies[0].pressing)
                 mean += force;
             ++count;
