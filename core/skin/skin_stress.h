@@ -31,7 +31,7 @@ struct SkinStresses {
 /// The error is estimated by how much the stress changes within what the objects resolve: by its difference from the mean of the
 /// objects around the point, which lies about a spacing deeper. It knows nothing of what else is wrong, such as a wall that is too
 /// stiff.
-/// Immutable after construction. Any thread; uses several. About 0.4 us a point and moment on one core where nothing has flowed,
+/// Immutable after construction. Any thread; uses several. About 0.5 us a point and moment on one core where nothing has flowed,
 /// 1.5 us with the error.
 class SkinStress {
 public:
