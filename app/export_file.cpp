@@ -10,8 +10,10 @@
 #include "io/mesh_writer.h"
 #include "io/safe_file.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -66,19 +68,26 @@ std::vector<MeshField> toMeshFields(const SkinFields& fields)
             displacement.values.push_back(static_cast<float>(coordinate));
     return {std::move(displacement),
             {"equivalent strain", 1, fields.strain},
-            {"von Mises stress [Pa]", 1, fields.vonMisesStress}};
+            {"von Mises stress [Pa]", 1, fields.vonMisesStress},
+            {"von Mises stress error [Pa]", 1, fields.stressError}};
+}
+
+/// Puts fields into a mesh, and what is to be said of them into the report.
+void addFields(const SkinFields& fields, MeshBody& body, PartExportReport& report)
+{
+    body.fields = toMeshFields(fields);
+    if (!fields.vonMisesStress.empty())
+        report.largestStress =
+            static_cast<double>(*std::max_element(fields.vonMisesStress.begin(), fields.vonMisesStress.end()));
+    report.stressErrorShare = fields.stressErrorShare;
 }
 
 /// The surface of a part at its present place, with fields.
-void strain(const PartToExport& part, MeshBody& body, TaskControl& control)
+StrainedSurface strained(const PartToExport& part, TaskControl& control)
 {
     const std::vector<ConnectionId> none;
-    const auto strains =
-        objectStrains(*part.aggregate, part.displacements, *part.relaxed, part.broken ? *part.broken : none);
-    StrainedSurface surface =
-        strainedSurface(part.part.mesh, *part.aggregate, part.displacements, strains, mostTriangles, control);
-    body.mesh = std::move(surface.mesh);
-    body.fields = toMeshFields(surface.fields);
+    const ObjectStrains objects(*part.aggregate, part.displacements, *part.relaxed, part.broken ? *part.broken : none);
+    return strainedSurface(part.part.mesh, *part.aggregate, objects, part.loaded, mostTriangles, control);
 }
 
 ExportReport exportMeshes(const std::string& path, const ExportJob& job, TaskControl& control)
@@ -95,13 +104,19 @@ ExportReport exportMeshes(const std::string& path, const ExportJob& job, TaskCon
         TaskPortion portion(control, surfaceShare * done / count, surfaceShare * (done + 1) / count);
         MeshBody body{part.part.name, part.part.color.value_or(Color{}), part.part.mesh};
         body.faceColors = faceColorsOf(part.part);
-        if (part.relaxed)
-            strain(part, body, portion);
-        else if (part.aggregate != nullptr)
+        std::optional<SkinFields> fields;
+        if (part.relaxed) {
+            StrainedSurface surface = strained(part, portion);
+            body.mesh = std::move(surface.mesh);
+            fields = std::move(surface.fields);
+        } else if (part.aggregate != nullptr) {
             body.mesh = deformedSurface(part.part.mesh, *part.aggregate, part.displacements, mostTriangles, portion);
+        }
         if (part.fields)
-            body.fields = toMeshFields(*part.fields);
+            fields = *part.fields;
         report.parts.push_back(reportOn(part, body.mesh));
+        if (fields)
+            addFields(*fields, body, report.parts.back());
         bodies.push_back(std::move(body));
     }
     TaskPortion writing(control, surfaceShare, 1);

@@ -73,6 +73,7 @@ ExportJob exportJobOf(const RecipeScene& ready, const Snapshot& snapshot)
                              .displacements = snapshot.bodies[i].displacements(),
                              .broken = snapshot.bodies[i].broken,
                              .relaxed = snapshot.bodies[i].relaxed,
+                             .loaded = loadedObjects(snapshot, static_cast<BodyId>(i)),
                              .density = snapshot.materials[i].density});
     }
     job.tree = treeOfPaths(parts);

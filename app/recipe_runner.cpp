@@ -76,6 +76,7 @@ public:
             }
         }
         m_wall = secondsSince(start);
+        m_simulation.showPressing(true); // stress needs to know where
         takeSnapshot();
         if (const std::size_t left = m_recipe.events.size() - m_progress.mark().nextEvent; left > 0)
             m_warnings.push_back("The run ended before " + std::to_string(left) + " of the events were due.");
@@ -101,8 +102,10 @@ public:
         report.joints = m_latest->joints;
         report.components = m_latest->components;
         report.addedMass = m_latest->addedMass;
-        for (std::size_t i = 0; i < m_latest->bodies.size(); ++i)
+        for (std::size_t i = 0; i < m_latest->bodies.size(); ++i) {
             report.motions.push_back(motionOf(m_ready.parts[i].path, m_latest->bodies[i]));
+            report.motions.back().stress = bodyStress(m_ready.parts[i].mesh, *m_latest, static_cast<BodyId>(i));
+        }
         report.tools = m_tools;
         report.warnings = m_ready.warnings;
         report.warnings.insert(report.warnings.end(), m_warnings.begin(), m_warnings.end());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/body_stress.h"
 #include "core/model/export_report.h"
 #include "core/simulation/snapshot.h"
 #include "core/task/task_control.h"
@@ -16,6 +17,7 @@ struct BodyMotion {
     std::string name;                     ///< path in the assembly
     Vec3 meanDisplacement = Vec3::Zero(); ///< of its objects [m]
     double largestDisplacement = 0;       ///< of any object [m]
+    BodyStress stress;
 };
 
 /// What a run of a recipe did and left behind.

@@ -82,7 +82,11 @@ void printJson(const RunReport& report)
     for (const BodyMotion& motion : report.motions)
         json["bodies"].push_back({{"name", motion.name},
                                   {"mean_displacement_mm", list(1000 * motion.meanDisplacement)},
-                                  {"largest_displacement_mm", 1000 * motion.largestDisplacement}});
+                                  {"largest_displacement_mm", 1000 * motion.largestDisplacement},
+                                  {"von_mises_stress",
+                                   {{"largest_pa", motion.stress.largest},
+                                    {"error_share", motion.stress.error},
+                                    {"at_rest_mm", list(1000 * motion.stress.place)}}}});
     for (const ToolState& tool : report.tools)
         json["tools"].push_back({{"name", tool.name},
                                  {"force_n", list(tool.force)},

@@ -17,15 +17,18 @@ constexpr std::size_t objectsPerBlock = 512;
 constexpr double flattestShape = 0.01; // surroundings nearer to a plane say nothing about what is across it
 constexpr double leastStretch = 1e-3;  // of squashed material: logarithms stay finite
 
+} // namespace
+
 /// The live connections of objects.
-class Surroundings {
+class ObjectSurroundings {
 public:
-    Surroundings(const Aggregate& aggregate, std::span<const ConnectionId> broken)
+    ObjectSurroundings(const Aggregate& aggregate, std::span<const ConnectionId> broken)
         : m_aggregate(aggregate)
         , m_isBroken(brokenDirections(aggregate, broken))
     {
         for (std::size_t d = 0; d < Lattice::directionCount; ++d)
             m_steps[d] = aggregate.lattice.direction(static_cast<int>(d));
+        markEnds(broken);
     }
 
     /// Calls visit(neighbor, step, weight, connection) for each, `step` being the way to the neighbor at rest [m].
@@ -50,19 +53,38 @@ public:
         }
     }
 
+    bool hasBroken() const { return !m_hasBroken.empty(); }
+    bool hasBroken(ObjectIndex object) const { return !m_hasBroken.empty() && m_hasBroken[object] != 0; }
+
 private:
     bool isAlive(std::uint32_t d, ObjectIndex lower) const
     {
         return m_aggregate.weight[d][lower] > 0 && (m_isBroken[lower] >> d & 1U) == 0;
     }
 
+    void markEnds(std::span<const ConnectionId> broken)
+    {
+        if (!broken.empty())
+            m_hasBroken.assign(m_aggregate.size(), 0);
+        for (const auto& [direction, lower] : broken) {
+            const auto& segments = m_aggregate.lattice.segments[direction];
+            const auto segment = std::partition_point(segments.begin(), segments.end(),
+                                                      [&, object = lower](const auto& s) { return s.end <= object; });
+            m_hasBroken[lower] = m_hasBroken[lower + static_cast<ObjectIndex>(segment->offset)] = 1;
+        }
+    }
+
     const Aggregate& m_aggregate;
     std::vector<std::uint16_t> m_isBroken;
+    std::vector<std::uint8_t> m_hasBroken; ///< per object, at either end; empty: none
     std::array<Vec3, Lattice::directionCount> m_steps;
 };
 
+namespace {
+
 /// F = (sum w d o^T) (sum w o o^T)^-1 for the ways o at rest and d now; across what these do not span a rotation.
-Mat3 deformationGradient(const Surroundings& surroundings, std::span<const Vec3> displacements, ObjectIndex object)
+Mat3 deformationGradient(const ObjectSurroundings& surroundings, std::span<const Vec3> displacements,
+                         ObjectIndex object)
 {
     Mat3 moment = Mat3::Zero();
     Mat3 reference = Mat3::Zero();
@@ -85,6 +107,75 @@ Mat3 deformationGradient(const Surroundings& surroundings, std::span<const Vec3>
     return svd.matrixU() * stretches.asDiagonal() * svd.matrixV().transpose();
 }
 
+} // namespace
+
+ObjectStrains::ObjectStrains(const Aggregate& aggregate, std::span<const Vec3> displacements,
+                             const RelaxedState& relaxed, std::span<const ConnectionId> broken)
+    : m_surroundings(std::make_unique<const ObjectSurroundings>(aggregate, broken))
+    , m_displacements(displacements)
+    , m_relaxed(relaxed)
+    , m_axes(aggregate.lattice.axes)
+{
+    assert(displacements.size() == aggregate.size());
+}
+
+ObjectStrains::~ObjectStrains() = default;
+
+ObjectStrain ObjectStrains::of(ObjectIndex object) const
+{
+    const Mat3 gradient = deformationGradient(*m_surroundings, m_displacements, object);
+    ObjectStrain result;
+    result.strain = halfLogarithm(gradient * gradient.transpose());
+    const Mat3 metric = relaxedMetric(object);
+    if (m_relaxed.hasFlowed())
+        result.flow = halfLogarithm(metric);
+    const Material& material = m_relaxed.materials.of(object);
+    result.stress = cauchyStress(gradient, metric, material, flowStress(material, plasticStrain(object)));
+    return result;
+}
+
+Mat3 ObjectStrains::relaxedMetric(ObjectIndex object) const
+{
+    if (!m_relaxed.hasFlowed())
+        return Mat3::Identity();
+    const auto entry = [&](std::size_t n) { return static_cast<double>(m_relaxed.metric[n][object]); };
+    Mat3 metric;
+    metric << entry(0), entry(3), entry(4), entry(3), entry(1), entry(5), entry(4), entry(5), entry(2);
+    return m_axes * metric * m_axes.transpose();
+}
+
+Mat3 ObjectStrains::flow(ObjectIndex object) const
+{
+    return m_relaxed.hasFlowed() ? halfLogarithm(relaxedMetric(object)) : Mat3::Zero();
+}
+
+double ObjectStrains::plasticStrain(ObjectIndex object) const
+{
+    return m_relaxed.equivalentStrain.empty() ? 0 : static_cast<double>(m_relaxed.equivalentStrain[object]);
+}
+
+bool ObjectStrains::hasBroken(ObjectIndex object) const
+{
+    return m_surroundings->hasBroken(object);
+}
+
+bool ObjectStrains::hasBroken() const
+{
+    return m_surroundings->hasBroken();
+}
+
+std::vector<ObjectStrain> objectStrains(const Aggregate& aggregate, std::span<const Vec3> displacements,
+                                        const RelaxedState& relaxed, std::span<const ConnectionId> broken)
+{
+    const ObjectStrains objects(aggregate, displacements, relaxed, broken);
+    std::vector<ObjectStrain> strains(aggregate.size());
+    forEachBlock(aggregate.size(), objectsPerBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            strains[i] = objects.of(static_cast<ObjectIndex>(i));
+    });
+    return strains;
+}
+
 /// ln sqrt(b) of a symmetric b.
 Mat3 halfLogarithm(const Mat3& b)
 {
@@ -92,63 +183,6 @@ Mat3 halfLogarithm(const Mat3& b)
     const Vec3 logarithms = solver.eigenvalues().unaryExpr(
         [](double value) { return 0.5 * std::log(std::max(value, leastStretch * leastStretch)); });
     return solver.eigenvectors() * logarithms.asDiagonal() * solver.eigenvectors().transpose();
-}
-
-Mat3 cauchyStress(const Mat3& elastic, const Material& material)
-{
-    const Mat3 kirchhoff =
-        material.lameLambda() * elastic.trace() * Mat3::Identity() + 2 * material.shearModulus() * elastic;
-    return kirchhoff / std::exp(elastic.trace());
-}
-
-Mat3 deviator(const Mat3& tensor)
-{
-    return tensor - tensor.trace() / 3 * Mat3::Identity();
-}
-
-} // namespace
-
-Mat3 relaxedMetric(const RelaxedState& relaxed, const Lattice& lattice, ObjectIndex object)
-{
-    if (!relaxed.hasFlowed())
-        return Mat3::Identity();
-    const auto entry = [&](std::size_t n) { return static_cast<double>(relaxed.metric[n][object]); };
-    Mat3 metric;
-    metric << entry(0), entry(3), entry(4), entry(3), entry(1), entry(5), entry(4), entry(5), entry(2);
-    return lattice.axes * metric * lattice.axes.transpose();
-}
-
-std::vector<ObjectStrain> objectStrains(const Aggregate& aggregate, std::span<const Vec3> displacements,
-                                        const RelaxedState& relaxed, std::span<const ConnectionId> broken)
-{
-    assert(displacements.size() == aggregate.size());
-    const Surroundings surroundings(aggregate, broken);
-    std::vector<ObjectStrain> strains(aggregate.size());
-    forEachBlock(aggregate.size(), objectsPerBlock, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto object = static_cast<ObjectIndex>(i);
-            const Mat3 gradient = deformationGradient(surroundings, displacements, object);
-            strains[i].strain = halfLogarithm(gradient * gradient.transpose());
-            Mat3 elastic = strains[i].strain;
-            if (relaxed.hasFlowed()) {
-                const Mat3 metric = relaxedMetric(relaxed, aggregate.lattice, object);
-                elastic = halfLogarithm(gradient * metric.inverse() * gradient.transpose());
-                strains[i].flow = halfLogarithm(metric);
-            }
-            strains[i].stress = cauchyStress(elastic, relaxed.materials.of(object));
-        }
-    });
-    return strains;
-}
-
-double equivalentStrain(const Mat3& strain)
-{
-    return std::sqrt(2.0 / 3) * deviator(strain).norm();
-}
-
-double vonMisesStress(const Mat3& stress)
-{
-    return std::sqrt(1.5) * deviator(stress).norm();
 }
 
 } // namespace knead

@@ -3,8 +3,10 @@
 #include "core/aggregate/aggregate.h"
 #include "core/aggregate/connection_id.h"
 #include "core/aggregate/material_map.h"
+#include "core/mechanics/stress_law.h"
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,6 +19,9 @@ struct RelaxedState {
     /// Per object, the metric C of its relaxed material: uu vv ww uv uw vw, in lattice axes; what of it is volume included.
     /// Empty: the identity for all, as at the start.
     std::array<std::vector<float>, 6> metric{};
+
+    /// Per object, the sum of all flow. Empty: none.
+    std::vector<float> equivalentStrain{};
 
     bool hasFlowed() const { return !metric[0].empty(); }
 
@@ -31,26 +36,54 @@ struct ObjectStrain {
     Mat3 flow = Mat3::Zero();
 };
 
-/// C of an object, in world axes; the identity where nothing has flowed.
-Mat3 relaxedMetric(const RelaxedState& relaxed, const Lattice& lattice, ObjectIndex object);
+class ObjectSurroundings; ///< the live connections of objects
 
-/// Strain and stress at all objects.
+/// Strain and stress at single objects.
 ///
 /// F is the deformation gradient that fits the connections of an object best, each by its cut-cell weight; broken ones do not
 /// count. Where they lie in a plane or on a line, nothing is known across it, and F neither stretches nor shears there.
 ///
-/// Flow and re-normalization change the metric C of the relaxed material. What is elastic is ln sqrt(F C^-1 F^T), and the
-/// stress (lambda tr(e) I + 2 mu e) / sqrt(det F C^-1 F^T) with mu and lambda of the object's material: what the connections
-/// and the volumetric term add up to where the strain is even.
-/// Any thread; uses several.
-/// @param displacements per object, from rest [m]
+/// Flow and re-normalization change the metric C of the relaxed material. The stress is cauchyStress() of F and C, and never more
+/// than flow has left the material able to bear.
+class ObjectStrains {
+public:
+    /// All that is given must outlive it. Its members may be called from any thread.
+    /// @param displacements per object, from rest [m]
+    ObjectStrains(const Aggregate& aggregate, std::span<const Vec3> displacements, const RelaxedState& relaxed,
+                  std::span<const ConnectionId> broken = {});
+    ~ObjectStrains();
+    ObjectStrains(const ObjectStrains&) = delete;
+    ObjectStrains& operator=(const ObjectStrains&) = delete;
+
+    ObjectStrain of(ObjectIndex object) const;
+
+    /// C, symmetric and positive. All who want to know how the material has flowed ask here or flow().
+    Mat3 relaxedMetric(ObjectIndex object) const;
+
+    /// Hencky, ln sqrt(C), in the axes at rest.
+    Mat3 flow(ObjectIndex object) const;
+
+    /// Equivalent plastic strain, of which material gets harder: the sum of all flow, there and back.
+    double plasticStrain(ObjectIndex object) const;
+
+    bool hasBroken(ObjectIndex object) const; ///< a connection
+    bool hasBroken() const;                   ///< any connection
+    bool hasFlowed() const { return m_relaxed.hasFlowed(); }
+    std::span<const Vec3> displacements() const { return m_displacements; }
+    const MaterialMap& materials() const { return m_relaxed.materials; }
+
+private:
+    std::unique_ptr<const ObjectSurroundings> m_surroundings;
+    std::span<const Vec3> m_displacements;
+    const RelaxedState& m_relaxed;
+    Mat3 m_axes;
+};
+
+/// Strain and stress at all objects. Any thread; uses several.
 std::vector<ObjectStrain> objectStrains(const Aggregate& aggregate, std::span<const Vec3> displacements,
                                         const RelaxedState& relaxed, std::span<const ConnectionId> broken = {});
 
-/// sqrt(2/3 e:e) of the deviator e: the strain of a bar that is stretched as much at constant volume.
-double equivalentStrain(const Mat3& strain);
-
-/// sqrt(3/2 s:s) of the deviator s [Pa]: the tension of a bar that is as near to yielding.
-double vonMisesStress(const Mat3& stress);
+/// ln sqrt(b) of a symmetric b; of one that is nearly flat a finite one.
+Mat3 halfLogarithm(const Mat3& b);
 
 } // namespace knead

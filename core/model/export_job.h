@@ -21,6 +21,8 @@ struct PartToExport {
     std::shared_ptr<const SmoothMap> map;                    ///< in place of objects; does not leave this process
     std::shared_ptr<const std::vector<ConnectionId>> broken; ///< structural connections; null: none
     std::shared_ptr<const RelaxedState> relaxed;             ///< for fields; null: none; does not leave this process
+    std::vector<ObjectIndex>
+        loaded; ///< objects that something holds or presses on, for fields; does not leave this process
     std::shared_ptr<const SkinFields>
         fields;                       ///< at the vertices of the part's mesh, which is where it is now; null: none
     std::vector<std::string> remarks; ///< sentences for the report

@@ -32,6 +32,10 @@ struct PartExportReport {
     double volume = 0;     ///< of what was read back [m^3]
     double density = 0;    ///< of its material [kg/m^3]; 0: none
 
+    // Of the von Mises stress in the file, if it holds that.
+    double largestStress = 0;    ///< [Pa]; 0: none
+    double stressErrorShare = 0; ///< about how wrong that may be by the resolution, as a share of it
+
     // Of what was read back.
     bool valid = false;    ///< by the geometry checks; for a mesh: closed and outward
     bool wasClosed = true; ///< as imported: only then must it be closed in the file

@@ -44,12 +44,16 @@ std::shared_ptr<const RelaxedState> relaxedOf(BodyRun& run)
     auto relaxed = std::make_shared<RelaxedState>(RelaxedState{.materials = run.materials});
     for (std::size_t n = 0; version > 0 && n < relaxed->metric.size(); ++n)
         relaxed->metric[n] = metricOf(run, n);
+    const LaneVector<double>& flowed = run.connections.changes().plastic.equivalentStrain;
+    relaxed->equivalentStrain.assign(flowed.begin(), flowed.end());
     bool isAtRest = true; // it may have been put back
     for (std::size_t n = 0; n < relaxed->metric.size(); ++n)
         isAtRest = isAtRest && std::all_of(relaxed->metric[n].begin(), relaxed->metric[n].end(),
                                            [&](float one) { return one == (n < 3 ? 1.0F : 0.0F); });
-    if (isAtRest)
+    if (isAtRest) {
         relaxed->metric = {};
+        relaxed->equivalentStrain.clear();
+    }
     run.relaxed = std::move(relaxed);
     run.relaxedVersion = version;
     return run.relaxed;

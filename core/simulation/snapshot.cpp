@@ -2,6 +2,8 @@
 
 #include "core/task/parallel.h"
 
+#include <algorithm>
+
 namespace knead {
 
 Vec3 Snapshot::BodyState::displacement(ObjectIndex object) const
@@ -17,6 +19,21 @@ std::vector<Vec3> Snapshot::BodyState::displacements() const
             all[i] = displacement(static_cast<ObjectIndex>(i));
     });
     return all;
+}
+
+std::vector<ObjectIndex> loadedObjects(const Snapshot& snapshot, BodyId body)
+{
+    std::vector<ObjectIndex> loaded;
+    for (const Fixture& fixture : snapshot.fixtures)
+        if (fixture.body == body)
+            loaded.insert(loaded.end(), fixture.objects.begin(), fixture.objects.end());
+    if (const auto& pressing = snapshot.bodies[body].pressing)
+        for (std::size_t i = 0; i < pressing->size(); ++i)
+            if (!(*pressing)[i].isZero(0))
+                loaded.push_back(static_cast<ObjectIndex>(i));
+    std::sort(loaded.begin(), loaded.end());
+    loaded.erase(std::unique(loaded.begin(), loaded.end()), loaded.end());
+    return loaded;
 }
 
 } // namespace knead

@@ -152,4 +152,7 @@ struct Snapshot {
 
 using SnapshotPointer = std::shared_ptr<const Snapshot>;
 
+/// Objects of a body that a fixture holds, or that something presses on where the snapshot tells that, ascending.
+std::vector<ObjectIndex> loadedObjects(const Snapshot& snapshot, BodyId body);
+
 } // namespace knead

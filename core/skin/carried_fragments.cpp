@@ -58,7 +58,8 @@ std::vector<ObjectIndex> carriersOf(const Aggregate& aggregate, const Fragment& 
 }
 
 /// By how much the well connected objects of a part have grown, on the mean; 0 when there are none.
-double volumeRatio(const Aggregate& part, const std::vector<ObjectStrain>& strains)
+/// @param numbers of its objects in the body
+double volumeRatio(const Aggregate& part, const ObjectStrains& body, const std::vector<ObjectIndex>& numbers)
 {
     const std::vector<int> degree = degrees(part);
     double before = 0;
@@ -66,7 +67,7 @@ double volumeRatio(const Aggregate& part, const std::vector<ObjectStrain>& strai
     for (std::size_t i = 0; i < part.size(); ++i)
         if (degree[i] >= wellConnected) {
             before += part.volume[i];
-            after += part.volume[i] * std::exp(strains[i].strain.trace());
+            after += part.volume[i] * std::exp(body.of(numbers[i]).strain.trace());
         }
     return before > 0 ? after / before : 0;
 }
@@ -91,16 +92,27 @@ void moveRigidly(const Fragment& fragment, const Aggregate& part, std::span<cons
     carried.isRigid = true;
 }
 
+/// What the fields of fragments are made of.
+struct FieldSource {
+    const ObjectStrains& body;
+    std::span<const ObjectIndex> loaded;
+    bool isWanted;
+};
+
+/// @param numbers of the part's objects in the body
 CarriedFragment carriedBy(const Aggregate& part, const Fragment& fragment, std::span<const Vec3> moved,
-                          const std::vector<ObjectStrain>& strains, bool wantsFields, TaskControl& control)
+                          const std::vector<ObjectIndex>& numbers, const FieldSource& source, TaskControl& control)
 {
     CarriedFragment result;
     result.places.resize(fragment.mesh.vertices.size());
-    const Skin skin(part, fragment.mesh.vertices, control);
+    TaskPortion placing(control, 0, 0.5);
+    const Skin skin(part, fragment.mesh.vertices, placing);
     skin.evaluate(moved, result.places);
-    if (wantsFields)
-        result.fields = skinFields(skin, moved, strains);
-    const double expected = volumeRatio(part, strains) * fragment.volume;
+    TaskPortion straining(control, 0.5, 1);
+    if (source.isWanted)
+        result.fields =
+            skinFields(skin, SkinStress(part, fragment.mesh, numbers, straining), moved, source.body, source.loaded);
+    const double expected = volumeRatio(part, source.body, numbers) * fragment.volume;
     if (std::abs(volumeAt(fragment.mesh, result.places) - expected) <= volumeSlack * expected)
         return result;
     moveRigidly(fragment, part, moved, result);
@@ -113,12 +125,13 @@ CarriedFragment carriedBy(const Aggregate& part, const Fragment& fragment, std::
 
 std::vector<CarriedFragment> carried(const Aggregate& aggregate, std::span<const Fragment> fragments,
                                      std::span<const ConnectionId> broken, std::span<const Vec3> displacement,
-                                     const RelaxedState* relaxed, TaskControl& control)
+                                     const RelaxedState* relaxed, std::span<const ObjectIndex> loaded,
+                                     TaskControl& control)
 {
     const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
     const RelaxedState unknown{.materials = MaterialMap({}, aggregate.size())};
-    const std::vector<ObjectStrain> strains =
-        objectStrains(aggregate, displacement, relaxed != nullptr ? *relaxed : unknown, broken);
+    const ObjectStrains body(aggregate, displacement, relaxed != nullptr ? *relaxed : unknown, broken);
+    const FieldSource source{.body = body, .loaded = loaded, .isWanted = relaxed != nullptr};
     std::vector<CarriedFragment> result;
     const auto count = static_cast<double>(fragments.size());
     for (const Fragment& fragment : fragments) {
@@ -126,8 +139,7 @@ std::vector<CarriedFragment> carried(const Aggregate& aggregate, std::span<const
         TaskPortion portion(control, done / count, (done + 1) / count);
         const std::vector<ObjectIndex> carriers = carriersOf(aggregate, fragment, isBroken);
         const Aggregate part = extract(aggregate, carriers, isBroken);
-        result.push_back(carriedBy(part, fragment, picked(displacement, carriers),
-                                   picked<ObjectStrain>(strains, carriers), relaxed != nullptr, portion));
+        result.push_back(carriedBy(part, fragment, picked(displacement, carriers), carriers, source, portion));
     }
     return result;
 }

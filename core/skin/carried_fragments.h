@@ -24,9 +24,11 @@ struct CarriedFragment {
 /// holds the volume that the deformation of the well connected objects says, within 1 %.
 /// @param displacement per object of the aggregate [m]
 /// @param relaxed of the body, for the fields; null: none are made
+/// @param loaded objects of the body that something holds or presses on, for the fields
 /// @return per fragment. @throws Cancelled
 std::vector<CarriedFragment> carried(const Aggregate& aggregate, std::span<const Fragment> fragments,
                                      std::span<const ConnectionId> broken, std::span<const Vec3> displacement,
-                                     const RelaxedState* relaxed = nullptr, TaskControl& control = TaskControl::none());
+                                     const RelaxedState* relaxed = nullptr, std::span<const ObjectIndex> loaded = {},
+                                     TaskControl& control = TaskControl::none());
 
 } // namespace knead

@@ -26,14 +26,16 @@ TriangleMesh deformedSurface(const TriangleMesh& mesh, const Aggregate& aggregat
     return surface;
 }
 
-StrainedSurface strainedSurface(const TriangleMesh& mesh, const Aggregate& aggregate,
-                                std::span<const Vec3> displacements, std::span<const ObjectStrain> strains,
-                                std::size_t mostTriangles, TaskControl& control)
+StrainedSurface strainedSurface(const TriangleMesh& mesh, const Aggregate& aggregate, const ObjectStrains& body,
+                                std::span<const ObjectIndex> loaded, std::size_t mostTriangles, TaskControl& control)
 {
     StrainedSurface surface{.mesh = refine(mesh, aggregate.lattice.spacing, mostTriangles), .fields = {}};
-    const Skin skin(aggregate, surface.mesh.vertices, control);
-    surface.fields = skinFields(skin, displacements, strains);
-    carry(surface.mesh, skin, displacements);
+    TaskPortion placing(control, 0, 0.5);
+    const Skin skin(aggregate, surface.mesh.vertices, placing);
+    TaskPortion straining(control, 0.5, 1);
+    const SkinStress stress(aggregate, surface.mesh, {}, straining);
+    surface.fields = skinFields(skin, stress, body.displacements(), body, loaded);
+    carry(surface.mesh, skin, body.displacements());
     return surface;
 }
 

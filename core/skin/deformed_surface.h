@@ -22,9 +22,11 @@ struct StrainedSurface {
     SkinFields fields;
 };
 
-/// The same surface, with what has become of the material. @param strains one per object. @throws Cancelled
-StrainedSurface strainedSurface(const TriangleMesh& mesh, const Aggregate& aggregate,
-                                std::span<const Vec3> displacements, std::span<const ObjectStrain> strains,
-                                std::size_t mostTriangles = 400'000, TaskControl& control = TaskControl::none());
+/// The same surface, with what has become of the material. @throws Cancelled
+/// @param body the objects of the aggregate, as they have moved
+/// @param loaded see SkinStress::stresses()
+StrainedSurface strainedSurface(const TriangleMesh& mesh, const Aggregate& aggregate, const ObjectStrains& body,
+                                std::span<const ObjectIndex> loaded = {}, std::size_t mostTriangles = 400'000,
+                                TaskControl& control = TaskControl::none());
 
 } // namespace knead

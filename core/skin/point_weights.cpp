@@ -12,11 +12,12 @@ namespace knead {
 
 namespace {
 
-constexpr double wanted = 6.4;      // objects in the support, counted by their weight
-constexpr double usual = 3;         // [a] the support below a flat face
-constexpr double widest = 4.2;      // [a] as far as the neighborhoods of a cell go
-constexpr double nodesWithin = 1.7; // [a] the support reaches so far beyond the nearest object
-constexpr double lastStep = 1e-7;   // of the support: the square of it is what the last step leaves
+constexpr double wantedForPlaces = 6.4; // objects in the support, counted by their weight
+constexpr double wantedForSlopes = 4.5; // the same of a fit for slopes: of 3.5 to 8 the best of stress at holes
+constexpr double usual = 3;             // [a] the support below a flat face
+constexpr double widest = 4.2;          // [a] as far as the neighborhoods of a cell go
+constexpr double nodesWithin = 1.7;     // [a] the support reaches so far beyond the nearest object
+constexpr double lastStep = 1e-7;       // of the support: the square of it is what the last step leaves
 constexpr int mostSteps = 60;
 
 /// So many objects are counted at a time.
@@ -79,7 +80,7 @@ Content contentOf(const std::vector<Group>& groups, double support)
 /// The radius of a sphere around a point that holds enough objects for what is asked of them, and hardly more, by Newton's method.
 /// It changes as smoothly as the point moves: with one fixed radius, a layer of objects would come in and go out again along a
 /// flat face.
-double supportFor(const Candidates& candidates)
+double supportFor(const Candidates& candidates, double wanted)
 {
     const auto& [groups, nearest, most] = candidates;
     double low = nearest;
@@ -98,17 +99,38 @@ double supportFor(const Candidates& candidates)
     return support;
 }
 
+/// What shape functions are made of.
+struct Fit {
+    std::vector<Vec3> offsets;
+    std::vector<double> shares;
+    double support;
+};
+
+Fit fitFor(const Lattice& lattice, const Neighborhood& around, const Vec3& coordinates, double wanted)
+{
+    Fit fit;
+    fit.offsets.resize(around.objects.size());
+    for (std::size_t i = 0; i < fit.offsets.size(); ++i) {
+        const Lattice::Node& node = lattice.nodes[around.objects[i]];
+        fit.offsets[i] = Vec3(node[0], node[1], node[2]) - coordinates;
+    }
+    fit.shares = around.shares(coordinates);
+    fit.support = supportFor(Candidates(fit.offsets, fit.shares), wanted);
+    return fit;
+}
+
 } // namespace
 
 std::vector<double> pointWeights(const Lattice& lattice, const Neighborhood& around, const Vec3& coordinates)
 {
-    std::vector<Vec3> offsets(around.objects.size());
-    for (std::size_t i = 0; i < offsets.size(); ++i) {
-        const Lattice::Node& node = lattice.nodes[around.objects[i]];
-        offsets[i] = Vec3(node[0], node[1], node[2]) - coordinates;
-    }
-    const std::vector<double> shares = around.shares(coordinates);
-    return shapeFunctions(offsets, supportFor(Candidates(offsets, shares)), shares);
+    const Fit fit = fitFor(lattice, around, coordinates, wantedForPlaces);
+    return shapeFunctions(fit.offsets, fit.support, fit.shares);
+}
+
+ShapeSlopes pointSlopes(const Lattice& lattice, const Neighborhood& around, const Vec3& coordinates)
+{
+    const Fit fit = fitFor(lattice, around, coordinates, wantedForSlopes);
+    return shapeSlopes(fit.offsets, fit.support, fit.shares);
 }
 
 } // namespace knead

@@ -2,6 +2,7 @@
 
 #include "core/aggregate/lattice.h"
 #include "core/skin/neighborhood.h"
+#include "core/skin/shape_functions.h"
 
 #include <vector>
 
@@ -13,5 +14,9 @@ namespace knead {
 /// continuously as the point moves.
 /// @param coordinates of the point in the lattice
 std::vector<double> pointWeights(const Lattice& lattice, const Neighborhood& around, const Vec3& coordinates);
+
+/// The same with slopes, in lattice coordinates: per spacing and along the lattice's axes. Its support is narrower, about 2.6
+/// spacings below a flat face: slopes get the better.
+ShapeSlopes pointSlopes(const Lattice& lattice, const Neighborhood& around, const Vec3& coordinates);
 
 } // namespace knead

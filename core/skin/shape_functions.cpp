@@ -180,11 +180,12 @@ struct Factors {
         }
     }
 
-    /// (M + damping)^-1 p(0). @pre no pivot is zero
-    Basis solve() const
+    /// (M + damping)^-1 e for the unit vector e of a basis function: of the first one, what the fit says of the value at the origin,
+    /// of the next three, of its slopes. @pre no pivot is zero
+    Basis solve(Eigen::Index function = 0) const
     {
-        Basis x = scale[0] * Basis::Unit(0);
-        for (Eigen::Index k = 0; k < x.size(); ++k)
+        Basis x = scale[function] * Basis::Unit(function);
+        for (Eigen::Index k = function; k < x.size(); ++k)
             for (Eigen::Index i = k + 1; i < x.size(); ++i)
                 x[i] -= lower(i, k) * x[k];
         x = x.cwiseQuotient(pivots).eval();
@@ -217,6 +218,16 @@ double trustIn(const Eigen::Ref<const Eigen::VectorXd>& pivots)
     return trust;
 }
 
+/// Adds what each node contributes to the slopes of a fit.
+void addSlopes(ShapeSlopes& all, const WeightedNodes& nodes, const Factors& factors, double support, double share)
+{
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const Functions functions = functionsAt(nodes, factors.solve(1 + axis));
+        for (std::size_t i = 0; i < functions.size(); ++i)
+            all.slopes[nodes.indices[i]][axis] += share / support * functions[i];
+    }
+}
+
 } // namespace
 
 std::vector<double> shapeFunctions(std::span<const Vec3> offsets, double support, std::span<const double> shares)
@@ -244,6 +255,37 @@ std::vector<double> shapeFunctions(std::span<const Vec3> offsets, double support
         take(functionsAt(nodes, damped.solve()), rest * trust);
     if (rest > 0)
         take(functionsAt(nodes, Basis::Unit(0) / moments[0]), rest);
+    return all;
+}
+
+ShapeSlopes shapeSlopes(std::span<const Vec3> offsets, double support, std::span<const double> shares)
+{
+    ShapeSlopes all{.values = std::vector<double>(offsets.size(), 0),
+                    .slopes = std::vector<Vec3>(offsets.size(), Vec3::Zero())};
+    const WeightedNodes nodes = weigh(offsets, support, shares);
+    const std::array<double, Monomials::count> moments = momentsOf(nodes);
+    const auto take = [&](const Functions& functions, double share) {
+        for (std::size_t i = 0; i < functions.size(); ++i)
+            all.values[nodes.indices[i]] += share * functions[i];
+    };
+
+    const Factors exact(moments, 0);
+    if (const double trust = trustIn(exact.pivots); trust > 0) {
+        const Functions functions = functionsAt(nodes, exact.solve());
+        all.trust = trust * smoothStep(amplification(functions), poorAmplification, goodAmplification);
+        take(functions, all.trust);
+        addSlopes(all, nodes, exact, support, all.trust);
+    }
+    if (all.trust < 1) {
+        const Factors damped(moments, ridge);
+        if (const double trust = (1 - all.trust) * trustIn(damped.pivots); trust > 0) {
+            take(functionsAt(nodes, damped.solve()), trust);
+            addSlopes(all, nodes, damped, support, trust);
+            all.trust += trust;
+        }
+    }
+    if (all.trust < 1)
+        take(functionsAt(nodes, Basis::Unit(0) / moments[0]), 1 - all.trust);
     return all;
 }
 

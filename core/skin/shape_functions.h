@@ -16,4 +16,17 @@ namespace knead {
 /// @pre at least one node with a share is closer than the support
 std::vector<double> shapeFunctions(std::span<const Vec3> offsets, double support, std::span<const double> shares = {});
 
+/// The same fit with its slopes at the origin.
+struct ShapeSlopes {
+    std::vector<double> values; ///< those of shapeFunctions()
+    /// By what each node's value moves the gradient at the origin [1 / unit of the offsets]: the linear terms of the fit, exact for
+    /// quadratic functions, for linear ones where the nodes hardly determine more. What the fit is not trusted with is left out.
+    std::vector<Vec3> slopes;
+    double trust =
+        0; ///< 0 .. 1: the part of the fit that has slopes; where it is below 1, the nodes say too little of them
+};
+
+/// @pre as for shapeFunctions()
+ShapeSlopes shapeSlopes(std::span<const Vec3> offsets, double support, std::span<const double> shares = {});
+
 } // namespace knead

@@ -24,6 +24,7 @@ public:
     Skin(const Aggregate& aggregate, std::span<const Vec3> points, TaskControl& control = TaskControl::none());
 
     std::size_t size() const { return m_points.size(); }
+    std::span<const Vec3> points() const { return m_points; } ///< at rest
 
     /// Current places of the points.
     /// @param displacement one per object of the aggregate [m]

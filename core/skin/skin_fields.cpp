@@ -2,6 +2,8 @@
 
 #include "core/task/parallel.h"
 
+#include <utility>
+
 namespace knead {
 
 namespace {
@@ -10,26 +12,19 @@ constexpr std::size_t pointsPerBlock = 512;
 
 } // namespace
 
-SkinFields skinFields(const Skin& skin, std::span<const Vec3> displacement, std::span<const ObjectStrain> strains)
+SkinFields skinFields(const Skin& skin, const SkinStress& stress, std::span<const Vec3> displacement,
+                      const ObjectStrains& body, std::span<const ObjectIndex> loaded)
 {
-    SkinFields fields;
-    fields.displacement.resize(skin.size());
-    fields.strain.resize(skin.size());
-    fields.vonMisesStress.resize(skin.size());
+    SkinStresses stresses = stress.stresses(body, loaded, true);
+    SkinFields fields{.displacement = std::vector<Vec3>(skin.size(), Vec3::Zero()),
+                      .strain = stress.strains(body),
+                      .vonMisesStress = std::move(stresses.vonMises),
+                      .stressError = std::move(stresses.error),
+                      .stressErrorShare = stresses.errorShare};
     forEachBlock(skin.size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t point = begin; point < end; ++point) {
-            ObjectStrain here;
-            Vec3 moved = Vec3::Zero();
-            for (const Skin::Influence& influence : skin.influences(point)) {
-                const auto weight = static_cast<double>(influence.weight);
-                moved += weight * displacement[influence.object];
-                here.strain += weight * strains[influence.object].strain;
-                here.stress += weight * strains[influence.object].stress;
-            }
-            fields.displacement[point] = moved;
-            fields.strain[point] = static_cast<float>(equivalentStrain(here.strain));
-            fields.vonMisesStress[point] = static_cast<float>(vonMisesStress(here.stress));
-        }
+        for (std::size_t point = begin; point < end; ++point)
+            for (const Skin::Influence& influence : skin.influences(point))
+                fields.displacement[point] += static_cast<double>(influence.weight) * displacement[influence.object];
     });
     return fields;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/mechanics/object_strain.h"
 #include "core/skin/skin.h"
+#include "core/skin/skin_stress.h"
 
 #include <span>
 #include <vector>
@@ -13,11 +13,15 @@ struct SkinFields {
     std::vector<Vec3> displacement;    ///< from rest [m]
     std::vector<float> strain;         ///< see equivalentStrain()
     std::vector<float> vonMisesStress; ///< [Pa]
+    std::vector<float> stressError;    ///< about how wrong that may be, see SkinStresses [Pa]
+    double stressErrorShare = 0;       ///< the same where stress is largest, as a share of it
 };
 
-/// The tensors of the objects, each with its weight in the skin; the numbers are made of what that gives.
-/// @param displacement per object [m]
-/// @param strains per object
-SkinFields skinFields(const Skin& skin, std::span<const Vec3> displacement, std::span<const ObjectStrain> strains);
+/// @param stress of the same points
+/// @param displacement per object of the skin [m]
+/// @param body that its objects are all or a piece of
+/// @param loaded see SkinStress::stresses()
+SkinFields skinFields(const Skin& skin, const SkinStress& stress, std::span<const Vec3> displacement,
+                      const ObjectStrains& body, std::span<const ObjectIndex> loaded = {});
 
 } // namespace knead

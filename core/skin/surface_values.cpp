@@ -2,6 +2,8 @@
 
 #include "core/task/parallel.h"
 
+#include <utility>
+
 namespace knead {
 
 namespace {
@@ -37,14 +39,31 @@ std::vector<float> lengths(const Skin& skin, std::span<const Vec3> vectors)
         skin, [&](ObjectIndex object) { return vectors[object]; }, [](const Vec3& sum) { return sum.norm(); });
 }
 
-std::vector<float> tensorNumbers(const SurfaceState& state, const Mat3 ObjectStrain::*tensor,
-                                 double (*number)(const Mat3&))
+/// Calls of(skin, objects) for strain or stress.
+template <typename Of>
+auto ofMaterial(const SurfaceState& state, Of&& of)
 {
     const RelaxedState nothing{.materials = MaterialMap(Material{}, state.aggregate.size())};
-    const std::vector<ObjectStrain> strains = objectStrains(
-        state.aggregate, state.displacements, state.relaxed != nullptr ? *state.relaxed : nothing, state.broken);
+    const ObjectStrains objects(state.aggregate, state.displacements,
+                                state.relaxed != nullptr ? *state.relaxed : nothing, state.broken);
+    if (state.stress != nullptr)
+        return of(*state.stress, objects);
+    std::vector<FreeSurface> surfaces(state.skin.size());
+    return of(SkinStress(state.aggregate, state.skin.points(), std::move(surfaces)), objects);
+}
+
+std::vector<float> plasticStrains(const SurfaceState& state)
+{
+    const ObjectStrains objects(state.aggregate, state.displacements, *state.relaxed, state.broken);
+    if (!objects.hasFlowed())
+        return std::vector<float>(state.skin.size(), 0);
+    std::vector<Mat3> flow(state.aggregate.size());
+    forEachBlock(flow.size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            flow[i] = objects.flow(static_cast<ObjectIndex>(i));
+    });
     return carried<Mat3>(
-        state.skin, [&](ObjectIndex object) { return strains[object].*tensor; }, number);
+        state.skin, [&](ObjectIndex object) -> const Mat3& { return flow[object]; }, &equivalentStrain);
 }
 
 } // namespace
@@ -72,11 +91,14 @@ std::vector<float> surfaceValues(SurfaceQuantity quantity, const SurfaceState& s
     case SurfaceQuantity::displacement:
         return lengths(state.skin, state.displacements);
     case SurfaceQuantity::strain:
-        return tensorNumbers(state, &ObjectStrain::strain, &equivalentStrain);
+        return ofMaterial(state,
+                          [](const SkinStress& skin, const ObjectStrains& objects) { return skin.strains(objects); });
     case SurfaceQuantity::vonMisesStress:
-        return tensorNumbers(state, &ObjectStrain::stress, &vonMisesStress);
+        return ofMaterial(state, [&](const SkinStress& skin, const ObjectStrains& objects) {
+            return skin.stresses(objects, state.loaded, false).vonMises;
+        });
     case SurfaceQuantity::plasticStrain:
-        return tensorNumbers(state, &ObjectStrain::flow, &equivalentStrain);
+        return plasticStrains(state);
     case SurfaceQuantity::contactForce:
         return lengths(state.skin, *state.pressing);
     case SurfaceQuantity::distance:
@@ -84,6 +106,13 @@ std::vector<float> surfaceValues(SurfaceQuantity quantity, const SurfaceState& s
     }
     return atAllPoints(state.skin,
                        [&](std::size_t point) { return state.original->nearest(state.places[point]).signedDistance; });
+}
+
+SkinStresses surfaceStresses(const SurfaceState& state)
+{
+    return ofMaterial(state, [&](const SkinStress& skin, const ObjectStrains& objects) {
+        return skin.stresses(objects, state.loaded, true);
+    });
 }
 
 } // namespace knead

@@ -4,6 +4,7 @@
 #include "core/geometry/surface_distance.h"
 #include "core/mechanics/object_strain.h"
 #include "core/skin/skin.h"
+#include "core/skin/skin_stress.h"
 
 #include <cstdint>
 #include <span>
@@ -15,7 +16,7 @@ namespace knead {
 enum class SurfaceQuantity : std::uint8_t {
     displacement,   ///< length of the way from rest [m]
     strain,         ///< see equivalentStrain(), plastic flow included
-    vonMisesStress, ///< [Pa]
+    vonMisesStress, ///< see SkinStress [Pa]
     plasticStrain,  ///< the equivalent strain between the relaxed material of the start and that of now
     contactForce,   ///< what presses, per object [N]
     distance        ///< from the original surface, negative inside [m]
@@ -26,8 +27,11 @@ inline constexpr std::size_t surfaceQuantityCount = 6;
 struct SurfaceState {
     const Aggregate& aggregate;
     const Skin& skin;
-    std::span<const Vec3> displacements;         ///< per object, from rest [m]
-    std::span<const ConnectionId> broken = {};   ///< connections
+    std::span<const Vec3> displacements;       ///< per object, from rest [m]
+    std::span<const ConnectionId> broken = {}; ///< connections
+    const SkinStress* stress =
+        nullptr; ///< of the points of the skin; null: made for once, with no surface known as free
+    std::span<const ObjectIndex> loaded = {};    ///< objects that something holds or presses on
     const RelaxedState* relaxed = nullptr;       ///< for stress and plastic strain
     const std::vector<Vec3>* pressing = nullptr; ///< per object, for the contact force [N]
     const SurfaceDistance* original = nullptr;   ///< for the distance
@@ -37,9 +41,13 @@ struct SurfaceState {
 /// Whether the state tells a quantity.
 bool isKnown(SurfaceQuantity quantity, const SurfaceState& state);
 
-/// A quantity at the points of the skin: that of the objects, tensors and vectors each with its weight in the skin, and the
-/// number made of what that gives. Any thread; uses several.
+/// A quantity at the points of the skin: strain and stress by SkinStress; others are those of the objects, tensors and vectors
+/// each with its weight in the skin, and the number made of what that gives. Any thread; uses several.
 /// @pre isKnown(quantity, state)
 std::vector<float> surfaceValues(SurfaceQuantity quantity, const SurfaceState& state);
+
+/// The von Mises stress with the estimate of its error. Any thread; uses several.
+/// @pre isKnown(SurfaceQuantity::vonMisesStress, state)
+SkinStresses surfaceStresses(const SurfaceState& state);
 
 } // namespace knead

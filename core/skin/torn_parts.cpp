@@ -95,8 +95,8 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
         remarkOnDust(fragments.front(), whole.remarks);
         return {};
     }
-    std::vector<CarriedFragment> now =
-        carried(*whole.aggregate, fragments, *whole.broken, whole.displacements, whole.relaxed.get(), control);
+    std::vector<CarriedFragment> now = carried(*whole.aggregate, fragments, *whole.broken, whole.displacements,
+                                               whole.relaxed.get(), whole.loaded, control);
     std::vector<PartToExport> pieces;
     for (std::size_t i = 0; i < fragments.size(); ++i) {
         fragments[i].mesh.vertices = std::move(now[i].places);

@@ -83,6 +83,7 @@ Json toJson(const PartExportReport& part)
             {"edges", {{"before", part.edgesBefore}, {"after", part.edgesAfter}}},
             {"volume_m3", {{"rest", part.restVolume}, {"skin", part.skinVolume}, {"file", part.volume}}},
             {"density_kg_per_m3", part.density},
+            {"von_mises_stress", {{"largest_pa", part.largestStress}, {"error_share", part.stressErrorShare}}},
             {"valid", part.valid},
             {"was_closed", part.wasClosed},
             {"closed", part.closed},
@@ -119,6 +120,8 @@ PartExportReport partFrom(const Json& json)
     part.skinVolume = json.at("volume_m3").at("skin").get<double>();
     part.volume = json.at("volume_m3").at("file").get<double>();
     part.density = json.at("density_kg_per_m3").get<double>();
+    part.largestStress = json.at("von_mises_stress").at("largest_pa").get<double>();
+    part.stressErrorShare = json.at("von_mises_stress").at("error_share").get<double>();
     part.valid = json.at("valid").get<bool>();
     part.wasClosed = json.at("was_closed").get<bool>();
     part.closed = json.at("closed").get<bool>();

@@ -455,6 +455,10 @@
         <source>Distance to the original</source>
         <translation>Abstand zum Original</translation>
     </message>
+    <message>
+        <source>%1, about ±%2 %</source>
+        <translation>%1, etwa ±%2 %</translation>
+    </message>
 </context>
 <context>
     <name>CommandPalette</name>

@@ -455,6 +455,10 @@
         <source>Distance to the original</source>
         <translation>Afstand tot het origineel</translation>
     </message>
+    <message>
+        <source>%1, about ±%2 %</source>
+        <translation>%1, ongeveer ±%2 %</translation>
+    </message>
 </context>
 <context>
     <name>CommandPalette</name>

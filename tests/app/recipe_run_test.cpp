@@ -64,6 +64,9 @@ void RecipeRunTest::runReportsWhatTheRecipeSaid()
     QCOMPARE(tool.at("name").get<std::string>(), std::string("press"));
     QVERIFY2(tool.at("force_n")[2].get<double>() > 0, "the bar pushes the block up");
     QVERIFY(tool.at("peak_force_n").get<double>() >= tool.at("force_n")[2].get<double>());
+    const json& stress = report.at("bodies")[0].at("von_mises_stress");
+    QVERIFY(stress.at("largest_pa").get<double>() > 0);
+    QVERIFY(stress.at("error_share").get<double>() > 0 && stress.at("error_share").get<double>() < 1);
     QCOMPARE(report.at("files"), (json{shop.path("out/bent.stl"), shop.path("out/pictures/bent.png")}));
 }
 
@@ -92,15 +95,24 @@ void RecipeRunTest::exportsAreAsAsked()
     const Workshop shop;
     json recipe = pressRecipe();
     recipe["exports"] = json::parse(R"([{"file": "bent.stl", "text": true}, {"file": "bent.vtp"}])");
-    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out")});
+    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+    // The file has what the report says of the body.
+    const json report = json::parse(outcome.out);
+    const json& inFile = report.at("exports")[1].at("parts")[0].at("von_mises_stress");
+    const json& inBody = report.at("bodies")[0].at("von_mises_stress");
+    QVERIFY(inFile.at("largest_pa").get<double>() > 0);
+    QCOMPARE(inFile.at("largest_pa"), inBody.at("largest_pa"));
+    QCOMPARE(inFile.at("error_share"), inBody.at("error_share"));
+    QCOMPARE(report.at("exports")[0].at("parts")[0].at("von_mises_stress").at("largest_pa"), json(0.0));
     const auto contentOf = [&](const char* name) {
         std::ifstream file(shop.path(name), std::ios::binary);
         return std::string(std::istreambuf_iterator<char>(file), {});
     };
     QVERIFY(contentOf("out/bent.stl").starts_with("solid "));
     const std::string vtp = contentOf("out/bent.vtp");
-    for (const char* field : {"displacement [m]", "equivalent strain", "von Mises stress [Pa]", "part"})
+    for (const char* field :
+         {"displacement [m]", "equivalent strain", "von Mises stress [Pa]", "von Mises stress error [Pa]", "part"})
         QVERIFY2(vtp.find("Name=\"" + std::string(field) + "\"") != std::string::npos, field);
 }
 

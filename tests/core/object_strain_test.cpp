@@ -64,6 +64,16 @@ double largestDifference(const std::vector<ObjectStrain>& strains, const Mat3 Ob
     return most;
 }
 
+/// Kirchhoff stress along an axis that is stretched by s, the other two by q and r: that of the connections along it and of the two
+/// times two across faces with it, which are linear springs, and of the volumetric term.
+double springStress(double s, double q, double r)
+{
+    const double lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
+    const double mu = E / (2 * (1 + nu));
+    const auto acrossFaces = [&](double other) { return 2 * s * s * (1 - std::sqrt(2 / (s * s + other * other))); };
+    return mu * (s * (s - 1) + acrossFaces(q) + acrossFaces(r)) + (lambda - mu) * std::log(s * q * r);
+}
+
 } // namespace
 
 class ObjectStrainTest : public QObject {
@@ -84,7 +94,7 @@ private slots:
     void fieldsOfTheSkinAreThoseOfTheMaterial();
 };
 
-/// Uniaxial: ln of the stretches, and Hooke's law in them over J.
+/// ln of the stretches, and what the connections bear over J.
 void ObjectStrainTest::evenStretchIsExact()
 {
     const Block block;
@@ -94,10 +104,8 @@ void ObjectStrainTest::evenStretchIsExact()
         block.atRest());
     const Vec3 logarithms = stretch.array().log();
     QVERIFY(largestDifference(strains, &ObjectStrain::strain, logarithms.asDiagonal()) < 1e-12);
-    const double lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
-    const double mu = E / (2 * (1 + nu));
-    const Vec3 stress =
-        (lambda * logarithms.sum() * Vec3::Ones() + 2 * mu * logarithms) / (stretch.x() * stretch.y() * stretch.z());
+    const Vec3 stress = Vec3(springStress(1.3, 0.9, 1.05), springStress(0.9, 1.3, 1.05), springStress(1.05, 1.3, 0.9)) /
+                        (stretch.x() * stretch.y() * stretch.z());
     QVERIFY(largestDifference(strains, &ObjectStrain::stress, stress.asDiagonal()) < 1e-9 * E);
     const double byHand = std::sqrt(0.5 * (std::pow(stress[0] - stress[1], 2) + std::pow(stress[1] - stress[2], 2) +
                                            std::pow(stress[2] - stress[0], 2)));
@@ -126,8 +134,7 @@ void ObjectStrainTest::evenPressureHasNoVonMisesStress()
     const Block block;
     const auto strains = objectStrains(
         block.aggregate, block.displacements([](const Vec3& X) -> Vec3 { return 0.95 * X; }), block.atRest());
-    const double bulk = E / (3 * (1 - 2 * nu));
-    const double pressure = bulk * 3 * std::log(0.95) / std::pow(0.95, 3);
+    const double pressure = springStress(0.95, 0.95, 0.95) / std::pow(0.95, 3);
     QVERIFY(largestDifference(strains, &ObjectStrain::stress, pressure * Mat3::Identity()) < 1e-9 * E);
     QVERIFY(vonMisesStress(strains.front().stress) < 1e-9 * E);
     QVERIFY(equivalentStrain(strains.front().strain) < 1e-12);
@@ -165,21 +172,25 @@ void ObjectStrainTest::whatHasFlowedBearsNothing()
     }
 }
 
-/// Flowed to twice its length, turned, then stretched by a tenth more.
+/// Flowed to twice its length, turned, then stretched by a tenth more: mu dev(J^(-2/3) b) / J + K ln J / J of that tenth.
 void ObjectStrainTest::stretchOnTopOfFlowIsElastic()
 {
     const Block block;
     const double s = std::sqrt(0.5);
     const auto flow = [&](const Vec3& X) -> Vec3 { return Vec3(2 * X.x(), s * X.y(), s * X.z()); };
-    const RelaxedState relaxed = block.relaxedAt(Vec3(2, s, s).asDiagonal());
+    RelaxedState relaxed = block.relaxedAt(Vec3(2, s, s).asDiagonal());
+    Material material = rubber();
+    material.yieldStress = 1e9;
+    relaxed.materials.setOwn(material);
     const auto strains = objectStrains(block.aggregate, block.displacements([&](const Vec3& X) -> Vec3 {
         return turn(0.4) * Vec3(1.1, 1, 1).cwiseProduct(flow(X));
     }),
                                        relaxed);
     const double lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
     const double mu = E / (2 * (1 + nu));
-    const double e = std::log(1.1);
-    const Mat3 stress = Vec3((lambda + 2 * mu) * e, lambda * e, lambda * e).asDiagonal() * (1 / 1.1);
+    const double deviator = mu * std::pow(1.1, -5.0 / 3) * (1.1 * 1.1 - 1) / 3;
+    const double pressed = (lambda + 2 * mu / 3) * std::log(1.1) / 1.1;
+    const Mat3 stress = Vec3(pressed + 2 * deviator, pressed - deviator, pressed - deviator).asDiagonal();
     QVERIFY(largestDifference(strains, &ObjectStrain::stress, turn(0.4) * stress * turn(0.4).transpose()) < 1e-4 * E);
 }
 
@@ -286,7 +297,8 @@ void ObjectStrainTest::aPulledBarBearsItsForce()
 void ObjectStrainTest::flowingMaterialBearsItsYieldStress()
 {
     Material material = rubber();
-    material.yieldStress = 4e4;
+    constexpr double yieldStress = 4e4;
+    material.yieldStress = yieldStress;
     material.shapeDamping = 200;
     constexpr double spacing = 2e-3;
     Scene scene;
@@ -309,38 +321,55 @@ void ObjectStrainTest::flowingMaterialBearsItsYieldStress()
     QCOMPARE(simulation.snapshot()->bodies[0].relaxed.get(), shot->bodies[0].relaxed.get());
     const std::vector<Vec3> moved = shot->bodies[0].displacements();
     const auto strains = objectStrains(aggregate, moved, *shot->bodies[0].relaxed);
-    const auto asElastic = objectStrains(aggregate, moved, *before->bodies[0].relaxed);
-    Mat3 sum = Mat3::Zero();
-    Mat3 elastic = Mat3::Zero();
+    material.yieldStress = 0;
+    const auto asElastic =
+        objectStrains(aggregate, moved, RelaxedState{.materials = MaterialMap(material, aggregate.size())});
+    double borne = 0;
+    double elastic = 0;
     double count = 0;
     for (ObjectIndex i = 0; i < aggregate.size(); ++i)
         if (std::abs(aggregate.lattice.position(i).x()) < 4.1 * spacing) {
-            sum += strains[i].stress;
-            elastic += asElastic[i].stress;
+            const double here = vonMisesStress(strains[i].stress) / yieldStress;
+            QVERIFY(here < 1 + 1e-9);
+            borne += here;
+            elastic += vonMisesStress(asElastic[i].stress) / yieldStress;
             count += 1;
         }
-    qInfo("yield stress %.4g Pa, borne %.4g Pa, all elastic %.4g Pa", material.yieldStress, vonMisesStress(sum / count),
-          vonMisesStress(elastic / count));
-    const double borne = vonMisesStress(sum / count) / material.yieldStress;
-    QVERIFY(std::abs(borne - 1) < 0.04);
-    QVERIFY(vonMisesStress(elastic) > 4 * vonMisesStress(sum));
+    qInfo("of the yield stress borne %.3f, all elastic %.3f", borne / count, elastic / count);
+    QVERIFY(borne / count > 0.95);
+    QVERIFY(elastic > 4 * borne);
 }
 
+/// Of a bar that is pulled at its ends and free across: then there is no traction to take off its sides.
 void ObjectStrainTest::fieldsOfTheSkinAreThoseOfTheMaterial()
 {
     const Block block;
-    const auto moved = block.displacements([](const Vec3& X) -> Vec3 { return Vec3(1.2 * X.x(), 0.9 * X.y(), X.z()); });
-    const auto strains = objectStrains(block.aggregate, moved, block.atRest());
+    // As narrow as makes the stress across zero.
+    double low = 0.9;
+    double high = 1;
+    for (int i = 0; i < 60; ++i)
+        (springStress((low + high) / 2, (low + high) / 2, 1.2) > 0 ? high : low) = (low + high) / 2;
+    const double across = low;
+    const auto moved =
+        block.displacements([&](const Vec3& X) -> Vec3 { return Vec3(1.2 * X.x(), across * X.y(), across * X.z()); });
+    const RelaxedState relaxed = block.atRest();
+    const ObjectStrains objects(block.aggregate, moved, relaxed);
+    const ObjectStrain inside = objects.of(0);
+    const auto ends = objectsInBox(block.aggregate, Box(Vec3(-1, -1, -1), Vec3(-0.0099, 1, 1)));
     const TriangleMesh mesh = shapes::box({0.02, 0.014, 0.012});
-    const StrainedSurface surface = strainedSurface(mesh, block.aggregate, moved, strains);
+    const StrainedSurface surface = strainedSurface(mesh, block.aggregate, objects, ends);
     QCOMPARE(surface.mesh.vertices, deformedSurface(mesh, block.aggregate, moved).vertices);
     QVERIFY(surface.mesh.vertices.size() > mesh.vertices.size());
     for (std::size_t v = 0; v < surface.mesh.vertices.size(); ++v) {
         const Vec3& x = surface.mesh.vertices[v];
-        QVERIFY((surface.fields.displacement[v] - Vec3(x.x() / 6, -x.y() / 9, 0)).norm() < 1e-8);
-        QVERIFY(std::abs(static_cast<double>(surface.fields.strain[v]) - equivalentStrain(strains[0].strain)) < 1e-5);
-        QVERIFY(std::abs(static_cast<double>(surface.fields.vonMisesStress[v]) / vonMisesStress(strains[0].stress) -
-                         1) < 1e-4);
+        const Vec3 way(x.x() / 6, x.y() * (1 - 1 / across), x.z() * (1 - 1 / across));
+        QVERIFY((surface.fields.displacement[v] - way).norm() < 1e-8);
+        QVERIFY(std::abs(static_cast<double>(surface.fields.strain[v]) - equivalentStrain(inside.strain)) < 1e-5);
+        if (x.x() < 0.0119) // the high end is not held: nothing is borne there
+            QVERIFY(std::abs(static_cast<double>(surface.fields.vonMisesStress[v]) / vonMisesStress(inside.stress) -
+                             1) < 1e-4);
+        QVERIFY(static_cast<double>(surface.fields.stressError[v]) < 1e-3 * vonMisesStress(inside.stress) ||
+                std::abs(x.x()) > 0.0119);
     }
 }
 

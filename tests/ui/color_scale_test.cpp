@@ -104,6 +104,17 @@ private slots:
         QVERIFY(texts(scale).contains("0") && texts(scale).contains("-1") && texts(scale).contains("1"));
     }
 
+    void stressSaysHowWrongItMayBe()
+    {
+        Sight sight = sightOf(SurfaceQuantity::vonMisesStress, {{0, 2e6F}});
+        sight.errorShare = 0.0771;
+        QCOMPARE(textOf(colorScale(sight, {}, all)).title, QString("Von Mises stress [MPa], about ±8 %"));
+        sight.errorShare = 0.11;
+        QCOMPARE(textOf(colorScale(sight, {}, all)).title, QString("Von Mises stress [MPa], about ±12 %"));
+        sight.errorShare = 0;
+        QCOMPARE(textOf(colorScale(sight, {}, all)).title, QString("Von Mises stress [MPa]"));
+    }
+
     void nothingToSeeHasARangeToo()
     {
         for (std::size_t i = 0; i < surfaceQuantityCount; ++i) {

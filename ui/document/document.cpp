@@ -395,6 +395,7 @@ ExportJob Document::exportJob(const std::vector<bool>& keep) const
                 part.displacements = snapshot.bodies[b].displacements();
                 part.broken = snapshot.bodies[b].broken;
                 part.relaxed = snapshot.bodies[b].relaxed;
+                part.loaded = loadedObjects(snapshot, static_cast<BodyId>(b));
                 part.density = snapshot.materials[b].density;
             }
     }

@@ -3,40 +3,29 @@
 #include "core/mechanics/object_strain.h"
 #include "ui/document/film.h"
 
-#include <map>
+#include <utility>
 
 namespace knead {
 
 namespace {
 
-/// Strains of the bodies that have probes, each found once.
-class Strains {
-public:
-    explicit Strains(const Snapshot& snapshot)
-        : m_snapshot(snapshot)
-    {
-    }
+/// Strain and stress where a probe is.
+void readMaterial(const ProbePlace& probe, const Snapshot& snapshot, ProbeSample& sample)
+{
+    const Snapshot::BodyState& state = snapshot.bodies[probe.id];
+    const RelaxedState plain{.materials = MaterialMap(Material{}, probe.body->aggregate->size())};
+    const std::vector<ConnectionId> none;
+    const std::vector<Vec3> displacements = state.displacements();
+    const ObjectStrains objects(*probe.body->aggregate, displacements, state.relaxed ? *state.relaxed : plain,
+                                state.broken ? *state.broken : none);
+    sample.strain = static_cast<double>(probe.stress->strains(objects).front());
+    if (state.relaxed)
+        sample.stress = static_cast<double>(
+            probe.stress->stresses(objects, loadedObjects(snapshot, probe.id), false).vonMises.front());
+}
 
-    const std::vector<ObjectStrain>& of(const ProbePlace& probe)
-    {
-        auto& strains = m_strains[probe.id];
-        if (strains.empty()) {
-            const Snapshot::BodyState& state = m_snapshot.bodies[probe.id];
-            const RelaxedState plain{.materials = MaterialMap(Material{}, probe.body->aggregate->size())};
-            const std::vector<ConnectionId> none;
-            strains = objectStrains(*probe.body->aggregate, state.displacements(),
-                                    state.relaxed ? *state.relaxed : plain, state.broken ? *state.broken : none);
-        }
-        return strains;
-    }
-
-private:
-    const Snapshot& m_snapshot;
-    std::map<BodyId, std::vector<ObjectStrain>> m_strains;
-};
-
-/// As the skin goes: displacements and tensors of the objects, each with its share.
-ProbeSample sampleOf(const ProbePlace& probe, const Snapshot& snapshot, Strains* strains)
+/// The displacement goes as the skin does: that of the objects, each with its share.
+ProbeSample sampleOf(const ProbePlace& probe, const Snapshot& snapshot, bool withStrains)
 {
     ProbeSample sample{.time = snapshot.time};
     const Snapshot::BodyState& state = snapshot.bodies[probe.id];
@@ -46,34 +35,38 @@ ProbeSample sampleOf(const ProbePlace& probe, const Snapshot& snapshot, Strains*
     sample.displacement = displacement.norm();
     for (const ToolState& tool : snapshot.tools)
         sample.force += tool.force.norm();
-    if (strains == nullptr)
-        return sample;
-    Mat3 strain = Mat3::Zero();
-    Mat3 stress = Mat3::Zero();
-    for (const auto& [object, share] : probe.shares) {
-        strain += share * strains->of(probe)[object].strain;
-        stress += share * strains->of(probe)[object].stress;
-    }
-    sample.strain = equivalentStrain(strain);
-    if (state.relaxed)
-        sample.stress = vonMisesStress(stress);
+    if (withStrains)
+        readMaterial(probe, snapshot, sample);
     return sample;
+}
+
+/// The normal of the triangle that a place is on.
+FreeSurface freeSurfaceAt(const SkinPlace& place, const ContentBody& body)
+{
+    const auto& [a, b, c] = body.mesh.triangles[place.triangle];
+    const std::vector<Vec3>& vertices = body.mesh.vertices;
+    const Vec3 area = (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]);
+    if (!(area.norm() > 0))
+        return {};
+    return {FreeSurface::Kind::face, area.normalized()};
 }
 
 } // namespace
 
 ProbePlace probePlace(const SkinPlace& place, const ContentBodies& bodies)
 {
-    return {bodies[place.body], place.body, objectShares(place, *bodies[place.body])};
+    const ContentBody& body = *bodies[place.body];
+    const std::vector<Vec3> point{placeOf(place, body, body.mesh.vertices)};
+    return {bodies[place.body], place.body, objectShares(place, body),
+            std::make_shared<const SkinStress>(*body.aggregate, point, std::vector{freeSurfaceAt(place, body)})};
 }
 
 std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const Snapshot& snapshot, bool withStrains)
 {
-    Strains strains(snapshot);
     std::vector<ProbeSample> samples;
     samples.reserve(probes.size());
     for (const ProbePlace& probe : probes)
-        samples.push_back(sampleOf(probe, snapshot, withStrains ? &strains : nullptr));
+        samples.push_back(sampleOf(probe, snapshot, withStrains));
     return samples;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/skin/skin_stress.h"
 #include "ui/measuring/skin_place.h"
 
 #include <limits>
@@ -26,11 +27,13 @@ struct ProbePlace {
     std::shared_ptr<const ContentBody> body;
     BodyId id = 0;
     std::vector<ObjectShare> shares;
+    std::shared_ptr<const SkinStress> stress; ///< of this one point
 };
+/// Takes the longer the more objects the body has.
 ProbePlace probePlace(const SkinPlace& place, const ContentBodies& bodies);
 
 /// One sample per probe. Any thread.
-/// @param withStrains strain and stress too, which takes the longer the more objects the bodies have
+/// @param withStrains strain and stress too, as the skin has them there (see SkinStress)
 std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const Snapshot& snapshot, bool withStrains);
 
 /// The same of a frame of the film, which knows of no stress in material that has flowed.

@@ -71,6 +71,7 @@ bool hasSign(SurfaceQuantity quantity)
 ColorScale colorScale(const Sight& sight, const ColorOptions& options, const std::function<bool(std::size_t)>& isShown)
 {
     ColorScale scale{.quantity = *sight.wish.quantity, .isKnown = sight.isKnown};
+    scale.errorShare = roundedUp(sight.errorShare);
     scale.map = hasSign(scale.quantity) ? ColorMap::diverging : options.map;
     if (options.range) {
         std::tie(scale.least, scale.most) = *options.range;
@@ -89,11 +90,15 @@ ColorScale colorScale(const Sight& sight, const ColorOptions& options, const std
 ScaleText textOf(const ColorScale& scale)
 {
     constexpr double mostSteps = 6;
+    constexpr double leastError = 1e-3; // worth a word
     ScaleText text;
     const double largest = std::max(std::abs(scale.least), std::abs(scale.most));
     const ShownUnit unit = shownUnit(largest, unitKindOf(scale.quantity));
     text.title = unit.symbol.isEmpty() ? nameOf(scale.quantity)
                                        : QStringLiteral("%1 [%2]").arg(nameOf(scale.quantity), unit.symbol);
+    if (scale.errorShare >= leastError)
+        text.title = QCoreApplication::translate("ColorScale", "%1, about ±%2 %")
+                         .arg(text.title, QString::number(100 * scale.errorShare, 'g', 2));
     const double step = roundStep((scale.most - scale.least) / unit.scale / mostSteps);
     const double first = std::ceil(scale.least / unit.scale / step - 1e-6);
     for (double i = first; i * step * unit.scale <= scale.most + 1e-6 * (scale.most - scale.least); ++i) {

@@ -29,6 +29,8 @@ struct ColorScale {
     double least = 0; ///< in SI, as all here
     double most = 1;
     bool isKnown = true; ///< false: the moment that is shown does not tell
+    double errorShare =
+        0; ///< about how wrong the numbers may be, in round numbers, as a share of the largest; 0: not known
     friend bool operator==(const ColorScale&, const ColorScale&) = default;
 
     /// Place of a number on the map, 0 .. 1 within the range.
@@ -52,7 +54,7 @@ struct ScaleText {
         double share = 0; ///< of the bar, from below
         QString text;
     };
-    QString title;           ///< with the unit: "Strain [%]"
+    QString title;           ///< with the unit: "Strain [%]", and how wrong the numbers may be
     std::vector<Tick> ticks; ///< from below, 4 to 9 at round numbers
 };
 ScaleText textOf(const ColorScale& scale);

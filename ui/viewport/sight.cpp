@@ -1,5 +1,8 @@
 #include "ui/viewport/sight.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace knead {
 
 namespace {
@@ -20,6 +23,22 @@ PlaneSection capOf(const ContentBody& body, const std::vector<Vec3>& places, con
         return {};
     return planeSection(places, body.mesh.triangles, plane, capTolerance * boxOf(places).sizes().maxCoeff());
 }
+
+/// Collects stress of several bodies: the error is that of the most stressed one.
+struct StressReading {
+    float most = 0;
+    double errorShare = 0;
+
+    std::vector<float> take(SkinStresses stresses)
+    {
+        const auto largest = std::max_element(stresses.vonMises.begin(), stresses.vonMises.end());
+        if (largest != stresses.vonMises.end() && *largest > most) {
+            most = *largest;
+            errorShare = stresses.errorShare;
+        }
+        return std::move(stresses.vonMises);
+    }
+};
 
 bool areOfOneMoment(const FramePointer& a, const FramePointer& b)
 {
@@ -46,6 +65,18 @@ SightPointer SightMaker::make(const FramePointer& frame, const SightWish& wish)
     return sight;
 }
 
+void SightMaker::prepareFor(SurfaceQuantity quantity, std::size_t body)
+{
+    m_originals.resize(m_bodies.size());
+    m_stresses.resize(m_bodies.size());
+    const TriangleMesh& mesh = m_bodies[body]->mesh;
+    const bool isOfMaterial = quantity == SurfaceQuantity::strain || quantity == SurfaceQuantity::vonMisesStress;
+    if (quantity == SurfaceQuantity::distance && !m_originals[body])
+        m_originals[body] = std::make_unique<SurfaceDistance>(mesh);
+    if (isOfMaterial && !m_stresses[body])
+        m_stresses[body] = std::make_unique<SkinStress>(*m_bodies[body]->aggregate, mesh);
+}
+
 void SightMaker::findValues(Sight& sight)
 {
     if (!sight.wish.quantity)
@@ -54,18 +85,21 @@ void SightMaker::findValues(Sight& sight)
     if (m_last && m_last->wish.quantity == quantity && areOfOneMoment(m_last->frame, sight.frame)) {
         sight.isKnown = m_last->isKnown;
         sight.values = m_last->values;
+        sight.errorShare = m_last->errorShare;
         return;
     }
-    m_originals.resize(m_bodies.size());
+    StressReading reading;
     for (std::size_t b = 0; b < m_bodies.size(); ++b) {
         const ContentBody& body = *m_bodies[b];
         const Snapshot::BodyState& now = sight.frame->snapshot->bodies[b];
-        if (quantity == SurfaceQuantity::distance && !m_originals[b])
-            m_originals[b] = std::make_unique<SurfaceDistance>(body.mesh);
+        prepareFor(quantity, b);
+        const std::vector<ObjectIndex> loaded = loadedObjects(*sight.frame->snapshot, static_cast<BodyId>(b));
         const std::vector<Vec3> displacements = now.displacements();
         SurfaceState state{.aggregate = *body.aggregate,
                            .skin = *body.skin,
                            .displacements = displacements,
+                           .stress = m_stresses[b].get(),
+                           .loaded = loaded,
                            .relaxed = now.relaxed.get(),
                            .pressing = now.pressing.get(),
                            .original = m_originals[b].get(),
@@ -73,8 +107,12 @@ void SightMaker::findValues(Sight& sight)
         if (now.broken)
             state.broken = *now.broken;
         sight.isKnown = sight.isKnown && isKnown(quantity, state);
-        sight.values.push_back(sight.isKnown ? surfaceValues(quantity, state) : std::vector<float>());
+        if (sight.isKnown && quantity == SurfaceQuantity::vonMisesStress)
+            sight.values.push_back(reading.take(surfaceStresses(state)));
+        else
+            sight.values.push_back(sight.isKnown ? surfaceValues(quantity, state) : std::vector<float>());
     }
+    sight.errorShare = reading.errorShare;
     if (!sight.isKnown)
         sight.values.clear();
 }

@@ -27,6 +27,7 @@ struct Sight {
     bool isKnown = true; ///< false: the frame does not tell the quantity
     /// Per body: at the vertices of ContentBody::mesh, in SI; empty without a quantity, or when it is not known.
     std::vector<std::vector<float>> values;
+    double errorShare = 0; ///< of stress, about how wrong it may be by the resolution where it is largest; 0: not known
     std::vector<PlaneSection> caps;         ///< per body; empty without a section
     std::vector<PlaneSection> originalCaps; ///< per body
 };
@@ -45,10 +46,12 @@ public:
 
 private:
     void findValues(Sight& sight);
+    void prepareFor(SurfaceQuantity quantity, std::size_t body);
     void findCaps(Sight& sight);
 
     ContentBodies m_bodies;
     std::vector<std::unique_ptr<SurfaceDistance>> m_originals; ///< made when first wanted
+    std::vector<std::unique_ptr<SkinStress>> m_stresses;       ///< likewise
     SightPointer m_last;
 };
 

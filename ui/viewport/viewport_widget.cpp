@@ -124,7 +124,9 @@ void ViewportWidget::setSight(const SightPointer& sight)
 void ViewportWidget::askForSight()
 {
     const SightWish wish = m_document.content().bodies.empty() ? SightWish() : wishOf(m_options);
-    m_document.showPressing(wish.quantity == SurfaceQuantity::contactForce);
+    m_document.showPressing(wish.quantity == SurfaceQuantity::contactForce ||
+                            wish.quantity ==
+                                SurfaceQuantity::vonMisesStress); // which depends on where something presses
     if (wish.isEmpty()) {
         m_sights->forget();
         setSight(nullptr);
