@@ -119,18 +119,19 @@ const MomentStencil& MomentStencil::of(std::size_t direction, const Vec3& center
 void MomentStencil::spread(const QuadraticMoments& moments, const std::vector<double>& weight,
                            std::vector<double>& weights) const
 {
-    std::array<double, products> sum{};
+    using Products = Eigen::Matrix<double, products, 1>;
+    Products sum = Products::Zero();
     for (std::size_t b = 0; b < m_points.size(); ++b)
         if (weight[b] > 0)
-            for (std::size_t k = 0; k < products; ++k)
-                sum[k] += weight[b] * m_points[b].product[k];
+            sum += weight[b] * Eigen::Map<const Products>(m_points[b].product.data());
     weights.assign(m_points.size(), 0);
     if (sum[0] == 0)
         return;
     Eigen::Matrix<double, terms, terms> matrix;
     for (std::size_t i = 0; i < terms; ++i)
         for (std::size_t j = 0; j < terms; ++j)
-            matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = sum[productNumbers.of[i][j]];
+            matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+                sum[static_cast<Eigen::Index>(productNumbers.of[i][j])];
     matrix.diagonal().array() += ridge * matrix.trace();
     const Eigen::Matrix<double, terms, 1> coefficients =
         matrix.llt().solve(Eigen::Map<const Eigen::Matrix<double, terms, 1>>(moments.data()));

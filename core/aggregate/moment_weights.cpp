@@ -161,25 +161,34 @@ public:
     {
         constexpr std::int32_t first = MomentStencil::first;
         constexpr std::int32_t across = MomentStencil::across;
-        const auto none = static_cast<ObjectIndex>(m_lattice.size());
-        m_objects.fill(none);
-        for (std::int32_t u = 0; u < across; ++u)
-            for (std::int32_t v = 0; v < across; ++v) {
-                const LatticeRows::Row row = m_rows.row(cell[0] + first + u, cell[1] + first + v);
-                const std::int32_t low = cell[2] + first;
-                for (ObjectIndex i = m_rows.lowerBound(row, low); i < row.end; ++i) {
-                    const std::int32_t w = m_lattice.nodes[i][2] - low;
-                    if (w >= across)
-                        break;
-                    m_objects[static_cast<std::size_t>((u * across + v) * across + w)] = i;
-                }
+        m_objects.fill(static_cast<ObjectIndex>(m_lattice.size()));
+        if (cell[0] != m_row[0] || cell[1] != m_row[1])
+            goTo(cell[0], cell[1]);
+        const std::int32_t low = cell[2] + first;
+        for (std::size_t row = 0; row < m_around.size(); ++row)
+            for (ObjectIndex i = m_rows.lowerBound(m_around[row], low); i < m_around[row].end; ++i) {
+                const std::int32_t w = m_lattice.nodes[i][2] - low;
+                if (w >= across)
+                    break;
+                m_objects[row * across + static_cast<std::size_t>(w)] = i;
             }
         return m_objects;
     }
 
 private:
+    void goTo(std::int32_t u, std::int32_t v)
+    {
+        constexpr std::int32_t across = MomentStencil::across;
+        m_row = {u, v};
+        for (std::int32_t row = 0; row < across * across; ++row)
+            m_around[static_cast<std::size_t>(row)] =
+                m_rows.row(u + MomentStencil::first + row / across, v + MomentStencil::first + row % across);
+    }
+
     const Lattice& m_lattice;
     const LatticeRows& m_rows;
+    std::array<std::int32_t, 2> m_row{-1, -1}; ///< (u, v) of the cells now
+    std::array<LatticeRows::Row, MomentStencil::nodes / MomentStencil::across> m_around{};
     std::array<ObjectIndex, MomentStencil::nodes> m_objects{};
 };
 
