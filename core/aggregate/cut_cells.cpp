@@ -15,6 +15,10 @@ namespace {
 
 constexpr double sliver = 1e-9; // of a cell: what rounding may add or take
 
+// Of the least fraction, where no full cell is near. A tilted wall of one cell has many cells with little in them; without
+// them it has holes, and at some tilts falls into rows that only hang together at their corners.
+constexpr double leastFraction = 0.5;
+
 /// Numbers of things sorted into the cells of an axis; a thing may be in several.
 class Bins {
 public:
@@ -68,7 +72,8 @@ class RowIntegral {
 public:
     /// @param repair as in cutCells()
     RowIntegral(std::int32_t cells, const RowRepair* repair)
-        : m_inCell(static_cast<std::size_t>(cells), 0)
+        : m_moments(static_cast<std::size_t>(cells))
+        , m_inCell(static_cast<std::size_t>(cells), 0)
         , m_area(static_cast<std::size_t>(cells), 0)
         , m_isTouched(repair == nullptr ? 0 : static_cast<std::size_t>(cells), 0)
         , m_repair(repair)
@@ -78,7 +83,8 @@ public:
     }
 
     /// Adds a polygon that lies within the row. Walls along w have no projection and need not be cut at all.
-    void add(PolygonView polygon)
+    /// @param row (u, v) of the row
+    void add(PolygonView polygon, const Vec3& row)
     {
         CellRange range = cellRange(polygon, 2, m_cells);
         if (m_repair != nullptr)
@@ -88,20 +94,20 @@ public:
         m_touched = {std::min(m_touched.first, range.first), std::max(m_touched.last, range.last)};
         CellPolygon rest;
         for (; range.first < range.last; ++range.first) {
-            addPiece(halfBelow(polygon, 2, range.first + 1).span(), range.first);
+            addPiece(halfBelow(polygon, 2, range.first + 1).span(), row, range.first);
             rest = halfAbove(polygon, 2, range.first + 1);
             polygon = rest.span();
         }
-        addPiece(polygon, range.last);
+        addPiece(polygon, row, range.last);
     }
 
     /// Appends the kept cells of row (u, v) to the slab and clears the row.
     void finish(std::int32_t u, std::int32_t v, CutCells::Slab& slab, double orientation, double minimumFraction)
     {
         if (m_repair != nullptr && needsRepair(u, v))
-            takeDecided(m_repair->decide(u, v, pieces()), slab, minimumFraction);
+            takeDecided(m_repair->decide(u, v, pieces()), v, slab, minimumFraction);
         else
-            takeExact(slab, orientation, minimumFraction);
+            takeExact(v, slab, orientation, minimumFraction);
         if (m_repair != nullptr)
             std::fill(m_isTouched.begin(), m_isTouched.end(), std::uint8_t{0});
         forget();
@@ -115,27 +121,39 @@ private:
         return m_repair->isSuspect(u, v) || !m_repair->isSound(pieces());
     }
 
-    void takeExact(CutCells::Slab& slab, double orientation, double minimumFraction)
+    void takeExact(std::int32_t v, CutCells::Slab& slab, double orientation, double minimumFraction)
     {
         double below = 0;
+        ColumnMoments momentsBelow;
         for (std::int32_t w = m_touched.first; w <= m_touched.last; ++w) {
             const auto cell = static_cast<std::size_t>(w);
             const double fraction = orientation * (m_inCell[cell] + below);
             below += m_area[cell];
             m_inCell[cell] = m_area[cell] = 0;
+            if (isCut(fraction))
+                slab.cut.push_back({v, w, m_moments[cell].inCell(momentsBelow, orientation)});
+            m_moments[cell].addTo(momentsBelow);
+            m_moments[cell] = {};
             keep(w, fraction, slab, minimumFraction);
         }
     }
 
-    void takeDecided(const RowRepair::Outcome& outcome, CutCells::Slab& slab, double minimumFraction)
+    void takeDecided(const RowRepair::Outcome& outcome, std::int32_t v, CutCells::Slab& slab, double minimumFraction)
     {
-        for (std::size_t w = 0; w < outcome.fraction.size(); ++w)
-            keep(static_cast<std::int32_t>(w), outcome.fraction[w], slab, minimumFraction);
+        for (std::size_t w = 0; w < outcome.fraction.size(); ++w) {
+            const double fraction = outcome.fraction[w];
+            if (isCut(fraction))
+                slab.cut.push_back({v, static_cast<std::int32_t>(w), CellMoments::even(fraction)});
+            keep(static_cast<std::int32_t>(w), fraction, slab, minimumFraction);
+        }
         slab.decided += outcome.decided;
         slab.doubtful += outcome.doubtful;
         std::fill(m_inCell.begin(), m_inCell.end(), 0.0);
         std::fill(m_area.begin(), m_area.end(), 0.0);
+        std::fill(m_moments.begin(), m_moments.end(), ColumnMoments{});
     }
+
+    static bool isCut(double fraction) { return fraction > sliver && fraction < 1 - sliver; }
 
     static void keep(std::int32_t w, double fraction, CutCells::Slab& slab, double minimumFraction)
     {
@@ -153,15 +171,17 @@ private:
     }
 
     /// Material lies above a piece that faces -w, so its (negative) area enters with a minus.
-    void addPiece(PolygonView piece, std::int32_t cell)
+    void addPiece(PolygonView piece, const Vec3& row, std::int32_t cell)
     {
         const Projection projection = project(piece, cell + 1.0);
         m_inCell[static_cast<std::size_t>(cell)] += projection.areaTimesHeight;
         m_area[static_cast<std::size_t>(cell)] -= projection.area;
+        m_moments[static_cast<std::size_t>(cell)].add(piece, row + cell * Vec3::UnitZ());
     }
 
     void forget() { m_touched = {std::numeric_limits<std::int32_t>::max(), -1}; }
 
+    std::vector<ColumnMoments> m_moments;
     std::vector<double> m_inCell;          // volume between pieces and the top of their cell
     std::vector<double> m_area;            // projected area of the pieces, for the cells above
     std::vector<std::uint8_t> m_isTouched; // by a piece; only for repairs
@@ -239,7 +259,7 @@ private:
         slab.firstRow = rows.first;
         for (std::int32_t v = rows.first; v <= rows.last; ++v) {
             for (const std::uint32_t i : bins[v])
-                row.add(clipToCell(polygons[i], 1, v, ranges[i]).span());
+                row.add(clipToCell(polygons[i], 1, v, ranges[i]).span(), Vec3(u, v, 0));
             row.finish(u, v, slab, m_orientation, m_minimumFraction);
             slab.rowBegin.push_back(slab.w.size());
         }
@@ -254,6 +274,45 @@ private:
     std::vector<Vec3> m_vertices;    // in lattice coordinates
     std::vector<CellRange> m_ranges; // slabs of each triangle
 };
+
+/// Whether a cell that is full, or one of its 26 neighbors, is.
+bool touchesFullCell(const CutCells& cells, std::int32_t u, std::int32_t v, std::int32_t w)
+{
+    for (std::int32_t near = std::max(u - 1, 0); near <= u + 1 && static_cast<std::size_t>(near) < cells.slabs.size();
+         ++near)
+        for (std::int32_t beside = v - 1; beside <= v + 1; ++beside) {
+            const CutCells::Row row = cells.slabs[static_cast<std::size_t>(near)].row(beside);
+            const auto first = std::lower_bound(row.w.begin(), row.w.end(), w - 1);
+            for (auto i = static_cast<std::size_t>(first - row.w.begin()); i < row.w.size() && row.w[i] <= w + 1; ++i)
+                if (row.fraction[i] >= 1 - sliver)
+                    return true;
+        }
+    return false;
+}
+
+/// The slab without kept cells that hold less than minimumFraction beside a full cell.
+CutCells::Slab withoutScraps(const CutCells& cells, std::size_t u, double minimumFraction)
+{
+    const CutCells::Slab& slab = cells.slabs[u];
+    CutCells::Slab left;
+    left.firstRow = slab.firstRow;
+    left.cut = slab.cut;
+    left.volume = slab.volume;
+    left.decided = slab.decided;
+    left.doubtful = slab.doubtful;
+    for (std::int32_t v = slab.firstRow; v < slab.rowsEnd(); ++v) {
+        const CutCells::Row row = slab.row(v);
+        for (std::size_t i = 0; i < row.w.size(); ++i) {
+            if (row.fraction[i] < minimumFraction - sliver &&
+                touchesFullCell(cells, static_cast<std::int32_t>(u), v, row.w[i]))
+                continue;
+            left.w.push_back(row.w[i]);
+            left.fraction.push_back(row.fraction[i]);
+        }
+        left.rowBegin.push_back(left.w.size());
+    }
+    return left;
+}
 
 } // namespace
 
@@ -328,7 +387,12 @@ double CutCells::doubtful() const
 CutCells cutCells(const TriangleMesh& mesh, const CellGrid& grid, double orientation, double minimumFraction,
                   TaskControl& control, const RowRepair* repair)
 {
-    return Cutter(mesh, grid, orientation, minimumFraction, repair).cut(control);
+    const CutCells cells = Cutter(mesh, grid, orientation, leastFraction * minimumFraction, repair).cut(control);
+    CutCells left;
+    left.slabs.resize(cells.slabs.size());
+    forEachBlock(cells.slabs.size(), 1,
+                 [&](std::size_t u, std::size_t) { left.slabs[u] = withoutScraps(cells, u, minimumFraction); });
+    return left;
 }
 
 } // namespace knead

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/aggregate/cell_moments.h"
 #include "core/aggregate/lattice.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/task/task_control.h"
@@ -30,12 +31,20 @@ struct CutCells {
         std::span<const double> fraction; ///< of the cell that is material, 0..1
     };
 
+    /// A cell that the surface cuts, with too little in it to be kept or with enough.
+    struct Cut {
+        std::int32_t v = 0;
+        std::int32_t w = 0;
+        CellMoments moments; ///< of its material; as of evenly spread material where RowRepair decided
+    };
+
     /// Kept cells with the same u.
     struct Slab {
         std::int32_t firstRow = 0;            ///< v of the first row
         std::vector<std::size_t> rowBegin{0}; ///< per row, and the end
         std::vector<std::int32_t> w;
         std::vector<double> fraction;
+        std::vector<Cut> cut;    ///< ascending in (v, w)
         double volume = 0;       ///< material in all cells of the slab [cells], dropped ones included
         std::size_t decided = 0; ///< cells that RowRepair decided
         double doubtful = 0;     ///< and how much of them could be either [cells]
@@ -57,6 +66,8 @@ struct CutCells {
 ///
 /// Each triangle is clipped to the cells it crosses. A piece adds the volume between itself and the top of its cell to
 /// this cell, and its projected area times the cell's height to all cells above (the divergence theorem along rows).
+/// The moments of cut cells come the same way. Cells with less than minimumFraction are not kept where a full cell is
+/// among their 26 neighbors; elsewhere, in thin walls, those with less than half of it.
 /// @param orientation 1 when the triangles face outwards, -1 when they face inwards
 /// @param repair decides rows that the surface does not bound; without it the surface is taken for closed
 /// @throws Cancelled

@@ -2,6 +2,7 @@
 
 #include "core/aggregate/cell_corners.h"
 #include "core/aggregate/cut_cells.h"
+#include "core/aggregate/moment_weights.h"
 #include "core/aggregate/row_repair.h"
 #include "core/aggregate/spacing_choice.h"
 #include "core/geometry/half_edges.h"
@@ -184,8 +185,10 @@ Aggregate fillSurface(const TriangleMesh& mesh, HalfEdges halfEdges, const Surfa
     if (countCorners(cells) > std::min<std::size_t>(options.maximumObjects, 0x7fffffff))
         refuseTooManyObjects(options);
 
-    TaskPortion joining(control, 0.5, 0.6);
+    TaskPortion joining(control, 0.5, 0.55);
     CellCorners corners = joinCells(cells, grid, joining);
+    TaskPortion fitting(control, 0.55, 0.65);
+    corners.aggregate = withFittedMoments(cells, std::move(corners.aggregate), fitting);
     corners.aggregate.meshVolume = std::abs(properties.volume);
     const bool isDirty = cells.decided() > 0;
     if (isDirty)
@@ -195,7 +198,7 @@ Aggregate fillSurface(const TriangleMesh& mesh, HalfEdges halfEdges, const Surfa
         corners.aggregate.repair.decidedCells = cells.decided();
         corners.aggregate.repair.doubtfulShare = cells.doubtful() / cells.volume();
     }
-    TaskPortion measuring(control, 0.6, 1);
+    TaskPortion measuring(control, 0.65, 1);
     measureDepth(corners, mesh, std::move(halfEdges), orientation, isDirty ? &*repair : nullptr, measuring);
     return std::move(corners.aggregate);
 }

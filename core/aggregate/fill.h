@@ -16,7 +16,7 @@ enum class DirtySurface : std::uint8_t {
 
 struct FillOptions {
     double spacing = 0.002;        ///< lattice spacing a [m], > 0
-    double minimumFraction = 0.25; ///< cells with less material are dropped
+    double minimumFraction = 0.25; ///< cells with less material are dropped; in thin walls, with less than half of it
     std::size_t maximumObjects = 20'000'000;
     DirtySurface dirty = DirtySurface::refuse;
 };
@@ -26,8 +26,8 @@ struct FillOptions {
 /// The cells of the lattice are cut exactly by the surface: every triangle is clipped to the cells it crosses, and the
 /// divergence theorem along rows gives each cell's volume. No ray is cast and no tolerance is used, so the result is
 /// exact for the triangles, and a small leak costs a small error instead of a column.
-/// Cells with at least minimumFraction of material are kept; their corners are the objects; connection weights are the
-/// material fractions of the cells around them (cut-cell weights). The lattice is centered on the box of the part.
+/// Cells with at least minimumFraction of material are kept; their corners are the objects; connections weigh what the cells
+/// around them have of material, in thin walls fitted to its moments. The lattice is centered on the box of the part.
 /// The result does not depend on the number of threads.
 ///
 /// Of dirty surfaces double triangles are removed and flipped ones turned; rows of cells with holes or overlaps in them are

@@ -1,0 +1,278 @@
+// Walls bend and twist as beam theory says at any number of cells across, whether the lattice divides them or not, along the
+// lattice and across it. KNEAD_WALL_SWEEP=1 measures every twentieth of a cell instead of a few numbers of cells.
+#include "support/bars.h"
+#include "support/thread_limit.h"
+
+#include "core/aggregate/cell_corners.h"
+#include "core/aggregate/cut_cells.h"
+#include "core/geometry/mass_properties.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+using namespace knead;
+
+namespace {
+
+using bars::about;
+using bars::Bar;
+
+constexpr double a = bars::spacing;
+
+const Quaternion tiltedInThreeAxes = about(17, Vec3::UnitX()) * about(23, Vec3::UnitY()) * about(31, Vec3::UnitZ());
+
+void addTurns()
+{
+    QTest::addColumn<Quaternion>("turn");
+    QTest::newRow("along the lattice") << Quaternion::Identity();
+    QTest::newRow("29 degrees across") << about(29, Vec3::UnitY());
+    QTest::newRow("tilted in three axes") << tiltedInThreeAxes;
+}
+
+bool isSweep()
+{
+    return qEnvironmentVariableIntValue("KNEAD_WALL_SWEEP") != 0;
+}
+
+/// A few numbers of cells; of a sweep, all in steps of a twentieth from the first to `last`.
+std::vector<double> numbersOfCells(const std::vector<double>& few, double last)
+{
+    if (!isSweep())
+        return few;
+    std::vector<double> all;
+    for (auto i = static_cast<int>(std::lround(20 * few.front())); i <= static_cast<int>(std::lround(20 * last)); ++i)
+        all.push_back(i / 20.0);
+    return all;
+}
+
+/// A square bar at least sixteen cells long.
+Bar squareBar(double cells, const Quaternion& turn)
+{
+    const double length = 8 * std::max(cells, 2.0) * a;
+    const bars::SectionValues values = bars::valuesOf(bars::Section::Square, cells);
+    return {bars::meshOf(bars::Section::Square, values.width, length), values, length, turn};
+}
+
+/// A closed square tube, eight walls wide, with walls of so many cells; Bredt's formula.
+Bar boxBar(double cells, const Quaternion& turn)
+{
+    const double wall = cells * a;
+    const double width = 8 * wall;
+    const double inner = width - 2 * wall;
+    const double length = 4 * width;
+    const bars::SectionValues values{width, width * width - inner * inner,
+                                     (std::pow(width, 4) - std::pow(inner, 4)) / 12, std::pow(width - wall, 3) * wall};
+    return {shapes::hollowBox({length, width, width}, {length - 2 * wall, inner, inner}), values, length, turn};
+}
+
+struct Extremes {
+    double least = std::numeric_limits<double>::max();
+    double most = 0;
+
+    void add(double value)
+    {
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    bool within(double low, double high) const { return least >= low && most <= high; }
+};
+
+/// Of a measure over numbers of cells.
+template <typename Measure>
+Extremes extremes(const char* what, const std::vector<double>& numbers, Measure measure)
+{
+    Extremes found;
+    for (const double cells : numbers) {
+        const double value = measure(cells);
+        if (isSweep())
+            qInfo("%s, %.2f cells: %.3f", what, cells, value);
+        found.add(value);
+    }
+    qInfo("%s: %.3f .. %.3f", what, found.least, found.most);
+    return found;
+}
+
+/// Second moments of the material of a box of given sides turned in space, about its middle, by its volume.
+Mat3 squareOf(const Vec3& sides, const Quaternion& turn)
+{
+    const Mat3 axes = turn.toRotationMatrix();
+    return axes * Vec3(sides.cwiseProduct(sides) / 12).asDiagonal() * axes.transpose();
+}
+
+} // namespace
+
+class WallBendingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void cellsHaveTheMomentsOfTheirMaterial_data() { addTurns(); }
+    void cellsHaveTheMomentsOfTheirMaterial()
+    {
+        // Over all cells, cut ones by their moments and full ones by their places, they are those of the box.
+        QFETCH(Quaternion, turn);
+        const Vec3 sides(5.3, 4.2, 9.7);
+        const TriangleMesh mesh = shapes::moved(shapes::box(sides), {Vec3(0.3, -0.2, 0.7), turn});
+        const CellGrid grid = gridAround(massProperties(mesh).box, 1);
+        const CutCells cells = cutCells(mesh, grid, 1, 0.25, TaskControl::none());
+        double volume = 0;
+        Vec3 first = Vec3::Zero();
+        Mat3 second = Mat3::Zero();
+        const auto add = [&](const CellMoments& moments, std::size_t u, std::int32_t v, std::int32_t w) {
+            const auto& m = moments.value;
+            const Vec3 at(static_cast<double>(u) + 0.5, v + 0.5, w + 0.5);
+            const Vec3 own(m[1], m[2], m[3]);
+            Mat3 square;
+            square << m[4], m[7], m[8], m[7], m[5], m[9], m[8], m[9], m[6];
+            volume += m[0];
+            first += m[0] * at + own;
+            second += square + at * own.transpose() + own * at.transpose() + m[0] * at * at.transpose();
+        };
+        for (std::size_t u = 0; u < cells.slabs.size(); ++u) {
+            const CutCells::Slab& slab = cells.slabs[u];
+            for (const CutCells::Cut& cut : slab.cut)
+                add(cut.moments, u, cut.v, cut.w);
+            for (std::int32_t v = slab.firstRow; v < slab.rowsEnd(); ++v)
+                for (std::size_t i = 0; i < slab.row(v).w.size(); ++i)
+                    if (slab.row(v).fraction[i] >= 1 - 1e-9)
+                        add(CellMoments::even(1), u, v, slab.row(v).w[i]);
+        }
+        QVERIFY(std::abs(volume / sides.prod() - 1) < 1e-12);
+        const Vec3 middle = first / volume;
+        QVERIFY((grid.frame.origin + grid.frame.axes * middle - Vec3(0.3, -0.2, 0.7)).norm() < 1e-11);
+        const Mat3 expected = grid.frame.axes.transpose() * squareOf(sides, turn) * grid.frame.axes;
+        QVERIFY((second / volume - middle * middle.transpose() - expected).norm() < 1e-10);
+    }
+
+    void connectionsOfEachFamilyHaveTheMomentsOfTheMaterial_data() { addTurns(); }
+    void connectionsOfEachFamilyHaveTheMomentsOfTheMaterial()
+    {
+        // At their middles, with 0.025 a^2 more along each axis. The rule for thick bodies alone is 0.17 a^2 and more above it.
+        QFETCH(Quaternion, turn);
+        const Vec3 sides(14.3, 3.6, 5.45);
+        const Aggregate aggregate = fill(shapes::moved(shapes::box(sides), {Vec3::Zero(), turn}), {.spacing = 1});
+        const Mat3 expected = squareOf(sides, turn) + 0.025 * Mat3::Identity();
+        for (std::size_t d = 0; d < Lattice::isotropicCount; ++d) {
+            double sum = 0;
+            Vec3 first = Vec3::Zero();
+            Mat3 second = Mat3::Zero();
+            for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
+                const Vec3 x = aggregate.lattice.position(i) + 0.5 * aggregate.lattice.direction(static_cast<int>(d));
+                sum += aggregate.weight[d][i];
+                first += aggregate.weight[d][i] * x;
+                second += aggregate.weight[d][i] * x * x.transpose();
+            }
+            const double error =
+                (turn.inverse() * (second / sum - expected) * turn).diagonal().tail(2).cwiseAbs().maxCoeff();
+            QVERIFY(std::abs(sum / sides.prod() - 1) < 1e-12);
+            QVERIFY2((first / sum).norm() < 0.02, qPrintable(QString::number((first / sum).norm())));
+            QVERIFY2(error < 0.03, qPrintable(QString::number(error)));
+        }
+    }
+
+    void massesAreAnEighteenthOfTheConnectionsAndPositive()
+    {
+        // So no object is light against its springs, whatever the weights: time steps stay as long as in the bulk.
+        const Aggregate aggregate =
+            fill(shapes::moved(shapes::box({15, 1.3, 8}), {Vec3::Zero(), tiltedInThreeAxes}), {.spacing = 1});
+        std::vector<double> sum(aggregate.size(), 0);
+        for (std::size_t d = 0; d < Lattice::isotropicCount; ++d)
+            for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
+                if (aggregate.weight[d][i] == 0)
+                    continue;
+                QVERIFY(aggregate.weight[d][i] > 0.01);
+                Lattice::Node other = aggregate.lattice.nodes[i];
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    other[axis] += Lattice::directions[d][axis];
+                sum[i] += aggregate.weight[d][i];
+                sum[aggregate.lattice.find(other)] += aggregate.weight[d][i];
+            }
+        for (ObjectIndex i = 0; i < aggregate.size(); ++i)
+            QVERIFY(aggregate.volume[i] > 0 && std::abs(18 * aggregate.volume[i] / sum[i] - 1) < 1e-12);
+    }
+
+    void anyNumberOfThreadsGivesTheSameBits()
+    {
+        const TriangleMesh mesh = shapes::moved(shapes::hollowBox({14, 11, 12}, {10.7, 8.1, 9}), shapes::tilt(0.6));
+        const auto fillWith = [&](int threads) {
+            return onThreads(threads, [&] { return fill(mesh, {.spacing = 1}); });
+        };
+        const Aggregate one = fillWith(1);
+        for (const int threads : {2, 4}) {
+            const Aggregate other = fillWith(threads);
+            QVERIFY(one.weight == other.weight);
+            QVERIFY(one.volume == other.volume);
+        }
+    }
+
+    void thickBodiesWithSkinsOnNodesKeepTheirWeights()
+    {
+        // Uniform strain is exact with the weights of joinCells(), and three cells bend right to a tenth with them.
+        for (const double cells : {3.0, 5.0}) {
+            const TriangleMesh mesh = shapes::box({12, cells, cells});
+            const CellGrid grid = gridAround(massProperties(mesh).box, 1);
+            const CutCells cut = cutCells(mesh, grid, 1, 0.25, TaskControl::none());
+            const Aggregate even = joinCells(cut, grid, TaskControl::none()).aggregate;
+            const Aggregate aggregate = fill(mesh, {.spacing = 1});
+            QVERIFY(aggregate.weight == even.weight);
+            QVERIFY(aggregate.volume == even.volume);
+        }
+    }
+
+    void wallsBendAsBeamTheorySays_data() { addTurns(); }
+    void wallsBendAsBeamTheorySays()
+    {
+        QFETCH(Quaternion, turn);
+        const Extremes found =
+            extremes("bending", numbersOfCells({1.75, 2, 2.25, 2.6, 3.3, 4.45}, 6), [&](double cells) {
+                Bar bar = squareBar(cells, turn);
+                return bars::bending(bar);
+            });
+        QVERIFY(found.within(0.9, 1.1));
+    }
+
+    void wallsOfOneAndAHalfCellsStayUseful_data() { addTurns(); }
+    void wallsOfOneAndAHalfCellsStayUseful()
+    {
+        QFETCH(Quaternion, turn);
+        const Extremes found = extremes("bending of thin walls", numbersOfCells({1.5, 1.65}, 1.75), [&](double cells) {
+            Bar bar = squareBar(cells, turn);
+            return bars::bending(bar);
+        });
+        QVERIFY(found.within(0.7, 1.3));
+    }
+
+    void wallsAreAsStiffInTensionAsTheyAreThick_data() { addTurns(); }
+    void wallsAreAsStiffInTensionAsTheyAreThick()
+    {
+        QFETCH(Quaternion, turn);
+        const Extremes found = extremes("tension", numbersOfCells({2, 2.6, 3.3}, 6), [&](double cells) {
+            Bar bar = squareBar(cells, turn);
+            return bars::tension(bar).youngsModulus;
+        });
+        QVERIFY(found.within(0.94, 1.01));
+    }
+
+    void boxesBendAndTwistAsTheorySays_data()
+    {
+        QTest::addColumn<double>("cells");
+        QTest::newRow("2 cells") << 2.0;
+        QTest::newRow("2.3 cells") << 2.3;
+    }
+    void boxesBendAndTwistAsTheorySays()
+    {
+        QFETCH(double, cells);
+        Bar bent = boxBar(cells, about(29, Vec3::UnitX()));
+        const double bend = bars::bending(bent);
+        Bar twisted = boxBar(cells, Quaternion::Identity());
+        const double twist = bars::torsion(twisted);
+        qInfo("bending %.3f, torsion %.3f", bend, twist);
+        QVERIFY(std::abs(bend - 1) < 0.15);
+        QVERIFY(std::abs(twist - 1) < 0.15);
+    }
+};
+
+QTEST_GUILESS_MAIN(WallBendingTest)
+#include "wall_bending_test.moc"
