@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/simulation/command.h"
+#include "core/simulation/reaction.h"
 #include "core/simulation/snapshot.h"
 
 #include <cstdint>
@@ -53,6 +54,9 @@ public:
 
     /// Whether snapshots tell what presses on each object, which takes time. Changes nothing else.
     void showPressing(bool on);
+
+    /// What fixtures, tools and loads did in the last step, in this order. Far quicker than a snapshot.
+    std::vector<Reaction> reactions() const;
 
     /// A copy of the state for other threads. Forces on tools are means since the previous snapshot.
     std::shared_ptr<Snapshot> snapshot();
