@@ -45,6 +45,8 @@ struct Simulation::State {
     void computeForces();
     void integrate();
     void stepImplicitly();
+    StaticReport findBalance(double duration);
+    bool balance(double duration, StaticReport& report);
     void checkHealth();
 
     void carryOut(const Command& command);
