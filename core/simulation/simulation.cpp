@@ -153,7 +153,7 @@ void Simulation::State::loadFixtures()
         if (!fixtures[id])
             continue;
         const ObjectState& state = runs[fixtures[id]->body]->state;
-        const Vec3 center = restCenter(*fixtures[id]);
+        const Vec3& center = fixtureCenters[id];
         for (const ObjectIndex object : fixtures[id]->objects) {
             if (object >= state.size())
                 continue;

@@ -102,18 +102,21 @@ Vec3 Simulation::State::centripetal(FixtureId fixture, const Vec3& place) const
     return (turned * arm - 2 * arm + turned.transpose() * arm) / (timeStep * timeStep);
 }
 
-/// Of its objects at rest [m].
-Vec3 Simulation::State::restCenter(const Fixture& fixture) const
+void Simulation::State::findFixtureCenters()
 {
-    const Lattice& lattice = bodies[fixture.body].aggregate->lattice;
-    Vec3 center = Vec3::Zero();
-    std::size_t count = 0;
-    for (const ObjectIndex object : fixture.objects)
-        if (object < lattice.size()) {
-            center += lattice.position(object);
-            ++count;
-        }
-    return count > 0 ? Vec3(center / static_cast<double>(count)) : center;
+    fixtureCenters.assign(fixtures.size(), Vec3::Zero());
+    for (FixtureId id = 0; id < fixtures.size(); ++id) {
+        if (!fixtures[id])
+            continue;
+        const Lattice& lattice = bodies[fixtures[id]->body].aggregate->lattice;
+        std::size_t count = 0;
+        for (const ObjectIndex object : fixtures[id]->objects)
+            if (object < lattice.size()) {
+                fixtureCenters[id] += lattice.position(object);
+                ++count;
+            }
+        fixtureCenters[id] /= static_cast<double>(std::max<std::size_t>(1, count));
+    }
 }
 
 } // namespace knead

@@ -13,7 +13,7 @@ std::vector<Reaction> Simulation::reactions() const
                            .name = fixture->name,
                            .force = id < state.fixtureForces.size() ? state.fixtureForces[id] : Vec3::Zero(),
                            .moment = id < state.fixtureMoments.size() ? state.fixtureMoments[id] : Vec3::Zero(),
-                           .about = state.restCenter(*fixture)});
+                           .about = state.fixtureCenters[id]});
     for (ToolId id = 0; id < state.tools.size(); ++id)
         if (const auto& tool = state.tools[id])
             all.push_back({.kind = Reaction::Kind::tool,

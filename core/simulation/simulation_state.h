@@ -59,7 +59,7 @@ struct Simulation::State {
     bool isMovedBy(FixtureId fixture, ObjectIndex object) const;
     double turnInStep(FixtureId fixture) const;
     Vec3 centripetal(FixtureId fixture, const Vec3& place) const;
-    Vec3 restCenter(const Fixture& fixture) const;
+    void findFixtureCenters();
     double addLoads(double at);
     void bookLoadsBefore();
     void bookLoadsAfter();
@@ -116,6 +116,7 @@ struct Simulation::State {
     std::vector<std::optional<Fixture>> fixtures;
     std::vector<Vec3> fixtureForces;  ///< per fixture: of the material on it in the last step [N]
     std::vector<Vec3> fixtureMoments; ///< the same about the center of its objects at rest [N m]
+    std::vector<Vec3> fixtureCenters; ///< per fixture: of its objects at rest, about which that moment is [m]
     std::vector<GripProgress> gripProgress;
     ActingLoads loads;
     std::vector<Annealing> annealings;
