@@ -10,6 +10,7 @@ namespace {
 
 using Tools = std::map<std::string, ToolId>;
 using Fixtures = std::map<std::string, std::vector<FixtureId>>;
+using Loads = std::map<std::string, LoadId>;
 
 /// One event, by what it says.
 struct CommandMaker {
@@ -17,6 +18,7 @@ struct CommandMaker {
     const RecipeScene& ready;
     const Tools& tools;
     const Fixtures& fixtures;
+    const Loads& loads;
     const std::vector<Body>& bodies;
     std::size_t event;
     std::vector<Command> made = {};
@@ -42,6 +44,22 @@ struct CommandMaker {
                 made.push_back(make(id));
     }
 
+    template <class Make>
+    void withLoad(const std::string& name, Make make)
+    {
+        if (const auto found = loads.find(name); found != loads.end())
+            made.push_back(make(found->second));
+    }
+
+    void operator()(const AddRecipeLoad& add) { made.push_back(AddLoad{loadOf(recipe, add.load, ready)}); }
+    void operator()(const ChangeRecipeLoad& change)
+    {
+        withLoad(change.load, [&](LoadId id) { return SetLoad{id, change.amount, change.ramp}; });
+    }
+    void operator()(const TakeLoadAway& away)
+    {
+        withLoad(away.load, [](LoadId id) { return RemoveLoad{id}; });
+    }
     void operator()(const ChangeMaterial& change)
     {
         for (BodyObjects& at : objectsWithin(ready, change.body, change.box, change.objects, place()))
@@ -69,7 +87,7 @@ struct CommandMaker {
     }
     void operator()(const MoveRecipeFixture& move)
     {
-        withFixtures(move.fixture, [&](FixtureId id) { return MoveFixture{id, move.velocity}; });
+        withFixtures(move.fixture, [&](FixtureId id) { return MoveFixture{id, move.velocity, move.turn}; });
     }
     void operator()(const ReleaseFixture& release)
     {
@@ -115,7 +133,10 @@ EventCommands::EventCommands(const Recipe& recipe, const RecipeScene& ready)
     , m_ready(ready)
     , m_nextTool(static_cast<ToolId>(ready.scene.manipulators.size()))
     , m_nextFixture(static_cast<FixtureId>(ready.scene.fixtures.size()))
+    , m_nextLoad(static_cast<LoadId>(ready.scene.loads.size()))
 {
+    for (std::size_t i = 0; i < recipe.loads.size(); ++i)
+        m_loads[recipe.loads[i].name] = static_cast<LoadId>(i);
     for (std::size_t i = 0; i < recipe.manipulators.size(); ++i)
         m_tools[recipe.manipulators[i].name] = static_cast<ToolId>(i);
     for (std::size_t i = 0; i < recipe.fixtures.size(); ++i)
@@ -124,7 +145,7 @@ EventCommands::EventCommands(const Recipe& recipe, const RecipeScene& ready)
 
 std::vector<Command> EventCommands::commandsOf(std::size_t event, const std::vector<Body>& bodies) const
 {
-    CommandMaker maker{m_recipe, m_ready, m_tools, m_fixtures, bodies, event};
+    CommandMaker maker{m_recipe, m_ready, m_tools, m_fixtures, m_loads, bodies, event};
     std::visit([&](const auto& action) { maker(action); }, m_recipe.events[event].action);
     return std::move(maker.made);
 }
@@ -135,18 +156,22 @@ void EventCommands::carriedOut(const Command& command)
         m_tools[tool->manipulator.name] = m_nextTool++;
     if (const auto* fixture = std::get_if<AddFixture>(&command))
         m_fixtures[fixture->fixture.name].push_back(m_nextFixture++);
+    if (const auto* load = std::get_if<AddLoad>(&command))
+        m_loads[load->load.name] = m_nextLoad++;
 }
 
 void EventCommands::carriedOutByOthers(const Command& command)
 {
     m_nextTool += std::holds_alternative<AddManipulator>(command) ? 1 : 0;
     m_nextFixture += std::holds_alternative<AddFixture>(command) ? 1 : 0;
+    m_nextLoad += std::holds_alternative<AddLoad>(command) ? 1 : 0;
 }
 
 void EventCommands::goTo(const Moment& moment)
 {
     m_tools.clear();
     m_fixtures.clear();
+    m_loads.clear();
     m_nextTool = static_cast<ToolId>(moment.tools.size());
     m_nextFixture = static_cast<FixtureId>(moment.fixtures.size());
     for (ToolId id = 0; id < m_nextTool; ++id)
@@ -155,6 +180,10 @@ void EventCommands::goTo(const Moment& moment)
     for (FixtureId id = 0; id < m_nextFixture; ++id)
         if (moment.fixtures[id])
             m_fixtures[moment.fixtures[id]->name].push_back(id);
+    m_nextLoad = static_cast<LoadId>(moment.loads.size());
+    for (LoadId id = 0; id < m_nextLoad; ++id)
+        if (moment.loads[id])
+            m_loads[moment.loads[id]->load.name] = id;
 }
 
 } // namespace knead

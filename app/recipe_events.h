@@ -37,8 +37,10 @@ private:
     const RecipeScene& m_ready;
     std::map<std::string, ToolId> m_tools;
     std::map<std::string, std::vector<FixtureId>> m_fixtures;
+    std::map<std::string, LoadId> m_loads;
     ToolId m_nextTool = 0;
     FixtureId m_nextFixture = 0;
+    LoadId m_nextLoad = 0;
 };
 
 } // namespace knead

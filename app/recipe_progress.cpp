@@ -80,6 +80,12 @@ bool RecipeProgress::isThere(const RecipeAction& action, Simulation& simulation)
         const auto now = simulation.snapshot();
         return std::any_of(now->fixtures.begin(), now->fixtures.end(), isNamed(fixture->fixture.name));
     }
+    if (const auto* load = std::get_if<AddRecipeLoad>(&action)) {
+        const std::vector<Reaction> now = simulation.reactions();
+        return std::any_of(now.begin(), now.end(), [&](const Reaction& reaction) {
+            return reaction.kind == Reaction::Kind::load && reaction.name == load->load.name;
+        });
+    }
     return false;
 }
 

@@ -3,12 +3,14 @@
 #include "app/recipe_exports.h"
 #include "app/recipe_progress.h"
 #include "app/recipe_scene.h"
+#include "app/whole_file.h"
 #include "core/simulation/simulation.h"
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <map>
 #include <stdexcept>
 
 namespace knead {
@@ -48,6 +50,22 @@ BodyMotion motionOf(const std::string& name, const Snapshot::BodyState& body)
     return motion;
 }
 
+/// What fixtures say their moments are about, by name.
+std::map<std::string, Vec3> momentCenters(const Recipe& recipe)
+{
+    std::map<std::string, Vec3> centers;
+    const auto add = [&](const RecipeFixture& fixture) {
+        if (fixture.momentCenter)
+            centers[fixture.name] = *fixture.momentCenter;
+    };
+    for (const RecipeFixture& fixture : recipe.fixtures)
+        add(fixture);
+    for (const RecipeEvent& event : recipe.events)
+        if (const auto* added = std::get_if<AddRecipeFixture>(&event.action))
+            add(added->fixture);
+    return centers;
+}
+
 /// Steps a simulation from 0 to the end of a recipe, with its events.
 class Runner {
 public:
@@ -56,6 +74,7 @@ public:
         , m_progress(recipe, ready)
         , m_ready(ready)
         , m_simulation(ready.scene)
+        , m_forces(momentCenters(recipe))
     {
     }
 
@@ -68,8 +87,9 @@ public:
             control.throwIfCancelled();
             m_simulation.step();
             checkHealth();
+            m_forces.add(m_simulation.reactions(), m_simulation.time());
             if (m_simulation.time() + 0.5 * m_simulation.timeStep() >= m_latest->time + frame)
-                takeSnapshot();
+                takeFrame();
             if (Clock::now() >= nextReport) {
                 report(control, secondsSince(start));
                 nextReport = Clock::now() + reportInterval;
@@ -78,8 +98,28 @@ public:
         m_wall = secondsSince(start);
         m_simulation.showPressing(true); // stress needs to know where
         takeSnapshot();
-        if (const std::size_t left = m_recipe.events.size() - m_progress.mark().nextEvent; left > 0)
-            m_warnings.push_back("The run ended before " + std::to_string(left) + " of the events were due.");
+        m_forces.endRow();
+        warnOfEventsLeft();
+    }
+
+    /// The same by load steps, each at its balance.
+    void findBalances(TaskControl& control)
+    {
+        const Clock::time_point start = Clock::now();
+        m_latest = m_simulation.snapshot();
+        const double duration = m_recipe.duration / m_recipe.loadSteps;
+        for (int i = 0; i < m_recipe.loadSteps; ++i) {
+            control.throwIfCancelled();
+            carryOutDueEvents();
+            m_balances.push_back(m_simulation.findBalance(duration));
+            if (!m_balances.back().converged)
+                throw std::runtime_error("Load step " + std::to_string(i + 1) + ": " + m_balances.back().message);
+            m_forces.addRow(m_simulation.reactions(), m_simulation.time());
+            takeSnapshot();
+            report(control, secondsSince(start));
+        }
+        m_wall = secondsSince(start);
+        warnOfEventsLeft();
     }
 
     const Snapshot& latest() const { return *m_latest; }
@@ -107,12 +147,26 @@ public:
             report.motions.back().stress = bodyStress(m_ready.parts[i].mesh, *m_latest, static_cast<BodyId>(i));
         }
         report.tools = m_tools;
+        report.forces = m_forces;
+        report.balances = m_balances;
         report.warnings = m_ready.warnings;
         report.warnings.insert(report.warnings.end(), m_warnings.begin(), m_warnings.end());
         return report;
     }
 
 private:
+    void takeFrame()
+    {
+        takeSnapshot();
+        m_forces.endRow();
+    }
+
+    void warnOfEventsLeft()
+    {
+        if (const std::size_t left = m_recipe.events.size() - m_progress.mark().nextEvent; left > 0)
+            m_warnings.push_back("The run ended before " + std::to_string(left) + " of the events were due.");
+    }
+
     /// A command that makes no sense changes nothing; the person gets to know why.
     void carryOutDueEvents()
     {
@@ -161,13 +215,16 @@ private:
     Simulation m_simulation;
     SnapshotPointer m_latest;
     std::vector<ToolState> m_tools;
+    ForceSeries m_forces;
+    std::vector<StaticReport> m_balances;
     std::vector<std::string> m_warnings;
     double m_wall = 0;
 };
 
 } // namespace
 
-RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskControl& control)
+RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskControl& control,
+                    const std::string& forcesFile)
 {
     TaskPortion preparing(control, 0, sceneEnd);
     const RecipeScene ready = buildScene(recipe, preparing);
@@ -175,10 +232,14 @@ RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskC
     prepareFolders(recipe.exports, outputFolder);
 
     Runner runner(recipe, ready);
-    runner.run(control);
+    recipe.analysis == Analysis::equilibrium ? runner.findBalances(control) : runner.run(control);
 
     TaskPortion writing(control, stepsEnd, 1);
     RunReport report = runner.takeReport();
+    if (!forcesFile.empty()) {
+        writeWhole(forcesFile, report.forces.csv(), "choose another file with --csv.");
+        report.forcesFile = forcesFile;
+    }
     if (recipe.exports.empty())
         return report;
     WrittenExports written =

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "app/body_stress.h"
+#include "app/force_series.h"
 #include "core/model/export_report.h"
 #include "core/simulation/snapshot.h"
+#include "core/simulation/static_report.h"
 #include "core/task/task_control.h"
 #include "io/recipe.h"
 
@@ -36,11 +38,14 @@ struct RunReport {
     std::uint64_t stateHash = 0; ///< equal for equal histories, whatever the number of threads
     std::string integrator;      ///< a sentence on which one was in use at the end and why
     EnergyLedger energy;
-    std::vector<BodyMotion> motions;   ///< one per body, at the end
-    std::vector<ToolState> tools;      ///< as last seen, those taken away included
-    std::vector<std::string> files;    ///< written, in the order of the recipe
-    std::vector<ExportReport> exports; ///< on those that are no pictures
-    std::vector<std::string> warnings; ///< sentences for the person
+    std::vector<BodyMotion> motions;    ///< one per body, at the end
+    std::vector<ToolState> tools;       ///< as last seen, those taken away included
+    ForceSeries forces;                 ///< of fixtures, tools and loads over time
+    std::string forcesFile;             ///< where they were written as a table; empty: nowhere
+    std::vector<StaticReport> balances; ///< of each load step of a static analysis
+    std::vector<std::string> files;     ///< written, in the order of the recipe
+    std::vector<ExportReport> exports;  ///< on those that are no pictures
+    std::vector<std::string> warnings;  ///< sentences for the person
 
     double ratio() const { return wall > 0 ? simulated / wall : 0; }
 };
@@ -48,8 +53,10 @@ struct RunReport {
 /// Carries out a recipe: part -> scene -> steps -> exports. Files appear whole or not at all; when cancelled, those not
 /// yet begun are missing.
 /// @param outputFolder made when missing
+/// @param forcesFile for a table of forces and moments over time, CSV; empty: none
 /// @throws UnusableInput (app/recipe_scene.h) when recipe and part do not fit, std::runtime_error when the work failed,
 ///         each in a sentence. @throws Cancelled
-RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskControl& control = TaskControl::none());
+RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskControl& control = TaskControl::none(),
+                    const std::string& forcesFile = {});
 
 } // namespace knead

@@ -145,7 +145,7 @@ void setWorld(const Recipe& recipe, Scene& scene)
         scene.floorFriction = recipe.floor->friction;
     }
     scene.touching = recipe.touching;
-    scene.integrator = recipe.integrator;
+    scene.integrator = recipe.analysis == Analysis::equilibrium ? Integrator::implicitEuler : recipe.integrator;
     scene.vicinity = recipe.vicinity;
     scene.timeStep = recipe.timeStep;
     scene.massScalingTimeStep = recipe.massScalingTimeStep;
@@ -211,8 +211,31 @@ std::vector<Fixture> fixturesOf(const Recipe& recipe, const RecipeFixture& fixtu
 {
     std::vector<Fixture> fixtures;
     for (BodyObjects& at : objectsOf(recipe, {"fixture", fixture}, ready))
-        fixtures.push_back({fixture.name, at.body, std::move(at.objects), fixture.velocity});
+        fixtures.push_back({fixture.name, at.body, std::move(at.objects), fixture.velocity, fixture.turn});
     return fixtures;
+}
+
+Load loadOf(const Recipe& recipe, const RecipeLoad& load, const RecipeScene& ready)
+{
+    const std::string saying = "the load \"" + load.name + "\"";
+    const std::vector<BodyId> bodies = bodiesNamed(load.body, ready.parts, shortName(recipe.file) + ": " + saying);
+    if (bodies.size() > 1)
+        refuse(recipe, saying + " is on one body among several; add the key body.");
+    const Part& part = ready.parts[bodies.front()];
+    const Aggregate& aggregate = *ready.scene.bodies[bodies.front()].aggregate;
+    const RecipeRegion region{.name = load.name, .body = load.body, .faces = load.faces};
+    if (!load.faces.empty())
+        objectsAtFaces(recipe, {"load", region}, part, aggregate); // refuses faces that are not there
+    Load result{.name = load.name,
+                .body = bodies.front(),
+                .faces = load.faces,
+                .box = load.box,
+                .patch = loadPatch(aggregate, part.mesh, load.faces, load.box),
+                .amount = load.amount,
+                .ramp = load.ramp};
+    if (result.patch.empty())
+        refuse(recipe, saying + " acts on nothing: no surface lies there.");
+    return result;
 }
 
 Manipulator manipulatorOf(const RecipeManipulator& manipulator, const std::shared_ptr<const ToolPart>& part)
@@ -240,6 +263,8 @@ RecipeScene buildScene(const Recipe& recipe, TaskControl& control)
         addRegion(recipe, region, result);
     for (const RecipeFixture& fixture : recipe.fixtures)
         result.fixtureIds.push_back(addFixture(recipe, fixture, result));
+    for (const RecipeLoad& load : recipe.loads)
+        result.scene.loads.push_back(loadOf(recipe, load, result));
     for (std::size_t i = 0; i < recipe.manipulators.size(); ++i)
         result.scene.manipulators.push_back(manipulatorOf(recipe.manipulators[i], parts.toolParts[i]));
     result.eventParts = std::move(parts.eventParts);

@@ -44,6 +44,10 @@ std::vector<BodyObjects> objectsWithin(const RecipeScene& ready, const std::stri
 /// @throws UnusableInput
 std::vector<Fixture> fixturesOf(const Recipe& recipe, const RecipeFixture& fixture, const RecipeScene& ready);
 
+/// The load of the scene that a load of the recipe means.
+/// @throws UnusableInput
+Load loadOf(const Recipe& recipe, const RecipeLoad& load, const RecipeScene& ready);
+
 /// A manipulator of a recipe with its part.
 Manipulator manipulatorOf(const RecipeManipulator& manipulator, const std::shared_ptr<const ToolPart>& part);
 

@@ -87,6 +87,10 @@ RecipeStart open(const std::string& path, TaskControl& control)
                       .fixtures = faceFixtures(recipe, scene),
                       .agenda = {},
                       .warnings = scene.warnings};
+    if (recipe.analysis == Analysis::equilibrium)
+        start.warnings.push_back(
+            "This recipe asks for balance without inertia, which \"knead run\" finds. Play carries it "
+            "out as motion in time.");
     start.agenda = agendaOf(std::move(ready));
     return start;
 }

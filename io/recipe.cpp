@@ -16,7 +16,8 @@ namespace knead {
 
 namespace {
 
-constexpr double longestDuration = 3600;  // [s]; a longer run is a mistyped number
+constexpr double longestDuration = 3600; // [s]; a longer run is a mistyped number
+constexpr int mostLoadSteps = 10000;
 constexpr double shortestTimeStep = 1e-9; // [s]
 constexpr double longestTimeStep = 1;     // [s]
 
@@ -142,6 +143,8 @@ void readBodies(const JsonNode& root, const std::vector<MaterialPreset>& presets
         recipe.structuralFriction = node->number(0, 2);
     if (const auto node = root.find("fixtures"))
         recipe.fixtures = readNamed(*node, readRecipeFixture);
+    if (const auto node = root.find("loads"))
+        recipe.loads = readNamed(*node, readRecipeLoad);
 }
 
 /// Names of fixtures and manipulators as they come up, each used once.
@@ -153,6 +156,8 @@ public:
             m_fixtures.insert(fixture.name);
         for (const RecipeManipulator& manipulator : recipe.manipulators)
             m_manipulators.insert(manipulator.name);
+        for (const RecipeLoad& load : recipe.loads)
+            m_loads.insert(load.name);
     }
 
     void check(const JsonNode& node, const RecipeAction& action)
@@ -163,6 +168,12 @@ public:
             require(node.at("move_fixture").at("name"), m_fixtures, move->fixture);
         if (const auto* add = std::get_if<AddRecipeFixture>(&action))
             take(node.at("add_fixture").at("name"), m_fixtures, add->fixture.name);
+        if (const auto* add = std::get_if<AddRecipeLoad>(&action))
+            take(node.at("add_load").at("name"), m_loads, add->load.name);
+        if (const auto* change = std::get_if<ChangeRecipeLoad>(&action))
+            require(node.at("change_load").at("name"), m_loads, change->load);
+        if (const auto* away = std::get_if<TakeLoadAway>(&action))
+            require(node.at("remove_load"), m_loads, away->load);
         if (const auto* away = std::get_if<TakeManipulatorAway>(&action))
             require(node.at("remove_manipulator"), m_manipulators, away->manipulator);
         if (const auto* move = std::get_if<MoveRecipeManipulator>(&action))
@@ -189,6 +200,7 @@ private:
 
     std::set<std::string> m_fixtures;
     std::set<std::string> m_manipulators;
+    std::set<std::string> m_loads;
 };
 
 /// Times and steps go on upwards, from 0 again after a reset.
@@ -252,6 +264,24 @@ void readDuration(const JsonNode& root, Recipe& recipe)
         root.at("duration_s").failExpecting("must be at most 3600 s");
 }
 
+/// Balance has no steps of time: what says so does not go with it.
+void readAnalysis(const JsonNode& root, Recipe& recipe)
+{
+    if (const auto node = root.find("analysis"))
+        recipe.analysis =
+            readChoice<Analysis>(*node, {{"dynamic", Analysis::dynamic}, {"static", Analysis::equilibrium}});
+    const auto steps = root.find("load_steps");
+    if (recipe.analysis == Analysis::equilibrium) {
+        if (steps)
+            recipe.loadSteps = steps->integer(1, mostLoadSteps);
+        for (const char* key : {"integrator", "time_step_s", "mass_scaling_time_step_s", "duration_steps"})
+            if (const auto found = root.find(key))
+                found->fail("belongs to a dynamic analysis only.");
+    } else if (steps) {
+        steps->fail("belongs to a static analysis only.");
+    }
+}
+
 /// Messages about a changed recipe say that it is one: what they name need not be in the file.
 JsonNode rootOf(JsonValue recipe, const std::string& path, const std::vector<RecipeOverride>& changes)
 {
@@ -276,6 +306,9 @@ Recipe readRoot(const JsonNode& root, const std::string& path, const std::vector
                     "bodies",
                     "structural_friction",
                     "fixtures",
+                    "loads",
+                    "analysis",
+                    "load_steps",
                     "manipulators",
                     "gravity_m_s2",
                     "floor",
@@ -295,6 +328,7 @@ Recipe readRoot(const JsonNode& root, const std::string& path, const std::vector
     readParts(root, recipe);
     readMethod(root, recipe);
     readDuration(root, recipe);
+    readAnalysis(root, recipe);
     readBodies(root, presets, recipe);
     if (const auto node = root.find("manipulators"))
         recipe.manipulators = readNamed(*node, [&](const JsonNode& item) { return readRecipeManipulator(item, path); });

@@ -60,6 +60,19 @@ struct RecipeRegion {
 /// Held in place, or by a grip that moves.
 struct RecipeFixture : RecipeRegion {
     Vec3 velocity = Vec3::Zero(); ///< [m/s]
+    GripTurn turn = {};
+    std::optional<Vec3> momentCenter =
+        std::nullopt; ///< about which its moment is reported [m]; none: the middle of its objects
+};
+
+/// A load on CAD faces, or on what of the surface of a body lies in a box.
+struct RecipeLoad {
+    std::string name;
+    std::string body;                 ///< empty: the only one
+    std::vector<std::uint32_t> faces; ///< indices into Part::faces
+    std::optional<Box> box;           ///< [m]
+    LoadAmount amount;
+    double ramp = 0; ///< [s]
 };
 
 /// A region made of something else than its body.
@@ -116,6 +129,18 @@ struct AddRecipeFixture {
 struct MoveRecipeFixture {
     std::string fixture;
     Vec3 velocity = Vec3::Zero(); ///< [m/s]
+    GripTurn turn = {};
+};
+struct AddRecipeLoad {
+    RecipeLoad load;
+};
+struct ChangeRecipeLoad {
+    std::string load;
+    LoadAmount amount;
+    double ramp = 0; ///< [s]
+};
+struct TakeLoadAway {
+    std::string load;
 };
 struct AddRecipeManipulator {
     RecipeManipulator manipulator;
@@ -138,7 +163,8 @@ struct MarkMoment {   ///< KeepMoment, at the end of what a person did at one go
 using RecipeAction =
     std::variant<ChangeMaterial, RenormalizeBodies, ChangeBodyKind, ReleaseFixture, TakeManipulatorAway, ChangeGravity,
                  ChangeFloor, ChangeIntegrator, AddRecipeFixture, MoveRecipeFixture, AddRecipeManipulator,
-                 MoveRecipeManipulator, PlaceRecipeManipulator, ReshapeRecipeManipulator, StartAgain, MarkMoment>;
+                 MoveRecipeManipulator, PlaceRecipeManipulator, ReshapeRecipeManipulator, StartAgain, MarkMoment,
+                 AddRecipeLoad, ChangeRecipeLoad, TakeLoadAway>;
 
 /// Events take place in the order of the recipe. Steps and times count from the last StartAgain.
 struct RecipeEvent {
@@ -168,6 +194,12 @@ enum class Arrangement {
     published, ///< fillAsPublished(), to repeat published scenes
 };
 
+/// What a run finds.
+enum class Analysis {
+    dynamic,    ///< motion in time
+    equilibrium ///< balance without inertia, load step after load step
+};
+
 /// A session that runs without a window: a part, its material, tools with their motions, events and exports. SI units.
 struct Recipe {
     std::string file;                     ///< where it was read from
@@ -184,14 +216,17 @@ struct Recipe {
     std::vector<RecipeBody> bodies; ///< those that differ from a deformable body at rest
     double structuralFriction = 0;  ///< within every body
     std::vector<RecipeFixture> fixtures;
+    std::vector<RecipeLoad> loads;
     std::vector<RecipeManipulator> manipulators;
     Vec3 gravity = Vec3::Zero(); ///< [m/s^2]
     std::optional<RecipeFloor> floor;
     Touching touching = Touching::separate;
     Integrator integrator = Integrator::semiImplicitEuler;
     VicinityMethod vicinity = VicinityMethod::uniformGrid;
-    std::optional<double> timeStep;             ///< [s]
-    std::optional<double> massScalingTimeStep;  ///< [s]
+    std::optional<double> timeStep;            ///< [s]
+    std::optional<double> massScalingTimeStep; ///< [s]
+    Analysis analysis = Analysis::dynamic;
+    int loadSteps = 10;                         ///< that the duration is divided into, for equilibrium
     double duration = 0;                        ///< simulated [s]; since the last StartAgain
     std::optional<std::uint64_t> durationSteps; ///< so many steps, whatever the time
     std::vector<RecipeEvent> events;

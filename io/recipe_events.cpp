@@ -62,8 +62,14 @@ RecipeAction readChangeOfFloor(const JsonNode& node)
 
 RecipeAction readMoveOfFixture(const JsonNode& node)
 {
-    node.allowOnly({"name", "velocity_mm_s"});
-    return MoveRecipeFixture{node.at("name").text(), readMillimeters(node.at("velocity_mm_s"), fastestGrip)};
+    node.allowOnly({"name", "velocity_mm_s", "turn"});
+    const auto velocity = node.find("velocity_mm_s");
+    const auto turn = node.find("turn");
+    if (!velocity && !turn)
+        node.fail("must have at least one of the keys velocity_mm_s and turn.");
+    return MoveRecipeFixture{.fixture = node.at("name").text(),
+                             .velocity = velocity ? readMillimeters(*velocity, fastestGrip) : Vec3(Vec3::Zero()),
+                             .turn = turn ? readGripTurn(*turn) : GripTurn{}};
 }
 
 RecipeAction readPlacing(const JsonNode& node)
@@ -130,6 +136,9 @@ const std::vector<ActionReader>& actionReaders()
          [](Node, Node node, const EventContext& context) {
              return ReshapeRecipeManipulator{readReshaping(node, context.recipePath)};
          }},
+        plain("add_load", [](Node node) { return AddRecipeLoad{readRecipeLoad(node)}; }),
+        plain("change_load", readChangeOfLoad),
+        plain("remove_load", [](Node node) { return TakeLoadAway{node.text()}; }),
         plain("reset", readReset),
         plain("keep_moment", [](Node node) { return MarkMoment{node.anyText()}; }),
     };

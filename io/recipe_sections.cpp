@@ -153,10 +153,15 @@ RecipeBody readRecipeBody(const JsonNode& node, const std::string& name)
 
 RecipeFixture readRecipeFixture(const JsonNode& node)
 {
-    node.allowOnly({"name", "body", "faces", "box_mm", "objects", "objects_in_body", "velocity_mm_s"});
+    node.allowOnly(
+        {"name", "body", "faces", "box_mm", "objects", "objects_in_body", "velocity_mm_s", "turn", "moment_center_mm"});
     RecipeFixture fixture{readRegion(node)};
     if (const auto velocity = node.find("velocity_mm_s"))
         fixture.velocity = readMillimeters(*velocity, fastestStart);
+    if (const auto turn = node.find("turn"))
+        fixture.turn = readGripTurn(*turn);
+    if (const auto center = node.find("moment_center_mm"))
+        fixture.momentCenter = readPlace(*center);
     return fixture;
 }
 

@@ -16,11 +16,18 @@ RecipeMaterial readRecipeMaterial(const JsonNode& node, const std::vector<Materi
 RecipeExtraPart readRecipeExtraPart(const JsonNode& node, const std::string& recipePath);
 RecipeBody readRecipeBody(const JsonNode& node, const std::string& name);
 RecipeFixture readRecipeFixture(const JsonNode& node);
+RecipeLoad readRecipeLoad(const JsonNode& node);
 RecipeMaterialRegion readRecipeMaterialRegion(const JsonNode& node, const std::vector<MaterialPreset>& presets);
 RecipeManipulator readRecipeManipulator(const JsonNode& node, const std::string& recipePath);
 
 /// Name, form and limits of a manipulator, as an event changes them.
 RecipeManipulator readReshaping(const JsonNode& node, const std::string& recipePath);
+
+/// How a grip turns.
+GripTurn readGripTurn(const JsonNode& node);
+
+/// Name, amount and ramp of a load, as an event changes them.
+ChangeRecipeLoad readChangeOfLoad(const JsonNode& node);
 
 /// What of a region says where it is: `body`, and one of `faces`, `box_mm` and `objects`.
 RecipeRegion readRecipePlace(const JsonNode& node);

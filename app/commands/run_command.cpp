@@ -1,5 +1,6 @@
 #include "app/commands/run_command.h"
 
+#include "app/commands/force_report.h"
 #include "app/complaint.h"
 #include "app/exit_status.h"
 #include "app/hexadecimal.h"
@@ -37,6 +38,7 @@ struct RunOptions {
     std::string outputFolder = ".";
     unsigned threads = 0;
     std::vector<std::string> settings; ///< "PATH=VALUE"
+    std::string forcesFile;            ///< for a table of forces; empty: none
     bool json = false;
     bool endsWithParent = false;
 };
@@ -92,6 +94,7 @@ void printJson(const RunReport& report)
                                  {"force_n", list(tool.force)},
                                  {"peak_force_n", tool.peakForce},
                                  {"torque_nm", list(tool.torque)}});
+    addForces(json, report);
     json["exports"] = nlohmann::ordered_json::array();
     for (const ExportReport& exported : report.exports)
         json["exports"].push_back(nlohmann::ordered_json::parse(reportToJson(exported)));
@@ -121,6 +124,7 @@ void printSummary(const RunReport& report)
     for (const ToolState& tool : report.tools)
         std::printf("tool %s: force (%.3g, %.3g, %.3g) N, peak %.3g N\n", tool.name.c_str(), tool.force.x(),
                     tool.force.y(), tool.force.z(), tool.peakForce);
+    printForces(report);
     for (const std::string& file : report.files)
         std::printf("wrote %s\n", file.c_str());
     for (const ExportReport& exported : report.exports)
@@ -133,7 +137,7 @@ int carryOut(const Recipe& recipe, const RunOptions& options)
     const ThreadLimit limit(options.threads);
     TerminalControl control;
     try {
-        const RunReport report = runRecipe(recipe, options.outputFolder, control);
+        const RunReport report = runRecipe(recipe, options.outputFolder, control, options.forcesFile);
         control.clear();
         for (const std::string& warning : report.warnings)
             std::cerr << "knead: warning: " << warning << '\n';
@@ -202,6 +206,10 @@ void addRunCommand(CLI::App& program, int& exitStatus)
         ->type_name("FOLDER")
         ->capture_default_str();
     addSetArgument(*command, options->settings);
+    command
+        ->add_option("--csv", options->forcesFile,
+                     "Write forces and moments of fixtures, tools and loads over time as a table")
+        ->type_name("FILE");
     command->add_option("--threads", options->threads, "Number of threads; the result is the same for any")
         ->type_name("N")
         ->check(CLI::Range(1U, 1024U));

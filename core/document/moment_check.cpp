@@ -72,6 +72,8 @@ public:
             m_moment.fixtureForces.size() > m_moment.fixtures.size() ||
             !all(m_moment.fixtureForces, [](const Vec3& force) { return force.allFinite(); }))
             return "a fixture cannot be simulated";
+        if (!all(m_moment.loads, [this](const auto& load) { return !load || isLoad(*load); }))
+            return "a load cannot be simulated";
         if (!all(m_moment.annealings, [this](const Annealing& annealing) { return isAnnealing(annealing); }))
             return "a re-normalization under way is out of range";
         if (!areContacts(m_moment.contacts))
@@ -171,7 +173,14 @@ private:
 
     bool isFixture(const Fixture& fixture) const
     {
-        return fixture.body < m_bodies.size() && fixture.velocity.norm() <= fastestFixture;
+        return fixture.body < m_bodies.size() && gripProblem(fixture).empty();
+    }
+
+    bool isLoad(const LoadRun& run) const
+    {
+        return run.load.body < m_bodies.size() &&
+               loadProblem(run.load, m_bodies[run.load.body].aggregate->size()).empty() &&
+               amountProblem(run.from, 0).empty() && std::isfinite(run.begin);
     }
 
     bool isAnnealing(const Annealing& annealing) const

@@ -130,6 +130,29 @@ void toolRun(Stream& bytes, Of<Stream, ToolRun>& tool, const ToolParts& parts)
     bytes(tool.peakForce);
 }
 
+void box(ByteWriter& bytes, const std::optional<Box>& box)
+{
+    bytes(box.has_value());
+    if (box) {
+        bytes(Vec3(box->min()));
+        bytes(Vec3(box->max()));
+    }
+}
+
+void box(ByteReader& bytes, std::optional<Box>& box)
+{
+    bool isThere = false;
+    Vec3 low = Vec3::Zero();
+    Vec3 high = Vec3::Zero();
+    bytes(isThere);
+    box.reset();
+    if (isThere) {
+        bytes(low);
+        bytes(high);
+        box = Box(low, high);
+    }
+}
+
 template <typename Stream>
 void fixture(Stream& bytes, Of<Stream, Fixture>& fixture)
 {
@@ -137,6 +160,58 @@ void fixture(Stream& bytes, Of<Stream, Fixture>& fixture)
     bytes(fixture.body);
     bytes.plainList(fixture.objects);
     bytes(fixture.velocity);
+}
+
+template <typename Stream>
+void amount(Stream& bytes, Of<Stream, LoadAmount>& amount)
+{
+    bytes(amount.force);
+    bytes(amount.moment);
+    bytes(amount.pressure);
+}
+
+template <typename Stream>
+void load(Stream& bytes, Of<Stream, Load>& load)
+{
+    bytes(load.name);
+    bytes(load.body);
+    bytes.plainList(load.faces);
+    box(bytes, load.box);
+    bytes.plainList(load.patch.objects);
+    bytes.plainList(load.patch.share);
+    bytes.plainList(load.patch.area);
+    amount(bytes, load.amount);
+    bytes(load.ramp);
+}
+
+/// Loads, and grips that turn: what moments of before have nothing of.
+template <typename Stream>
+void loadsAndTurns(Stream& bytes, Of<Stream, Moment>& moment)
+{
+    bytes.list(moment.loads, [&](auto& each) {
+        bytes.optional(each, [&](auto& run) {
+            load(bytes, run.load);
+            amount(bytes, run.from);
+            bytes(run.begin);
+        });
+    });
+    bytes.list(moment.gripProgress, [&](auto& progress) {
+        bytes(progress.way);
+        bytes(progress.angle);
+    });
+    for (auto& fixture : moment.fixtures) {
+        if (!fixture)
+            continue;
+        bytes(fixture->turn.center);
+        bytes(fixture->turn.angularVelocity);
+        bytes(fixture->turn.angle);
+    }
+}
+
+bool hasLoadsOrTurns(const Moment& moment)
+{
+    return !moment.loads.empty() || std::any_of(moment.fixtures.begin(), moment.fixtures.end(),
+                                                [](const auto& fixture) { return fixture && fixture->turn.turns(); });
 }
 
 template <typename Stream>
@@ -290,6 +365,12 @@ void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts)
     bytes(moment.wasSquashed);
     bytes(moment.health.ok);
     bytes(moment.health.message);
+    if constexpr (Stream::isReader) {
+        if (!bytes.atEnd())
+            loadsAndTurns(bytes, moment);
+    } else if (hasLoadsOrTurns(moment)) {
+        loadsAndTurns(bytes, moment);
+    }
 }
 
 } // namespace

@@ -124,7 +124,9 @@ Contacts::Report ImplicitEuler::findForces(Contacts& contacts, std::span<const R
             body.state->damping.setZero();
         }
     }
-    return contacts.computeForces(surfaces, step);
+    Contacts::Report report = contacts.computeForces(surfaces, step);
+    m_loadPower = m_addLoads ? m_addLoads() : 0;
+    return report;
 }
 
 /// What momenta lack at the velocities tried last: h f - M (v - v0).
@@ -315,7 +317,7 @@ double ImplicitEuler::numericalLoss(const Contacts::Report& contacts, double ene
     double loss = -energyChange;
     for (const SurfaceLoad& load : contacts.loads)
         loss += h * load.power;
-    loss += h * contacts.brakingPower;
+    loss += h * (contacts.brakingPower + m_loadPower);
     for (std::size_t b = 0; b < m_bodies.size(); ++b) {
         const BodyView& body = m_bodies[b];
         const ObjectState& state = *body.state;

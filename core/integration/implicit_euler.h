@@ -5,9 +5,11 @@
 #include "core/mechanics/contacts.h"
 #include "core/mechanics/rigid_motion.h"
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace knead {
@@ -35,6 +37,9 @@ public:
 
     /// Bodies, held objects, materials and masses stay what they are as long as it lives.
     explicit ImplicitEuler(std::vector<BodyView> bodies);
+
+    /// What adds the forces of loads to state.force, at the places and velocities tried, and tells their power [W].
+    void setLoads(std::function<double()> add) { m_addLoads = std::move(add); }
 
     struct Report {
         bool converged = true;    ///< else places and velocities are the best found, and a shorter step would do better
@@ -77,6 +82,8 @@ private:
     double numericalLoss(const Contacts::Report& contacts, double energyChange, double h) const;
 
     std::vector<BodyView> m_bodies;
+    std::function<double()> m_addLoads;
+    double m_loadPower = 0;           ///< of the last trial [W]
     std::vector<std::size_t> m_first; ///< row of each body's first object; of a rigid body, of its velocity
     std::vector<std::size_t> m_rigidIndex;
     double m_mass = 0;                                          ///< of all bodies [kg]

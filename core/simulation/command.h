@@ -75,6 +75,21 @@ struct SetIntegrator {
 struct MoveFixture {
     FixtureId fixture = 0;
     Vec3 velocity = Vec3::Zero(); ///< [m/s], up to 100
+    GripTurn turn = {};
+};
+
+/// Gets the next free LoadId.
+struct AddLoad {
+    Load load;
+};
+struct RemoveLoad {
+    LoadId load = 0;
+};
+/// The load goes evenly from what it is to another amount.
+struct SetLoad {
+    LoadId load = 0;
+    LoadAmount amount;
+    double ramp = 0; ///< [s] 0 .. 3600; 0: at once
 };
 
 /// Back to the start: bodies at rest in their first shape, with their present materials and fixtures; tools where they began,
@@ -103,10 +118,10 @@ struct RenameFixture {
     std::string name;
 };
 
-using Command =
-    std::variant<SetMaterial, SetBodyKind, Renormalize, SetGravity, SetFloor, AddManipulator, RemoveManipulator,
-                 SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, AddFixture, RemoveFixture, MoveFixture,
-                 SetIntegrator, Reset, KeepMoment, SetPartLook, RenameManipulator, RenameFixture>;
+using Command = std::variant<SetMaterial, SetBodyKind, Renormalize, SetGravity, SetFloor, AddManipulator,
+                             RemoveManipulator, SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, AddFixture,
+                             RemoveFixture, MoveFixture, SetIntegrator, Reset, KeepMoment, SetPartLook,
+                             RenameManipulator, RenameFixture, AddLoad, RemoveLoad, SetLoad>;
 
 /// A command and the step before which it took effect. Steps count on from the Reset before.
 struct RecordedCommand {

@@ -30,6 +30,7 @@ struct ToolRun {
     Vec3 velocity = Vec3::Zero(); ///< over the last step [m/s]
     Vec3 angularVelocity = Vec3::Zero();
     Vec3 force = Vec3::Zero();    ///< of the material on it in the last step [N]
+    Vec3 torque = Vec3::Zero();   ///< the same about its center [N m]
     Vec3 forceSum = Vec3::Zero(); ///< over the steps since the last snapshot
     Vec3 torqueSum = Vec3::Zero();
     int stepsInSum = 0;
@@ -45,6 +46,21 @@ struct Annealing {
     std::vector<std::uint8_t> marks; ///< per object; empty: all
     double rate = 0;                 ///< [1/s]
     double end = 0;                  ///< [s]
+};
+
+/// How far a grip has gone since its turn began.
+struct GripProgress {
+    Vec3 way = Vec3::Zero(); ///< of its center [m]
+    double angle = 0;        ///< [rad]
+};
+
+/// A load while it acts.
+struct LoadRun {
+    Load load;        ///< its amount is the one that it rises to
+    LoadAmount from;  ///< and this what it rises from
+    double begin = 0; ///< when [s]
+
+    LoadAmount at(double time) const;
 };
 
 /// The state of a simulation at one moment: everything that its future depends on, and what a window shows of its past. What
@@ -68,7 +84,9 @@ struct Moment {
     std::vector<BodyMoment> bodies;
     std::vector<std::optional<ToolRun>> tools; ///< sums of forces apart
     std::vector<std::optional<Fixture>> fixtures;
-    std::vector<Vec3> fixtureForces; ///< per fixture [N]
+    std::vector<Vec3> fixtureForces;        ///< per fixture [N]
+    std::vector<GripProgress> gripProgress; ///< per fixture
+    std::vector<std::optional<LoadRun>> loads;
     std::vector<Annealing> annealings;
     Contacts::Memory contacts;
     double contactEnergy = 0;     ///< [J]

@@ -4,10 +4,12 @@
 #include "core/aggregate/material_map.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/mechanics/contacts.h"
+#include "core/mechanics/load.h"
 #include "core/mechanics/manipulator.h"
 #include "core/vicinity/vicinity.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,12 +40,24 @@ enum class Integrator : std::uint8_t {
     automatic,         ///< semi-implicit where that is predicted to keep up with real time, implicit where not
 };
 
+/// How a grip turns: about an axis through a point, until an angle is reached. The objects go along circles to the last bits of
+/// rounding, whatever the step. Turning begins and ends at once; what that would take of the mass of held objects is in no
+/// force.
+struct GripTurn {
+    Vec3 center = Vec3::Zero();                             ///< when it begins; goes along with the grip's velocity [m]
+    Vec3 angularVelocity = Vec3::Zero();                    ///< up to 1e4 rad/s
+    double angle = std::numeric_limits<double>::infinity(); ///< after which it stands still again, > 0 [rad]
+
+    bool turns() const { return !angularVelocity.isZero(0); }
+};
+
 /// Objects of a body that are held: in place, or by a grip that moves.
 struct Fixture {
     std::string name;
     BodyId body = 0;
     std::vector<ObjectIndex> objects; ///< within the body, ascending
     Vec3 velocity = Vec3::Zero();     ///< a grip that moves pulls the material along [m/s]
+    GripTurn turn = {};               ///< and turns it
 };
 
 /// What becomes of bodies whose skins touch at the start.
@@ -51,6 +65,9 @@ enum class Touching : std::uint8_t {
     separate, ///< they push each other, and nothing holds them together but what their materials do
     glued,    ///< they are one, as strong at the seam as the weaker of the two
 };
+
+/// A sentence on why a grip cannot move so; empty when it can.
+std::string gripProblem(const Fixture& fixture);
 
 /// Everything a simulation starts from.
 struct Scene {
@@ -71,6 +88,8 @@ struct Scene {
     /// Mass scaling: objects that would need a shorter step than this get as much mass as makes it stable [s]. What was
     /// added is in Snapshot::addedMass.
     std::optional<double> massScalingTimeStep;
+
+    std::vector<Load> loads; ///< their ids are their places here
 };
 
 /// Objects held when CAD faces are fixed: those within half a spacing of the faces, and those beyond them outside.

@@ -61,6 +61,7 @@ void Simulation::State::moveManipulators(const std::vector<double>& progress)
         const double speed = tool->velocity.norm() + tool->angularVelocity.norm() * 0.5 * manipulator.size.norm();
         surfaceTravel = std::max(surfaceTravel, speed * timeStep);
     }
+    turnGrips();
 }
 
 void Simulation::State::updateVicinity()
@@ -116,6 +117,7 @@ void Simulation::State::computeForces()
     clock.end(Stage::connections);
     contactReport = contacts->computeForces(surfaces(), {.duration = timeStep});
     bookContacts();
+    bookLoadsBefore();
     loadFixtures();
 }
 
@@ -134,6 +136,7 @@ void Simulation::State::bookContacts()
         const SurfaceLoad& load = contactReport.loads[surface++];
         energy.toolWork += load.power * timeStep;
         tool->force = load.force;
+        tool->torque = load.torque;
         tool->forceSum += load.force;
         tool->torqueSum += load.torque;
         ++tool->stepsInSum;
@@ -145,18 +148,22 @@ void Simulation::State::bookContacts()
 void Simulation::State::loadFixtures()
 {
     fixtureForces.assign(fixtures.size(), Vec3::Zero());
+    fixtureMoments.assign(fixtures.size(), Vec3::Zero());
     for (FixtureId id = 0; id < fixtures.size(); ++id) {
         if (!fixtures[id])
             continue;
         const ObjectState& state = runs[fixtures[id]->body]->state;
+        const Vec3& center = fixtureCenters[id];
         for (const ObjectIndex object : fixtures[id]->objects) {
             if (object >= state.size())
                 continue;
             const Vec3 force = state.force.at(object) + state.damping.at(object) + state.mass[object] * gravity;
-            fixtureForces[id] += force;
-            // Of two grips on one object the later one moves it; a rigid body is not moved by any.
-            if (state.velocity.at(object) == fixtures[id]->velocity)
-                energy.toolWork -= force.dot(fixtures[id]->velocity) * timeStep;
+            const Vec3 place = state.position.at(object);
+            const Vec3 felt = force - state.mass[object] * centripetal(id, place);
+            fixtureForces[id] += felt;
+            fixtureMoments[id] += (place - center).cross(felt);
+            if (isMovedBy(id, object)) // a rigid body is not moved by any: its velocity is 0
+                energy.toolWork -= force.dot(state.velocity.at(object)) * timeStep;
         }
     }
 }
@@ -204,6 +211,8 @@ void Simulation::State::integrate()
         energy.viscous -= report.dampingWork;
     }
     tellFrictionApart();
+    bookLoadsAfter();
+    endTurns();
     largestTravel = largestSpeed * timeStep;
     lastKick = timeStep + change;
     lastStep = timeStep;

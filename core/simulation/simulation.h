@@ -1,7 +1,9 @@
 #pragma once
 
 #include "core/simulation/command.h"
+#include "core/simulation/reaction.h"
 #include "core/simulation/snapshot.h"
+#include "core/simulation/static_report.h"
 
 #include <cstdint>
 #include <memory>
@@ -32,6 +34,15 @@ public:
     /// Advances by timeStep(). After trouble (see health()) it does nothing until Reset or goTo().
     void step();
 
+    /// A load step without inertia: takes queued commands into account, lets tools, grips, loads and material go on for a time,
+    /// and puts the objects where there is balance then; nothing moves afterwards. Where the way is too far for one step, it is
+    /// halved, up to 64 times. It counts as one step. The scheme is the implicit one from here on. What is left of the work of
+    /// loads and tools when all is at rest is in the ledger as `numerical`.
+    ///
+    /// When it does not come to balance the state is the one before, and the report says why.
+    /// @param duration 0 .. 3600 s, > 0
+    StaticReport findBalance(double duration);
+
     /// Takes queued commands into account and carries out KeepMoment. @return the moment, to be gone back to; never null
     MomentPointer keepMoment();
 
@@ -53,6 +64,9 @@ public:
 
     /// Whether snapshots tell what presses on each object, which takes time. Changes nothing else.
     void showPressing(bool on);
+
+    /// What fixtures, tools and loads did in the last step, in this order. Far quicker than a snapshot.
+    std::vector<Reaction> reactions() const;
 
     /// A copy of the state for other threads. Forces on tools are means since the previous snapshot.
     std::shared_ptr<Snapshot> snapshot();

@@ -122,10 +122,10 @@ public:
     {
         if (command.fixture.body >= m_state.bodies.size())
             throw std::runtime_error("Fixture \"" + command.fixture.name + "\" names a body that does not exist.");
-        if (!(command.fixture.velocity.norm() <= 100))
-            throw std::runtime_error("A fixture must not move faster than 100 m/s.");
+        requireGrip(command.fixture);
         keepingAccounts([&] {
             m_state.fixtures.emplace_back(command.fixture);
+            m_state.gripProgress.resize(m_state.fixtures.size());
             m_state.holdFixtures();
         });
     }
@@ -140,10 +140,13 @@ public:
     {
         if (command.fixture >= m_state.fixtures.size() || !m_state.fixtures[command.fixture])
             throw std::runtime_error("There is no fixture number " + std::to_string(command.fixture) + ".");
-        if (!(command.velocity.norm() <= 100))
-            throw std::runtime_error("A fixture must not move faster than 100 m/s.");
+        Fixture moved = *m_state.fixtures[command.fixture];
+        moved.velocity = command.velocity;
+        moved.turn = command.turn;
+        requireGrip(moved);
         keepingAccounts([&] {
-            m_state.fixtures[command.fixture]->velocity = command.velocity;
+            m_state.fixtures[command.fixture] = std::move(moved);
+            m_state.gripProgress[command.fixture] = {};
             m_state.holdFixtures();
         });
     }
@@ -173,6 +176,27 @@ public:
             throw std::runtime_error("There is no fixture number " + std::to_string(command.fixture) + ".");
         m_state.fixtures[command.fixture]->name = command.name;
     }
+    void operator()(const AddLoad& command) const
+    {
+        if (command.load.body >= m_state.bodies.size())
+            throw std::runtime_error("Load \"" + command.load.name + "\" names a body that does not exist.");
+        const Aggregate& aggregate = *m_state.bodies[command.load.body].aggregate;
+        if (const std::string problem = loadProblem(command.load, aggregate.size()); !problem.empty())
+            throw std::runtime_error(problem);
+        m_state.loads.add({.load = command.load, .from = {}, .begin = m_state.time}, aggregate);
+    }
+    void operator()(const RemoveLoad& command) const
+    {
+        requireLoad(command.load);
+        m_state.loads.remove(command.load);
+    }
+    void operator()(const SetLoad& command) const
+    {
+        requireLoad(command.load);
+        if (const std::string problem = amountProblem(command.amount, command.ramp); !problem.empty())
+            throw std::runtime_error(problem);
+        m_state.loads.change(command, m_state.time);
+    }
 
 private:
     // An annealing takes this many times its relaxation time, so that little is left to do at once at its end.
@@ -191,6 +215,16 @@ private:
         const double before = m_state.storedEnergy().imbalance;
         apply();
         m_state.startEnergy += m_state.storedEnergy().imbalance - before;
+    }
+    static void requireGrip(const Fixture& fixture)
+    {
+        if (const std::string problem = gripProblem(fixture); !problem.empty())
+            throw std::runtime_error(problem);
+    }
+    void requireLoad(LoadId load) const
+    {
+        if (!m_state.loads.isThere(load))
+            throw std::runtime_error("There is no load number " + std::to_string(load) + ".");
     }
     static void check(const Manipulator& manipulator)
     {

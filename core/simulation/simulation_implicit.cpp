@@ -176,6 +176,8 @@ void Simulation::State::makeImplicit()
                          .deforms = run->deforms(),
                          .anchored = run->anchored});
     implicit = std::make_unique<ImplicitEuler>(std::move(views));
+    if (!loads.empty())
+        implicit->setLoads([this] { return addLoads(time + timeStep); });
 }
 
 /// How far a tool with a force limit may go in a step: between a share of its way at which its force was below the limit and
@@ -292,6 +294,7 @@ void Simulation::State::stepImplicitly()
     tellFrictionApart();
     const Contacts::Report settled = implicit->settle(*contacts, surfaces(), timeStep);
     contactReport.energy = settled.energy;
+    bookLoadsAfter();
     energy.plastic += settled.plastic;
     energy.fracture += settled.fracture;
     for (auto& run : runs)
@@ -300,6 +303,7 @@ void Simulation::State::stepImplicitly()
     for (auto& run : runs)
         if (const double rate = run->materials.materials().front().shapeDamping; rate > 0 && run->deforms())
             energy.viscous += dampShape(run->state, rate, timeStep, run->anchored);
+    endTurns();
     largestTravel = report.largestSpeed * timeStep;
     lastStep = lastKick = timeStep;
     unknownEnergy = 0;

@@ -22,6 +22,8 @@ Moment Simulation::State::moment() const
                   .tools = tools,
                   .fixtures = fixtures,
                   .fixtureForces = fixtureForces,
+                  .gripProgress = gripProgress,
+                  .loads = loads.runs(),
                   .annealings = annealings,
                   .contacts = contacts->memory(),
                   .contactEnergy = contactReport.energy,
@@ -60,6 +62,7 @@ Moment Simulation::State::moment() const
             body.mass = run->state.mass;
         moment.bodies.push_back(std::move(body));
     }
+    forgetTurns(moment);
     return moment;
 }
 
@@ -96,6 +99,10 @@ void Simulation::State::restore(const Moment& moment)
     tools = moment.tools;
     fixtures = moment.fixtures;
     fixtureForces = moment.fixtureForces;
+    fixtureMoments.clear(); // not kept: the next step finds them
+    gripProgress = moment.gripProgress;
+    gripProgress.resize(fixtures.size());
+    loads.restore(moment.loads, bodies);
     annealings = moment.annealings;
     restoreBodies(moment);
     restoreContacts(moment);

@@ -15,6 +15,8 @@ namespace {
 constexpr double fastestBody = 1e3; // [m/s]
 constexpr double fastestSpin = 1e5; // [rad/s]
 
+constexpr FixtureId noFixture = std::numeric_limits<FixtureId>::max();
+
 // Of scenes in which nothing deforms [s].
 constexpr double rigidTimeStep = 1e-4;
 
@@ -105,7 +107,14 @@ Simulation::State::State(Scene scene)
         require(fixture.body < bodies.size(), "Fixture \"" + fixture.name + "\" names a body that does not exist.");
         require(fixture.velocity.norm() <= fastestFixture,
                 "Fixture \"" + fixture.name + "\" must not move faster than 100 m/s.");
+        require(gripProblem(fixture).empty(), gripProblem(fixture));
         fixtures.emplace_back(std::move(fixture));
+    }
+    for (Load& load : scene.loads) {
+        require(load.body < bodies.size(), "Load \"" + load.name + "\" names a body that does not exist.");
+        const Aggregate& aggregate = *bodies[load.body].aggregate;
+        require(loadProblem(load, aggregate.size()).empty(), loadProblem(load, aggregate.size()));
+        loads.add({.load = std::move(load)}, aggregate);
     }
     for (const auto& run : runs)
         requireDamping(run->materials, integrator);
@@ -165,7 +174,11 @@ void Simulation::State::holdFixtures()
         for (std::size_t i = 0; i < run->state.size(); ++i)
             run->state.inverseMass[i] = run->anchored ? 0 : 1 / run->state.mass[i];
     }
-    for (const auto& fixture : fixtures) {
+    findFixtureCenters();
+    for (const auto& run : runs)
+        run->gripOf.assign(run->state.size(), noFixture);
+    for (FixtureId id = 0; id < fixtures.size(); ++id) {
+        const auto& fixture = fixtures[id];
         if (!fixture)
             continue;
         BodyRun& run = *runs[fixture->body];
@@ -173,6 +186,7 @@ void Simulation::State::holdFixtures()
             if (object >= run.state.size())
                 continue;
             run.state.inverseMass[object] = 0;
+            run.gripOf[object] = id;
             run.state.velocity.set(object, fixture->velocity);
             run.anchored = true;
         }
@@ -245,6 +259,8 @@ void Simulation::State::placeAtStart()
     for (auto& tool : tools)
         if (tool)
             tool = ToolRun(tool->start);
+    gripProgress.assign(fixtures.size(), {});
+    loads.begin();
     holdFixtures();
     contacts = std::make_unique<Contacts>(contactBodies(), vicinity);
     if (touching == Touching::glued)

@@ -146,6 +146,8 @@ EnergyLedger Simulation::State::storedEnergy()
         if (run->deforms())
             stored.elastic += run->connections.energy(earlier);
     }
+    if (back > 0)
+        stored.toolWork -= loads.workAhead; // of the last step, which is not counted yet
     stored.imbalance = conserved + stored.elastic + stored.gravity + stored.contact + stored.dissipated() -
                        stored.toolWork + unknownEnergy - startEnergy;
     return stored;

@@ -6,6 +6,7 @@
 #include "core/mechanics/structural_connections.h"
 #include "core/simulation/moment.h"
 #include "core/simulation/simulation.h"
+#include "core/simulation/simulation_loads.h"
 #include "core/simulation/stage_clock.h"
 
 #include <deque>
@@ -25,6 +26,7 @@ struct BodyRun {
     BodyKind kind;
     std::optional<RigidMotion> rigid;                           ///< of a rigid body that is not held
     bool anchored = false;                                      ///< some object is held
+    std::vector<FixtureId> gripOf;                              ///< per object: the grip that moves it, if any does
     std::shared_ptr<const std::vector<ConnectionId>> published; ///< what was broken in the snapshot before; null: none
     std::shared_ptr<const RelaxedState> relaxed;                ///< in the snapshot before; null: there was none
     std::uint64_t relaxedVersion = 0;                           ///< of the lengths in that
@@ -43,12 +45,24 @@ struct Simulation::State {
     void computeForces();
     void integrate();
     void stepImplicitly();
+    StaticReport findBalance(double duration);
+    bool balance(double duration, StaticReport& report);
     void checkHealth();
 
     void carryOut(const Command& command);
     void holdFixtures();
     void bookContacts();
     void loadFixtures();
+    void turnGrips();
+    void endTurns();
+    void forgetTurns(Moment& moment) const;
+    bool isMovedBy(FixtureId fixture, ObjectIndex object) const;
+    double turnInStep(FixtureId fixture) const;
+    Vec3 centripetal(FixtureId fixture, const Vec3& place) const;
+    void findFixtureCenters();
+    double addLoads(double at);
+    void bookLoadsBefore();
+    void bookLoadsAfter();
     void chooseIntegrator();
     void setIntegrator(Integrator chosen);
     double longestImplicitStep() const;
@@ -100,7 +114,11 @@ struct Simulation::State {
     std::vector<std::unique_ptr<BodyRun>> runs; ///< per body; addresses stay
     std::vector<std::optional<ToolRun>> tools;
     std::vector<std::optional<Fixture>> fixtures;
-    std::vector<Vec3> fixtureForces; ///< per fixture: of the material on it in the last step [N]
+    std::vector<Vec3> fixtureForces;  ///< per fixture: of the material on it in the last step [N]
+    std::vector<Vec3> fixtureMoments; ///< the same about the center of its objects at rest [N m]
+    std::vector<Vec3> fixtureCenters; ///< per fixture: of its objects at rest, about which that moment is [m]
+    std::vector<GripProgress> gripProgress;
+    ActingLoads loads;
     std::vector<Annealing> annealings;
     std::unique_ptr<Contacts> contacts;
     Contacts::Report contactReport;

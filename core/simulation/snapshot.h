@@ -18,7 +18,7 @@ struct EnergyLedger {
     double elastic = 0;  ///< in connections, volumetric term included
     double gravity = 0;  ///< potential, zero at the origin
     double contact = 0;  ///< stored in contact connections
-    double toolWork = 0; ///< done on the material by manipulators since the start
+    double toolWork = 0; ///< done on the material by manipulators, grips and loads since the start
 
     // Where energy went since the start.
     double viscous = 0;  ///< in dampers and shape damping

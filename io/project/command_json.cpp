@@ -123,6 +123,7 @@ void describe(Fields& fields, Field<Fields, MoveFixture> command)
 {
     fields("fixture", command.fixture);
     fields("velocity_m_s", command.velocity);
+    describeTurn(fields, command.turn);
 }
 
 template <>
@@ -164,6 +165,32 @@ void describe(Fields& fields, Field<Fields, RenameFixture> command)
 {
     fields("fixture", command.fixture);
     fields("name", command.name);
+}
+
+template <>
+inline constexpr const char* wordOf<AddLoad> = "add-load";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, AddLoad> command)
+{
+    fields.object("load", command.load);
+}
+
+template <>
+inline constexpr const char* wordOf<RemoveLoad> = "remove-load";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, RemoveLoad> command)
+{
+    fields("load", command.load);
+}
+
+template <>
+inline constexpr const char* wordOf<SetLoad> = "set-load";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, SetLoad> command)
+{
+    fields("load", command.load);
+    fields.object("amount", command.amount);
+    fields("ramp_s", command.ramp);
 }
 
 template <class Fields>

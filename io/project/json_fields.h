@@ -98,6 +98,14 @@ public:
         put(key, "[" + text + "]");
     }
 
+    /// Left out when empty.
+    template <class Value>
+    void listIfAny(const char* key, const std::vector<Value>& values)
+    {
+        if (!values.empty())
+            list(key, values);
+    }
+
     /// The object; the writer is empty again.
     std::string take();
 
@@ -164,6 +172,14 @@ public:
         values.clear();
         for (const JsonNode& item : m_node.at(key).items())
             read(item, values.emplace_back());
+    }
+
+    template <class Value>
+    void listIfAny(const char* key, std::vector<Value>& values) const
+    {
+        values.clear();
+        if (m_node.find(key))
+            list(key, values);
     }
 
     const JsonNode& node() const { return m_node; }

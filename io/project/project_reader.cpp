@@ -277,7 +277,7 @@ void ProjectReader::checkFixtures(const HistoryRecord& record)
     const Scene& scene = m_project.starts[record.start].scene;
     for (const RecordedCommand& recorded : record.commands)
         if (const auto* add = std::get_if<AddFixture>(&recorded.command))
-            checkFixture(add->fixture, scene);
+            checkFixture(add->fixture, scene); // loads are checked by the simulation
 }
 
 /// An entry without its moment is whole: it follows from an earlier one.

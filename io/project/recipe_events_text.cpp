@@ -159,7 +159,20 @@ public:
     {
         ObjectText move;
         move.text("name", m_words.names.fixture(command.fixture)).millimeters("velocity_mm_s", command.velocity);
+        putTurn(move, command.turn);
         finish(event().put("move_fixture", move.take()));
+    }
+    void operator()(const AddLoad& command) { finish(event().put("add_load", m_words.load(command.load))); }
+    void operator()(const RemoveLoad& command)
+    {
+        finish(event().text("remove_load", m_words.names.load(command.load)));
+    }
+    void operator()(const SetLoad& command)
+    {
+        ObjectText change;
+        change.text("name", m_words.names.load(command.load));
+        putAmount(change, command.amount, command.ramp);
+        finish(event().put("change_load", change.take()));
     }
     void operator()(const SetIntegrator& command)
     {

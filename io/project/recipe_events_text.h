@@ -25,12 +25,19 @@ struct RecipeWords {
     std::string material(const Material& material, const Material& base) const;
     std::string manipulator(const Manipulator& manipulator) const; ///< and gives the next tool its name
     std::string fixture(const Fixture& fixture) const;             ///< and gives the next fixture its name
+    std::string load(const Load& load) const;                      ///< and gives the next load its name
     ObjectText reshaping(const Manipulator& form, const std::string& name) const;
 };
 
 /// Puts place and, where it is turned, rotation.
 void putPose(ObjectText& text, const Pose& pose);
 void putMotion(ObjectText& text, const Motion& motion);
+
+/// Puts `turn`, for a grip that does.
+void putTurn(ObjectText& text, const GripTurn& turn);
+
+/// Puts what of an amount is not 0, and the ramp.
+void putAmount(ObjectText& text, const LoadAmount& amount, double ramp);
 
 /// One gesture of a session.
 struct RecipeGesture {

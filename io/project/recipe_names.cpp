@@ -50,4 +50,10 @@ std::string RecipeNames::addFixture(const std::string& name)
     return m_fixtures.back();
 }
 
+std::string RecipeNames::addLoad(const std::string& name)
+{
+    m_loads.push_back(unique(name, "load", m_takenLoads));
+    return m_loads.back();
+}
+
 } // namespace knead

@@ -22,10 +22,12 @@ public:
     /// The next tool or fixture gets the name, or one like it.
     std::string addTool(const std::string& name);
     std::string addFixture(const std::string& name);
+    std::string addLoad(const std::string& name);
     static std::string unique(const std::string& name, const std::string& other, std::set<std::string>& taken);
 
     const std::string& tool(ToolId tool) const { return m_tools.at(tool); }
     const std::string& fixture(FixtureId fixture) const { return m_fixtures.at(fixture); }
+    const std::string& load(LoadId load) const { return m_loads.at(load); }
 
 private:
     std::vector<std::string> m_bodies;
@@ -33,6 +35,8 @@ private:
     std::vector<std::string> m_fixtures;
     std::set<std::string> m_takenTools;
     std::set<std::string> m_takenFixtures;
+    std::vector<std::string> m_loads;
+    std::set<std::string> m_takenLoads;
 };
 
 } // namespace knead

@@ -259,6 +259,10 @@ private:
         for (const Fixture& fixture : m_scene.fixtures)
             fixtures.push_back(m_words.fixture(fixture));
         m_document.list("fixtures", fixtures);
+        std::vector<std::string> loads;
+        for (const Load& load : m_scene.loads)
+            loads.push_back(m_words.load(load));
+        m_document.list("loads", loads);
         std::vector<std::string> manipulators;
         for (const Manipulator& manipulator : m_scene.manipulators)
             manipulators.push_back(m_words.manipulator(manipulator));

@@ -126,6 +126,7 @@ std::string RecipeWords::fixture(const Fixture& fixture) const
     putObjects(text, aggregateOf(fixture.body), meshOf(fixture.body), fixture.objects);
     if (fixture.velocity != Vec3::Zero())
         text.millimeters("velocity_mm_s", fixture.velocity);
+    putTurn(text, fixture.turn);
     return text.take();
 }
 

@@ -73,12 +73,99 @@ void describe(Fields& fields, Field<Fields, Manipulator> tool)
 }
 
 template <class Fields>
+void describe(Fields& fields, Field<Fields, GripTurn> turn)
+{
+    fields("center_m", turn.center);
+    fields("angular_velocity_rad_s", turn.angularVelocity);
+    fields("angle_rad", turn.angle);
+}
+
+/// Left out by grips that do not turn.
+inline void describeTurn(FieldWriter& fields, const GripTurn& turn)
+{
+    fields.object("turn", turn.turns() ? std::optional(turn) : std::nullopt);
+}
+inline void describeTurn(const FieldReader& fields, GripTurn& turn)
+{
+    std::optional<GripTurn> read;
+    fields.object("turn", read);
+    turn = read.value_or(GripTurn{});
+}
+
+template <class Fields>
+void describe(Fields& fields, Field<Fields, LoadAmount> amount)
+{
+    fields("force_n", amount.force);
+    fields("moment_nm", amount.moment);
+    fields("pressure_pa", amount.pressure);
+}
+
+/// A corner of a box, or what an object carries of a surface.
+struct NamedVector {
+    Vec3 value = Vec3::Zero();
+};
+struct CarriedArea {
+    double share = 0;
+    Vec3 area = Vec3::Zero();
+};
+template <class Fields>
+void describe(Fields& fields, Field<Fields, NamedVector> vector)
+{
+    fields("at", vector.value);
+}
+template <class Fields>
+void describe(Fields& fields, Field<Fields, CarriedArea> carried)
+{
+    fields("share_m2", carried.share);
+    fields("area_m2", carried.area);
+}
+
+inline void describePatch(FieldWriter& fields, const Load& load)
+{
+    std::vector<NamedVector> corners;
+    if (load.box)
+        corners = {{load.box->min()}, {load.box->max()}};
+    std::vector<CarriedArea> carried;
+    for (std::size_t i = 0; i < load.patch.objects.size(); ++i)
+        carried.push_back({load.patch.share[i], load.patch.area[i]});
+    fields.list("box_m", corners);
+    fields("objects", load.patch.objects);
+    fields.list("carried", carried);
+}
+inline void describePatch(const FieldReader& fields, Load& load)
+{
+    std::vector<NamedVector> corners;
+    std::vector<CarriedArea> carried;
+    fields.list("box_m", corners);
+    fields("objects", load.patch.objects);
+    fields.list("carried", carried);
+    if (corners.size() == 2)
+        load.box = Box(corners[0].value, corners[1].value);
+    for (const CarriedArea& one : carried) {
+        load.patch.share.push_back(one.share);
+        load.patch.area.push_back(one.area);
+    }
+}
+
+template <class Fields>
+void describe(Fields& fields, Field<Fields, Load> load)
+{
+    fields("name", load.name);
+    fields("body", load.body);
+    fields("faces", load.faces);
+    describePatch(fields, load);
+    fields.object("amount", load.amount);
+    fields("ramp_s", load.ramp);
+}
+
+template <class Fields>
 void describe(Fields& fields, Field<Fields, Fixture> fixture)
 {
     fields("name", fixture.name);
     fields("body", fixture.body);
     fields("objects", fixture.objects);
     fields("velocity_m_s", fixture.velocity);
+    describeTurn(fields, fixture.turn);
 }
 
 template <class Fields>
@@ -114,6 +201,7 @@ void describe(Fields& fields, Field<Fields, Scene> scene)
     fields("mass_scaling_time_step_s", scene.massScalingTimeStep);
     fields.list("fixtures", scene.fixtures);
     fields.list("manipulators", scene.manipulators);
+    fields.listIfAny("loads", scene.loads);
 }
 
 } // namespace knead

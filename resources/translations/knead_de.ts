@@ -1012,6 +1012,10 @@
         <translation>die Einspannung</translation>
     </message>
     <message>
+        <source>the load</source>
+        <translation>die Last</translation>
+    </message>
+    <message>
         <source>Simulate %1</source>
         <translation>%1 simulieren</translation>
     </message>

@@ -1012,6 +1012,10 @@
         <translation>la fixation</translation>
     </message>
     <message>
+        <source>the load</source>
+        <translation>la charge</translation>
+    </message>
+    <message>
         <source>Simulate %1</source>
         <translation>Simuler %1</translation>
     </message>

@@ -1012,6 +1012,10 @@
         <translation>de inklemming</translation>
     </message>
     <message>
+        <source>the load</source>
+        <translation>de belasting</translation>
+    </message>
+    <message>
         <source>Simulate %1</source>
         <translation>%1 simuleren</translation>
     </message>

@@ -299,6 +299,7 @@ void ObjectStrainTest::flowingMaterialBearsItsYieldStress()
     Material material = rubber();
     constexpr double yieldStress = 4e4;
     material.yieldStress = yieldStress;
+    material.hardening = 3 * yieldStress; // more than the stress, or the bar would neck and bear its yield stress there only
     material.shapeDamping = 200;
     constexpr double spacing = 2e-3;
     Scene scene;
@@ -321,6 +322,8 @@ void ObjectStrainTest::flowingMaterialBearsItsYieldStress()
     QCOMPARE(simulation.snapshot()->bodies[0].relaxed.get(), shot->bodies[0].relaxed.get());
     const std::vector<Vec3> moved = shot->bodies[0].displacements();
     const auto strains = objectStrains(aggregate, moved, *shot->bodies[0].relaxed);
+    const ObjectStrains objects(aggregate, moved, *shot->bodies[0].relaxed);
+    const Material flowing = material;
     material.yieldStress = 0;
     const auto asElastic =
         objectStrains(aggregate, moved, RelaxedState{.materials = MaterialMap(material, aggregate.size())});
@@ -329,13 +332,13 @@ void ObjectStrainTest::flowingMaterialBearsItsYieldStress()
     double count = 0;
     for (ObjectIndex i = 0; i < aggregate.size(); ++i)
         if (std::abs(aggregate.lattice.position(i).x()) < 4.1 * spacing) {
-            const double here = vonMisesStress(strains[i].stress) / yieldStress;
+            const double here = vonMisesStress(strains[i].stress) / flowStress(flowing, objects.plasticStrain(i));
             QVERIFY(here < 1 + 1e-9);
             borne += here;
             elastic += vonMisesStress(asElastic[i].stress) / yieldStress;
             count += 1;
         }
-    qInfo("of the yield stress borne %.3f, all elastic %.3f", borne / count, elastic / count);
+    qInfo("of the flow stress borne %.3f, all elastic %.3f", borne / count, elastic / count);
     QVERIFY(borne / count > 0.95);
     QVERIFY(elastic > 4 * borne);
 }

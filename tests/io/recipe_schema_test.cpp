@@ -46,7 +46,8 @@ json session()
         "angular_deflection_rad": 0.3, "fills_open_parts": true}, "spacing_mm": 3, "duration_steps": 500,
         "bodies": {"lid": {"angular_velocity_rad_s": [0, 0, 1]}},
         "fixtures": [{"name": "end", "body": "lid", "objects": [3, [7, 9]], "objects_in_body": 20,
-                      "velocity_mm_s": [0, 0, 1]}],
+                      "velocity_mm_s": [0, 0, 1],
+                      "turn": {"center_mm": [0, 0, 0], "angular_velocity_rad_s": [0, 0, 1], "angle_rad": 1}}],
         "manipulators": [{"name": "a", "size_mm": [1, 2, 3], "position_mm": [0, 0, 0], "rotation_wxyz": [1, 0, 0, 0],
                           "motion": {"velocity_mm_s": [0, 0, 1], "angular_velocity_rad_s": [0, 0, 1]}},
                          {"name": "b", "kind": "part", "part_file": "bar.stl", "part_number": 1, "position_mm": [0, 0, 0]}],
@@ -55,6 +56,13 @@ json session()
                    {"step": 1, "floor": {"height_mm": -1, "friction": 0.3}}, {"step": 1, "integrator": "implicit-euler"},
                    {"step": 2, "add_fixture": {"name": "grip", "faces": [1]}},
                    {"step": 2, "move_fixture": {"name": "grip", "velocity_mm_s": [1, 0, 0]}},
+                   {"step": 2, "move_fixture": {"name": "grip", "turn": {"center_mm": [1, 2, 3], "axis": [0, 0, 1],
+                    "speed_deg_s": 90, "angle_deg": 45}}},
+                   {"step": 2, "add_load": {"name": "push", "body": "lid", "faces": [1, 2], "force_n": [0, 0, -5],
+                    "moment_nm": [0, 1, 0], "pressure_pa": 1e5, "ramp_s": 1}},
+                   {"step": 2, "change_load": {"name": "push", "force_n": [0, 0, -5], "moment_nm": [0, 1, 0],
+                    "pressure_pa": 1e5, "ramp_s": 1}},
+                   {"step": 2, "remove_load": "push"},
                    {"step": 3, "add_manipulator": {"name": "c", "kind": "ball", "size_mm": 3, "position_mm": [0, 0, 0],
                     "motion": {"go_to": {"position_mm": [0, 0, 1], "rotation_wxyz": [0, 1, 0, 0]}}}},
                    {"step": 4, "move_manipulator": {"name": "c", "path": [[0, 1, 2, 3], [2, 1, 2, 4, 0, 1, 0, 0]]}},
@@ -78,7 +86,8 @@ std::vector<json> fullRecipes()
         "regions": [{"name": "hard", "body": "lid", "faces": [0, 3], "material": {"youngs_modulus_pa": 1e6}}],
         "bodies": {"lid": {"kind": "rigid", "velocity_mm_s": [0, 0, 1], "angular_velocity_deg_s": [0, 0, 1]}},
         "touching": "glued", "structural_friction": 1, "gravity_m_s2": [0, 0, -9.8],
-        "fixtures": [{"name": "end", "body": "lid", "box_mm": [0, 0, 0, 1, 1, 1]}],
+        "fixtures": [{"name": "end", "body": "lid", "box_mm": [0, 0, 0, 1, 1, 1], "moment_center_mm": [1, 2, 3]}],
+        "loads": [{"name": "wind", "box_mm": [0, 0, 0, 1, 1, 1], "pressure_pa": 100}], "analysis": "dynamic",
         "manipulators": [{"name": "a", "size_mm": [1, 2, 3], "position_mm": [0, 0, 0], "rotation_deg": [1, 2, 3],
                           "friction": 1, "speed_limit_mm_s": 1e9, "force_limit_n": 5,
                           "keyframes": [{"time_s": 1, "position_mm": [1, 2, 3], "rotation_deg": [1, 2, 3]}]},
@@ -104,6 +113,8 @@ std::vector<json> fullRecipes()
         recipes.back()[key] = 3;
     }
     recipes[2]["arrangement"] = "published";
+    recipes[3]["analysis"] = "static";
+    recipes[3]["load_steps"] = 5;
     return recipes;
 }
 
@@ -145,12 +156,15 @@ const std::vector<std::pair<std::string, std::string>>& objects()
         {"/$defs/materialRegion", "/regions/0"},
         {"/$defs/manipulator", "/manipulators/0"},
         {"/$defs/keyframe", "/manipulators/0/keyframes/0"},
-        {"/$defs/pose", "~/events/6/add_manipulator/motion/go_to"},
-        {"/$defs/frame", "~/events/10/move_manipulator/keyframes/1"},
+        {"/$defs/turn", "~/fixtures/0/turn"},
+        {"/$defs/load", "/loads/0"},
+        {"/$defs/changeOfLoad", "~/events/8/change_load"},
+        {"/$defs/pose", "~/events/10/add_manipulator/motion/go_to"},
+        {"/$defs/frame", "~/events/14/move_manipulator/keyframes/1"},
         {"/$defs/motion", "~/manipulators/0/motion"},
-        {"/$defs/move", "~/events/7/move_manipulator"},
-        {"/$defs/placing", "~/events/11/place_manipulator"},
-        {"/$defs/reshaping", "~/events/12/reshape_manipulator"},
+        {"/$defs/move", "~/events/11/move_manipulator"},
+        {"/$defs/placing", "~/events/15/place_manipulator"},
+        {"/$defs/reshaping", "~/events/16/reshape_manipulator"},
         {"/$defs/moveOfFixture", "~/events/5/move_fixture"},
         {"/$defs/changeOfFloor", "~/events/2/floor"},
         {"/$defs/event", "/events/0"},

@@ -28,7 +28,7 @@ inline Command anyCommand(fuzz::Random& random)
     ball.kind = ToolKind::ball;
     ball.pose.position = Vec3(0.0075, number(-0.002, 0.002), 0);
     ball.motion = DriveAt{Vec3(-0.3, 0, 0), Vec3::Zero()};
-    switch (random.below(15)) {
+    switch (random.below(18)) {
     case 0: {
         Material material = random.chance(50) ? scenes::soft(number(0, 0.45)) : scenes::clay();
         material.youngsModulus = number(1e5, 4e5);
@@ -64,6 +64,16 @@ inline Command anyCommand(fuzz::Random& random)
         return MoveFixture{some(), Vec3(number(-0.05, 0.05), 0, 0)};
     case 13:
         return SetIntegrator{random.chance(25) ? Integrator::implicitEuler : Integrator::automatic};
+    case 14:
+        return MoveFixture{some(), Vec3::Zero(), {Vec3::Zero(), Vec3(0, 0, number(-20, 20)), number(0.01, 0.1)}};
+    case 15: {
+        Load load{.name = "push", .patch = {{0, 1, 5, 6}, {1e-6, 1e-6, 2e-6, 2e-6}, {4, Vec3(0, 0, 1e-6)}}};
+        load.amount = {Vec3(0, 0, number(-0.02, 0.02)), Vec3(number(-1e-5, 1e-5), 0, 0), number(-100, 100)};
+        load.ramp = random.chance(50) ? 0 : 0.005;
+        return AddLoad{load};
+    }
+    case 16:
+        return random.chance(50) ? Command(RemoveLoad{some()}) : Command(SetLoad{some(), {}, number(0, 0.01)});
     default:
         return random.chance(30) ? Command(Reset{}) : Command(SetGravity{Vec3::Zero()});
     }

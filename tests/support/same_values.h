@@ -55,8 +55,28 @@ inline auto members(const Manipulator& v)
 }
 inline auto members(const Fixture& v)
 {
-    const auto& [a, b, c, d] = v;
-    return std::tie(a, b, c, d);
+    const auto& [a, b, c, d, e] = v;
+    return std::tie(a, b, c, d, e);
+}
+inline auto members(const GripTurn& v)
+{
+    const auto& [a, b, c] = v;
+    return std::tie(a, b, c);
+}
+inline auto members(const LoadAmount& v)
+{
+    const auto& [a, b, c] = v;
+    return std::tie(a, b, c);
+}
+inline auto members(const LoadPatch& v)
+{
+    const auto& [a, b, c] = v;
+    return std::tie(a, b, c);
+}
+inline auto members(const Load& v)
+{
+    const auto& [a, b, c, d, e, f, g] = v;
+    return std::tie(a, b, c, d, e, f, g);
 }
 inline auto members(const MaterialRegion& v)
 {
@@ -70,8 +90,8 @@ inline auto members(const Body& v)
 }
 inline auto members(const Scene& v)
 {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k] = v;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = v;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
 }
 inline auto members(const Lattice& v)
 {
@@ -150,8 +170,23 @@ inline auto members(const RemoveFixture& v)
 }
 inline auto members(const MoveFixture& v)
 {
-    const auto& [a, b] = v;
-    return std::tie(a, b);
+    const auto& [a, b, c] = v;
+    return std::tie(a, b, c);
+}
+inline auto members(const AddLoad& v)
+{
+    const auto& [a] = v;
+    return std::tie(a);
+}
+inline auto members(const RemoveLoad& v)
+{
+    const auto& [a] = v;
+    return std::tie(a);
+}
+inline auto members(const SetLoad& v)
+{
+    const auto& [a, b, c] = v;
+    return std::tie(a, b, c);
 }
 inline auto members(const RenameManipulator& v)
 {

@@ -110,6 +110,16 @@ inline Manipulator partManipulator(const std::shared_ptr<const ToolPart>& part)
     return manipulator;
 }
 
+inline Load load(const std::string& name)
+{
+    Load load{.name = name, .body = 0, .faces = {0, 2}, .box = Box(Vec3(-1, -third, 0), Vec3(1, 1, tiny))};
+    load.patch = {
+        .objects = {1, 2, 5}, .share = {third, 1, tiny}, .area = {Vec3(1, -third, 0), Vec3(0, tiny, 1), Vec3::Zero()}};
+    load.amount = {.force = Vec3(1, third, -2), .moment = Vec3(0, 0, third), .pressure = 1e5};
+    load.ramp = third;
+    return load;
+}
+
 /// Each command there is, with part as a tool.
 inline std::vector<RecordedCommand> commands(const std::shared_ptr<const ToolPart>& part)
 {
@@ -144,6 +154,11 @@ inline std::vector<RecordedCommand> commands(const std::shared_ptr<const ToolPar
         KeepMoment{},
         RenameManipulator{2, "left jaw"},
         RenameFixture{1, "Fuß"},
+        AddFixture{{"turning", 0, {1, 2}, Vec3::Zero(), {Vec3(third, 0, 1), Vec3(0, -third, 0), 7}}},
+        MoveFixture{2, Vec3::Zero(), {.center = Vec3(1, 2, third), .angularVelocity = Vec3(0, 0, tiny)}},
+        AddLoad{load("Zug")},
+        SetLoad{0, {.force = Vec3(third, -0.0, huge), .moment = Vec3(0, tiny, 0), .pressure = -third}, third},
+        RemoveLoad{0},
         SetPartLook{1, "Grüße \"2\"", "#12ab00"},
     };
     std::vector<RecordedCommand> recorded;

@@ -251,6 +251,42 @@ inline KindOfScene hardAndSoft()
     return {"hard and soft", scene, 60, touches, {}};
 }
 
+/// A bar with a load that rises, another that is added, changed and taken away, and a grip that turns.
+inline KindOfScene loadedAndTurned(Integrator integrator)
+{
+    constexpr double a = 2e-3;
+    Scene scene = cantilever({10, 3, 3}, a, soft(0.3), Vec3(0, 0, -9.81));
+    scene.integrator = integrator;
+    const Aggregate& bar = *scene.bodies[0].aggregate;
+    const TriangleMesh mesh = shapes::box(a * Vec3(10, 3, 3));
+    scene.fixtures.push_back({"grip", 0, objectsInBox(bar, Box(Vec3(4.9 * a, -1, -1), Vec3(1, 1, 1)))});
+    scene.fixtures[1].turn = {.center = Vec3(5 * a, 0, 0), .angularVelocity = Vec3(4, 0, 0), .angle = 0.5};
+    Load load{.name = "pressure", .faces = {5}, .patch = loadPatch(bar, mesh, {5}, std::nullopt)};
+    load.amount = {.force = Vec3(0, 0.01, 0), .pressure = 200};
+    load.ramp = 0.03;
+    scene.loads.push_back(load);
+    load = {.name = "twist", .faces = {3}, .patch = loadPatch(bar, mesh, {3}, std::nullopt)};
+    load.amount.moment = Vec3(0, 1e-5, 1e-5);
+    const auto commands = [load](int step) -> std::vector<Command> {
+        switch (step) {
+        case 10:
+            return {AddLoad{load}};
+        case 35:
+            return {SetLoad{1, {.force = Vec3(0, 0, 0.01)}, 0.02},
+                    MoveFixture{1, Vec3(0, 0, 0.01), {.center = Vec3(0.01, 0, 0), .angularVelocity = Vec3(0, 2, 0)}}};
+        case 60:
+            return {RemoveLoad{0}};
+        default:
+            return {};
+        }
+    };
+    return {integrator == Integrator::implicitEuler ? "implicit, loads and turns" : "loads and turns",
+            scene,
+            45,
+            {},
+            commands};
+}
+
 inline std::vector<KindOfScene> scenesOfEveryKind()
 {
     std::vector<KindOfScene> kinds;
@@ -284,6 +320,8 @@ inline std::vector<KindOfScene> scenesOfEveryKind()
     seam.bodies[0].regions.push_back({"hard", {0, 1, 2, 3}, clay()});
     seam.touching = Touching::glued;
     kinds.push_back({"glued seam and regions", seam, 150, [](const Snapshot& shot) { return shot.joints > 0; }, {}});
+    kinds.push_back(loadedAndTurned(Integrator::semiImplicitEuler));
+    kinds.push_back(loadedAndTurned(Integrator::implicitEuler));
     return kinds;
 }
 

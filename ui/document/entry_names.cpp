@@ -93,12 +93,19 @@ public:
     {
         return Words::tr("Rename to %1").arg(QString::fromStdString(command.name));
     }
+    QString operator()(const AddLoad& command) const
+    {
+        return Words::tr("Add %1").arg(QString::fromStdString(command.load.name));
+    }
+    QString operator()(const RemoveLoad& /*command*/) const { return Words::tr("Remove %1").arg(load()); }
+    QString operator()(const SetLoad& /*command*/) const { return Words::tr("Change %1").arg(load()); }
     QString operator()(const RenameFixture& command) const
     {
         return Words::tr("Rename to %1").arg(QString::fromStdString(command.name));
     }
 
 private:
+    static QString load() { return Words::tr("the load"); }
     QString body(BodyId id) const
     {
         return id < m_content.bodies.size() ? QString::fromStdString(m_content.bodies[id]->name)
@@ -148,6 +155,9 @@ std::optional<EntryKind> kindOf(const Command& command)
     case 10:
     case 11:
     case 12:
+    case 19:
+    case 20:
+    case 21:
         return EntryKind::Fixture;
     case 14:
         return EntryKind::Reset;
@@ -159,7 +169,7 @@ std::optional<EntryKind> kindOf(const Command& command)
         return {};
     }
 }
-static_assert(std::variant_size_v<Command> == 19);
+static_assert(std::variant_size_v<Command> == 22);
 
 } // namespace
 

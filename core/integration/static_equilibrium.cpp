@@ -1,0 +1,343 @@
+#include "core/integration/static_equilibrium.h"
+
+#include "core/geometry/disjoint_sets.h"
+#include "core/task/parallel.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+constexpr std::size_t blockSize = 4096;
+
+// The step in times that sound takes across the body: so slender a body that its first mode is this much slower than that has
+// masses in its operator that count as much as its stiffness, which costs iterations and no accuracy.
+constexpr double stepShare = 1e4;
+
+constexpr double linearTolerance = 1e-3; // to which a linear system is solved, by its preconditioned norm
+constexpr int mostIterations = 3000;     // of conjugate gradients for one linear system
+constexpr int staleFactor = 2;           // of iterations, at which the coarse factor is found anew
+
+// A step may stretch and turn connections by this much. A turn of t lengthens them by t^2 / 2 when it is taken as straight.
+constexpr double largestStretch = 0.2;
+
+// Steps that are mixed. More remember places from which the way has turned.
+constexpr std::size_t mixedSteps = 6;
+
+// A line is searched until the force along it is this share of what it was, in so many trials.
+constexpr double lineTolerance = 0.5;
+constexpr int mostTrials = 5;
+constexpr double shortestTrial = 0.1;
+
+// Where nothing acts any more, what is left is compared with this share of what acted on the way.
+constexpr double leastActing = 1e-6;
+
+// Slides shorter than this stick [spacings].
+constexpr double stickShare = 3e-4;
+
+// Three held objects hold a piece when they span this share of the square of their distance.
+constexpr double spanShare = 1e-6;
+
+} // namespace
+
+StaticEquilibrium::StaticEquilibrium(std::vector<BodyView> bodies)
+    : m_bodies(std::move(bodies))
+    , m_first(m_bodies.size(), 0)
+{
+    for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        const BodyView& body = m_bodies[b];
+        m_spacing = std::min(m_spacing, body.connections->aggregate().lattice.spacing);
+        if (!body.deforms)
+            continue;
+        m_first[b] = m_system.addDeformable(*body.connections, *body.state);
+        // c = a sqrt(k / m) of a chain, k and m the mean ones.
+        double stiffness = 0;
+        double mass = 0;
+        Box around;
+        for (const LaneVector<double>& along : body.connections->stiffness())
+            for (const double k : along)
+                stiffness += k;
+        stiffness /= static_cast<double>(std::max<std::size_t>(1, body.connections->count()));
+        for (std::size_t i = 0; i < body.state->size(); ++i) {
+            mass += body.state->mass[i];
+            around.extend(body.state->position.at(i));
+        }
+        mass /= static_cast<double>(body.state->size());
+        const double cells = around.diagonal().norm() / body.connections->aggregate().lattice.spacing;
+        m_step = std::max(m_step, stepShare * (1 + cells) * std::sqrt(mass / std::max(stiffness, 1e-300)));
+    }
+    if (m_step == 0)
+        m_step = 1;
+    m_residual.resize(m_system.rows());
+}
+
+Contacts::Report StaticEquilibrium::findForces(const Loads& loads, const std::vector<VectorArray>& start)
+{
+    for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        ObjectState& state = *m_bodies[b].state;
+        forEachBlock(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                state.velocity.set(i, (state.position.at(i) - start[b].at(i)) / m_step);
+        });
+        if (m_bodies[b].deforms) {
+            m_bodies[b].connections->computeForces(state, m_step);
+        } else {
+            state.force.setZero();
+        }
+        state.damping.setZero(); // nothing moves
+    }
+    Contacts::Report report = loads.contacts->computeForces(
+        loads.surfaces, {.duration = m_step, .stickSpeed = stickShare * m_spacing / m_step, .isTrial = true});
+    if (loads.add)
+        loads.add();
+    return report;
+}
+
+/// Forces on the free objects, and the size of what acts: weight, and what held objects and surfaces take, which is all the rest
+/// together.
+void StaticEquilibrium::findResidual(const Vec3& gravity, const std::vector<ContactTangent>& tangents)
+{
+    double held = 0;
+    double weight = 0;
+    for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        const ObjectState& state = *m_bodies[b].state;
+        for (std::size_t i = 0; m_bodies[b].deforms && i < state.size(); ++i) {
+            const Vec3 own = state.mass[i] * gravity;
+            const Vec3 force = state.force.at(i) + state.damping.at(i) + own;
+            m_residual.set(m_first[b] + i, force);
+            weight += own.squaredNorm();
+            if (state.inverseMass[i] == 0)
+                held += force.squaredNorm();
+        }
+    }
+    m_system.clearHeld(m_residual);
+    for (const ContactTangent& tangent : tangents)
+        if (!tangent.second)
+            held += tangent.force.squaredNorm();
+    m_mostActing = std::max(m_mostActing, std::sqrt(held + weight));
+    m_acting = std::max(leastActing * m_mostActing, std::sqrt(held + weight));
+}
+
+LinkEnd StaticEquilibrium::endOf(const ObjectRef& object) const
+{
+    if (!m_bodies[object.body].deforms)
+        return {};
+    return {.row = static_cast<std::uint32_t>(m_first[object.body] + object.object)};
+}
+
+std::vector<Link> StaticEquilibrium::linksOf(const std::vector<ContactTangent>& tangents) const
+{
+    std::vector<Link> links;
+    links.reserve(tangents.size());
+    for (const ContactTangent& tangent : tangents)
+        links.push_back({.first = endOf(tangent.first),
+                         .second = tangent.second ? endOf(*tangent.second) : LinkEnd{},
+                         .matrix = m_step * tangent.resistance});
+    return links;
+}
+
+/// Whether a connected piece has neither three held objects that are not on one line, nor touches anything.
+bool StaticEquilibrium::isFree(const std::vector<ContactTangent>& tangents) const
+{
+    DisjointSets pieces(m_system.rows() + 1);
+    for (std::size_t b = 0; b < m_bodies.size(); ++b)
+        if (m_bodies[b].deforms)
+            m_bodies[b].connections->forEachConnection(
+                [&](ObjectIndex lower, ObjectIndex upper) { pieces.join(m_first[b] + lower, m_first[b] + upper); });
+    struct Hold {
+        Vec3 sum = Vec3::Zero();
+        Mat3 squares = Mat3::Zero();
+        double count = 0;
+        std::size_t objects = 0;
+        bool touches = false;
+    };
+    std::vector<Hold> holds(m_system.rows());
+    for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        const ObjectState& state = *m_bodies[b].state;
+        for (std::size_t i = 0; m_bodies[b].deforms && i < state.size(); ++i) {
+            Hold& hold = holds[pieces.find(m_first[b] + i)];
+            ++hold.objects;
+            if (state.inverseMass[i] > 0)
+                continue;
+            const Vec3 place = state.position.at(i);
+            hold.sum += place;
+            hold.squares += place * place.transpose();
+            hold.count += 1;
+        }
+    }
+    for (const ContactTangent& tangent : tangents) {
+        if (const LinkEnd end = endOf(tangent.first); end.row != LinkEnd::immovable)
+            holds[pieces.find(end.row)].touches = true;
+        if (tangent.second)
+            if (const LinkEnd end = endOf(*tangent.second); end.row != LinkEnd::immovable)
+                holds[pieces.find(end.row)].touches = true;
+    }
+    return std::any_of(holds.begin(), holds.end(), [](const Hold& hold) {
+        if (hold.objects == 0 || hold.touches)
+            return false;
+        if (hold.count < 3)
+            return hold.objects > hold.count;
+        const Mat3 spread = hold.squares - hold.sum * hold.sum.transpose() / hold.count;
+        const Vec3 extents = Eigen::SelfAdjointEigenSolver<Mat3>(spread, Eigen::EigenvaluesOnly).eigenvalues();
+        return hold.objects > hold.count && extents[1] <= spanShare * extents[2];
+    });
+}
+
+/// Where Newton's method would go from here [m].
+VectorArray StaticEquilibrium::newtonStep(const std::vector<ContactTangent>& tangents, Report& report)
+{
+    m_system.update(m_step);
+    m_system.setLinks(linksOf(tangents));
+    m_preconditioner.updateBlocks(m_system);
+    const bool isFirst = m_freshIterations == 0;
+    if (isFirst)
+        m_preconditioner.updateClusters(m_system);
+    VectorArray rest(m_system.rows());
+    for (std::size_t i = 0; i < m_system.rows(); ++i)
+        rest.set(i, m_step * m_residual.at(i));
+    VectorArray preconditioned(m_system.rows());
+    m_preconditioner.apply(rest, preconditioned);
+    const double size = dotProduct(rest, preconditioned);
+    VectorArray way(m_system.rows());
+    const ConjugateGradients::Report solved =
+        m_solver.solve(m_system, m_preconditioner, rest, way, linearTolerance * linearTolerance * size, mostIterations);
+    report.iterations += solved.iterations;
+    ++report.newtonIterations;
+    if (isFirst)
+        m_freshIterations = std::max(1, solved.iterations);
+    else if (solved.iterations > staleFactor * m_freshIterations)
+        m_freshIterations = 0;
+    for (std::size_t i = 0; i < m_system.rows(); ++i)
+        way.set(i, m_step * way.at(i));
+    return way;
+}
+
+/// Anderson: with steps s_k at places x_k, goes by s - sum g_k (dx_k + ds_k), the g_k such that |s - sum g_k ds_k| is least.
+VectorArray StaticEquilibrium::mixed(const VectorArray& place, const VectorArray& step)
+{
+    const std::size_t count = m_steps.size();
+    VectorArray way = step;
+    if (count > 0) {
+        const auto difference = [](const VectorArray& a, const VectorArray& b) {
+            VectorArray result(a.size());
+            for (std::size_t i = 0; i < a.size(); ++i)
+                result.set(i, a.at(i) - b.at(i));
+            return result;
+        };
+        std::vector<VectorArray> changes;
+        for (const VectorArray& before : m_steps)
+            changes.push_back(difference(step, before));
+        const auto size = static_cast<Eigen::Index>(count);
+        Eigen::MatrixXd products(size, size);
+        Eigen::VectorXd right(size);
+        for (Eigen::Index r = 0; r < size; ++r) {
+            const auto row = static_cast<std::size_t>(r);
+            right[r] = dotProduct(changes[row], step);
+            for (Eigen::Index c = 0; c <= r; ++c)
+                products(r, c) = products(c, r) = dotProduct(changes[row], changes[static_cast<std::size_t>(c)]);
+        }
+        products.diagonal() *= 1 + 1e-10;
+        const Eigen::VectorXd shares = products.ldlt().solve(right);
+        for (std::size_t k = 0; shares.allFinite() && k < count; ++k) {
+            const double share = shares[static_cast<Eigen::Index>(k)];
+            for (std::size_t i = 0; i < way.size(); ++i)
+                way.add(i, -share * (place.at(i) - m_places[k].at(i) + changes[k].at(i)));
+        }
+    }
+    m_places.push_back(place);
+    m_steps.push_back(step);
+    if (m_steps.size() > mixedSteps) {
+        m_places.pop_front();
+        m_steps.pop_front();
+    }
+    return way;
+}
+
+/// Change of any connection by its length, were the whole way gone.
+double StaticEquilibrium::largestStrain(const VectorArray& way) const
+{
+    double largest = 0;
+    for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        const double spacing = m_bodies[b].connections->aggregate().lattice.spacing;
+        if (m_bodies[b].deforms)
+            m_bodies[b].connections->forEachConnection([&](ObjectIndex lower, ObjectIndex upper) {
+                largest = std::max(largest, (way.at(m_first[b] + upper) - way.at(m_first[b] + lower)).norm() / spacing);
+            });
+    }
+    return largest;
+}
+
+double StaticEquilibrium::longest(const VectorArray& way)
+{
+    double squared = 0;
+    for (std::size_t i = 0; i < way.size(); ++i)
+        squared = std::max(squared, way.at(i).squaredNorm());
+    return std::sqrt(squared);
+}
+
+void StaticEquilibrium::move(const VectorArray& way, double share)
+{
+    for (std::size_t b = 0; b < m_bodies.size(); ++b)
+        for (std::size_t i = 0; m_bodies[b].deforms && i < m_bodies[b].state->size(); ++i)
+            if (m_bodies[b].state->inverseMass[i] > 0)
+                m_bodies[b].state->position.add(i, share * way.at(m_first[b] + i));
+}
+
+StaticEquilibrium::Report StaticEquilibrium::solve(const Loads& loads, const std::vector<VectorArray>& start,
+                                                   const Settings& settings)
+{
+    Report report;
+    m_mostActing = 0;
+    m_freshIterations = 0;
+    m_places.clear();
+    m_steps.clear();
+    VectorArray gone(m_system.rows()); // by all steps so far
+    report.contacts = findForces(loads, start);
+    findResidual(loads.gravity, report.contacts.tangents);
+    report.isFree = isFree(report.contacts.tangents);
+    while (!report.isFree) {
+        const double left = std::sqrt(dotProduct(m_residual, m_residual));
+        report.residual = m_acting > 0 ? left / std::max(m_acting, left) : 0;
+        report.converged = left <= settings.tolerance * m_acting;
+        if (report.converged || !std::isfinite(left) || report.newtonIterations == settings.mostIterations)
+            break;
+        const VectorArray newton = newtonStep(report.contacts.tangents, report);
+        VectorArray way = mixed(gone, newton);
+        if (!(dotProduct(m_residual, way) > 0)) {
+            m_places.clear();
+            m_steps.clear();
+            way = newton;
+        }
+        const double length = longest(way);
+        double share = std::min({1.0, largestStretch / std::max(largestStrain(way), 1e-300),
+                                 loads.farthestStep / std::max(length, 1e-300)});
+        const double slope = dotProduct(m_residual, way);
+        double done = 0;
+        for (int trial = 0; trial < mostTrials; ++trial) {
+            move(way, share - done);
+            if (loads.moved)
+                loads.moved(std::abs(share - done) * length);
+            done = share;
+            report.contacts = findForces(loads, start);
+            findResidual(loads.gravity, report.contacts.tangents);
+            const double now = dotProduct(m_residual, way);
+            if (now >= -lineTolerance * slope || !(slope > 0))
+                break;
+            share *= std::max(shortestTrial, slope / (slope - now));
+        }
+        for (std::size_t i = 0; i < gone.size(); ++i)
+            gone.add(i, done * way.at(i));
+    }
+    if (report.converged)
+        for (std::size_t b = 0; b < m_bodies.size(); ++b)
+            for (std::size_t i = 0; i < m_bodies[b].state->size(); ++i)
+                report.farthest =
+                    std::max(report.farthest, (m_bodies[b].state->position.at(i) - start[b].at(i)).norm());
+    return report;
+}
+
+} // namespace knead

@@ -1,0 +1,122 @@
+// Grips that turn, and what grips feel.
+#include "core/simulation/scene_limits.h"
+#include "core/simulation/simulation_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+constexpr double fastestTurn = 1e4; // [rad/s]
+
+Mat3 rotation(const Vec3& angularVelocity, double angle)
+{
+    return Eigen::AngleAxisd(angle, angularVelocity.normalized()).toRotationMatrix();
+}
+
+} // namespace
+
+std::string gripProblem(const Fixture& fixture)
+{
+    if (!(fixture.velocity.norm() <= fastestFixture))
+        return "A fixture must not move faster than 100 m/s.";
+    if (!(fixture.turn.angularVelocity.norm() <= fastestTurn) || !fixture.turn.center.allFinite() ||
+        !(fixture.turn.angle > 0))
+        return "Fixture \"" + fixture.name +
+               "\" must turn about a place, by more than 0, and no faster than 10000 rad/s.";
+    return {};
+}
+
+/// Of two grips on one object the later one moves it.
+bool Simulation::State::isMovedBy(FixtureId fixture, ObjectIndex object) const
+{
+    return runs[fixtures[fixture]->body]->gripOf[object] == fixture;
+}
+
+/// By which the grip turns in this step [rad].
+double Simulation::State::turnInStep(FixtureId fixture) const
+{
+    const GripTurn& turn = fixtures[fixture]->turn;
+    return std::clamp(turn.angle - gripProgress[fixture].angle, 0.0, turn.angularVelocity.norm() * timeStep);
+}
+
+/// Objects go along chords whose ends lie on circles: v = V + (R r - r) / h.
+void Simulation::State::turnGrips()
+{
+    for (FixtureId id = 0; id < fixtures.size(); ++id) {
+        if (!fixtures[id] || !fixtures[id]->turn.turns())
+            continue;
+        const Fixture& fixture = *fixtures[id];
+        BodyRun& run = *runs[fixture.body];
+        if (!run.deforms())
+            continue;
+        const Mat3 turned = rotation(fixture.turn.angularVelocity, turnInStep(id));
+        const Vec3 center = fixture.turn.center + gripProgress[id].way;
+        for (const ObjectIndex object : fixture.objects) {
+            if (object >= run.state.size() || !isMovedBy(id, object))
+                continue;
+            const Vec3 arm = run.state.position.at(object) - center;
+            run.state.velocity.set(object, fixture.velocity + (turned * arm - arm) / timeStep);
+        }
+    }
+}
+
+void Simulation::State::endTurns()
+{
+    for (FixtureId id = 0; id < fixtures.size(); ++id) {
+        if (!fixtures[id] || !fixtures[id]->turn.turns())
+            continue;
+        gripProgress[id].angle += turnInStep(id);
+        gripProgress[id].way += timeStep * fixtures[id]->velocity;
+    }
+}
+
+/// The next step finds the velocities of what turns anew; a moment has those that going to it makes.
+void Simulation::State::forgetTurns(Moment& moment) const
+{
+    for (FixtureId id = 0; id < fixtures.size(); ++id) {
+        if (!fixtures[id] || !fixtures[id]->turn.turns())
+            continue;
+        VectorArray& velocity = moment.bodies[fixtures[id]->body].velocity;
+        for (const ObjectIndex object : fixtures[id]->objects)
+            if (object < velocity.size() && isMovedBy(id, object))
+                velocity.set(object, fixtures[id]->velocity);
+    }
+}
+
+/// Acceleration of an object that goes around evenly, from chord to chord: (R - 2 + R^-1) r / h^2, r at the start of the step.
+Vec3 Simulation::State::centripetal(FixtureId fixture, const Vec3& place) const
+{
+    const GripTurn& turn = fixtures[fixture]->turn;
+    if (!turn.turns() || !runs[fixtures[fixture]->body]->deforms())
+        return Vec3::Zero();
+    const double angle = turnInStep(fixture);
+    if (angle < turn.angularVelocity.norm() * timeStep)
+        return Vec3::Zero(); // the last step
+    const Mat3 turned = rotation(turn.angularVelocity, angle);
+    Vec3 arm = place - turn.center - gripProgress[fixture].way;
+    if (isImplicit()) // the place is the one at the end
+        arm = turned.transpose() * (arm - timeStep * fixtures[fixture]->velocity);
+    return (turned * arm - 2 * arm + turned.transpose() * arm) / (timeStep * timeStep);
+}
+
+void Simulation::State::findFixtureCenters()
+{
+    fixtureCenters.assign(fixtures.size(), Vec3::Zero());
+    for (FixtureId id = 0; id < fixtures.size(); ++id) {
+        if (!fixtures[id])
+            continue;
+        const Lattice& lattice = bodies[fixtures[id]->body].aggregate->lattice;
+        std::size_t count = 0;
+        for (const ObjectIndex object : fixtures[id]->objects)
+            if (object < lattice.size()) {
+                fixtureCenters[id] += lattice.position(object);
+                ++count;
+            }
+        fixtureCenters[id] /= static_cast<double>(std::max<std::size_t>(1, count));
+    }
+}
+
+} // namespace knead

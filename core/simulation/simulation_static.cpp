@@ -1,0 +1,185 @@
+// Load steps without inertia.
+#include "core/integration/static_equilibrium.h"
+#include "core/simulation/simulation_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace knead {
+
+namespace {
+
+constexpr double longestLoadStep = 3600; // [s]
+// A load step is gone in so many halvings of itself at most.
+constexpr int mostParts = 6;
+
+// A body that went further than this, in diagonals, is held by nothing in some direction.
+constexpr double lostShare = 10;
+
+// Where there is something to meet, no object goes further than this at a time [spacings], or it would pass by.
+constexpr double shareOfSpacing = 0.5;
+
+std::string nameOf(const Body& body)
+{
+    return body.name.empty() ? "The body" : "\"" + body.name + "\"";
+}
+
+std::string inScientific(double number)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1e", number);
+    return text;
+}
+
+double smallestSpacing(const std::vector<Body>& bodies)
+{
+    double spacing = std::numeric_limits<double>::infinity();
+    for (const Body& body : bodies)
+        spacing = std::min(spacing, body.aggregate->lattice.spacing);
+    return spacing;
+}
+
+double diagonalOf(const std::vector<Body>& bodies)
+{
+    Box around;
+    for (const Body& body : bodies)
+        for (ObjectIndex i = 0; i < body.aggregate->size(); ++i)
+            around.extend(body.aggregate->lattice.position(i));
+    return around.diagonal().norm();
+}
+
+} // namespace
+
+/// One part of a load step. @return whether there is balance at its end; else the state is anything
+bool Simulation::State::balance(double duration, StaticReport& report)
+{
+    timeStep = duration;
+    const double imbalance = storedEnergy().imbalance;
+    changeConnections();
+    for (auto& run : runs)
+        run->state.velocity.setZero();
+    holdFixtures();
+    moveManipulators({});
+    updateVicinity();
+
+    std::vector<StaticEquilibrium::BodyView> views;
+    std::vector<VectorArray> start;
+    double gripTravel = 0;
+    for (auto& run : runs) {
+        views.push_back({.state = &run->state, .connections = &run->connections, .deforms = run->deforms()});
+        start.push_back(run->state.position);
+        for (std::size_t i = 0; run->deforms() && i < run->state.size(); ++i)
+            if (run->state.inverseMass[i] == 0) {
+                run->state.position.add(i, duration * run->state.velocity.at(i));
+                gripTravel = std::max(gripTravel, duration * run->state.velocity.at(i).norm());
+            }
+    }
+    StaticEquilibrium equilibrium(std::move(views));
+    // Velocities are ways by a time of its own there, so that dampers and masses have no say.
+    const double slower = duration / equilibrium.waySeconds();
+    std::vector<RigidSurface> moved = surfaces();
+    for (RigidSurface& surface : moved) {
+        surface.velocity *= slower;
+        surface.angularVelocity *= slower;
+    }
+    StaticEquilibrium::Loads acting{.contacts = contacts.get(), .surfaces = moved, .gravity = gravity, .add = {}};
+    acting.moved = [&](double travel) { contacts->updateVicinity(moved, travel, 0); };
+    acting.moved(gripTravel);
+    if (!moved.empty() || bodies.size() > 1)
+        acting.farthestStep = shareOfSpacing * smallestSpacing(bodies);
+    if (!loads.empty())
+        acting.add = [&] { return addLoads(time + duration); };
+    const StaticEquilibrium::Report found = equilibrium.solve(acting, start, {});
+    report.residual = found.residual;
+    report.iterations += found.newtonIterations;
+    solverIterations = found.iterations;
+    if (found.isFree)
+        report.message = "A body is free to move: hold it or use dynamic.";
+    if (!found.converged || found.farthest > lostShare * diagonalOf(bodies))
+        return false;
+
+    // Forces and ways belong together: the work of the forces at the end on the way there.
+    timeStep = equilibrium.waySeconds();
+    contactReport = found.contacts;
+    bookContacts();
+    tellFrictionApart();
+    bookLoadsAfter();
+    timeStep = duration;
+    for (auto& run : runs)
+        for (std::size_t i = 0; i < run->state.size(); ++i)
+            run->state.velocity.set(i, run->state.velocity.at(i) / slower);
+    loadFixtures();
+    endTurns();
+    for (auto& run : runs)
+        run->state.velocity.setZero();
+    holdFixtures();
+    lastStep = lastKick = duration;
+    unknownEnergy = 0;
+    time += duration;
+    energy.numerical -= storedEnergy().imbalance - imbalance;
+    largestTravel = found.farthest;
+    return true;
+}
+
+StaticReport Simulation::State::findBalance(double duration)
+{
+    StaticReport report;
+    if (!(duration > 0 && duration <= longestLoadStep)) {
+        report.message = "A load step takes more than 0 and up to 3600 s.";
+        return report;
+    }
+    if (!isImplicit())
+        setIntegrator(Integrator::implicitEuler);
+    implicit.reset();
+    for (std::size_t b = 0; b < runs.size(); ++b)
+        if (runs[b]->rigid) {
+            report.message =
+                nameOf(bodies[b]) + " is rigid and free to move: hold it, make it deformable, or use dynamic.";
+            return report;
+        }
+    const Moment before = moment();
+    const double end = time + duration;
+    double part = duration;
+    for (int halvings = 0; end - time > 1e-9 * duration;) {
+        const Moment here = moment();
+        if (balance(std::min(part, end - time), report)) {
+            ++report.parts;
+            continue;
+        }
+        restore(here);
+        if (!report.message.empty() || ++halvings > mostParts)
+            break;
+        part /= 2;
+    }
+    report.converged = end - time <= 1e-9 * duration;
+    if (!report.converged) {
+        restore(before);
+        if (report.message.empty())
+            report.message =
+                "No balance was found at " + std::to_string(end) + " s: forces of " + inScientific(report.residual) +
+                " of those that act are left. Take more load steps or a smaller load, hold what is free to "
+                "slide or turn, or use dynamic.";
+        return report;
+    }
+    ++step;
+    timeStep = duration; // events are due at the nearest load step
+    return report;
+}
+
+StaticReport Simulation::findBalance(double duration)
+{
+    m_state->applyCommands();
+    if (!m_state->health.ok)
+        return {.message = m_state->health.message};
+    StaticReport report = m_state->findBalance(duration);
+    if (report.converged) {
+        m_state->checkHealth();
+        if (!m_state->health.ok)
+            return {.message = m_state->health.message};
+    }
+    return report;
+}
+
+} // namespace knead
