@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace knead {
 
 namespace {
 
 constexpr std::uint64_t mark = 0x31544E4D4F4D4B4EULL; // "NKMOMNT1"
-constexpr std::uint32_t version = 1;
 
 // Objects have a few hundred bytes; joints, selections and texts have room enough besides.
 constexpr std::size_t mostBytesPerObject = 8192;
@@ -24,18 +24,23 @@ std::size_t mostBytes(std::span<const Body> bodies)
     return most;
 }
 
-Bytes unpacked(ByteReader& bytes, std::span<const Body> bodies, const Packing& packing)
+struct Content {
+    std::uint32_t version = 0;
+    Bytes bytes;
+};
+
+Content unpacked(ByteReader& bytes, std::span<const Body> bodies, const Packing& packing)
 {
     std::uint64_t markRead = 0;
-    std::uint32_t versionRead = 0;
+    std::uint32_t version = 0;
     std::uint64_t size = 0;
     std::uint64_t sum = 0;
     std::uint64_t packedSize = 0;
     bytes(markRead);
     if (markRead != mark)
         throw std::runtime_error("it does not begin as one");
-    bytes(versionRead);
-    if (versionRead != version)
+    bytes(version);
+    if (version < 1 || version > newestMomentVersion)
         throw std::runtime_error("it was written by another version of Knead");
     bytes(size);
     bytes(packedSize);
@@ -46,7 +51,7 @@ Bytes unpacked(ByteReader& bytes, std::span<const Body> bodies, const Packing& p
     Bytes content = packing.unpack ? packing.unpack(packed, size) : Bytes(packed.begin(), packed.end());
     if (content.size() != size)
         throw std::runtime_error("its bytes are not those that were written");
-    return content;
+    return {version, std::move(content)};
 }
 
 } // namespace
@@ -75,7 +80,7 @@ Bytes momentToBytes(const Moment& moment, const Packing& packing)
     const Bytes packed = packing.pack ? packing.pack(content) : content;
     ByteWriter header;
     header(mark);
-    header(version);
+    header(newestMomentVersion);
     header(static_cast<std::uint64_t>(content.size()));
     header(static_cast<std::uint64_t>(packed.size()));
     header(checksumOf(packed));
@@ -89,7 +94,8 @@ Moment momentFromBytes(std::span<const std::byte> bytes, std::span<const Body> b
 {
     try {
         ByteReader reader(bytes);
-        return momentFromContent(unpacked(reader, bodies, packing), bodies, parts);
+        const Content content = unpacked(reader, bodies, packing);
+        return momentFromContent(content.bytes, bodies, parts, content.version);
     } catch (const std::runtime_error& error) {
         throw std::runtime_error("This moment of the history cannot be read: " + std::string(error.what()) +
                                  ". Go to an earlier one and repeat from there.");

@@ -3,15 +3,21 @@
 #include "core/document/byte_stream.h"
 #include "core/document/moment_bytes.h"
 
+#include <cstdint>
 #include <span>
 
 namespace knead {
+
+/// Of what is written; all from 1 on can be read. 2 added what a run is measured by, which begins anew in a moment of 1.
+inline constexpr std::uint32_t newestMomentVersion = 2;
 
 /// What momentToBytes() packs: all of a moment, value after value.
 Bytes momentContent(const Moment& moment);
 
 /// The other way.
+/// @param version of the content, 1 .. newestMomentVersion
 /// @throws std::runtime_error, a phrase such as "it ends early", when it is no moment of these bodies
-Moment momentFromContent(std::span<const std::byte> content, std::span<const Body> bodies, const ToolParts& parts);
+Moment momentFromContent(std::span<const std::byte> content, std::span<const Body> bodies, const ToolParts& parts,
+                         std::uint32_t version);
 
 } // namespace knead

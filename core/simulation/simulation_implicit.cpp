@@ -1,5 +1,4 @@
 // Steps of the implicit scheme, how long they are, and when they are taken.
-#include "core/integration/semi_implicit_euler.h"
 #include "core/integration/time_step.h"
 #include "core/simulation/simulation_state.h"
 
@@ -169,12 +168,14 @@ double Simulation::State::longestImplicitStep() const
 void Simulation::State::makeImplicit()
 {
     std::vector<ImplicitEuler::BodyView> views;
-    for (auto& run : runs)
-        views.push_back({.state = &run->state,
-                         .connections = &run->connections,
-                         .rigid = run->rigid ? &*run->rigid : nullptr,
-                         .deforms = run->deforms(),
-                         .anchored = run->anchored});
+    for (BodyId b = 0; b < runs.size(); ++b) {
+        BodyRun& run = *runs[b];
+        views.push_back({.state = &run.state,
+                         .connections = &run.connections,
+                         .rigid = run.rigid ? &*run.rigid : nullptr,
+                         .deforms = run.deforms(),
+                         .pieces = &piecesOf(b)});
+    }
     implicit = std::make_unique<ImplicitEuler>(std::move(views));
 }
 
@@ -253,6 +254,8 @@ void Simulation::State::stepImplicitly()
 {
     if (!implicit)
         makeImplicit();
+    for (BodyId b = 0; b < runs.size(); ++b)
+        piecesOf(b); // which `implicit` looks at
     std::vector<Pose> before;
     for (const auto& tool : tools)
         before.push_back(tool ? tool->manipulator.pose : Pose{});
@@ -286,6 +289,8 @@ void Simulation::State::stepImplicitly()
         }
         implicit->undo();
     }
+    unsolvedSteps += report.converged ? 0 : 1;
+    unsolvedInRow = report.converged ? 0 : unsolvedInRow + 1;
     bookContacts();
     energy.viscous -= report.dampingWork;
     energy.numerical += report.numerical;
@@ -295,9 +300,8 @@ void Simulation::State::stepImplicitly()
     energy.plastic += settled.plastic;
     energy.fracture += settled.fracture;
     loadFixtures();
-    for (auto& run : runs)
-        if (const double rate = run->materials.materials().front().shapeDamping; rate > 0 && run->deforms())
-            energy.viscous += dampShape(run->state, rate, timeStep, run->anchored);
+    for (BodyId b = 0; b < runs.size(); ++b)
+        energy.viscous += brakeShape(b, timeStep);
     largestTravel = report.largestSpeed * timeStep;
     lastStep = lastKick = timeStep;
     unknownEnergy = 0;
