@@ -1,11 +1,13 @@
 #pragma once
 
+#include "app/run_quality.h"
 #include "core/model/export_report.h"
 #include "core/simulation/snapshot.h"
 #include "core/task/task_control.h"
 #include "io/recipe.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,7 @@ struct RunReport {
     std::uint64_t stateHash = 0; ///< equal for equal histories, whatever the number of threads
     std::string integrator;      ///< a sentence on which one was in use at the end and why
     EnergyLedger energy;
+    RunQuality quality;
     std::vector<BodyMotion> motions;   ///< one per body, at the end
     std::vector<ToolState> tools;      ///< as last seen, those taken away included
     std::vector<std::string> files;    ///< written, in the order of the recipe
@@ -43,11 +46,16 @@ struct RunReport {
     double ratio() const { return wall > 0 ? simulated / wall : 0; }
 };
 
+/// Takes what is said while a run goes on, at once: that a tool begins inside material (which is among RunReport::warnings,
+/// too), that it hardly goes on (which depends on the machine). Sentences for the person; called in any thread.
+using SayAtOnce = std::function<void(const std::string& sentence)>;
+
 /// Carries out a recipe: part -> scene -> steps -> exports. Files appear whole or not at all; when cancelled, those not
 /// yet begun are missing.
 /// @param outputFolder made when missing
 /// @throws UnusableInput (app/recipe_scene.h) when recipe and part do not fit, std::runtime_error when the work failed,
 ///         each in a sentence. @throws Cancelled
-RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskControl& control = TaskControl::none());
+RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskControl& control = TaskControl::none(),
+                    const SayAtOnce& say = {});
 
 } // namespace knead
