@@ -250,6 +250,21 @@ bool Simulation::State::searchWays(const std::vector<Pose>& before, std::vector<
     return again;
 }
 
+/// A step that was taken though its equations were not solved is counted; the first one is said.
+void Simulation::State::countSolved(bool isSolved)
+{
+    unsolvedInRow = isSolved ? 0 : unsolvedInRow + 1;
+    if (isSolved)
+        return;
+    if (++unsolvedSteps > 1)
+        return;
+    std::ostringstream text;
+    text << std::setprecision(3) << "The equations of the step at " << time
+         << " s could not be solved: forces and places are rough from there on. Make tools slower, or choose a shorter "
+            "time step.";
+    notice = text.str();
+}
+
 void Simulation::State::stepImplicitly()
 {
     if (!implicit)
@@ -289,8 +304,7 @@ void Simulation::State::stepImplicitly()
         }
         implicit->undo();
     }
-    unsolvedSteps += report.converged ? 0 : 1;
-    unsolvedInRow = report.converged ? 0 : unsolvedInRow + 1;
+    countSolved(report.converged);
     bookContacts();
     energy.viscous -= report.dampingWork;
     energy.numerical += report.numerical;

@@ -47,6 +47,7 @@ struct Simulation::State {
     void computeForces();
     void integrate();
     void stepImplicitly();
+    void countSolved(bool isSolved);
     void checkHealth();
 
     void carryOut(const Command& command);

@@ -28,6 +28,8 @@ constexpr double mostSoundSpeeds = 20;
 constexpr double createdShare = 0.5;
 // Below the energy of this strain everywhere, nothing is worth stopping for.
 constexpr double negligibleStrain = 1e-3;
+// Of the potential energy, which is a difference of large numbers far from the origin.
+constexpr double roundingShare = 1e-9;
 
 // Implicit steps in a row that were not solved, each as short as steps may get.
 constexpr std::uint32_t mostUnsolvedSteps = 64;
@@ -124,6 +126,8 @@ std::string Simulation::State::runawayCause() const
         return {};
     for (BodyId b = 0; b < runs.size(); ++b) {
         const double fastest = runs[b]->rigid ? runs[b]->rigid->largestSpeed() : fastestOf(runs[b]->state);
+        if (fastest <= least)
+            continue;
         const double limit = fastestSensible(b);
         if (fastest <= limit)
             continue;
@@ -141,7 +145,7 @@ std::string Simulation::State::energyCause()
 {
     const EnergyLedger now = storedEnergy();
     energy.turnover = now.turnover;
-    double negligible = 0;
+    double negligible = roundingShare * std::abs(now.gravity);
     for (BodyId b = 0; b < runs.size(); ++b)
         if (runs[b]->deforms())
             negligible += 0.5 * negligibleStrain * negligibleStrain * bodies[b].aggregate->filledVolume *

@@ -1713,6 +1713,10 @@
         <translation>&quot;%1&quot; zerbrach in %2 Stücke, und ein starrer Körper würde sie dort verschweißen, wo sie sind. Ihn verformbar lassen oder zurücksetzen, bevor er starr wird.</translation>
     </message>
     <message>
+        <source>The equations of the step at %1 s could not be solved: forces and places are rough from there on. Make tools slower, or choose a shorter time step.</source>
+        <translation>Die Gleichungen des Schrittes bei %1 s ließen sich nicht lösen: Kräfte und Lagen sind von dort an ungenau. Werkzeuge verlangsamen oder einen kürzeren Zeitschritt wählen.</translation>
+    </message>
+    <message>
         <source>the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, or a softer or more damped material.</source>
         <translation>der gewählte Zeitschritt von %1 s ist länger als der stabile von %2 s. Einen kürzeren wählen oder ein weicheres oder stärker gedämpftes Material.</translation>
     </message>

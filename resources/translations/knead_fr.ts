@@ -1713,6 +1713,10 @@
         <translation>&quot;%1&quot; s&apos;est brisé en %2 morceaux, et un corps rigide les souderait là où ils sont. Le garder déformable, ou réinitialiser avant de le rendre rigide.</translation>
     </message>
     <message>
+        <source>The equations of the step at %1 s could not be solved: forces and places are rough from there on. Make tools slower, or choose a shorter time step.</source>
+        <translation>Les équations du pas à %1 s n&apos;ont pas pu être résolues : forces et positions sont approximatives à partir de là. Ralentir les outils, ou choisir un pas de temps plus court.</translation>
+    </message>
+    <message>
         <source>the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, or a softer or more damped material.</source>
         <translation>le pas de temps choisi de %1 s est plus long que le pas stable de %2 s. En choisir un plus court, ou une matière plus souple ou plus amortie.</translation>
     </message>

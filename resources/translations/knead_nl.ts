@@ -1713,6 +1713,10 @@
         <translation>&quot;%1&quot; is in %2 stukken gebroken, en een star lichaam zou ze vastlassen waar ze zijn. Houd het vervormbaar, of zet terug voordat het star wordt.</translation>
     </message>
     <message>
+        <source>The equations of the step at %1 s could not be solved: forces and places are rough from there on. Make tools slower, or choose a shorter time step.</source>
+        <translation>De vergelijkingen van de stap bij %1 s waren niet op te lossen: krachten en posities zijn vanaf daar ruw. Maak gereedschappen langzamer, of kies een kortere tijdstap.</translation>
+    </message>
+    <message>
         <source>the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, or a softer or more damped material.</source>
         <translation>de gekozen tijdstap van %1 s is langer dan de stabiele van %2 s. Kies een kortere, of een zachter of sterker gedempt materiaal.</translation>
     </message>

@@ -197,6 +197,8 @@ constexpr const char* const sentences[] = {
                                    "very short steps. Let it begin outside."),
     QT_TRANSLATE_NOOP("FileWords", "\"%1\" broke into %2 pieces, and a rigid body would weld them together where they "
                                    "are. Keep it deformable, or reset before it becomes rigid."),
+    QT_TRANSLATE_NOOP("FileWords", "The equations of the step at %1 s could not be solved: forces and places are rough "
+                                   "from there on. Make tools slower, or choose a shorter time step."),
     QT_TRANSLATE_NOOP("FileWords", "the chosen time step of %1 s is longer than the stable one of %2 s. Choose a "
                                    "shorter one, or a softer or more damped material."),
 };
