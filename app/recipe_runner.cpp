@@ -1,5 +1,6 @@
 #include "app/recipe_runner.h"
 
+#include "app/pace_watch.h"
 #include "app/recipe_exports.h"
 #include "app/recipe_progress.h"
 #include "app/recipe_scene.h"
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace knead {
 
@@ -69,11 +71,12 @@ std::map<std::string, Vec3> momentCenters(const Recipe& recipe)
 /// Steps a simulation from 0 to the end of a recipe, with its events.
 class Runner {
 public:
-    Runner(const Recipe& recipe, const RecipeScene& ready)
+    Runner(const Recipe& recipe, const RecipeScene& ready, SayAtOnce say)
         : m_recipe(recipe)
         , m_progress(recipe, ready)
         , m_ready(ready)
         , m_simulation(ready.scene)
+        , m_say(std::move(say))
         , m_forces(momentCenters(recipe))
     {
     }
@@ -83,11 +86,15 @@ public:
         const Clock::time_point start = Clock::now();
         Clock::time_point nextReport = start;
         m_latest = m_simulation.snapshot();
+        if (!m_latest->notice.empty())
+            warnAtOnce(m_latest->notice);
+        PaceWatch watch([this](const std::string& sentence) { say(sentence); });
         for (carryOutDueEvents(); !m_progress.isDone(m_simulation); carryOutDueEvents()) {
             control.throwIfCancelled();
             m_simulation.step();
             checkHealth();
             m_forces.add(m_simulation.reactions(), m_simulation.time());
+            watch.reached({m_simulation.time(), m_simulation.timeStep(), share()});
             if (m_simulation.time() + 0.5 * m_simulation.timeStep() >= m_latest->time + frame)
                 takeFrame();
             if (Clock::now() >= nextReport) {
@@ -142,6 +149,7 @@ public:
         report.joints = m_latest->joints;
         report.components = m_latest->components;
         report.addedMass = m_latest->addedMass;
+        report.quality = qualityOf(*m_latest);
         for (std::size_t i = 0; i < m_latest->bodies.size(); ++i) {
             report.motions.push_back(motionOf(m_ready.parts[i].path, m_latest->bodies[i]));
             report.motions.back().stress = bodyStress(m_ready.parts[i].mesh, *m_latest, static_cast<BodyId>(i));
@@ -151,6 +159,8 @@ public:
         report.balances = m_balances;
         report.warnings = m_ready.warnings;
         report.warnings.insert(report.warnings.end(), m_warnings.begin(), m_warnings.end());
+        const std::vector<std::string> remarks = remarksOn(report.quality);
+        report.warnings.insert(report.warnings.end(), remarks.begin(), remarks.end());
         return report;
     }
 
@@ -197,15 +207,33 @@ private:
         }
     }
 
-    void report(TaskControl& control, double wall) const
+    void say(const std::string& sentence) const
     {
-        const double time = m_simulation.time();
+        if (m_say)
+            m_say(sentence);
+    }
+
+    void warnAtOnce(const std::string& sentence)
+    {
+        m_warnings.push_back(sentence);
+        say(sentence);
+    }
+
+    /// Of the run that is done, 0 .. 1.
+    double share() const
+    {
         const auto steps = static_cast<double>(m_recipe.durationSteps.value_or(0));
         const double done = m_recipe.durationSteps
                                 ? static_cast<double>(m_simulation.stepCount()) / std::max(1.0, steps)
-                                : time / m_recipe.duration;
+                                : m_simulation.time() / m_recipe.duration;
+        return std::min(1.0, done);
+    }
+
+    void report(TaskControl& control, double wall) const
+    {
+        const double time = m_simulation.time();
         const std::string end = m_recipe.durationSteps ? " s, " : " of " + fixed(m_recipe.duration, 2) + " s, ";
-        control.report(sceneEnd + (stepsEnd - sceneEnd) * std::min(1.0, done),
+        control.report(sceneEnd + (stepsEnd - sceneEnd) * share(),
                        "simulating " + fixed(time, 2) + end + fixed(wall > 0 ? time / wall : 0, 2) + "x");
     }
 
@@ -215,6 +243,7 @@ private:
     Simulation m_simulation;
     SnapshotPointer m_latest;
     std::vector<ToolState> m_tools;
+    SayAtOnce m_say;
     ForceSeries m_forces;
     std::vector<StaticReport> m_balances;
     std::vector<std::string> m_warnings;
@@ -223,7 +252,7 @@ private:
 
 } // namespace
 
-RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskControl& control,
+RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskControl& control, const SayAtOnce& say,
                     const std::string& forcesFile)
 {
     TaskPortion preparing(control, 0, sceneEnd);
@@ -231,7 +260,7 @@ RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskC
     checkEvents(recipe, ready);
     prepareFolders(recipe.exports, outputFolder);
 
-    Runner runner(recipe, ready);
+    Runner runner(recipe, ready, say);
     recipe.analysis == Analysis::equilibrium ? runner.findBalances(control) : runner.run(control);
 
     TaskPortion writing(control, stepsEnd, 1);

@@ -2,6 +2,7 @@
 
 #include "app/body_stress.h"
 #include "app/force_series.h"
+#include "app/run_quality.h"
 #include "core/model/export_report.h"
 #include "core/simulation/snapshot.h"
 #include "core/simulation/static_report.h"
@@ -9,6 +10,7 @@
 #include "io/recipe.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,7 @@ struct RunReport {
     std::uint64_t stateHash = 0; ///< equal for equal histories, whatever the number of threads
     std::string integrator;      ///< a sentence on which one was in use at the end and why
     EnergyLedger energy;
+    RunQuality quality;
     std::vector<BodyMotion> motions;    ///< one per body, at the end
     std::vector<ToolState> tools;       ///< as last seen, those taken away included
     ForceSeries forces;                 ///< of fixtures, tools and loads over time
@@ -50,6 +53,10 @@ struct RunReport {
     double ratio() const { return wall > 0 ? simulated / wall : 0; }
 };
 
+/// Takes what is said while a run goes on, at once: that a tool begins inside material (which is among RunReport::warnings,
+/// too), that it hardly goes on (which depends on the machine). Sentences for the person; called in any thread.
+using SayAtOnce = std::function<void(const std::string& sentence)>;
+
 /// Carries out a recipe: part -> scene -> steps -> exports. Files appear whole or not at all; when cancelled, those not
 /// yet begun are missing.
 /// @param outputFolder made when missing
@@ -57,6 +64,6 @@ struct RunReport {
 /// @throws UnusableInput (app/recipe_scene.h) when recipe and part do not fit, std::runtime_error when the work failed,
 ///         each in a sentence. @throws Cancelled
 RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskControl& control = TaskControl::none(),
-                    const std::string& forcesFile = {});
+                    const SayAtOnce& say = {}, const std::string& forcesFile = {});
 
 } // namespace knead

@@ -67,6 +67,13 @@ bool TerminalControl::isCancelled() const
     return isInterrupted != 0;
 }
 
+void TerminalControl::say(const std::string& line) const
+{
+    const std::string whole = (m_isTerminal ? "\r\x1b[K" : "") + line + "\n";
+    std::fputs(whole.c_str(), stderr); // in one go, so that no progress comes between
+    std::fflush(stderr);
+}
+
 void TerminalControl::clear()
 {
     if (m_isShown)

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <string>
 
 namespace knead {
 
@@ -20,6 +21,9 @@ public:
     bool isCancelled() const override;
 
     void clear(); ///< takes the line away
+
+    /// A line of its own above the progress, at once. Any thread.
+    void say(const std::string& line) const;
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -272,6 +272,7 @@ void MainWindow::frameChanged()
     m_actions->setPlaying(snapshot.playing);
     showSteppable(m_document.isPlaying());
     showHealth(snapshot.health);
+    showNotice(snapshot.notice);
 }
 
 void MainWindow::showProblem(const QString& sentence, const QString& remedyText, std::function<void()> remedy)

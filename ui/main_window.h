@@ -166,6 +166,7 @@ private:
     void selectionChanged();
     void historyChanged();
     void showHealth(const Health& health);
+    void showNotice(const std::string& notice);
     /// @param remedy what a click on the banner's button does
     void showProblem(const QString& sentence, const QString& remedyText = {}, std::function<void()> remedy = {});
     /// The same with a second button, which goes back to the start.
@@ -264,6 +265,7 @@ private:
     TaskReading* m_taskReading = nullptr;
     std::pair<bool, bool> m_surroundings; ///< gravity and floor, as last seen
     std::string m_shownHealth;            ///< message last put into the banner
+    std::string m_shownNotice;            ///< last put into the log
     std::function<void()> m_remedy;
 };
 

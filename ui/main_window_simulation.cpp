@@ -4,6 +4,7 @@
 #include "ui/language/words_of_files.h"
 #include "ui/materials/material_store.h"
 #include "ui/panels/banner.h"
+#include "ui/panels/log_panel.h"
 #include "ui/panels/panel_area.h"
 #include "ui/panels/simulation_panel.h"
 #include "ui/panels/status_readings.h"
@@ -12,6 +13,7 @@
 #include <QScrollArea>
 
 #include <algorithm>
+#include <utility>
 
 namespace knead {
 
@@ -78,6 +80,13 @@ void MainWindow::makeSimulation()
     connect(m_banner, &Banner::otherClicked, this, [this] { m_document.reset(); });
 }
 
+/// What was not carried out, or what should be known of it.
+void MainWindow::showNotice(const std::string& notice)
+{
+    if (std::exchange(m_shownNotice, notice) != notice && !notice.empty())
+        m_log->add(inWords(notice), LogPanel::Kind::Warning);
+}
+
 /// What the simulation advises, as a button; and back to the start as it is.
 void MainWindow::showHealth(const Health& health)
 {
@@ -93,7 +102,8 @@ void MainWindow::showHealth(const Health& health)
     const bool hasTools = !m_document.frame()->snapshot->tools.empty();
     if (health.trouble == Trouble::squashed)
         showTrouble(sentence, tr("Fill finer"), [this] { refill(finer * m_document.content().spacing); });
-    else if (health.trouble == Trouble::none || health.trouble == Trouble::longStep)
+    else if (health.trouble == Trouble::none || health.trouble == Trouble::longStep ||
+             health.trouble == Trouble::failed)
         showProblem(sentence, tr("Reset"), reset);
     else if (hasTools)
         showTrouble(sentence, tr("Slower tools"), [this] { slowToolsDown(m_document); });

@@ -25,6 +25,7 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,6 +81,8 @@ void printJson(const RunReport& report)
         {"bodies", nlohmann::ordered_json::array()},
         {"tools", nlohmann::ordered_json::array()},
         {"files", report.files},
+        {"quality", qualityToJson(report.quality)},
+        {"warnings", report.warnings},
     };
     for (const BodyMotion& motion : report.motions)
         json["bodies"].push_back({{"name", motion.name},
@@ -137,10 +140,18 @@ int carryOut(const Recipe& recipe, const RunOptions& options)
     const ThreadLimit limit(options.threads);
     TerminalControl control;
     try {
-        const RunReport report = runRecipe(recipe, options.outputFolder, control, options.forcesFile);
+        std::mutex saying;
+        std::vector<std::string> said;
+        const auto say = [&](const std::string& sentence) {
+            control.say("knead: warning: " + sentence);
+            const std::lock_guard lock(saying);
+            said.push_back(sentence);
+        };
+        const RunReport report = runRecipe(recipe, options.outputFolder, control, say, options.forcesFile);
         control.clear();
         for (const std::string& warning : report.warnings)
-            std::cerr << "knead: warning: " << warning << '\n';
+            if (std::find(said.begin(), said.end(), warning) == said.end())
+                std::cerr << "knead: warning: " << warning << '\n';
         options.json ? printJson(report) : printSummary(report);
         return exit_status::done;
     } catch (const Cancelled&) {

@@ -218,9 +218,9 @@ private:
     bool areNumbers() const
     {
         const Moment& m = m_moment;
-        const double ledger[] = {m.contactEnergy,   m.addedMass,       m.startEnergy,    m.unknownEnergy,
-                                 m.energy.viscous,  m.energy.friction, m.energy.plastic, m.energy.fracture,
-                                 m.energy.toolWork, m.energy.numerical};
+        const double ledger[] = {m.contactEnergy,   m.addedMass,        m.startEnergy,     m.unknownEnergy,
+                                 m.energy.viscous,  m.energy.friction,  m.energy.plastic,  m.energy.fracture,
+                                 m.energy.toolWork, m.energy.numerical, m.energy.turnover, m.placedEnergy};
         return all(ledger, [](double value) { return std::isfinite(value); }) && m.gravity.norm() <= strongestGravity &&
                (!m.floorHeight || std::abs(*m.floorHeight) <= farthestFloor) && isWithin(m.floorFriction, 0, 2) &&
                isAmount(m.time) && isPositive(m.timeStep) && m.timeStep <= longestTimeStep &&

@@ -339,9 +339,20 @@ void energies(Stream& bytes, Of<Stream, EnergyLedger>& energy)
         bytes(*number);
 }
 
+/// What version 2 knows beside.
+template <typename Stream>
+void watched(Stream& bytes, Of<Stream, Moment>& moment)
+{
+    bytes(moment.unsolvedSteps);
+    bytes(moment.unsolvedInRow);
+    bytes(moment.isPlacedInside);
+    bytes(moment.placedEnergy);
+    bytes(moment.energy.turnover);
+}
+
 /// All but the bodies.
 template <typename Stream>
-void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts)
+void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std::uint32_t version)
 {
     bytes.list(moment.tools, [&](auto& tool) { bytes.optional(tool, [&](auto& run) { toolRun(bytes, run, parts); }); });
     bytes.list(moment.fixtures, [&](auto& each) { bytes.optional(each, [&](auto& one) { fixture(bytes, one); }); });
@@ -362,6 +373,8 @@ void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts)
                          &moment.addedMass, &moment.startEnergy, &moment.unknownEnergy})
         bytes(*number);
     energies(bytes, moment.energy);
+    if (version >= 2)
+        watched(bytes, moment);
     bytes(moment.wasSquashed);
     bytes(moment.health.ok);
     bytes(moment.health.message);
@@ -381,7 +394,7 @@ Bytes momentContent(const Moment& moment)
     bytes(static_cast<std::uint32_t>(moment.bodies.size()));
     for (const Moment::BodyMoment& each : moment.bodies)
         body(bytes, each, Sizes());
-    rest(bytes, moment, {});
+    rest(bytes, moment, {}, momentVersion);
     return bytes.take();
 }
 
@@ -398,7 +411,7 @@ Moment momentFromContent(std::span<const std::byte> content, std::span<const Bod
         Moment::BodyMoment& read = moment.bodies.emplace_back(Moment::BodyMoment{.materials = MaterialMap({}, 0)});
         body(bytes, read, Sizes(*each.aggregate, version));
     }
-    rest(bytes, moment, parts);
+    rest(bytes, moment, parts, version);
     if (!bytes.atEnd())
         throw std::runtime_error("it goes on after its end");
     if (const std::string problem = momentProblem(moment, bodies); !problem.empty())

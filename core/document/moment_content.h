@@ -3,11 +3,13 @@
 #include "core/document/byte_stream.h"
 #include "core/document/moment_bytes.h"
 
+#include <cstdint>
 #include <span>
 
 namespace knead {
 
-/// Of what momentContent() gives. 1: each connection had a plastic strain of its own; 2: each object has a plastic metric.
+/// Of what momentContent() gives; all from 1 on can be read. 2: objects have a plastic metric, where each connection had a plastic
+/// strain, and what a run is measured by is kept, which begins anew in a moment of 1.
 inline constexpr std::uint32_t momentVersion = 2;
 
 /// What momentToBytes() packs: all of a moment, value after value.

@@ -11,6 +11,11 @@ std::uint64_t momentHash(Moment moment)
             tool->meanForce.setZero();
             tool->meanTorque.setZero();
         }
+    moment.energy.turnover = 0; // moments that were kept before it was do not tell
+    moment.unsolvedSteps = 0;
+    moment.unsolvedInRow = 0;
+    moment.isPlacedInside = false;
+    moment.placedEnergy = 0;
     moment.integratorReason.clear();
     moment.health.message.clear();
     return checksumOf(momentContent(moment));

@@ -12,13 +12,14 @@ namespace knead {
 StepReport forwardEuler(ObjectState& state, const Vec3& gravity, double dt)
 {
     constexpr std::size_t blockSize = 4096;
+    const LaneVector<double>& weighed = state.weighedMass();
     std::vector<StepReport> reports((state.size() + blockSize - 1) / blockSize);
     forEachBlock(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
         StepReport& report = reports[begin / blockSize];
         for (std::size_t i = begin; i < end; ++i) {
             const Vec3 before = state.velocity.at(i);
             const Vec3 braking = state.damping.at(i);
-            Vec3 after = before + dt * state.inverseMass[i] * (state.force.at(i) + braking + state.mass[i] * gravity);
+            Vec3 after = before + dt * state.inverseMass[i] * (state.force.at(i) + braking + weighed[i] * gravity);
             if (state.inverseMass[i] == 0)
                 after = before;
             state.position.add(i, dt * before);

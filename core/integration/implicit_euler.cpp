@@ -1,8 +1,7 @@
 #include "core/integration/implicit_euler.h"
 
+#include "core/integration/piece_momenta.h"
 #include "core/task/parallel.h"
-
-#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +65,7 @@ ImplicitEuler::ImplicitEuler(std::vector<BodyView> bodies)
             m_rigidIndex[b] = m_system.rigids().size();
             m_first[b] = m_system.addRigid();
         }
+        m_whole.push_back({.ofObject = std::vector<std::uint32_t>(body.state->size(), 0), .count = 1});
         for (std::size_t i = 0; i < body.state->size(); ++i)
             m_mass += body.state->mass[i];
     }
@@ -139,9 +139,10 @@ void ImplicitEuler::findResidual(const Vec3& gravity, double h)
         if (body.deforms) {
             forEachBlock(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i)
-                    m_residual.set(first + i, h * (state.force.at(i) + state.damping.at(i)) +
-                                                  state.mass[i] * (h * gravity + m_startVelocity[b].at(i) -
-                                                                   m_velocity.at(first + i)));
+                    m_residual.set(first + i,
+                                   h * (state.force.at(i) + state.damping.at(i)) +
+                                       state.mass[i] * (h * state.gravityShare(i) * gravity + m_startVelocity[b].at(i) -
+                                                        m_velocity.at(first + i)));
             });
         } else if (body.rigid != nullptr) {
             const RigidMotion& start = *m_startMotion[b];
@@ -254,60 +255,55 @@ double ImplicitEuler::flowedEnergy() const
     return sum;
 }
 
-namespace {
-
-/// Momentum, center of mass, angular momentum about it and inertia of a body's objects.
-struct Momenta {
-    Momenta(const ObjectState& state, const VectorArray& position, const VectorArray& velocity)
-    {
-        for (std::size_t i = 0; i < state.size(); ++i) {
-            mass += state.mass[i];
-            center += state.mass[i] * position.at(i);
-            linear += state.mass[i] * velocity.at(i);
-        }
-        center /= mass;
-        for (std::size_t i = 0; i < state.size(); ++i) {
-            const Vec3 arm = position.at(i) - center;
-            angular += state.mass[i] * arm.cross(velocity.at(i));
-            inertia += state.mass[i] * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
-        }
-    }
-    double mass = 0;
-    Vec3 center = Vec3::Zero();
-    Vec3 linear = Vec3::Zero();
-    Vec3 angular = Vec3::Zero();
-    Mat3 inertia = Mat3::Zero();
-};
-
-} // namespace
-
-/// Bodies that touch nothing keep their momenta: linear ones to what the solver left over, angular ones to what the scheme
-/// takes from anything that turns. A rigid motion puts them right.
+/// Pieces that touch nothing and are not held keep their momenta: linear ones to what the solver left over, angular ones to what
+/// the scheme takes from anything that turns. A rigid motion of each piece puts them right.
 void ImplicitEuler::keepMomenta(const std::vector<ContactTangent>& tangents, const Vec3& gravity, double h)
 {
-    std::vector<std::uint8_t> touches(m_bodies.size(), 0);
+    std::vector<std::vector<std::uint8_t>> touches;
+    for (std::size_t b = 0; b < m_bodies.size(); ++b)
+        touches.emplace_back(piecesOf(b).count, std::uint8_t{0});
+    const auto mark = [&](const ObjectRef& object) {
+        touches[object.body][piecesOf(object.body).ofObject[object.object]] = 1;
+    };
     for (const ContactTangent& tangent : tangents) {
-        touches[tangent.first.body] = 1;
+        mark(tangent.first);
         if (tangent.second)
-            touches[tangent.second->body] = 1;
+            mark(*tangent.second);
     }
     for (std::size_t b = 0; b < m_bodies.size(); ++b) {
-        BodyView& body = m_bodies[b];
-        if (!body.deforms || body.anchored || touches[b] != 0)
+        if (!m_bodies[b].deforms)
             continue;
-        ObjectState& state = *body.state;
-        const Momenta before(state, m_startPosition[b], m_startVelocity[b]);
-        const Momenta now(state, state.position, state.velocity);
-        const Vec3 push = (before.linear - now.linear) / now.mass + h * gravity;
-        Vec3 spin = Vec3::Zero();
-        const Eigen::SelfAdjointEigenSolver<Mat3> inertia(now.inertia, Eigen::EigenvaluesOnly);
-        const bool canTurn = inertia.eigenvalues()[0] > 1e-6 * inertia.eigenvalues()[2];
-        if (canTurn && body.connections->structuralFriction() == 0)
-            spin = now.inertia.inverse() * (before.angular - now.angular);
-        for (std::size_t i = 0; i < state.size(); ++i) {
-            state.velocity.add(i, push + spin.cross(state.position.at(i) - now.center));
-            state.position.add(i, h * push);
-        }
+        const ObjectState& state = *m_bodies[b].state;
+        for (std::size_t i = 0; i < state.size(); ++i)
+            if (state.inverseMass[i] == 0)
+                touches[b][piecesOf(b).ofObject[i]] = 1;
+        if (std::find(touches[b].begin(), touches[b].end(), 0) != touches[b].end())
+            keepMomenta(b, touches[b], gravity, h);
+    }
+}
+
+/// @param touches per piece, 1 where it keeps none
+void ImplicitEuler::keepMomenta(std::size_t body, const std::vector<std::uint8_t>& touches, const Vec3& gravity,
+                                double h)
+{
+    ObjectState& state = *m_bodies[body].state;
+    const Pieces& pieces = piecesOf(body);
+    const std::vector<PieceMomenta> before = momentaOf(state, m_startPosition[body], m_startVelocity[body], pieces);
+    const std::vector<PieceMomenta> now = momentaOf(state, state.position, state.velocity, pieces);
+    const bool turns = m_bodies[body].connections->structuralFriction() == 0; // else it brakes turns, as published
+    std::vector<Vec3> push(pieces.count, Vec3::Zero());
+    std::vector<Vec3> spin(pieces.count, Vec3::Zero());
+    for (std::size_t p = 0; p < pieces.count; ++p) {
+        push[p] = (before[p].linear - now[p].linear + h * now[p].weighed * gravity) / now[p].mass;
+        if (turns)
+            spin[p] = now[p].spinOf(before[p].angular - now[p].angular);
+    }
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        const std::uint32_t p = pieces.ofObject[i];
+        if (touches[p] != 0)
+            continue;
+        state.velocity.add(i, push[p] + spin[p].cross(state.position.at(i) - now[p].center));
+        state.position.add(i, h * push[p]);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/aggregate/pieces.h"
 #include "core/integration/anderson_mixing.h"
 #include "core/integration/conjugate_gradients.h"
 #include "core/mechanics/contacts.h"
@@ -32,7 +33,7 @@ public:
         StructuralConnections* connections;
         RigidMotion* rigid = nullptr; ///< of a rigid body that moves; null for others
         bool deforms = true;
-        bool anchored = false; ///< some object is held
+        const Pieces* pieces = nullptr; ///< connected ones, may be others before each step; null: it is one
     };
 
     /// Bodies, held objects, materials and masses stay what they are as long as it lives.
@@ -72,6 +73,10 @@ private:
     Contacts::Report findForces(Contacts& contacts, std::span<const RigidSurface> surfaces, const ContactStep& step);
     void findResidual(const Vec3& gravity, double h);
     LinkEnd endOf(const ObjectRef& object) const;
+    const Pieces& piecesOf(std::size_t body) const
+    {
+        return m_bodies[body].pieces != nullptr ? *m_bodies[body].pieces : m_whole[body];
+    }
     void updateSystem(const std::vector<ContactTangent>& tangents, double h);
     int solve(double goal);
     double flowedEnergy() const;
@@ -79,6 +84,7 @@ private:
     double sizeOfLoads(const std::vector<ContactTangent>& tangents, double h);
     double elasticEnergy() const;
     void keepMomenta(const std::vector<ContactTangent>& tangents, const Vec3& gravity, double h);
+    void keepMomenta(std::size_t body, const std::vector<std::uint8_t>& touches, const Vec3& gravity, double h);
     double numericalLoss(const Contacts::Report& contacts, double energyChange, double h) const;
 
     std::vector<BodyView> m_bodies;
@@ -95,6 +101,7 @@ private:
     std::vector<VectorArray> m_startPosition; ///< per body
     std::vector<VectorArray> m_startVelocity;
     std::vector<std::optional<RigidMotion>> m_startMotion; ///< of rigid bodies that move
+    std::vector<Pieces> m_whole;                           ///< of bodies that tell of no pieces
     VectorArray m_velocity;                                ///< rows: velocities at the end, as far as known
     VectorArray m_residual;
     VectorArray m_scratch;

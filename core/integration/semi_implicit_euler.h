@@ -10,16 +10,13 @@ struct StepReport {
     double dampingWork = 0;  ///< of state.damping on the objects, with the mean of old and new velocity [J]
 };
 
-/// One step of semi-implicit (symplectic) Euler: v += dt ((F + D) / m + g), then x += dt v with the new v.
+/// One step of semi-implicit (symplectic) Euler: v += dt (F + D + w g) / m, then x += dt v with the new v. The weight w g is
+/// that of the material, be the inertia m scaled or not.
 /// Objects with inverse mass 0 stay where they are. Several threads; same bits for any number.
 StepReport semiImplicitEuler(ObjectState& state, const Vec3& gravity, double dt);
 
 /// Adds dt times the present acceleration to the velocities. Velocities of the semi-implicit scheme belong to half a step before
 /// the positions; when the step changes from one length to another, half the difference is missing.
 void kick(ObjectState& state, const Vec3& gravity, double dt);
-
-/// Relaxes velocities towards the body's best-fit rigid motion (towards the mean velocity of what is held when `anchored`) by the factor 1 - exp(-rate dt).
-/// Keeps linear and angular momentum of a free body. @return energy taken out [J]
-double dampShape(ObjectState& state, double rate, double dt, bool anchored);
 
 } // namespace knead

@@ -106,7 +106,7 @@ void StaticEquilibrium::findResidual(const Vec3& gravity, const std::vector<Cont
     for (std::size_t b = 0; b < m_bodies.size(); ++b) {
         const ObjectState& state = *m_bodies[b].state;
         for (std::size_t i = 0; m_bodies[b].deforms && i < state.size(); ++i) {
-            const Vec3 own = state.mass[i] * gravity;
+            const Vec3 own = state.mass[i] * state.gravityShare(i) * gravity;
             const Vec3 force = state.force.at(i) + state.damping.at(i) + own;
             m_residual.set(m_first[b] + i, force);
             weight += own.squaredNorm();

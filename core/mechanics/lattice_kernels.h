@@ -63,10 +63,10 @@ struct StressArguments {
 /// Objects that move on. Arrays begin at the first of them, which is the first of a vector; the last vector is done whole.
 struct AdvanceArguments {
     std::size_t count;
-    double dt;             ///< [s]
-    const double* gravity; ///< 3 components [m/s^2]
-    const double* mass;
-    const double* inverseMass; ///< 0: held
+    double dt;                 ///< [s]
+    const double* gravity;     ///< 3 components [m/s^2]
+    const double* weighedMass; ///< that gravity pulls at [kg]
+    const double* inverseMass; ///< of inertia; 0: held
     const double* force;       ///< component c of object i at [c * stride + i], as in the following
     const double* damping;
     double* velocity;
@@ -130,7 +130,7 @@ struct Kernels {
     void (*excessStrain)(std::size_t count, const ConstVectors& self, const ConstVectors& neighbor,
                          const double* nominalLength, const double* limit, double* excess);
 
-    /// Semi-implicit Euler: v += dt ((f + b) / m + g), x += dt v.
+    /// Semi-implicit Euler: v += dt (f + b + w g) / m, x += dt v, with the mass w that is weighed.
     AdvanceReport (*advance)(const AdvanceArguments& arguments);
 
     const char* name; ///< "x86-64", "AVX2", "AVX-512"

@@ -48,14 +48,14 @@ AdvanceReport advance(const AdvanceArguments& a)
     Lanes work{};
     LaneBits largest{};
     for (std::size_t i = 0; i < a.count; i += lanes) {
-        const Lanes mass = load(a.mass + i);
+        const Lanes weighed = load(a.weighedMass + i);
         const Lanes share = dt * load(a.inverseMass + i);
         Lanes squared{};
         for (int c = 0; c < 3; ++c) {
             const std::ptrdiff_t at = c * a.stride + static_cast<std::ptrdiff_t>(i);
             const Lanes damping = load(a.damping + at);
             const Lanes before = load(a.velocity + at);
-            const Lanes after = before + share * (load(a.force + at) + damping + mass * a.gravity[c]);
+            const Lanes after = before + share * (load(a.force + at) + damping + weighed * a.gravity[c]);
             store(a.velocity + at, after);
             store(a.position + at, load(a.position + at) + dt * after);
             work += damping * (before + after);

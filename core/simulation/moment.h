@@ -105,8 +105,12 @@ struct Moment {
     double lastStep = 0;   ///< by which positions moved last [s]; 0 at the start
     double stableStep = 0; ///< [s]
     double crowding = 1;
-    double addedMass = 0; ///< by mass scaling [kg]
-    EnergyLedger energy;  ///< what came in and went out
+    std::uint64_t unsolvedSteps = 0;
+    std::uint32_t unsolvedInRow = 0;
+    bool isPlacedInside = false; ///< see Simulation::State
+    double placedEnergy = 0;     ///< the same [J]
+    double addedMass = 0;        ///< by mass scaling [kg]
+    EnergyLedger energy;         ///< what came in and went out
     double startEnergy = 0;
     double unknownEnergy = 0; ///< see Simulation::State [J]
     bool wasSquashed = false;

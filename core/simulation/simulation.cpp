@@ -2,6 +2,7 @@
 
 #include "core/integration/forward_euler.h"
 #include "core/integration/semi_implicit_euler.h"
+#include "core/integration/shape_damping.h"
 #include "core/simulation/simulation_state.h"
 
 #include <algorithm>
@@ -153,11 +154,12 @@ void Simulation::State::loadFixtures()
         if (!fixtures[id])
             continue;
         const ObjectState& state = runs[fixtures[id]->body]->state;
+        const LaneVector<double>& weighed = state.weighedMass();
         const Vec3& center = fixtureCenters[id];
         for (const ObjectIndex object : fixtures[id]->objects) {
             if (object >= state.size())
                 continue;
-            const Vec3 force = state.force.at(object) + state.damping.at(object) + state.mass[object] * gravity;
+            const Vec3 force = state.force.at(object) + state.damping.at(object) + weighed[object] * gravity;
             const Vec3 place = state.position.at(object);
             const Vec3 felt = force - state.mass[object] * centripetal(id, place);
             fixtureForces[id] += felt;
@@ -178,11 +180,20 @@ void Simulation::State::tellFrictionApart()
         Vec3 velocity = run.state.velocity.at(i);
         if (!isImplicit() && run.deforms() && run.state.inverseMass[i] > 0)
             velocity -= 0.5 * timeStep *
-                        (run.state.inverseMass[i] * (run.state.force.at(i) + run.state.damping.at(i)) + gravity);
+                        (run.state.inverseMass[i] * (run.state.force.at(i) + run.state.damping.at(i)) +
+                         run.state.gravityShare(i) * gravity);
         lost -= friction.force.dot(velocity - friction.velocity) * timeStep;
     }
     energy.friction += lost;
     energy.viscous -= lost;
+}
+
+/// Shape damping of a body over a duration [s]. @return energy taken out [J]
+double Simulation::State::brakeShape(BodyId body, double duration)
+{
+    BodyRun& run = *runs[body];
+    const double rate = run.materials.materials().front().shapeDamping;
+    return rate > 0 && run.deforms() ? dampShape(run.state, rate, duration, piecesOf(body)) : 0;
 }
 
 void Simulation::State::integrate()
@@ -190,7 +201,8 @@ void Simulation::State::integrate()
     const bool leaps = integrator == Integrator::semiImplicitEuler;
     const double change = leaps && lastStep > 0 ? 0.5 * (lastStep - timeStep) : 0;
     double largestSpeed = 0;
-    for (auto& run : runs) {
+    for (BodyId b = 0; b < runs.size(); ++b) {
+        const auto& run = runs[b];
         if (change != 0 && run->rigid)
             run->rigid->kick(run->state, gravity, change);
         else if (change != 0 && run->deforms())
@@ -202,9 +214,8 @@ void Simulation::State::integrate()
         } else if (run->deforms()) {
             report = integrator == Integrator::forwardEuler ? forwardEuler(run->state, gravity, timeStep)
                                                             : semiImplicitEuler(run->state, gravity, timeStep);
-            if (const double rate = run->materials.materials().front().shapeDamping;
-                rate > 0 && step % shapeDampingInterval == 0)
-                energy.viscous += dampShape(run->state, rate, timeStep * shapeDampingInterval, run->anchored);
+            if (step % shapeDampingInterval == 0)
+                energy.viscous += brakeShape(b, timeStep * shapeDampingInterval);
         }
         const bool isNumber = std::isfinite(report.largestSpeed);
         largestSpeed = isNumber ? std::max(largestSpeed, report.largestSpeed) : std::numeric_limits<double>::infinity();
@@ -236,6 +247,7 @@ void Simulation::step()
     state.applyCommands();
     if (!state.health.ok)
         return;
+    state.bookToolsInside();
     if (state.isImplicit()) {
         state.clock.end(Stage::tools);
         state.changeConnections();
@@ -294,6 +306,10 @@ std::uint64_t Simulation::stepCount() const
 const std::vector<Body>& Simulation::bodies() const
 {
     return m_state->bodies;
+}
+void Simulation::stop(const std::string& cause)
+{
+    m_state->stop(cause, Trouble::failed);
 }
 std::size_t Simulation::components()
 {

@@ -52,6 +52,11 @@ public:
     /// @pre moment is not null
     void goTo(MomentPointer moment);
 
+    /// Something else than the numbers went wrong, within a step or beside it: stops and goes back to the last good state, as
+    /// with other trouble.
+    /// @param cause a sentence with its remedy
+    void stop(const std::string& cause);
+
     /// Connected pieces of material, by live connections and joints.
     std::size_t components();
 

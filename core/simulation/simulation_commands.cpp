@@ -42,7 +42,9 @@ public:
     }
     void operator()(const SetBodyKind& command) const
     {
-        body(command.body);
+        const BodyRun& run = body(command.body);
+        if (command.kind == BodyKind::rigid && run.kind != BodyKind::rigid)
+            requireWhole(command.body);
         keepingAccounts([&] { m_state.setKind(command.body, command.kind); });
     }
     void operator()(const Renormalize& command) const
@@ -208,6 +210,15 @@ private:
             throw std::runtime_error("There is no body number " + std::to_string(id) + ".");
         return *m_state.runs[id];
     }
+    /// Pieces that came off move on their own, and a rigid body has one motion.
+    void requireWhole(BodyId id) const
+    {
+        const std::size_t pieces = m_state.piecesOf(id).count;
+        if (pieces > findPieces(*m_state.bodies[id].aggregate).count)
+            throw std::runtime_error("\"" + m_state.bodies[id].name + "\" broke into " + std::to_string(pieces) +
+                                     " pieces, and a rigid body would weld them together where they are. Keep it "
+                                     "deformable, or reset before it becomes rigid.");
+    }
     /// What a person changes by hand is neither won nor lost in the ledger.
     template <typename Change>
     void keepingAccounts(Change apply) const
@@ -257,6 +268,14 @@ bool isOfWords(const Command& command)
            std::holds_alternative<RenameFixture>(command);
 }
 
+/// At once and without pushing, be there material or not.
+bool placesTool(const Command& command)
+{
+    return std::holds_alternative<AddManipulator>(command) || std::holds_alternative<PlaceManipulator>(command) ||
+           std::holds_alternative<ReshapeManipulator>(command) || std::holds_alternative<SetFloor>(command) ||
+           std::holds_alternative<Reset>(command);
+}
+
 } // namespace
 
 void Simulation::State::setKind(BodyId body, BodyKind kind)
@@ -292,6 +311,8 @@ void Simulation::State::applyCommands()
             carryOut(command);
             if (!std::holds_alternative<KeepMoment>(command)) // what was wrong before has not been read yet
                 notice.clear();
+            if (placesTool(command))
+                noteToolsInside();
         } catch (const std::runtime_error& error) {
             notice = error.what();
         }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace knead {
 
@@ -17,9 +18,6 @@ constexpr std::uint64_t checkpointInterval = 256;
 constexpr std::uint64_t implicitCheckpointInterval = 8; // the same in frames
 // The stable step depends on the shape, so it is found again this often [steps].
 constexpr std::uint64_t timeStepInterval = 256;
-// A speed of objects that no sensible motion reaches: this many times the speed of sound, plus free fall from far up [m/s].
-constexpr double runawaySoundSpeeds = 20;
-constexpr double runawaySpeed = 30;
 // With more contacts on an object at a time than the time step allows for, the step is found again with some to spare.
 constexpr double crowdingReserve = 1.5;
 // A chosen time step may be this much above the largest stable one: that is bounded from above, not known.
@@ -50,53 +48,77 @@ std::string Simulation::State::squashedBody()
     return again ? name : "";
 }
 
+/// Once in a while: what costs about a step to see. @return what was found wrong, with a cause
+std::pair<Trouble, std::string> Simulation::State::lookClosely()
+{
+    penetration = std::max(penetration, deepestOverlap());
+    if (const std::string name = squashedBody(); !name.empty())
+        return {Trouble::squashed,
+                "material of " + name +
+                    " was squashed flat or turned inside out. Press less far, raise Poisson's ratio or the yield "
+                    "stress, or fill the part with a smaller spacing, then reset."};
+    if (std::string cause = energyCause(); !cause.empty())
+        return {Trouble::energy, std::move(cause)};
+    if (!wasSquashed && !wasOverdrawn)
+        lastGood = std::make_shared<const Moment>(moment());
+    return {Trouble::none, {}};
+}
+
+std::pair<Trouble, std::string> Simulation::State::findTrouble()
+{
+    if (!std::isfinite(largestTravel / lastStep))
+        return {Trouble::notANumber,
+                "a position is no longer a number. " + remedy() + " or make the material softer, then reset."};
+    if (std::string cause = runawayCause(); !cause.empty())
+        return {Trouble::runaway, std::move(cause)};
+    if (std::string cause = unsolvedCause(); !cause.empty())
+        return {Trouble::unsolved, std::move(cause)};
+    if (step % (isImplicit() ? implicitCheckpointInterval : checkpointInterval) == 0)
+        return lookClosely();
+    return {Trouble::none, {}};
+}
+
+/// The longest step that is stable with as many contacts on an object as there are. More of them count at once; fewer, when
+/// there were no more since the last look.
+void Simulation::State::findTimeStep()
+{
+    recentCrowding = std::max(recentCrowding, contactReport.crowding);
+    const bool isCrowded = contactReport.crowding > crowding;
+    const bool isDue = step % timeStepInterval == 0;
+    if (isCrowded)
+        crowding = crowdingReserve * contactReport.crowding;
+    else if (isDue)
+        crowding = std::min(crowding, std::max(1.0, crowdingReserve * recentCrowding));
+    if (isDue)
+        recentCrowding = 0;
+    if (isCrowded || isDue)
+        updateTimeStep();
+}
+
 void Simulation::State::checkHealth()
 {
-    double limit = runawaySpeed;
-    for (const auto& run : runs)
-        limit =
-            std::max(limit, runawaySpeed + runawaySoundSpeeds * run->materials.largest([](const Material& material) {
-                return material.soundSpeed();
-            }));
-    const double speed = largestTravel / lastStep;
-    const auto slower = [&] {
-        const bool hasTools =
-            std::any_of(tools.begin(), tools.end(), [](const auto& tool) { return tool.has_value(); });
-        return hasTools                  ? "Make the tools slower"
-               : gravity != Vec3::Zero() ? "Lower gravity"
-                                         : "Move bodies and fixtures slower";
-    };
-    std::ostringstream cause;
-    Trouble trouble = Trouble::none;
-    if (!std::isfinite(speed)) {
-        trouble = Trouble::notANumber;
-        cause << "a position is no longer a number. " << slower() << " or make the material softer, then reset.";
-    } else if (speed > limit) {
-        trouble = Trouble::runaway;
-        cause << "objects moved at " << speed << " m/s. " << slower() << " or raise the damping ratio, then reset.";
-    } else if (step % (isImplicit() ? implicitCheckpointInterval : checkpointInterval) == 0) {
-        if (const std::string name = squashedBody(); !name.empty()) {
-            trouble = Trouble::squashed;
-            cause << "material of " << name
-                  << " was squashed flat or turned inside out. Press less far, raise Poisson's ratio or the yield "
-                     "stress, or fill the part with a smaller spacing, then reset.";
-        } else if (!wasSquashed)
-            lastGood = std::make_shared<const Moment>(moment());
-    }
-    if (cause.str().empty() && !isImplicit()) {
-        const bool crowded = contactReport.crowding > crowding;
-        if (crowded)
-            crowding = crowdingReserve * contactReport.crowding;
-        if (crowded || step % timeStepInterval == 0)
-            updateTimeStep();
+    fastestDriven = std::max(fastestDriven, surfaceTravel / lastStep);
+    for (const auto& fixture : fixtures)
+        if (fixture)
+            fastestDriven = std::max(fastestDriven, fixture->velocity.norm());
+    auto [trouble, cause] = findTrouble();
+    if (cause.empty() && !isImplicit()) {
+        findTimeStep();
         if (wantedTimeStep && *wantedTimeStep > stableStepTolerance * stableStep) {
+            std::ostringstream text;
+            text << "the chosen time step of " << *wantedTimeStep << " s is longer than the stable one of "
+                 << stableStep << " s. Choose a shorter one, or a softer or more damped material.";
             trouble = Trouble::longStep;
-            cause << "the chosen time step of " << *wantedTimeStep << " s is longer than the stable one of "
-                  << stableStep << " s. Choose a shorter one, or a softer or more damped material.";
+            cause = text.str();
         }
     }
-    if (!cause.str().empty())
-        stop(cause.str(), trouble);
+    if (!cause.empty())
+        stop(cause, trouble);
+}
+
+const Pieces& Simulation::State::piecesOf(BodyId body)
+{
+    return runs[body]->pieces.find(runs[body]->connections, body, contacts->joints());
 }
 
 std::size_t Simulation::State::components()

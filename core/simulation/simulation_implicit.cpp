@@ -1,5 +1,4 @@
 // Steps of the implicit scheme, how long they are, and when they are taken.
-#include "core/integration/semi_implicit_euler.h"
 #include "core/integration/time_step.h"
 #include "core/simulation/simulation_state.h"
 
@@ -169,12 +168,14 @@ double Simulation::State::longestImplicitStep() const
 void Simulation::State::makeImplicit()
 {
     std::vector<ImplicitEuler::BodyView> views;
-    for (auto& run : runs)
-        views.push_back({.state = &run->state,
-                         .connections = &run->connections,
-                         .rigid = run->rigid ? &*run->rigid : nullptr,
-                         .deforms = run->deforms(),
-                         .anchored = run->anchored});
+    for (BodyId b = 0; b < runs.size(); ++b) {
+        BodyRun& run = *runs[b];
+        views.push_back({.state = &run.state,
+                         .connections = &run.connections,
+                         .rigid = run.rigid ? &*run.rigid : nullptr,
+                         .deforms = run.deforms(),
+                         .pieces = &piecesOf(b)});
+    }
     implicit = std::make_unique<ImplicitEuler>(std::move(views));
     if (!loads.empty())
         implicit->setLoads([this] { return addLoads(time + timeStep); });
@@ -251,10 +252,27 @@ bool Simulation::State::searchWays(const std::vector<Pose>& before, std::vector<
     return again;
 }
 
+/// A step that was taken though its equations were not solved is counted; the first one is said.
+void Simulation::State::countSolved(bool isSolved)
+{
+    unsolvedInRow = isSolved ? 0 : unsolvedInRow + 1;
+    if (isSolved)
+        return;
+    if (++unsolvedSteps > 1)
+        return;
+    std::ostringstream text;
+    text << std::setprecision(3) << "The equations of the step at " << time
+         << " s could not be solved: forces and places are rough from there on. Make tools slower, or choose a shorter "
+            "time step.";
+    notice = text.str();
+}
+
 void Simulation::State::stepImplicitly()
 {
     if (!implicit)
         makeImplicit();
+    for (BodyId b = 0; b < runs.size(); ++b)
+        piecesOf(b); // which `implicit` looks at
     std::vector<Pose> before;
     for (const auto& tool : tools)
         before.push_back(tool ? tool->manipulator.pose : Pose{});
@@ -288,6 +306,7 @@ void Simulation::State::stepImplicitly()
         }
         implicit->undo();
     }
+    countSolved(report.converged);
     bookContacts();
     energy.viscous -= report.dampingWork;
     energy.numerical += report.numerical;
@@ -300,9 +319,8 @@ void Simulation::State::stepImplicitly()
     for (auto& run : runs)
         energy.plastic += run->connections.acceptFlow();
     loadFixtures();
-    for (auto& run : runs)
-        if (const double rate = run->materials.materials().front().shapeDamping; rate > 0 && run->deforms())
-            energy.viscous += dampShape(run->state, rate, timeStep, run->anchored);
+    for (BodyId b = 0; b < runs.size(); ++b)
+        energy.viscous += brakeShape(b, timeStep);
     endTurns();
     largestTravel = report.largestSpeed * timeStep;
     lastStep = lastKick = timeStep;

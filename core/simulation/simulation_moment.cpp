@@ -41,6 +41,10 @@ Moment Simulation::State::moment() const
                   .lastStep = lastStep,
                   .stableStep = stableStep,
                   .crowding = crowding,
+                  .unsolvedSteps = unsolvedSteps,
+                  .unsolvedInRow = unsolvedInRow,
+                  .isPlacedInside = isPlacedInside,
+                  .placedEnergy = placedEnergy,
                   .addedMass = addedMass,
                   .energy = energy,
                   .startEnergy = startEnergy,
@@ -83,11 +87,18 @@ void Simulation::State::restore(const Moment& moment)
     lastKick = 0; // the forces of that step are not kept
     stableStep = moment.stableStep;
     crowding = moment.crowding;
+    recentCrowding = crowding; // not kept: it takes a whole interval without contacts to allow longer steps
+    fastestDriven = 0;
+    unsolvedSteps = moment.unsolvedSteps;
+    unsolvedInRow = moment.unsolvedInRow;
+    isPlacedInside = moment.isPlacedInside;
+    placedEnergy = moment.placedEnergy;
     addedMass = moment.addedMass;
     energy = moment.energy;
     startEnergy = moment.startEnergy;
     unknownEnergy = moment.unknownEnergy;
     wasSquashed = moment.wasSquashed;
+    wasOverdrawn = false;
     health = moment.health;
     gravity = moment.gravity;
     floorHeight = moment.floorHeight;
@@ -123,11 +134,13 @@ void Simulation::State::restoreBodies(const Moment& moment)
         bodies[b].kind = run.kind = body.kind;
         run.materials = body.materials;
         run.connections.restore(body.changes);
+        run.pieces.forget();
         run.connections.setFastestMode(body.fastestMode);
-        if (body.mass.empty())
-            setMass(b);
-        else
+        setMass(b);
+        if (!body.mass.empty() && run.state.mass != body.mass) {
+            run.state.trueMass = run.state.mass;
             run.state.mass = body.mass;
+        }
         run.state.force.setZero();
         run.state.damping.setZero();
         run.rigid.reset();

@@ -120,6 +120,7 @@ Simulation::State::State(Scene scene)
         requireDamping(run->materials, integrator);
     setMasses();
     placeAtStart();
+    noteToolsInside();
 }
 
 /// Forward Euler is not stable without.
@@ -148,9 +149,10 @@ void Simulation::State::setMass(std::size_t body)
     const std::vector<double>& volume = bodies[body].aggregate->volume;
     for (ObjectIndex i = 0; i < volume.size(); ++i)
         run.state.mass[i] = run.materials.of(i).density * volume[i];
+    run.state.trueMass.clear();
 }
 
-/// Objects whose own bound on the frequency is above the one that the wanted step allows get heavier.
+/// Objects whose own bound on the frequency is above the one that the wanted step allows get more inertia, but no weight.
 void Simulation::State::scaleMasses(BodyRun& run)
 {
     const double frequency = frequencyForTimeStep(*massScalingTimeStep / timeStepShare, run.connections.dampingTime());
@@ -158,6 +160,7 @@ void Simulation::State::scaleMasses(BodyRun& run)
     for (ObjectIndex i = 0; i < added.size(); ++i)
         added[i] = run.connections.contactStiffness(i);
     const std::vector<double> stiffness = run.connections.stiffnessBounds(run.state, added);
+    const LaneVector<double> material = run.state.mass;
     for (std::size_t i = 0; i < stiffness.size(); ++i) {
         const double needed = stiffness[i] / (frequency * frequency);
         if (needed <= run.state.mass[i])
@@ -165,6 +168,8 @@ void Simulation::State::scaleMasses(BodyRun& run)
         addedMass += needed - run.state.mass[i];
         run.state.mass[i] = needed;
     }
+    if (run.state.mass != material)
+        run.state.trueMass = material;
 }
 
 void Simulation::State::holdFixtures()
@@ -241,6 +246,7 @@ void Simulation::State::placeAtStart()
         BodyRun& run = *runs[b];
         run.state.position = objectsAtRest(*bodies[b].aggregate).position;
         run.connections.restore({});
+        run.pieces.forget();
         run.kind = bodies[b].kind;
         run.rigid.reset();
         Vec3 center = Vec3::Zero();
@@ -261,6 +267,7 @@ void Simulation::State::placeAtStart()
             tool = ToolRun(tool->start);
     gripProgress.assign(fixtures.size(), {});
     loads.begin();
+    componentsVersion = ~std::uint64_t{0};
     holdFixtures();
     contacts = std::make_unique<Contacts>(contactBodies(), vicinity);
     if (touching == Touching::glued)
@@ -272,10 +279,18 @@ void Simulation::State::placeAtStart()
     lastStep = 0;
     lastKick = 0;
     crowding = 1;
+    recentCrowding = 0;
+    fastestDriven = 0;
+    unsolvedSteps = 0;
+    unsolvedInRow = 0;
+    penetration = 0;
+    isPlacedInside = false;
+    placedEnergy = 0;
     largestTravel = 0;
     surfaceTravel = 0;
     newlyBroken = false;
     wasSquashed = false;
+    wasOverdrawn = false;
     health = {};
     energy = {};
     startEnergy = 0;

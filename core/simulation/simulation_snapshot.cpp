@@ -116,6 +116,7 @@ EnergyLedger Simulation::State::storedEnergy()
             continue;
         }
         const ObjectState& state = run->state;
+        const LaneVector<double>& weighed = state.weighedMass();
         VectorArray earlier(state.size());
         struct Sums {
             double kinetic = 0;
@@ -127,14 +128,14 @@ EnergyLedger Simulation::State::storedEnergy()
             Sums& sum = sums[begin / snapshotBlockSize];
             for (std::size_t i = begin; i < end; ++i) {
                 const double mass = state.mass[i];
-                const Vec3 force = state.force.at(i) + state.damping.at(i) + mass * gravity;
+                const Vec3 force = state.force.at(i) + state.damping.at(i) + weighed[i] * gravity;
                 const Vec3 after = state.velocity.at(i);
                 const Vec3 before = after - kicked * state.inverseMass[i] * force;
                 const Vec3 place = state.position.at(i) - back * (sameTime ? before : after);
                 earlier.set(i, place);
                 sum.kinetic +=
                     sameTime ? 0.5 * mass * before.squaredNorm() : 0.125 * mass * (before + after).squaredNorm();
-                sum.gravity -= mass * gravity.dot(place);
+                sum.gravity -= weighed[i] * gravity.dot(place);
                 sum.conserved += 0.5 * mass * before.dot(sameTime ? before : after);
             }
         });
@@ -150,6 +151,8 @@ EnergyLedger Simulation::State::storedEnergy()
         stored.toolWork -= loads.workAhead; // of the last step, which is not counted yet
     stored.imbalance = conserved + stored.elastic + stored.gravity + stored.contact + stored.dissipated() -
                        stored.toolWork + unknownEnergy - startEnergy;
+    stored.turnover =
+        std::max(energy.turnover, stored.kinetic + stored.elastic + stored.contact + std::abs(stored.dissipated()));
     return stored;
 }
 
@@ -188,6 +191,8 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
     shot->energy = state.storedEnergy();
     shot->joints = state.contacts->joints().all().size();
     shot->components = state.components();
+    shot->penetration = std::max(state.penetration, state.deepestOverlap());
+    shot->unsolvedSteps = state.unsolvedSteps;
     double allMass = 0;
     for (std::size_t b = 0; b < state.bodies.size(); ++b) {
         const Aggregate& aggregate = *state.bodies[b].aggregate;

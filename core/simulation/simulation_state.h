@@ -5,6 +5,7 @@
 #include "core/mechanics/object_strain.h"
 #include "core/mechanics/structural_connections.h"
 #include "core/simulation/moment.h"
+#include "core/simulation/pieces_of_body.h"
 #include "core/simulation/simulation.h"
 #include "core/simulation/simulation_loads.h"
 #include "core/simulation/stage_clock.h"
@@ -12,6 +13,8 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace knead {
@@ -24,9 +27,10 @@ struct BodyRun {
     ObjectState state;
     StructuralConnections connections;
     BodyKind kind;
-    std::optional<RigidMotion> rigid;                           ///< of a rigid body that is not held
-    bool anchored = false;                                      ///< some object is held
-    std::vector<FixtureId> gripOf;                              ///< per object: the grip that moves it, if any does
+    std::optional<RigidMotion> rigid; ///< of a rigid body that is not held
+    bool anchored = false;            ///< some object is held
+    std::vector<FixtureId> gripOf;    ///< per object: the grip that moves it, if any does
+    PiecesOfBody pieces;
     std::shared_ptr<const std::vector<ConnectionId>> published; ///< what was broken in the snapshot before; null: none
     std::shared_ptr<const RelaxedState> relaxed;                ///< in the snapshot before; null: there was none
     std::uint64_t relaxedVersion = 0;                           ///< of the lengths in that
@@ -47,6 +51,7 @@ struct Simulation::State {
     void stepImplicitly();
     StaticReport findBalance(double duration);
     bool balance(double duration, StaticReport& report);
+    void countSolved(bool isSolved);
     void checkHealth();
 
     void carryOut(const Command& command);
@@ -96,7 +101,27 @@ struct Simulation::State {
     void goTo(MomentPointer moment);
     void stop(const std::string& cause, Trouble trouble);
     std::string squashedBody();
+    double releasedSpeed(const BodyRun& run) const;
+    double fastestSensible(BodyId body) const;
+    std::string runawayCause() const;
+    std::string energyCause();
+    std::string unsolvedCause() const;
+    std::string remedy() const;
+    struct Overlap {
+        double depth = 0; ///< [m]; 0: none
+        ToolId tool = 0;
+        BodyId body = 0;
+    };
+    Overlap deepestTool() const;
+    double deepestOverlap() const;
+    void noteToolsInside();
+    void bookToolsInside();
+    void findTimeStep();
+    std::pair<Trouble, std::string> lookClosely();
+    std::pair<Trouble, std::string> findTrouble();
     std::size_t components();
+    const Pieces& piecesOf(BodyId body);
+    double brakeShape(BodyId body, double duration);
 
     std::vector<Body> bodies; ///< present materials
     Vec3 gravity = Vec3::Zero();
@@ -133,7 +158,14 @@ struct Simulation::State {
     double lastKick = 0;   ///< by which velocities were changed last [s]; 0: the forces that did are not known any more
     double stableStep = 0; ///< largest stable one at the last look [s]
     double crowding = 1;   ///< contacts at a time that the time step allows an object
-    double largestTravel = 0; ///< of any object in the last step [m]
+    double recentCrowding = 0;       ///< contacts at a time that an object had since the time step was looked at
+    double fastestDriven = 0;        ///< of tools and fixtures so far, since the start or going to a moment [m/s]
+    std::uint64_t unsolvedSteps = 0; ///< implicit ones so far
+    std::uint32_t unsolvedInRow = 0; ///< the last ones
+    double penetration = 0;          ///< see Snapshot
+    bool isPlacedInside = false;     ///< a tool or the floor was put into material, and that is not booked yet
+    double placedEnergy = 0;         ///< stored in contacts by that so far [J]
+    double largestTravel = 0;        ///< of any object in the last step [m]
     double surfaceTravel = 0;
     double addedMass = 0;   ///< by mass scaling [kg]
     double startEnergy = 0; ///< stored at the start [J]
@@ -142,7 +174,8 @@ struct Simulation::State {
     double unknownEnergy = 0;
     EnergyLedger energy; ///< what came in and went out is kept up to date
     bool newlyBroken = false;
-    bool wasSquashed = false; ///< at the last look
+    bool wasSquashed = false;  ///< at the last look
+    bool wasOverdrawn = false; ///< energy came from nowhere at the last look; begins anew from a moment
     std::size_t knownComponents = 0;
     std::uint64_t componentsVersion = ~std::uint64_t{0};
     Health health;

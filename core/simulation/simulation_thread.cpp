@@ -7,7 +7,9 @@
 #include <deque>
 #include <functional>
 #include <mutex>
+#include <new>
 #include <stop_token>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -56,9 +58,42 @@ struct SimulationThread::Worker {
             carryOutRequests(stop);
             if (stop.stop_requested())
                 return;
-            if (playing)
-                playFrame(stop);
+            guard([&] {
+                if (playing)
+                    playFrame(stop);
+            });
+            guard([&] { publish(); });
+        }
+    }
+
+    /// An exception ends what was begun, not the program: the snapshot says what it was.
+    template <typename Work>
+    void guard(Work&& work)
+    {
+        try {
+            work();
+        } catch (const std::bad_alloc&) {
+            pauseAfter("there is not enough memory to go on. Close other programs or fill the part with a larger "
+                       "spacing, then reset.");
+        } catch (const std::exception& error) {
+            pauseAfter(std::string(error.what()) + " Reset, or go to an earlier moment.");
+        }
+    }
+
+    /// The state goes back to the last good one.
+    void pauseAfter(const std::string& cause)
+    {
+        playing = false;
+        try {
+            simulation.stop(cause);
             publish();
+        } catch (const std::exception&) { // nor can it go back, or whoever watches throws: the last snapshot has to do
+            auto shot = std::make_shared<Snapshot>(*latest);
+            shot->playing = false;
+            shot->requests = carriedOut;
+            shot->health = {false, "The simulation was stopped: " + cause, Trouble::failed};
+            const std::lock_guard lock(mutex);
+            latest = shot;
         }
     }
 
@@ -73,9 +108,9 @@ struct SimulationThread::Worker {
             taken.swap(requests);
         }
         for (const auto& request : taken)
-            request(*this);
+            guard([&] { request(*this); });
         carriedOut += taken.size();
-        simulation.applyCommands(); // the next snapshot shows them, with or without a step
+        guard([&] { simulation.applyCommands(); }); // the next snapshot shows them, with or without a step
     }
 
     /// Simulates one sixtieth of a second times the wanted speed, or as much of it as fits, and waits for the frame to end.

@@ -3,8 +3,15 @@
 #include "core/task/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace knead {
+
+double EnergyLedger::imbalanceShare() const
+{
+    const double most = std::max({turnover, std::abs(toolWork), std::abs(imbalance)});
+    return most > 0 ? std::max(std::abs(imbalance), created()) / std::max(most, created()) : 0;
+}
 
 Vec3 Snapshot::BodyState::displacement(ObjectIndex object) const
 {

@@ -32,6 +32,15 @@ struct EnergyLedger {
 
     /// What is stored less what came in, plus what went out, since the start; zero but for the error of the scheme [J].
     double imbalance = 0;
+
+    /// What there was to go round: the most so far of all that is stored and went out, or came in, height apart [J]. An
+    /// imbalance is small or large against this.
+    double turnover = 0;
+
+    /// What came from nowhere [J]: the imbalance, and what the implicit scheme added where it should take out.
+    double created() const { return imbalance - (numerical < 0 ? numerical : 0); }
+
+    double imbalanceShare() const; ///< of the turnover, 0 .. 1
 };
 
 /// What a step consists of, in order.
@@ -54,6 +63,9 @@ enum class Trouble : std::uint8_t {
     none,
     notANumber, ///< a position is none
     runaway,    ///< objects faster than anything sensible
+    energy,     ///< more of it than came in
+    unsolved,   ///< equations of the implicit scheme, many steps in a row
+    failed,     ///< something else than the numbers: memory, a file
     squashed,   ///< material flat or inside out
     longStep    ///< a chosen time step is longer than the stable one
 };
@@ -129,15 +141,17 @@ struct Snapshot {
     Vec3 momentum = Vec3::Zero();        ///< [kg m/s]
     Vec3 angularMomentum = Vec3::Zero(); ///< about the origin [kg m^2/s]
     Health health;
-    std::string notice; ///< why the last command was not carried out; empty when it was
+    std::string notice; ///< why the last command was not carried out, or what a person should know of what it did
     std::size_t objects = 0;
-    std::size_t connections = 0; ///< structural
-    std::size_t contacts = 0;    ///< contact connections now
-    std::size_t broken = 0;      ///< structural connections that broke so far
-    std::size_t joints = 0;      ///< sticking or healed together now
-    std::size_t components = 0;  ///< connected pieces of material
-    double addedMass = 0;        ///< by mass scaling, as a share of all mass
-    StageSeconds stages{};       ///< mean per step since the snapshot before; of the machine, not of the scene
+    std::size_t connections = 0;     ///< structural
+    std::size_t contacts = 0;        ///< contact connections now
+    std::size_t broken = 0;          ///< structural connections that broke so far
+    std::size_t joints = 0;          ///< sticking or healed together now
+    std::size_t components = 0;      ///< connected pieces of material
+    double addedMass = 0;            ///< by mass scaling, as a share of all mass
+    double penetration = 0;          ///< largest so far of tools and the floor into material [spacings]
+    std::uint64_t unsolvedSteps = 0; ///< implicit ones so far whose equations were not solved as well as they must be
+    StageSeconds stages{};           ///< mean per step since the snapshot before; of the machine, not of the scene
 
     // Time keeping, filled in by SimulationThread.
     bool playing = false;

@@ -1681,6 +1681,50 @@
         <translation>der Körper</translation>
     </message>
     <message>
+        <source>objects of %1 moved at %2 m/s, and nothing in the scene makes them faster than %3 m/s. %4 or raise the damping ratio, then reset.</source>
+        <translation>Objekte von %1 bewegten sich mit %2 m/s, und nichts in der Szene macht sie schneller als %3 m/s. %4 oder den Dämpfungsgrad erhöhen, dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>%1 J came from nowhere, of %2 J in the scene: the steps no longer follow the material. %3 or raise the damping ratio, then reset.</source>
+        <translation>%1 J kamen aus dem Nichts, von %2 J in der Szene: Die Schritte folgen dem Material nicht mehr. %3 oder den Dämpfungsgrad erhöhen, dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>the equations of %1 steps in a row could not be solved, though the last was only %2 s long. %3 or raise the damping ratio, then reset.</source>
+        <translation>die Gleichungen von %1 Schritten nacheinander ließen sich nicht lösen, obwohl der letzte nur %2 s lang war. %3 oder den Dämpfungsgrad erhöhen, dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; is %2 mm deep in %3: let it begin outside and press less far, make it slower</source>
+        <translation>Das Werkzeug &quot;%1&quot; steckt %2 mm tief in %3: es außerhalb beginnen lassen, weniger weit drücken, es verlangsamen</translation>
+    </message>
+    <message>
+        <source>Choose a shorter time step for mass scaling, which added %1 % to the mass</source>
+        <translation>Einen kürzeren Zeitschritt für die Massenskalierung wählen, die %1 % zur Masse hinzufügte</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to go on. Close other programs or fill the part with a larger spacing, then reset.</source>
+        <translation>es ist nicht genug Speicher da, um fortzufahren. Andere Programme schließen oder das Teil mit größerem Abstand füllen, dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>%1 Reset, or go to an earlier moment.</source>
+        <translation>%1 Zurücksetzen oder zu einem früheren Augenblick gehen.</translation>
+    </message>
+    <message>
+        <source>The simulation was stopped: %1</source>
+        <translation>Die Simulation wurde angehalten: %1</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; begins %2 mm inside %3, which is pushed away with great force, in very short steps. Let it begin outside.</source>
+        <translation>Das Werkzeug &quot;%1&quot; beginnt %2 mm tief in %3, was mit großer Kraft und in sehr kurzen Schritten weggedrückt wird. Es außerhalb beginnen lassen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; broke into %2 pieces, and a rigid body would weld them together where they are. Keep it deformable, or reset before it becomes rigid.</source>
+        <translation>&quot;%1&quot; zerbrach in %2 Stücke, und ein starrer Körper würde sie dort verschweißen, wo sie sind. Ihn verformbar lassen oder zurücksetzen, bevor er starr wird.</translation>
+    </message>
+    <message>
+        <source>The equations of the step at %1 s could not be solved: forces and places are rough from there on. Make tools slower, or choose a shorter time step.</source>
+        <translation>Die Gleichungen des Schrittes bei %1 s ließen sich nicht lösen: Kräfte und Lagen sind von dort an ungenau. Werkzeuge verlangsamen oder einen kürzeren Zeitschritt wählen.</translation>
+    </message>
+    <message>
         <source>the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, or a softer or more damped material.</source>
         <translation>der gewählte Zeitschritt von %1 s ist länger als der stabile von %2 s. Einen kürzeren wählen oder ein weicheres oder stärker gedämpftes Material.</translation>
     </message>

@@ -1681,6 +1681,50 @@
         <translation>le corps</translation>
     </message>
     <message>
+        <source>objects of %1 moved at %2 m/s, and nothing in the scene makes them faster than %3 m/s. %4 or raise the damping ratio, then reset.</source>
+        <translation>des objets de %1 se déplaçaient à %2 m/s, et rien dans la scène ne les rend plus rapides que %3 m/s. %4 ou augmenter le taux d&apos;amortissement, puis réinitialiser.</translation>
+    </message>
+    <message>
+        <source>%1 J came from nowhere, of %2 J in the scene: the steps no longer follow the material. %3 or raise the damping ratio, then reset.</source>
+        <translation>%1 J sont venus de nulle part, sur %2 J dans la scène : les pas ne suivent plus la matière. %3 ou augmenter le taux d&apos;amortissement, puis réinitialiser.</translation>
+    </message>
+    <message>
+        <source>the equations of %1 steps in a row could not be solved, though the last was only %2 s long. %3 or raise the damping ratio, then reset.</source>
+        <translation>les équations de %1 pas de suite n&apos;ont pas pu être résolues, bien que le dernier n&apos;ait duré que %2 s. %3 ou augmenter le taux d&apos;amortissement, puis réinitialiser.</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; is %2 mm deep in %3: let it begin outside and press less far, make it slower</source>
+        <translation>L&apos;outil &quot;%1&quot; est à %2 mm de profondeur dans %3 : le faire commencer dehors, presser moins loin, le ralentir</translation>
+    </message>
+    <message>
+        <source>Choose a shorter time step for mass scaling, which added %1 % to the mass</source>
+        <translation>Choisir un pas de temps plus court pour la mise à l&apos;échelle des masses, qui a ajouté %1 % à la masse</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to go on. Close other programs or fill the part with a larger spacing, then reset.</source>
+        <translation>il n&apos;y a pas assez de mémoire pour continuer. Fermer d&apos;autres programmes ou remplir la pièce avec un espacement plus grand, puis réinitialiser.</translation>
+    </message>
+    <message>
+        <source>%1 Reset, or go to an earlier moment.</source>
+        <translation>%1 Réinitialiser, ou aller à un instant antérieur.</translation>
+    </message>
+    <message>
+        <source>The simulation was stopped: %1</source>
+        <translation>La simulation a été arrêtée : %1</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; begins %2 mm inside %3, which is pushed away with great force, in very short steps. Let it begin outside.</source>
+        <translation>L&apos;outil &quot;%1&quot; commence à %2 mm à l&apos;intérieur de %3, qui est repoussé avec une grande force, par pas très courts. Le faire commencer dehors.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; broke into %2 pieces, and a rigid body would weld them together where they are. Keep it deformable, or reset before it becomes rigid.</source>
+        <translation>&quot;%1&quot; s&apos;est brisé en %2 morceaux, et un corps rigide les souderait là où ils sont. Le garder déformable, ou réinitialiser avant de le rendre rigide.</translation>
+    </message>
+    <message>
+        <source>The equations of the step at %1 s could not be solved: forces and places are rough from there on. Make tools slower, or choose a shorter time step.</source>
+        <translation>Les équations du pas à %1 s n&apos;ont pas pu être résolues : forces et positions sont approximatives à partir de là. Ralentir les outils, ou choisir un pas de temps plus court.</translation>
+    </message>
+    <message>
         <source>the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, or a softer or more damped material.</source>
         <translation>le pas de temps choisi de %1 s est plus long que le pas stable de %2 s. En choisir un plus court, ou une matière plus souple ou plus amortie.</translation>
     </message>

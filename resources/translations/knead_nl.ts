@@ -1681,6 +1681,50 @@
         <translation>het lichaam</translation>
     </message>
     <message>
+        <source>objects of %1 moved at %2 m/s, and nothing in the scene makes them faster than %3 m/s. %4 or raise the damping ratio, then reset.</source>
+        <translation>objecten van %1 bewogen met %2 m/s, en niets in de scène maakt ze sneller dan %3 m/s. %4 of de dempingsgraad verhogen, dan terugzetten.</translation>
+    </message>
+    <message>
+        <source>%1 J came from nowhere, of %2 J in the scene: the steps no longer follow the material. %3 or raise the damping ratio, then reset.</source>
+        <translation>%1 J kwamen uit het niets, van %2 J in de scène: de stappen volgen het materiaal niet meer. %3 of de dempingsgraad verhogen, dan terugzetten.</translation>
+    </message>
+    <message>
+        <source>the equations of %1 steps in a row could not be solved, though the last was only %2 s long. %3 or raise the damping ratio, then reset.</source>
+        <translation>de vergelijkingen van %1 stappen achter elkaar waren niet op te lossen, hoewel de laatste maar %2 s duurde. %3 of de dempingsgraad verhogen, dan terugzetten.</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; is %2 mm deep in %3: let it begin outside and press less far, make it slower</source>
+        <translation>Het gereedschap &quot;%1&quot; zit %2 mm diep in %3: het erbuiten laten beginnen, minder ver drukken, het langzamer maken</translation>
+    </message>
+    <message>
+        <source>Choose a shorter time step for mass scaling, which added %1 % to the mass</source>
+        <translation>Een kortere tijdstap voor de massaschaling kiezen, die %1 % aan de massa toevoegde</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to go on. Close other programs or fill the part with a larger spacing, then reset.</source>
+        <translation>er is niet genoeg geheugen om door te gaan. Sluit andere programma&apos;s of vul het onderdeel met een grotere afstand, dan terugzetten.</translation>
+    </message>
+    <message>
+        <source>%1 Reset, or go to an earlier moment.</source>
+        <translation>%1 Zet terug, of ga naar een eerder moment.</translation>
+    </message>
+    <message>
+        <source>The simulation was stopped: %1</source>
+        <translation>De simulatie is gestopt: %1</translation>
+    </message>
+    <message>
+        <source>The tool &quot;%1&quot; begins %2 mm inside %3, which is pushed away with great force, in very short steps. Let it begin outside.</source>
+        <translation>Het gereedschap &quot;%1&quot; begint %2 mm binnen in %3, dat met grote kracht en in zeer korte stappen wordt weggeduwd. Laat het erbuiten beginnen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; broke into %2 pieces, and a rigid body would weld them together where they are. Keep it deformable, or reset before it becomes rigid.</source>
+        <translation>&quot;%1&quot; is in %2 stukken gebroken, en een star lichaam zou ze vastlassen waar ze zijn. Houd het vervormbaar, of zet terug voordat het star wordt.</translation>
+    </message>
+    <message>
+        <source>The equations of the step at %1 s could not be solved: forces and places are rough from there on. Make tools slower, or choose a shorter time step.</source>
+        <translation>De vergelijkingen van de stap bij %1 s waren niet op te lossen: krachten en posities zijn vanaf daar ruw. Maak gereedschappen langzamer, of kies een kortere tijdstap.</translation>
+    </message>
+    <message>
         <source>the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, or a softer or more damped material.</source>
         <translation>de gekozen tijdstap van %1 s is langer dan de stabiele van %2 s. Kies een kortere, of een zachter of sterker gedempt materiaal.</translation>
     </message>

@@ -10,6 +10,7 @@
 #include <functional>
 #include <future>
 #include <mutex>
+#include <stdexcept>
 #include <utility>
 
 using namespace knead;
@@ -42,6 +43,19 @@ public:
 private:
     bool m_hasEnded = false;
     std::uint64_t m_last = 0;
+};
+
+/// Cannot go on at a step.
+class Failing final : public Agenda {
+public:
+    bool carryOutDue(Simulation& simulation) override
+    {
+        if (simulation.stepCount() == 20)
+            throw std::runtime_error("the file of the recipe is gone.");
+        return false;
+    }
+    void ended(const Gesture& /*gesture*/) override {}
+    void wentTo(const Moment& /*moment*/, std::uint64_t /*hash*/) override {}
 };
 
 /// Waits for a snapshot that fulfils a condition; null when none comes.
@@ -115,6 +129,32 @@ private slots:
         const auto paused = thread.latest()->step;
         QTest::qWait(80);
         QCOMPARE(thread.latest()->step, paused);
+    }
+
+    void anExceptionBecomesAMessage()
+    {
+        SimulationThread thread{Simulation(falling()), std::make_unique<Failing>()};
+        thread.play();
+        const auto stopped = waitFor(thread, [](const Snapshot& shot) { return !shot.health.ok; });
+        QVERIFY(stopped);
+        QVERIFY(!stopped->playing);
+        QCOMPARE(stopped->health.trouble, Trouble::failed);
+        QVERIFY2(stopped->health.message.find("the file of the recipe is gone. Reset") != std::string::npos,
+                 stopped->health.message.c_str());
+        thread.reset();
+        QVERIFY(waitFor(thread, [](const Snapshot& shot) { return shot.health.ok && shot.step == 0; }));
+        thread.stepOnce();
+        QVERIFY(waitFor(thread, [](const Snapshot& shot) { return shot.step == 1; }));
+    }
+
+    void aWatcherThatThrowsDoesNotEndTheThread()
+    {
+        SimulationThread thread{Simulation(falling())};
+        thread.watch([](const SnapshotPointer&) { throw std::runtime_error("nobody looks."); });
+        QVERIFY(waitFor(thread, [](const Snapshot& shot) { return !shot.health.ok; }));
+        thread.watch([](const SnapshotPointer&) {});
+        thread.reset();
+        QVERIFY(waitFor(thread, [](const Snapshot& shot) { return shot.health.ok && shot.step == 0; }));
     }
 
     void commandsReachAPausedSimulation()

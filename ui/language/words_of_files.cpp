@@ -180,6 +180,25 @@ constexpr const char* const sentences[] = {
                       "material of %1 was squashed flat or turned inside out. Press less far, raise Poisson's ratio or "
                       "the yield stress, or fill the part with a smaller spacing, then reset."),
     QT_TRANSLATE_NOOP("FileWords", "the body"),
+    QT_TRANSLATE_NOOP("FileWords", "objects of %1 moved at %2 m/s, and nothing in the scene makes them faster than %3 "
+                                   "m/s. %4 or raise the damping ratio, then reset."),
+    QT_TRANSLATE_NOOP("FileWords", "%1 J came from nowhere, of %2 J in the scene: the steps no longer follow the "
+                                   "material. %3 or raise the damping ratio, then reset."),
+    QT_TRANSLATE_NOOP("FileWords", "the equations of %1 steps in a row could not be solved, though the last was only "
+                                   "%2 s long. %3 or raise the damping ratio, then reset."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "The tool \"%1\" is %2 mm deep in %3: let it begin outside and press less far, make it slower"),
+    QT_TRANSLATE_NOOP("FileWords", "Choose a shorter time step for mass scaling, which added %1 % to the mass"),
+    QT_TRANSLATE_NOOP("FileWords", "there is not enough memory to go on. Close other programs or fill the part with a "
+                                   "larger spacing, then reset."),
+    QT_TRANSLATE_NOOP("FileWords", "%1 Reset, or go to an earlier moment."),
+    QT_TRANSLATE_NOOP("FileWords", "The simulation was stopped: %1"),
+    QT_TRANSLATE_NOOP("FileWords", "The tool \"%1\" begins %2 mm inside %3, which is pushed away with great force, in "
+                                   "very short steps. Let it begin outside."),
+    QT_TRANSLATE_NOOP("FileWords", "\"%1\" broke into %2 pieces, and a rigid body would weld them together where they "
+                                   "are. Keep it deformable, or reset before it becomes rigid."),
+    QT_TRANSLATE_NOOP("FileWords", "The equations of the step at %1 s could not be solved: forces and places are rough "
+                                   "from there on. Make tools slower, or choose a shorter time step."),
     QT_TRANSLATE_NOOP("FileWords", "the chosen time step of %1 s is longer than the stable one of %2 s. Choose a "
                                    "shorter one, or a softer or more damped material."),
 };

@@ -1,0 +1,258 @@
+// What a run is measured by: speeds, energy, equations, tools inside material. Causes and remedies in sentences.
+#include "core/simulation/simulation_state.h"
+#include "core/simulation/surface_overlap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+// Whatever the scene is like, this is no runaway: free fall from 45 m [m/s].
+constexpr double plainSpeed = 30;
+// A tip or a light piece goes so many times as fast as what drives its body.
+constexpr double drivenFactor = 10;
+// Material lets go of strain at the speed of sound times that strain. What yields or breaks stores no more than a strain of
+// 0.1, many times what metals do; what does neither may come back from a stretch to three times its length.
+constexpr double boundedStrain = 0.1;
+constexpr double elasticStrain = 2;
+// Nothing outruns so many times the speed of sound in its material, however it is driven: no step follows that.
+constexpr double mostSoundSpeeds = 20;
+
+// So much of the energy that goes round may come from nowhere; a sound scheme stays below a hundredth.
+constexpr double createdShare = 0.5;
+// Below the energy of this strain everywhere, nothing is worth stopping for.
+constexpr double negligibleStrain = 1e-3;
+// Of the potential energy, which is a difference of large numbers far from the origin.
+constexpr double roundingShare = 1e-9;
+
+// Implicit steps in a row that were not solved, each as short as steps may get.
+constexpr std::uint32_t mostUnsolvedSteps = 64;
+
+// A tool this far in the material at the start is said [spacings]; in trouble it is the likely cause.
+constexpr double insideDepth = 0.5;
+// Mass scaling that added this share of the mass may be what went wrong.
+constexpr double heavyShare = 0.05;
+
+std::string quoted(const std::string& name)
+{
+    return "\"" + name + "\"";
+}
+
+std::string nameOf(const Body& body)
+{
+    return body.name.empty() ? "the body" : quoted(body.name);
+}
+
+/// Three digits, which are plenty in a sentence.
+std::ostringstream sentence()
+{
+    std::ostringstream text;
+    text << std::setprecision(3);
+    return text;
+}
+
+/// Speed of the fastest point of a body that moved like a rigid one with its momentum, and about its center [m/s].
+double rigidSpeed(const ObjectState& state)
+{
+    double mass = 0;
+    Vec3 momentum = Vec3::Zero();
+    Vec3 center = Vec3::Zero();
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        mass += state.mass[i];
+        momentum += state.mass[i] * state.velocity.at(i);
+        center += state.mass[i] * state.position.at(i);
+    }
+    center /= mass;
+    Vec3 angularMomentum = Vec3::Zero();
+    double inertia = 0; // polar
+    double radius = 0;
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        const Vec3 arm = state.position.at(i) - center;
+        angularMomentum += state.mass[i] * arm.cross(state.velocity.at(i));
+        inertia += state.mass[i] * arm.squaredNorm();
+        radius = std::max(radius, arm.norm());
+    }
+    return momentum.norm() / mass + (inertia > 0 ? 2 * angularMomentum.norm() / inertia * radius : 0);
+}
+
+double fastestOf(const ObjectState& state)
+{
+    double squared = 0;
+    for (std::size_t i = 0; i < state.size(); ++i)
+        squared = std::max(squared, state.velocity.at(i).squaredNorm());
+    return std::sqrt(squared);
+}
+
+double soundSpeedOf(const BodyRun& run)
+{
+    return run.materials.largest([](const Material& material) { return material.soundSpeed(); });
+}
+
+} // namespace
+
+/// What a body's material makes of what is stored in it [m/s].
+double Simulation::State::releasedSpeed(const BodyRun& run) const
+{
+    if (placedEnergy > 0) // contacts may have stored anything
+        return mostSoundSpeeds * soundSpeedOf(run);
+    return run.materials.largest([](const Material& material) {
+        return material.soundSpeed() * (material.yields() || material.breaks() ? boundedStrain : elasticStrain);
+    });
+}
+
+/// What moves the body, and what its material can let go of, makes nothing in it faster than this [m/s].
+double Simulation::State::fastestSensible(BodyId body) const
+{
+    const BodyRun& run = *runs[body];
+    const double released = releasedSpeed(run);
+    const double driven = std::max(fastestDriven, rigidSpeed(run.state));
+    return plainSpeed + std::min(mostSoundSpeeds * soundSpeedOf(run), drivenFactor * driven + released);
+}
+
+/// Empty when no object is too fast.
+std::string Simulation::State::runawayCause() const
+{
+    const double speed = largestTravel / lastStep;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& run : runs) // a bound that needs no look at the objects
+        least = std::min(least, plainSpeed + std::min(mostSoundSpeeds * soundSpeedOf(*run), releasedSpeed(*run)));
+    if (speed <= least)
+        return {};
+    for (BodyId b = 0; b < runs.size(); ++b) {
+        const double fastest = runs[b]->rigid ? runs[b]->rigid->largestSpeed() : fastestOf(runs[b]->state);
+        if (fastest <= least)
+            continue;
+        const double limit = fastestSensible(b);
+        if (fastest <= limit)
+            continue;
+        std::ostringstream text = sentence();
+        text << "objects of " << nameOf(bodies[b]) << " moved at " << fastest << " m/s, and nothing in the scene makes "
+             << "them faster than " << limit << " m/s. " << remedy() << " or raise the damping ratio, then reset.";
+        return text.str();
+    }
+    return {};
+}
+
+/// Looks at the ledger; empty when no energy worth mention came from nowhere. Two looks in a row must agree, since a blow may
+/// be worse than what comes after it.
+std::string Simulation::State::energyCause()
+{
+    const EnergyLedger now = storedEnergy();
+    energy.turnover = now.turnover;
+    double negligible = roundingShare * std::abs(now.gravity);
+    for (BodyId b = 0; b < runs.size(); ++b)
+        if (runs[b]->deforms())
+            negligible += 0.5 * negligibleStrain * negligibleStrain * bodies[b].aggregate->filledVolume *
+                          runs[b]->materials.largest([](const Material& material) { return material.youngsModulus; });
+    const bool isOverdrawn = now.created() > negligible && now.created() > createdShare * energy.turnover;
+    if (!std::exchange(wasOverdrawn, isOverdrawn) || !isOverdrawn)
+        return {};
+    std::ostringstream text = sentence();
+    text << now.created() << " J came from nowhere, of " << energy.turnover
+         << " J in the scene: the steps no longer follow the material. " << remedy()
+         << " or raise the damping ratio, then reset.";
+    return text.str();
+}
+
+/// Empty as long as most steps could be solved.
+std::string Simulation::State::unsolvedCause() const
+{
+    if (unsolvedInRow < mostUnsolvedSteps)
+        return {};
+    std::ostringstream text = sentence();
+    text << "the equations of " << unsolvedInRow << " steps in a row could not be solved, though the last was only "
+         << lastStep << " s long. " << remedy() << " or raise the damping ratio, then reset.";
+    return text.str();
+}
+
+/// What is most likely wrong, as something to do.
+std::string Simulation::State::remedy() const
+{
+    std::ostringstream text = sentence();
+    const Overlap overlap = deepestTool();
+    if (overlap.depth > 2 * insideDepth * bodies[overlap.body].aggregate->lattice.spacing) {
+        text << "The tool " << quoted(tools[overlap.tool]->manipulator.name) << " is " << 1e3 * overlap.depth
+             << " mm deep in " << nameOf(bodies[overlap.body])
+             << ": let it begin outside and press less far, make it slower";
+        return text.str();
+    }
+    double mass = 0;
+    for (const auto& run : runs)
+        for (const double each : run->state.mass)
+            mass += each;
+    if (addedMass > heavyShare * mass) {
+        text << "Choose a shorter time step for mass scaling, which added " << 100 * addedMass / (mass - addedMass)
+             << " % to the mass";
+        return text.str();
+    }
+    const bool hasTools = std::any_of(tools.begin(), tools.end(), [](const auto& tool) { return tool.has_value(); });
+    return hasTools                  ? "Make the tools slower"
+           : gravity != Vec3::Zero() ? "Lower gravity"
+                                     : "Move bodies and fixtures slower";
+}
+
+Simulation::State::Overlap Simulation::State::deepestTool() const
+{
+    const std::vector<RigidSurface> all = surfaces();
+    Overlap deepest;
+    std::size_t surface = 0;
+    for (ToolId t = 0; t < tools.size(); ++t) {
+        if (!tools[t])
+            continue;
+        for (BodyId b = 0; b < runs.size(); ++b) {
+            if (runs[b]->kind == BodyKind::glue) // it touches no tools
+                continue;
+            const double depth = overlapOf(all[surface], runs[b]->state.position, *bodies[b].aggregate);
+            if (depth > deepest.depth)
+                deepest = {.depth = depth, .tool = t, .body = b};
+        }
+        ++surface;
+    }
+    return deepest;
+}
+
+/// Of tools and the floor now [spacings].
+double Simulation::State::deepestOverlap() const
+{
+    double deepest = 0;
+    for (const RigidSurface& surface : surfaces())
+        for (BodyId b = 0; b < runs.size(); ++b)
+            if (runs[b]->kind != BodyKind::glue)
+                deepest = std::max(deepest, overlapOf(surface, runs[b]->state.position, *bodies[b].aggregate) /
+                                                bodies[b].aggregate->lattice.spacing);
+    return deepest;
+}
+
+/// Tools that were just put somewhere, and the floor.
+void Simulation::State::noteToolsInside()
+{
+    isPlacedInside = isPlacedInside || deepestOverlap() > 0;
+    const Overlap overlap = deepestTool();
+    if (overlap.depth == 0 || overlap.depth <= insideDepth * bodies[overlap.body].aggregate->lattice.spacing)
+        return;
+    std::ostringstream text = sentence();
+    text << "The tool " << quoted(tools[overlap.tool]->manipulator.name) << " begins " << 1e3 * overlap.depth
+         << " mm inside " << nameOf(bodies[overlap.body])
+         << ", which is pushed away with great force, in very short steps. Let it begin outside.";
+    notice = text.str();
+}
+
+/// What contacts store with what was put into material was put in by hand: neither won nor lost in the ledger.
+void Simulation::State::bookToolsInside()
+{
+    if (!std::exchange(isPlacedInside, false))
+        return;
+    updateVicinity();
+    const Contacts::Report report = contacts->computeForces(surfaces(), {.duration = timeStep, .isTrial = true});
+    startEnergy += report.energy - contactReport.energy;
+    placedEnergy += std::max(0.0, report.energy - contactReport.energy);
+    contactReport.energy = report.energy;
+}
+
+} // namespace knead
