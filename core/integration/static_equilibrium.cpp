@@ -26,7 +26,6 @@ constexpr int staleFactor = 2;           // of iterations, at which the coarse f
 constexpr double largestStretch = 0.2;
 
 // Steps that are mixed. More remember places from which the way has turned.
-constexpr std::size_t mixedSteps = 6;
 
 // A line is searched until the force along it is this share of what it was, in so many trials.
 constexpr double lineTolerance = 0.5;
@@ -84,7 +83,7 @@ Contacts::Report StaticEquilibrium::findForces(const Loads& loads, const std::ve
                 state.velocity.set(i, (state.position.at(i) - start[b].at(i)) / m_step);
         });
         if (m_bodies[b].deforms) {
-            m_bodies[b].connections->computeForces(state, m_step);
+            m_bodies[b].connections->computeForces(state, m_step, loads.flowTime);
         } else {
             state.force.setZero();
         }
@@ -216,45 +215,16 @@ VectorArray StaticEquilibrium::newtonStep(const std::vector<ContactTangent>& tan
     return way;
 }
 
-/// Anderson: with steps s_k at places x_k, goes by s - sum g_k (dx_k + ds_k), the g_k such that |s - sum g_k ds_k| is least.
+/// From `place` on, as AndersonMixing makes of the step.
 VectorArray StaticEquilibrium::mixed(const VectorArray& place, const VectorArray& step)
 {
-    const std::size_t count = m_steps.size();
-    VectorArray way = step;
-    if (count > 0) {
-        const auto difference = [](const VectorArray& a, const VectorArray& b) {
-            VectorArray result(a.size());
-            for (std::size_t i = 0; i < a.size(); ++i)
-                result.set(i, a.at(i) - b.at(i));
-            return result;
-        };
-        std::vector<VectorArray> changes;
-        for (const VectorArray& before : m_steps)
-            changes.push_back(difference(step, before));
-        const auto size = static_cast<Eigen::Index>(count);
-        Eigen::MatrixXd products(size, size);
-        Eigen::VectorXd right(size);
-        for (Eigen::Index r = 0; r < size; ++r) {
-            const auto row = static_cast<std::size_t>(r);
-            right[r] = dotProduct(changes[row], step);
-            for (Eigen::Index c = 0; c <= r; ++c)
-                products(r, c) = products(c, r) = dotProduct(changes[row], changes[static_cast<std::size_t>(c)]);
-        }
-        products.diagonal() *= 1 + 1e-10;
-        const Eigen::VectorXd shares = products.ldlt().solve(right);
-        for (std::size_t k = 0; shares.allFinite() && k < count; ++k) {
-            const double share = shares[static_cast<Eigen::Index>(k)];
-            for (std::size_t i = 0; i < way.size(); ++i)
-                way.add(i, -share * (place.at(i) - m_places[k].at(i) + changes[k].at(i)));
-        }
-    }
-    m_places.push_back(place);
-    m_steps.push_back(step);
-    if (m_steps.size() > mixedSteps) {
-        m_places.pop_front();
-        m_steps.pop_front();
-    }
-    return way;
+    VectorArray next = place;
+    for (std::size_t i = 0; i < next.size(); ++i)
+        next.add(i, step.at(i));
+    m_mixing.accelerate(place, next);
+    for (std::size_t i = 0; i < next.size(); ++i)
+        next.add(i, -place.at(i));
+    return next;
 }
 
 /// Change of any connection by its length, were the whole way gone.
@@ -293,8 +263,7 @@ StaticEquilibrium::Report StaticEquilibrium::solve(const Loads& loads, const std
     Report report;
     m_mostActing = 0;
     m_freshIterations = 0;
-    m_places.clear();
-    m_steps.clear();
+    m_mixing.restart();
     VectorArray gone(m_system.rows()); // by all steps so far
     report.contacts = findForces(loads, start);
     findResidual(loads.gravity, report.contacts.tangents);
@@ -308,8 +277,7 @@ StaticEquilibrium::Report StaticEquilibrium::solve(const Loads& loads, const std
         const VectorArray newton = newtonStep(report.contacts.tangents, report);
         VectorArray way = mixed(gone, newton);
         if (!(dotProduct(m_residual, way) > 0)) {
-            m_places.clear();
-            m_steps.clear();
+            m_mixing.restart();
             way = newton;
         }
         const double length = longest(way);

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/integration/anderson_mixing.h"
 #include "core/integration/conjugate_gradients.h"
 #include "core/mechanics/contacts.h"
 
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <limits>
 #include <span>
@@ -46,6 +46,7 @@ public:
         std::function<double()> add; ///< adds forces to state.force at present places [N]; may be none
         /// Told how far any object may have gone since it was told last, before forces are looked at [m]; may be none.
         std::function<void(double travel)> moved;
+        double flowTime = 0; ///< in which material flows, from where it was on [s]; StructuralConnections keeps that on asking only
         double farthestStep = std::numeric_limits<double>::infinity(); ///< of any object at a time [m]
     };
     struct Report {
@@ -88,8 +89,7 @@ private:
     VectorArray m_residual;                                     ///< rows: forces on free objects [N]
     double m_acting = 0;                                        ///< 2-norm of what acts now [N]
     double m_mostActing = 0;                                    ///< the largest so far [N]
-    std::deque<VectorArray> m_places;                           ///< of the last iterations
-    std::deque<VectorArray> m_steps;                            ///< and the steps wanted there
+    AndersonMixing m_mixing;
     int m_freshIterations = 0;                                  ///< of the first system with the factor in use; 0: none
 };
 

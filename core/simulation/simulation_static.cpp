@@ -84,7 +84,7 @@ bool Simulation::State::balance(double duration, StaticReport& report)
         surface.velocity *= slower;
         surface.angularVelocity *= slower;
     }
-    StaticEquilibrium::Loads acting{.contacts = contacts.get(), .surfaces = moved, .gravity = gravity, .add = {}};
+    StaticEquilibrium::Loads acting{.contacts = contacts.get(), .surfaces = moved, .gravity = gravity, .add = {}, .flowTime = duration};
     acting.moved = [&](double travel) { contacts->updateVicinity(moved, travel, 0); };
     acting.moved(gripTravel);
     if (!moved.empty() || bodies.size() > 1)
@@ -99,6 +99,8 @@ bool Simulation::State::balance(double duration, StaticReport& report)
         report.message = "A body is free to move: hold it or use dynamic.";
     if (!found.converged || found.farthest > lostShare * diagonalOf(bodies))
         return false;
+    for (auto& run : runs)
+        energy.plastic += run->connections.acceptFlow();
 
     // Forces and ways belong together: the work of the forces at the end on the way there.
     timeStep = equilibrium.waySeconds();
