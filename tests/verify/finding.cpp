@@ -92,6 +92,20 @@ double slope(const Finding& finding, const Box& box, int of, int along)
     return (n * xy - x * y) / (n * xx - x * x);
 }
 
+void pressByRoller(Part& part, const Vec3& point, double radius, double length, double down)
+{
+    Manipulator roller{.name = "roller", .size = {2 * radius, 2 * radius, length}};
+    roller.kind = ToolKind::cylinder;
+    roller.friction = 0;
+    roller.pose = {point + Vec3(0, 0, radius), Quaternion(Eigen::AngleAxisd(pi / 2, Vec3::UnitX()))};
+    part.tools.push_back({roller, Vec3(0, 0, -down)});
+    Grip line{[point](const Vec3& p) { return std::max(std::abs(p.x() - point.x()), point.z() - p.z()); },
+              [down](const Vec3&, double share) { return Vec3(0, 0, -share * down); }};
+    line.axes = Vec3::UnitZ();
+    line.program = Grip::Program::calculix;
+    part.grips.push_back(line);
+}
+
 Case partCase(Case base, std::function<Part()> part, double acrossLength, Measure measure, bool withCalculix)
 {
     base.run = [=](double cells) { return runKnead(part(), acrossLength / cells, measure); };

@@ -127,15 +127,16 @@ MappedBlock squarePipe(double width, double wall, double length, int thick)
             .closed = true};
 }
 
-MappedBlock plateWithHole(double width, double holeRadius, double thickness, int around)
+MappedBlock plateWithHole(double length, double width, double holeRadius, double thickness, int around)
 {
-    return {.cells = {around, around * 5 / 16, 2},
+    return {.cells = {around, around * 3 / 8, 2},
             .place =
                 [=](double u, double v, double w) {
                     const double angle = 2 * pi * u;
                     const Eigen::Vector2d inner = holeRadius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
                     const double outward = std::pow(v, 1.6); // finer at the hole
-                    const Eigen::Vector2d p = (1 - outward) * inner + outward * width / 2 * onSquare(angle);
+                    const Eigen::Vector2d outer = onSquare(angle).cwiseProduct(Eigen::Vector2d(length, width)) / 2;
+                    const Eigen::Vector2d p = (1 - outward) * inner + outward * outer;
                     return Vec3(p.x(), p.y(), (w - 0.5) * thickness);
                 },
             .closed = true};

@@ -32,8 +32,8 @@ MappedBlock pipe(double innerRadius, double outerRadius, double length, int thic
 /// A pipe of square section along x, centered at the origin, with sharp corners, `thick` cells through its wall.
 MappedBlock squarePipe(double width, double wall, double length, int thick);
 
-/// A square plate in x and y with a round hole in its middle; z from -thickness / 2.
-MappedBlock plateWithHole(double width, double holeRadius, double thickness, int around);
+/// A plate of length along x and width along y, centered at the origin, with a round hole in its middle.
+MappedBlock plateWithHole(double length, double width, double holeRadius, double thickness, int around);
 
 /// A part of a ring in x and y about the origin from angle `from` to `to` [rad], of rectangular section.
 MappedBlock ringSector(double innerRadius, double outerRadius, double thickness, double from, double to, int through);

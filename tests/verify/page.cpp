@@ -25,10 +25,10 @@ const char* nameOf(Origin origin)
     return origin == Origin::closedForm ? "formula" : origin == Origin::calculix ? "CalculiX" : "published";
 }
 
-/// The color of a row says whether the finest run is within the tolerance.
-const char* verdictOf(const Quantity& quantity, double value)
+/// The color of a row says whether all runs are within the tolerance.
+const char* verdictOf(const Record& record, std::size_t q)
 {
-    return isWithin(quantity, value) ? "holds" : quantity.expected == Expected::holds ? "missed" : "known";
+    return holds(record, q) ? "holds" : record.what.quantities[q].expected == Expected::holds ? "missed" : "known";
 }
 
 std::string rowsOf(const Record& record)
@@ -36,8 +36,7 @@ std::string rowsOf(const Record& record)
     std::string rows;
     for (std::size_t q = 0; q < record.what.quantities.size(); ++q) {
         const Quantity& quantity = record.what.quantities[q];
-        const double finest = record.runs.back().values[q];
-        rows += "<tr class='" + std::string(verdictOf(quantity, finest)) + "'><td>" + escaped(quantity.name) +
+        rows += "<tr class='" + std::string(verdictOf(record, q)) + "'><td>" + escaped(quantity.name) +
                 (quantity.unit.empty() ? "" : " [" + escaped(quantity.unit) + "]") + "</td><td>" +
                 number(quantity.reference) + "</td><td>" + nameOf(quantity.origin) + "</td>";
         for (const Outcome& run : record.runs) {
@@ -100,10 +99,10 @@ std::string summaryOf(const std::vector<Record>& records)
         bool measured = false;
         for (std::size_t q = 0; q < record.what.quantities.size(); ++q) {
             const Quantity& quantity = record.what.quantities[q];
-            const bool holds = isWithin(quantity, record.runs.back().values[q]);
+            const bool isGood = holds(record, q);
             ++quantities;
-            within += holds ? 1 : 0;
-            known += !holds && quantity.expected == Expected::notYet ? 1 : 0;
+            within += isGood ? 1 : 0;
+            known += !isGood && quantity.expected == Expected::notYet ? 1 : 0;
             measured = measured || quantity.origin == Origin::measured;
         }
         published += measured ? 1 : 0;
@@ -113,7 +112,7 @@ std::string summaryOf(const std::vector<Record>& records)
     }
     return "<p>" + std::to_string(records.size()) + " cases, " + std::to_string(published) +
            " of them with published measurements or rules of design. Of " + std::to_string(quantities) + " numbers " +
-           std::to_string(within) + " are within their tolerance at the finest spacing, " + std::to_string(known) +
+           std::to_string(within) + " are within their tolerance at every spacing, " + std::to_string(known) +
            " miss it as known, " + std::to_string(quantities - within - known) +
            " miss it unexpectedly. Wall time: Knead " + number(kneadSeconds, "%.0f") + " s, CalculiX " +
            number(calculixSeconds, "%.0f") + " s.</p>\n";
@@ -130,7 +129,7 @@ std::string contentsOf(const std::vector<Record>& records)
         for (std::size_t q = 0; q < record.what.quantities.size(); ++q) {
             const Quantity& quantity = record.what.quantities[q];
             const double value = record.runs.back().values[q];
-            text += "<tr class='" + std::string(verdictOf(quantity, value)) + "'><td>" +
+            text += "<tr class='" + std::string(verdictOf(record, q)) + "'><td>" +
                     (q == 0 ? "<a href='#" + record.what.id + "'>" + escaped(record.what.title) + "</a>" : "") +
                     "</td><td>" + escaped(quantity.name) + "</td><td>" + number(quantity.reference) + " " +
                     escaped(quantity.unit) + "</td><td>" + number(value) + "</td><td>" +
@@ -159,7 +158,7 @@ section{border-top:1px solid #ddd;margin-top:1.5em}h2{margin-top:2em}
 </style></head><body><h1>Knead: book of verification</h1>
 )";
     page += summaryOf(records);
-    page += "<p>Green: within the tolerance at the finest spacing. Yellow: not, as known. Red: not, unexpectedly. The "
+    page += "<p>Green: within the tolerance at every spacing. Yellow: not, as known. Red: not, unexpectedly. The "
             "first "
             "spacing of each case is its default, the others are finer.</p>\n";
     page += contentsOf(records);
@@ -196,7 +195,7 @@ std::string jsonOf(const std::vector<Record>& records)
                  {"errors", errors},
                  {"order", orNull(orderOf(record, q))},
                  {"calculix", record.calculix.values.empty() ? nlohmann::json() : orNull(record.calculix.values[q])},
-                 {"holds", isWithin(quantity, record.runs.back().values[q])},
+                 {"holds", holds(record, q)},
                  {"expected_to_hold", quantity.expected == Expected::holds}});
         }
         nlohmann::json runs = nlohmann::json::array();

@@ -133,6 +133,10 @@ inline Grip turned(std::function<double(const Vec3&)> zone, const Vec3& point, c
             }};
 }
 
+/// A cylinder along y that comes from above onto a point of the top and goes down, without friction; in CalculiX a line of
+/// the surface that goes down.
+void pressByRoller(Part& part, const Vec3& point, double radius, double length, double down);
+
 inline constexpr double pi = std::numbers::pi;
 
 } // namespace knead::book

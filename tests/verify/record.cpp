@@ -3,6 +3,7 @@
 #include "verify/experiment.h"
 #include "verify/part.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -71,6 +72,13 @@ double orderOf(const Record& record, std::size_t quantity)
     return -(n * xy - x * y) / (n * xx - x * x);
 }
 
+bool holds(const Record& record, std::size_t quantity)
+{
+    return std::all_of(record.runs.begin(), record.runs.end(), [&](const Outcome& run) {
+        return isWithin(record.what.quantities[quantity], run.values[quantity]);
+    });
+}
+
 std::string tableHead()
 {
     char line[240];
@@ -92,10 +100,10 @@ std::string tableOf(const Record& record)
             errors += (errors.empty() ? "" : ", ") + errorText(quantity, errorOf(quantity, run.values[q]));
         const double finest = record.runs.back().values[q];
         const double order = orderOf(record, q);
-        const bool holds = isWithin(quantity, finest);
+        const bool isGood = holds(record, q);
         const bool expected = quantity.expected == Expected::holds;
-        const char* verdict = holds && expected ? "holds"
-                              : holds           ? "holds (not expected yet)"
+        const char* verdict = isGood && expected ? "holds"
+                              : isGood ? "holds (not expected yet)"
                               : expected        ? "MISSED"
                                                 : "missed (as known)";
         char line[400];

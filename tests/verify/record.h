@@ -27,6 +27,9 @@ Record record(const Case& what, const RecordOptions& options);
 /// NaN with fewer than two runs, or where errors are below a percent or of different signs: there it says nothing.
 double orderOf(const Record& record, std::size_t quantity);
 
+/// Whether a quantity is within its tolerance at every spacing.
+bool holds(const Record& record, std::size_t quantity);
+
 /// "value reference error ..." as one line per quantity.
 std::string tableOf(const Record& record);
 std::string tableHead();
