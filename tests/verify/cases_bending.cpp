@@ -81,31 +81,33 @@ void addHeavyBars(std::vector<Case>& cases)
     const auto shear = [=](double slenderness) { // share of the deflection, k = 5/6
         return 1 + 4.0 / 12 * 2 * (1 + nu) * 6 / 5 / (slenderness * slenderness);
     };
-    cases.push_back(partCase({.id = "cantilever-weight",
-                              .group = chapter,
-                              .title = "Cantilever under its weight, small deflection",
-                              .source = "q L^4 / (8 E I) and shear q L^2 / (2 k G A), k = 5/6.",
-                              .quantities = {{"deflection / L", "%", 100 * 0.02 / 8 * shear(8), 0.1}},
-                              .across = "the bar",
-                              .run = {},
-                              .quick = true},
-                             [=] { return heavyBar(8, 0.02, nu); }, 0.02, endDeflection(0.16, 100)));
-    cases.push_back(
-        partCase({.id = "elastica-heavy",
-                  .group = chapter,
-                  .title = "Cantilever under its weight, large deflection",
-                  .source = "Heavy elastica, q L^3 / (E I) = 10, its equation solved by shooting; shear as for small ones.",
-                  .quantities = {{"deflection / L", "", heavyElastica(10) * shear(12), 0.06}},
-                  .across = "the bar",
-                  .run = {}},
-                 [=] { return heavyBar(12, 10, nu); }, 0.02, endDeflection(0.24, 1)));
+    cases.push_back(partCase(
+        {.id = "cantilever-weight",
+         .group = chapter,
+         .title = "Cantilever under its weight, small deflection",
+         .source = "q L^4 / (8 E I) and shear q L^2 / (2 k G A), k = 5/6.",
+         .quantities = {{"deflection / L", "%", 100 * 0.02 / 8 * shear(8), 0.1}},
+         .across = "the bar",
+         .run = {},
+         .quick = true},
+        [=] { return heavyBar(8, 0.02, nu); }, 0.02, endDeflection(0.16, 100)));
+    cases.push_back(partCase(
+        {.id = "elastica-heavy",
+         .group = chapter,
+         .title = "Cantilever under its weight, large deflection",
+         .source = "Heavy elastica, q L^3 / (E I) = 10, its equation solved by shooting; shear as for small ones.",
+         .quantities = {{"deflection / L", "", heavyElastica(10) * shear(12), 0.06}},
+         .across = "the bar",
+         .run = {}},
+        [=] { return heavyBar(12, 10, nu); }, 0.02, endDeflection(0.24, 1)));
     cases.push_back(partCase(
         {.id = "elastica-steel-ruler",
          .group = "Published measurements",
          .title = "Steel ruler of 400 mm that sticks out",
-         .source = "Measured by Belendez, Neipp and Belendez, European Journal of Physics 23 (2002) 371: the end of a ruler "
-                   "of 0.4 x 25 x 400 mm and 0.3032 N, E = 200 GPa, hangs 89 mm low. Knead bends a thicker bar with the same "
-                   "q L^3 / (E I) = 1.82.",
+         .source =
+             "Measured by Belendez, Neipp and Belendez, European Journal of Physics 23 (2002) 371: the end of a ruler "
+             "of 0.4 x 25 x 400 mm and 0.3032 N, E = 200 GPa, hangs 89 mm low. Knead bends a thicker bar with the same "
+             "q L^3 / (E I) = 1.82.",
          .quantities = {{"deflection", "mm", 89, 0.1, Origin::measured}},
          .across = "the bar",
          .run = {}},
@@ -123,8 +125,9 @@ void addArc(std::vector<Case>& cases)
                             const double half = share * angle / 2;
                             const double radius = half > 0 ? length / 2 / half : 0;
                             const Vec3 center(sign * length / 2, 0, 0);
-                            const Vec3 to = half > 0 ? Vec3(sign * radius * std::sin(half), 0, radius * (1 - std::cos(half)))
-                                                     : center;
+                            const Vec3 to = half > 0
+                                                ? Vec3(sign * radius * std::sin(half), 0, radius * (1 - std::cos(half)))
+                                                : center;
                             return Vec3(to + Eigen::AngleAxisd(-sign * half, Vec3::UnitY()) * (p - center) - p);
                         }};
         };
@@ -142,14 +145,15 @@ void addArc(std::vector<Case>& cases)
             middle += force.now / static_cast<double>(found.reactions[1].size());
         return std::vector<double>{1000 * momentOn(found, 1, middle).norm()};
     };
-    cases.push_back(partCase({.id = "quarter-circle",
-                              .group = chapter,
-                              .title = "Bar bent into a quarter of a circle",
-                              .source = "M = E I angle / L.",
-                              .quantities = {{"moment", "N mm", 1000 * modulus * std::pow(h, 4) / 12 * angle / length, 0.08}},
-                              .across = "the bar",
-                              .run = {}},
-                             part, h, measure));
+    cases.push_back(
+        partCase({.id = "quarter-circle",
+                  .group = chapter,
+                  .title = "Bar bent into a quarter of a circle",
+                  .source = "M = E I angle / L.",
+                  .quantities = {{"moment", "N mm", 1000 * modulus * std::pow(h, 4) / 12 * angle / length, 0.08}},
+                  .across = "the bar",
+                  .run = {}},
+                 part, h, measure));
 }
 
 /// A strut between two grips, with a bow of a hundredth of its height.
@@ -182,17 +186,18 @@ void addStrut(std::vector<Case>& cases)
                 .restPeriods = 6,
                 .law = {.firstIncrement = 0.01, .largestIncrement = 0.05}};
     };
-    cases.push_back(partCase({.id = "strut",
-                              .group = chapter,
-                              .title = "Strut pressed beyond buckling by a tenth of its length",
-                              .source = "Euler's strut with held ends (4 pi^2 E I / L^2) as clamped elastica, with elliptic "
-                                        "integrals; compression P / (E A) added.",
-                              .quantities = {{"force", "N", force, 0.1}},
-                              .across = "the strut",
-                              .run = {}},
-                             part, h, [](const std::vector<Finding>& findings) {
-                                 return std::vector<double>{std::abs(forceOn(findings.back(), 1).x())};
-                             }));
+    cases.push_back(
+        partCase({.id = "strut",
+                  .group = chapter,
+                  .title = "Strut pressed beyond buckling by a tenth of its length",
+                  .source = "Euler's strut with held ends (4 pi^2 E I / L^2) as clamped elastica, with elliptic "
+                            "integrals; compression P / (E A) added.",
+                  .quantities = {{"force", "N", force, 0.1}},
+                  .across = "the strut",
+                  .run = {}},
+                 part, h, [](const std::vector<Finding>& findings) {
+                     return std::vector<double>{std::abs(forceOn(findings.back(), 1).x())};
+                 }));
 }
 
 } // namespace

@@ -29,18 +29,18 @@ void addBentBars(std::vector<Case>& cases)
     };
     for (const double cells : {2.0, 3.0, 4.0}) {
         const std::string number = std::to_string(static_cast<int>(cells));
-        cases.push_back(partCase({.id = "bending-stress-" + number,
-                                  .group = chapter,
-                                  .title = "Stress at the top of a bent square bar, " + number + " cells",
-                                  .source = "M h / (2 I), with the moment at the ends.",
-                                  .quantities = {{"stress / formula", "", 1, cells == 2 ? 0.2 : 0.1, Origin::closedForm,
-                                                  Expected::notYet}},
-                                  .cells = cells,
-                                  .across = "the bar",
-                                  .run = {},
-                                  .quick = cells == 4,
-                                  .finer = cells == 4 ? std::vector<double>{1.5, 2} : std::vector<double>{}},
-                                 part, h, measure));
+        cases.push_back(partCase(
+            {.id = "bending-stress-" + number,
+             .group = chapter,
+             .title = "Stress at the top of a bent square bar, " + number + " cells",
+             .source = "M h / (2 I), with the moment at the ends.",
+             .quantities = {{"stress / formula", "", 1, cells == 2 ? 0.2 : 0.1, Origin::closedForm, Expected::notYet}},
+             .cells = cells,
+             .across = "the bar",
+             .run = {},
+             .quick = cells == 4,
+             .finer = cells == 4 ? std::vector<double>{1.5, 2} : std::vector<double>{}},
+            part, h, measure));
     }
 }
 
@@ -65,7 +65,8 @@ void addTwistedBar(std::vector<Case>& cases)
          .run = {}},
         part, h, [=](const std::vector<Finding>& findings) {
             const Finding& found = findings.back();
-            const double moment = 0.5 * std::abs((momentOn(found, 0, Vec3::Zero()) - momentOn(found, 1, Vec3::Zero())).x());
+            const double moment =
+                0.5 * std::abs((momentOn(found, 0, Vec3::Zero()) - momentOn(found, 1, Vec3::Zero())).x());
             return std::vector<double>{found.vonMises({0, 0, h / 2}) / (std::sqrt(3) * moment / (0.208 * h * h * h))};
         }));
 }
@@ -86,8 +87,9 @@ void addHole(std::vector<Case>& cases)
         {.id = "plate-with-hole",
          .group = "Published measurements",
          .title = "Strip with a hole, pulled",
-         .source = "Stress at the hole over force by gross section: (2 + (1 - d/w)^3) / (1 - d/w) of Heywood, which fits "
-                   "Howland's solution and what is measured photoelastically (Peterson, Stress Concentration Factors).",
+         .source =
+             "Stress at the hole over force by gross section: (2 + (1 - d/w)^3) / (1 - d/w) of Heywood, which fits "
+             "Howland's solution and what is measured photoelastically (Peterson, Stress Concentration Factors).",
          .quantities = {{"stress factor", "", (2 + std::pow(1 - share, 3)) / (1 - share), 0.1, Origin::measured,
                          Expected::notYet}},
          .cells = 8,
@@ -157,30 +159,31 @@ void addThickTube(std::vector<Case>& cases)
                 .slowest = pullingFrequency(2 * (outer - inner)),
                 .loadPeriods = 6};
     };
-    cases.push_back(partCase(
-        {.id = "thick-tube",
-         .group = chapter,
-         .title = "Thick tube under inner pressure",
-         .source = "Lame, open ends: hoop stress 2 p r^2 / (R^2 - r^2) outside, and its displacement.",
-         .quantities = {{"widening outside", "um", 1e6 * radial(outer), 0.04},
-                        {"stress outside", "kPa", 1e-3 * 2 * a, 0.1, Origin::closedForm, Expected::notYet}},
-         .cells = 6,
-         .across = "the wall",
-         .run = {},
-         .finer = {1.5}},
-        part, outer - inner, [=](const std::vector<Finding>& findings) {
-            const Finding& found = findings.back();
-            double sum = 0, count = 0;
-            for (std::size_t i = 0; i < found.rest.size(); ++i) {
-                const Vec3 p(0, found.rest[i].y(), found.rest[i].z());
-                if (std::abs(p.norm() - outer) <= std::max(0.5 * found.spacing, 1e-9) && std::abs(found.rest[i].x()) < length / 4) {
-                    // To the radius outside by Lame's slope, which is small.
-                    sum += p.dot(found.displacement[i]) / p.norm() - radial(p.norm()) + radial(outer);
-                    count += 1;
-                }
-            }
-            return std::vector<double>{1e6 * sum / count, 1e-3 * found.vonMises({0, 0, outer})};
-        }));
+    cases.push_back(
+        partCase({.id = "thick-tube",
+                  .group = chapter,
+                  .title = "Thick tube under inner pressure",
+                  .source = "Lame, open ends: hoop stress 2 p r^2 / (R^2 - r^2) outside, and its displacement.",
+                  .quantities = {{"widening outside", "um", 1e6 * radial(outer), 0.04},
+                                 {"stress outside", "kPa", 1e-3 * 2 * a, 0.1, Origin::closedForm, Expected::notYet}},
+                  .cells = 6,
+                  .across = "the wall",
+                  .run = {},
+                  .finer = {1.5}},
+                 part, outer - inner, [=](const std::vector<Finding>& findings) {
+                     const Finding& found = findings.back();
+                     double sum = 0, count = 0;
+                     for (std::size_t i = 0; i < found.rest.size(); ++i) {
+                         const Vec3 p(0, found.rest[i].y(), found.rest[i].z());
+                         if (std::abs(p.norm() - outer) <= std::max(0.5 * found.spacing, 1e-9) &&
+                             std::abs(found.rest[i].x()) < length / 4) {
+                             // To the radius outside by Lame's slope, which is small.
+                             sum += p.dot(found.displacement[i]) / p.norm() - radial(p.norm()) + radial(outer);
+                             count += 1;
+                         }
+                     }
+                     return std::vector<double>{1e6 * sum / count, 1e-3 * found.vonMises({0, 0, outer})};
+                 }));
 }
 
 } // namespace

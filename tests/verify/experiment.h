@@ -3,7 +3,7 @@
 #include "core/simulation/simulation.h"
 #include "verify/book.h"
 
-#include <chrono>
+#include <ctime>
 #include <functional>
 
 namespace knead::book {
@@ -12,7 +12,7 @@ namespace knead::book {
 class Experiment {
 public:
     explicit Experiment(Scene scene)
-        : m_start(std::chrono::steady_clock::now())
+        : m_start(std::clock())
         , m_simulation(std::move(scene))
     {
     }
@@ -35,7 +35,7 @@ public:
 private:
     void notice(const Snapshot& shot);
 
-    std::chrono::steady_clock::time_point m_start;
+    std::clock_t m_start;
     Simulation m_simulation;
     double m_imbalance = 0; ///< largest so far [J]
 };

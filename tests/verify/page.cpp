@@ -114,7 +114,7 @@ std::string summaryOf(const std::vector<Record>& records)
            " of them with published measurements or rules of design. Of " + std::to_string(quantities) + " numbers " +
            std::to_string(within) + " are within their tolerance at every spacing, " + std::to_string(known) +
            " miss it as known, " + std::to_string(quantities - within - known) +
-           " miss it unexpectedly. Wall time: Knead " + number(kneadSeconds, "%.0f") + " s, CalculiX " +
+           " miss it unexpectedly. Processor time: Knead " + number(kneadSeconds, "%.0f") + " s, CalculiX " +
            number(calculixSeconds, "%.0f") + " s.</p>\n";
 }
 

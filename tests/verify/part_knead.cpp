@@ -12,9 +12,9 @@ namespace knead::book {
 
 namespace {
 
-constexpr double frequency = 400;       // of the slowest motion, set by the choice of density [rad/s]
+constexpr double frequency = 150;       // of the slowest motion, set by the choice of density [rad/s]
 constexpr double fastestDamping = 1000; // of Material::shapeDamping [1/s]
-constexpr int segments = 24;            // that the way of a grip is made of
+constexpr int segments = 12;            // that the way of a grip is made of
 
 /// Dense enough that the slowest motion has the wanted frequency, and damped so that it dies away at once.
 Material slowed(Material material, double slowest)
@@ -62,7 +62,6 @@ public:
             findings.push_back(finding(stage.withoutTools));
         }
         Outcome outcome = m_experiment.outcome(measure(findings), m_mesh);
-        outcome.picture = shapes::moved(outcome.picture, {});
         std::erase_if(curves, [](const Curve& curve) { return curve.points.size() < 3; });
         outcome.curves = std::move(curves);
         outcome.curveAxes = "share of the load;force [N]";

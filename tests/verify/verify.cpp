@@ -20,6 +20,7 @@ struct Options {
     std::string only = ".*"; ///< regular expression for ids
     bool quick = false;      ///< quick cases at their default spacing, without CalculiX
     bool calculix = true;
+    bool finer = true; ///< the finer spacings as well
     bool list = false;
 };
 
@@ -41,11 +42,14 @@ Options optionsOf(int count, char** arguments)
             options.quick = true;
         else if (word == "--without-calculix")
             options.calculix = false;
+        else if (word == "--default-spacing")
+            options.finer = false;
         else if (word == "--list")
             options.list = true;
         else
-            throw std::runtime_error("Unknown option " + word +
-                                     ". Known: --only PATTERN, --quick, --without-calculix, --list, --out FOLDER.");
+            throw std::runtime_error(
+                "Unknown option " + word +
+                ". Known: --only PATTERN, --quick, --default-spacing, --without-calculix, --list, --out FOLDER.");
     }
     return options;
 }
@@ -77,7 +81,8 @@ int main(int count, char** arguments)
                 std::printf("%-30s %s\n", one.id.c_str(), one.title.c_str());
                 continue;
             }
-            records.push_back(record(one, {.calculix = options.calculix && !options.quick, .finer = !options.quick}));
+            records.push_back(record(
+                one, {.calculix = options.calculix && !options.quick, .finer = options.finer && !options.quick}));
             std::printf("%s", tableOf(records.back()).c_str());
             std::fflush(stdout);
             // After each case, so that a book that takes long can be read meanwhile.

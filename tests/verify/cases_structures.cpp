@@ -1,7 +1,0 @@
-#include "verify/cases.h"
-
-namespace knead::book {
-
-void addStructureCases(std::vector<Case>&) {}
-
-} // namespace knead::book
