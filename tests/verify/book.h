@@ -61,8 +61,8 @@ struct Case {
     std::string across; ///< "the bar"
     std::function<Outcome(double cells)> run;
     std::function<Outcome()> calculix = {}; ///< runs CalculiX; empty: not compared. @throws std::runtime_error
-    bool quick = false;                     ///< a matter of seconds: part of ./dev verify --quick and of the tests
-    std::vector<double> finer = {1.5, 2};   ///< cells of the finer runs, times those of the first
+    bool quick = true; ///< seconds at the default spacing: part of ./dev verify --quick and, if it holds, of the tests
+    std::vector<double> finer = {1.5, 2}; ///< cells of the finer runs, times those of the first
 };
 
 /// All cases, in the order of the page.

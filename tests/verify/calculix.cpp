@@ -3,6 +3,7 @@
 
 #include "verify/part.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -111,7 +112,9 @@ std::vector<NodeSet> gripNodes(const Part& part, const Mesh& mesh)
 std::string stepText(const Part& part, const Stage& stage, const std::set<std::size_t>& released, const Mesh& mesh,
                      const std::vector<NodeSet>& sets)
 {
-    const CalculixLaw& law = part.law;
+    CalculixLaw law = part.law;
+    if (law.isRubber || part.material.yields())
+        law = {law.isRubber, std::min(law.firstIncrement, 0.1), std::min(law.largestIncrement, 0.25)};
     std::string text = "*STEP, NLGEOM, INC=1000\n*STATIC\n" + number(law.firstIncrement) + ",1.,1e-6," +
                        number(law.largestIncrement) + "\n*BOUNDARY, OP=NEW\n";
     for (std::size_t g = 0; g < sets.size(); ++g) {

@@ -2,6 +2,7 @@
 
 #include "verify/part.h"
 
+#include <cmath>
 #include <vector>
 
 /// The chapters of the book. Each adds its cases.
@@ -48,6 +49,33 @@ inline double bendingFrequency(double length, double height, double factor = 22.
 inline double twistingFrequency(double length, double poissonRatio)
 {
     return pi / length / std::sqrt(2 * (1 + poissonRatio));
+}
+
+/// A grip of bending about y.
+inline Grip bent(Grip grip)
+{
+    grip.together = Grip::Together::alike;
+    return grip;
+}
+
+/// Grips that bend a bar along x to an arc of a circle whose length stays; its ends go down.
+/// @param angle between its ends [rad]
+inline std::vector<Grip> arcEnds(double length, double angle)
+{
+    const auto end = [=](double sign) {
+        return Grip{beyond(0, sign, length / 2),
+                    [=](const Vec3& p, double share) {
+                        const double half = share * angle / 2;
+                        if (half <= 0)
+                            return Vec3(Vec3::Zero());
+                        const double radius = length / 2 / half;
+                        const Vec3 center(sign * length / 2, 0, 0);
+                        const Vec3 to(sign * radius * std::sin(half), 0, -radius * (1 - std::cos(half)));
+                        return Vec3(to + Eigen::AngleAxisd(sign * half, Vec3::UnitY()) * (p - center) - p);
+                    },
+                    Grip::Together::alike};
+    };
+    return {end(-1), end(1)};
 }
 
 } // namespace knead::book

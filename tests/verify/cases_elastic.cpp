@@ -31,15 +31,16 @@ Case tension(double nu, const Pose& pose, const std::string& name, const std::st
         const double pull = 0.5 * (forceOn(found, 0) - forceOn(found, 1)).x();
         return std::vector<double>{1e-6 * pull / (0.02 * 0.02) / stretch, -across / stretch};
     };
+    const Expected expected = pose.rotation.w() == 1 ? Expected::holds : Expected::notYet;
     return partCase(
         {.id = "tension-" + name,
          .group = chapter,
          .title = "Square bar pulled, " + words,
          .source = "Typed modulus and Poisson's ratio; force over section and strain of the middle half.",
-         .quantities = {{"modulus", "MPa", 1, 0.03}, {"Poisson's ratio", "", nu, nu == 0 ? 0.01 : 0.05}},
+         .quantities = {{"modulus", "MPa", 1, 0.03, Origin::closedForm, expected},
+                        {"Poisson's ratio", "", nu, nu == 0 ? 0.01 : 0.05, Origin::closedForm, expected}},
          .across = "the bar",
-         .run = {},
-         .quick = nu == 0.25},
+         .run = {}},
         [=] { return pulledBar(nu, pose); }, 0.02, measure);
 }
 
@@ -53,12 +54,16 @@ Case section(Case base, const MappedBlock& block, double length, double height, 
     const double angle = load == Load::bending ? 0.02 : 0.04;
     const Vec3 axis = load == Load::bending ? Vec3::UnitY() : Vec3::UnitX();
     const auto part = [=]() -> Part {
+        const auto end = [&](double sign) {
+            const Grip grip = turned(beyond(0, sign, length / 2), {sign * length / 2, 0, 0}, axis, sign * angle / 2);
+            return load == Load::bending ? bent(grip) : grip;
+        };
         return {.block = block,
                 .material = elastic(modulus, nu),
-                .grips = {turned(beyond(0, -1, length / 2), {-length / 2, 0, 0}, axis, -angle / 2),
-                          turned(beyond(0, 1, length / 2), {length / 2, 0, 0}, axis, angle / 2)},
+                .grips = {end(-1), end(1)},
                 .pose = pose,
-                .slowest = load == Load::bending ? bendingFrequency(length, height) : twistingFrequency(length, nu)};
+                .slowest = load == Load::bending ? bendingFrequency(length, height) : twistingFrequency(length, nu),
+                .segments = 6};
     };
     const int about = load == Load::bending ? 1 : 0;
     const Measure measure = [=](const std::vector<Finding>& findings) {
@@ -105,8 +110,8 @@ void addSquareBars(std::vector<Case>& cases)
         {3.3, "3.3", "3.3 cells", {}, 0.1, Expected::notYet},
         {4, "4", "4 cells", {}, 0.1, Expected::holds},
         {2.5, "2.5-rolled", "2.5 cells, rolled by 29 degrees", rolled(29), 0.1, Expected::notYet},
-        {4, "4-rolled", "4 cells, rolled by 29 degrees", rolled(29), 0.1, Expected::holds},
-        {2.5, "2.5-tilted", "2.5 cells, tilted about three axes", tilted(), 0.1, Expected::notYet},
+        {4, "4-rolled", "4 cells, rolled by 29 degrees", rolled(29), 0.1, Expected::notYet},
+        {2.5, "2.5-tilted", "2.5 cells, tilted about three axes", tilted(), 0.1, Expected::holds},
         {4, "4-tilted", "4 cells, tilted about three axes", tilted(), 0.1, Expected::holds},
     };
     for (const Row& row : rows) {
@@ -122,7 +127,6 @@ void addSquareBars(std::vector<Case>& cases)
                      .cells = row.cells,
                      .across = "the bar",
                      .run = {},
-                     .quick = row.cells == 4,
                      .finer = finer},
                     bar({0.16, h, h}, 2), 0.16, h, 0.3, row.pose, Load::bending, h));
     }
@@ -134,8 +138,7 @@ void addSquareBars(std::vector<Case>& cases)
                  .quantities = {{"GJ / G", "mm^4", 1e12 * 0.14058 * std::pow(h, 4), 0.15, Origin::closedForm,
                                  Expected::notYet}},
                  .across = "the bar",
-                 .run = {},
-                 .quick = true},
+                 .run = {}},
                 bar({0.12, h, h}, 3), 0.12, h, 0.3, {}, Load::torsion, h));
     cases.push_back(section({.id = "torsion-round",
                              .group = {},
@@ -172,6 +175,7 @@ void addPipes(std::vector<Case>& cases)
                          .cells = cells,
                          .across = "a wall",
                          .run = {},
+                         .quick = false,
                          .finer = cells == 2 ? std::vector<double>{1.5} : std::vector<double>{}},
                         squarePipe(b, t, length, 1), length, b, 0.3, {}, load, t));
         }
@@ -185,6 +189,7 @@ void addPipes(std::vector<Case>& cases)
                              .cells = 2,
                              .across = "the wall",
                              .run = {},
+                             .quick = false,
                              .finer = {1.5}},
                             pipe(ri, ro, 0.1, 2), 0.1, 2 * ro, 0.3, {}, Load::torsion, ro - ri));
 }
@@ -198,7 +203,7 @@ Part movedCube(double nu, const Mat3& gradient)
             .grips = {{[](const Vec3& p) { return h / 2 - p.cwiseAbs().maxCoeff(); },
                        [gradient](const Vec3& p, double share) { return Vec3(share * (gradient * p)); }}},
             .slowest = 2 * pullingFrequency(h),
-            .loadPeriods = 6};
+            .loadPeriods = 30};
 }
 
 /// The first column of tractions on the faces: sum of force times place over volume is the mean stress (Gauss).
@@ -223,8 +228,7 @@ void addCubes(std::vector<Case>& cases)
          .source = "G = E / (2 (1 + nu)); mean stress from the forces at the surface.",
          .quantities = {{"shear modulus", "MPa", 1 / 2.6, 0.02}},
          .across = "the cube",
-         .run = {},
-         .quick = true},
+         .run = {}},
         [=] { return movedCube(0.3, shear); }, 0.02,
         [=](const std::vector<Finding>& findings) {
             return std::vector<double>{1e-6 * meanStress(findings.back(), volume)(0, 1) / strain};
@@ -240,8 +244,7 @@ void addCubes(std::vector<Case>& cases)
          .quantities = {{"modulus", "MPa", (1 - nu) / ((1 + nu) * (1 - 2 * nu)), 0.02},
                         {"sideways share", "", nu / (1 - nu), 0.02}},
          .across = "the cube",
-         .run = {},
-         .quick = true},
+         .run = {}},
         [=] { return movedCube(nu, press); }, 0.02,
         [=](const std::vector<Finding>& findings) {
             const Mat3 stress = meanStress(findings.back(), volume);

@@ -12,12 +12,12 @@ constexpr const char* chapter = "Forming";
 /// A round billet along x between two plates, pressed to shares of its height.
 Part billet(double radius, double height, const Material& material, double friction, std::vector<double> shares)
 {
-    Part part{.block = roundBar(radius, height, 8),
+    Part part{.block = roundBar(radius, height, 6),
               .material = material,
               .grips = {},
               .stages = {},
               .slowest = pullingFrequency(2 * height),
-              .loadPeriods = 8};
+              .loadPeriods = 40};
     for (const double share : shares)
         part.stages.push_back({share});
     const double last = shares.back();
@@ -132,7 +132,7 @@ void addIndentation(std::vector<Case>& cases)
                        .material = material,
                        .grips = {held(beyond(2, -1, depth / 2))},
                        .slowest = pullingFrequency(2 * depth),
-                       .loadPeriods = 10};
+                       .loadPeriods = 20};
             Manipulator ball{.name = "ball", .size = Vec3::Constant(2 * radius)};
             ball.kind = ToolKind::ball;
             ball.friction = 0;
@@ -150,6 +150,7 @@ void addIndentation(std::vector<Case>& cases)
              .cells = 8,
              .across = "the print",
              .run = {},
+             .quick = false,
              .finer = {1.25, 1.5}},
             part, 2 * print,
             [=](const std::vector<Finding>& findings) {
@@ -165,7 +166,9 @@ void addPlanePunch(std::vector<Case>& cases)
 {
     constexpr double b = 0.012, width = 7 * b, depth = 3 * b, thick = b, yield = 4e3, down = 0.06 * b;
     const auto part = [=]() -> Part {
-        Part slab{.block = bar({width, thick, depth}, 12),
+        MappedBlock block = bar({width, thick, depth}, 12);
+        block.cells = {42, 1, 18};
+        Part slab{.block = block,
                   .material = plastic(2e6, 0.45, yield, 0),
                   .grips = {held(beyond(2, -1, depth / 2))},
                   .slowest = pullingFrequency(2 * depth),
@@ -240,6 +243,7 @@ void addTube(std::vector<Case>& cases)
          .cells = 3,
          .across = "the wall",
          .run = {},
+         .quick = false,
          .finer = {4.0 / 3}},
         part, wall,
         [](const std::vector<Finding>& findings) { return std::vector<double>{1000 * plateForce(findings.back())}; },

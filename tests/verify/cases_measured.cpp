@@ -59,6 +59,7 @@ void addBallDrop(std::vector<Case>& cases)
         .cells = 8,
         .across = "the radius of the ball",
         .run = {},
+        .quick = false,
         .finer = {1.25}};
     drop.run = [=](double cells) {
         const double spacing = radius / cells;

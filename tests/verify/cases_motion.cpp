@@ -112,8 +112,7 @@ void addSwings(std::vector<Case>& cases)
          .source = "sqrt(E / rho) / (4 L).",
          .quantities = {{"frequency", "Hz", wave, 0.03}},
          .across = "the bar",
-         .run = {},
-         .quick = true},
+         .run = {}},
         [] {
             return shapes::box({length, h, h});
         },
@@ -134,8 +133,8 @@ void addSwings(std::vector<Case>& cases)
          .cells = 10,
          .across = "the root",
          .run = {}},
-        plate, steel, 5, [](const Vec3& p) { return p.x(); }, Vec3::UnitY(), 1,
-        0.8 / std::pow(2 * pi * tapered, 2), tapered));
+        plate, steel, 5, [](const Vec3& p) { return p.x(); }, Vec3::UnitY(), 1, 0.8 / std::pow(2 * pi * tapered, 2),
+        tapered));
 }
 
 /// A thin ring that spins widens by rho w^2 R^3 / E.
@@ -193,7 +192,6 @@ void addTumbling(std::vector<Case>& cases)
              .quantities = {{"lost momentum", "", 0, 1e-4}, {"imbalance", "", 0, 0.01}},
              .across = "the box",
              .run = {},
-             .quick = true,
              .finer = {1.5}};
     box.run = [](double cells) {
         const TriangleMesh surface = shapes::box({0.04, 0.03, 0.02});
@@ -226,7 +224,6 @@ void addCollision(std::vector<Case>& cases)
                    .cells = 6,
                    .across = "a ball",
                    .run = {},
-                   .quick = true,
                    .finer = {1.5}};
     collision.run = [](double cells) {
         const TriangleMesh surface = shapes::sphere(0.01, 32);

@@ -11,9 +11,9 @@ namespace knead::book {
 
 namespace {
 
-constexpr double restShare = 1e-7; // of stored energy, that may be in motion at rest: 3e-4 of forces
-constexpr int stepsBetweenLooks = 60;
-constexpr std::size_t pictureTriangles = 4000; // of the shape on the page
+constexpr double restShare = 1e-7;             // of stored energy, that may be in motion at rest: 3e-4 of forces
+constexpr double steadyShare = 1e-4;           // of stored energy, that may come or go between two looks
+constexpr std::size_t pictureTriangles = 2500; // of the shape on the page
 
 double turnover(const EnergyLedger& energy)
 {
@@ -31,18 +31,17 @@ void Experiment::runUntil(double time)
     notice(*m_simulation.snapshot());
 }
 
-void Experiment::settle(double latest)
+void Experiment::settle(double latest, double look)
 {
+    double stored = -1;
     while (m_simulation.time() < latest) {
-        for (int i = 0; i < stepsBetweenLooks && m_simulation.health().ok && m_simulation.time() < latest; ++i)
-            m_simulation.step();
-        if (!m_simulation.health().ok)
-            throw std::runtime_error(m_simulation.health().message);
+        runUntil(std::min(latest, m_simulation.time() + look));
         const EnergyLedger energy = m_simulation.snapshot()->energy;
-        if (energy.kinetic <= restShare * (energy.elastic + energy.contact))
+        const double now = energy.elastic + energy.contact;
+        if (energy.kinetic <= restShare * now && std::abs(now - stored) <= steadyShare * now)
             break;
+        stored = now;
     }
-    notice(*m_simulation.snapshot());
 }
 
 std::vector<Vec3> Experiment::meanToolForces(double duration)

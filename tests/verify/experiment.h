@@ -23,8 +23,9 @@ public:
     /// Steps until a simulated time [s]. @throws std::runtime_error with the sentence of the simulation when it stops
     void runUntil(double time);
 
-    /// Until kinetic energy is a millionth of what is stored, or a simulated time [s].
-    void settle(double latest);
+    /// Until hardly anything moves and stored energy stays from look to look, or a simulated time [s].
+    /// @param look time between two looks: slow motion that is damped away needs some [s]
+    void settle(double latest, double look);
 
     /// Mean force of the material on each tool over a while [s], in order.
     std::vector<Vec3> meanToolForces(double duration);

@@ -129,7 +129,7 @@ MappedBlock squarePipe(double width, double wall, double length, int thick)
 
 MappedBlock plateWithHole(double length, double width, double holeRadius, double thickness, int around)
 {
-    return {.cells = {around, around * 3 / 8, 2},
+    return {.cells = {around, around * 3 / 8, 1},
             .place =
                 [=](double u, double v, double w) {
                     const double angle = 2 * pi * u;

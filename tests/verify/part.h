@@ -18,7 +18,12 @@ struct Grip {
     std::function<double(const Vec3& place)> zone;
     /// Displacement of a held point at a share of the load [m].
     std::function<Vec3(const Vec3& place, double share)> path;
-    bool hasOnePath = false;  ///< all points move alike: they are one fixture
+    /// Points that become one fixture of Knead, of which only the sum of forces is known.
+    enum class Together {
+        none,  ///< each point by itself
+        alike, ///< those with the same path: in bending, whose moment is the same wherever they are across
+        all,   ///< all move alike
+    } together = Together::none;
     Vec3 axes = Vec3::Ones(); ///< that are held, in CalculiX; Knead holds all three
     enum class Program { both, knead, calculix } program = Program::both;
 };
@@ -39,8 +44,8 @@ struct Stage {
 /// What CalculiX is told beside the part. Elements are C3D20R: quadratic, reduced integration.
 struct CalculixLaw {
     bool isRubber = false;       ///< neo-Hooke with the moduli of the material; else Hooke, with its plasticity
-    double firstIncrement = 0.1; ///< share of a stage
-    double largestIncrement = 0.25;
+    double firstIncrement = 1;   ///< share of a stage; of material that yields and rubber at most a tenth
+    double largestIncrement = 1; ///< of these at most a quarter
 };
 
 /// A body with its supports and loads, slow enough to be at rest: what a case of statics consists of.
@@ -57,6 +62,7 @@ struct Part {
     /// Lowest angular frequency of its motion over the speed of sound sqrt(E / rho) [1/m].
     double slowest = 1;
     double loadPeriods = 3; ///< that a stage takes, of the slowest motion
+    int segments = 12;      ///< that the way of a stage is made of
     double restPeriods = 3; ///< that it may take at most to come to rest
     CalculixLaw law = {};
     bool steps = false; ///< in long implicit steps, for slender parts; else in stable ones
@@ -118,11 +124,11 @@ inline std::function<double(const Vec3&)> beyond(int axis, double sign, double a
 }
 inline Grip held(std::function<double(const Vec3&)> zone)
 {
-    return {std::move(zone), [](const Vec3&, double) { return Vec3(Vec3::Zero()); }};
+    return {std::move(zone), [](const Vec3&, double) { return Vec3(Vec3::Zero()); }, Grip::Together::all};
 }
 inline Grip moved(std::function<double(const Vec3&)> zone, const Vec3& by)
 {
-    return {std::move(zone), [by](const Vec3&, double share) { return Vec3(share * by); }, true};
+    return {std::move(zone), [by](const Vec3&, double share) { return Vec3(share * by); }, Grip::Together::all};
 }
 /// By an angle [rad] about an axis through a point.
 inline Grip turned(std::function<double(const Vec3&)> zone, const Vec3& point, const Vec3& axis, double angle)

@@ -6,7 +6,9 @@
 #include "verify/part.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace knead::book {
 
@@ -14,7 +16,6 @@ namespace {
 
 constexpr double frequency = 150;       // of the slowest motion, set by the choice of density [rad/s]
 constexpr double fastestDamping = 1000; // of Material::shapeDamping [1/s]
-constexpr int segments = 12;            // that the way of a grip is made of
 
 /// Dense enough that the slowest motion has the wanted frequency, and damped so that it dies away at once.
 Material slowed(Material material, double slowest)
@@ -26,11 +27,11 @@ Material slowed(Material material, double slowest)
     return material;
 }
 
-/// Fixtures of one grip: of all its objects together, or one for each.
+/// Fixtures of one grip, and the objects of each.
 struct HeldGrip {
     std::size_t grip;
-    std::vector<ObjectIndex> objects;
-    std::vector<FixtureId> fixtures; ///< one, or as many as objects
+    std::vector<std::vector<ObjectIndex>> objects;
+    std::vector<FixtureId> fixtures;
 };
 
 class PartRun {
@@ -58,7 +59,7 @@ public:
             if (stage.withoutTools)
                 for (ToolId tool = 0; tool < m_part.tools.size(); ++tool)
                     m_experiment.simulation().post(RemoveManipulator{tool});
-            m_experiment.settle(m_experiment.time() + m_part.restPeriods * m_period);
+            m_experiment.settle(m_experiment.time() + m_part.restPeriods * m_period, m_period / 3);
             findings.push_back(finding(stage.withoutTools));
         }
         Outcome outcome = m_experiment.outcome(measure(findings), m_mesh);
@@ -97,23 +98,36 @@ private:
         return {m_part.pose.toWorld(pose.position), m_part.pose.rotation * pose.rotation};
     }
 
+    /// Objects with the same key are one fixture.
+    std::array<long, 4> keyOf(const Grip& grip, ObjectIndex i) const
+    {
+        if (grip.together == Grip::Together::all)
+            return {};
+        if (grip.together == Grip::Together::none)
+            return {i, 0, 0, 0};
+        const Vec3 place = localRest(i);
+        const Vec3 path = (grip.path(place, 1) + 0.3 * grip.path(place, 0.5)) / (1e-7 * m_aggregate->lattice.spacing);
+        return {std::lround(path.x()), std::lround(path.y()), std::lround(path.z()), 1};
+    }
+
     void addGrip(Scene& scene, std::size_t index)
     {
         const Grip& grip = m_part.grips[index];
         HeldGrip held{.grip = index, .objects = {}, .fixtures = {}};
-        if (grip.program != Grip::Program::calculix)
-            for (ObjectIndex i = 0; i < m_aggregate->size(); ++i)
-                if (grip.zone(localRest(i)) <= 0.5 * m_aggregate->lattice.spacing + 1e-9)
-                    held.objects.push_back(i);
-        const auto add = [&](std::vector<ObjectIndex> objects) {
+        std::map<std::array<long, 4>, std::size_t> known;
+        for (ObjectIndex i = 0; i < m_aggregate->size(); ++i) {
+            if (grip.program == Grip::Program::calculix ||
+                grip.zone(localRest(i)) > 0.5 * m_aggregate->lattice.spacing + 1e-9)
+                continue;
+            const auto [entry, isNew] = known.try_emplace(keyOf(grip, i), held.objects.size());
+            if (isNew)
+                held.objects.emplace_back();
+            held.objects[entry->second].push_back(i);
+        }
+        for (const std::vector<ObjectIndex>& objects : held.objects) {
             held.fixtures.push_back(static_cast<FixtureId>(scene.fixtures.size()));
-            scene.fixtures.push_back({"grip", 0, std::move(objects), Vec3::Zero()});
-        };
-        if (grip.hasOnePath)
-            add(held.objects);
-        else
-            for (const ObjectIndex i : held.objects)
-                add({i});
+            scene.fixtures.push_back({"grip", 0, objects, Vec3::Zero()});
+        }
         m_grips.push_back(std::move(held));
     }
 
@@ -132,9 +146,9 @@ private:
                 t, gentleWay({pose.position + from * way, pose.rotation}, (to - from) * way, begin, begin + duration)});
         }
         double share = from;
-        for (int s = 1; s <= segments; ++s) {
-            const double next = from + (to - from) * gentle(static_cast<double>(s) / segments);
-            const double end = begin + duration * s / segments;
+        for (int s = 1; s <= m_part.segments; ++s) {
+            const double next = from + (to - from) * gentle(static_cast<double>(s) / m_part.segments);
+            const double end = begin + duration * s / m_part.segments;
             const double wanted = end - simulation.time();
             const double steps = std::max(1.0, std::ceil(wanted / simulation.timeStep()));
             setSpeeds(share, next, steps * simulation.timeStep());
@@ -150,10 +164,10 @@ private:
         for (const HeldGrip& held : m_grips) {
             const Grip& grip = m_part.grips[held.grip];
             for (std::size_t k = 0; k < held.fixtures.size(); ++k) {
-                if (held.objects.empty())
-                    continue;
-                const Vec3 place = localRest(held.objects[k]);
+                const Vec3 place = localRest(held.objects[k].front());
                 const Vec3 way = grip.path(place, to) - grip.path(place, from);
+                if (way == Vec3::Zero() && from != to)
+                    continue; // it only holds
                 m_experiment.simulation().post(MoveFixture{held.fixtures[k], m_part.pose.rotation * way / duration});
             }
         }
@@ -191,11 +205,14 @@ private:
             for (std::size_t k = 0; k < held.fixtures.size(); ++k) {
                 const auto place = std::find(shot->fixtureIds.begin(), shot->fixtureIds.end(), held.fixtures[k]);
                 const auto row = static_cast<std::size_t>(place - shot->fixtureIds.begin());
-                if (held.objects.empty() || row >= shot->fixtureForces.size())
+                if (row >= shot->fixtureForces.size())
                     continue;
-                const ObjectIndex i = held.objects[k];
-                found.reactions[held.grip].push_back(
-                    {found.rest[i], found.rest[i] + found.displacement[i], back * shot->fixtureForces[row]});
+                PointForce sum{Vec3::Zero(), Vec3::Zero(), back * shot->fixtureForces[row]};
+                for (const ObjectIndex i : held.objects[k]) {
+                    sum.place += found.rest[i] / static_cast<double>(held.objects[k].size());
+                    sum.now += (found.rest[i] + found.displacement[i]) / static_cast<double>(held.objects[k].size());
+                }
+                found.reactions[held.grip].push_back(sum);
             }
         found.vonMises = skinStress(*shot);
         return found;

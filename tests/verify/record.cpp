@@ -14,6 +14,8 @@ namespace {
 
 constexpr double noise = 0.01; // below this errors do not show an order
 
+constexpr double allowedImbalance = 0.01; // of energy; more is told
+
 std::string errorText(const Quantity& quantity, double error)
 {
     char text[48];
@@ -119,6 +121,11 @@ std::string tableOf(const Record& record)
     for (const Outcome& run : record.runs)
         if (!run.trouble.empty())
             table += "    " + run.trouble + "\n";
+    double imbalance = 0;
+    for (const Outcome& run : record.runs)
+        imbalance = std::max(imbalance, run.imbalance);
+    if (imbalance > allowedImbalance)
+        table += "    imbalance of energy " + std::to_string(100 * imbalance).substr(0, 5) + " %\n";
     if (!record.calculix.trouble.empty())
         table += "    " + record.calculix.trouble + "\n";
     return table;
