@@ -16,14 +16,19 @@ using namespace knead::book;
 class VerificationBookTest : public QObject {
     Q_OBJECT
 
+    /// CalculiX is not there when tests run.
+    static bool isAsked(const Quantity& quantity)
+    {
+        return quantity.expected == Expected::holds && quantity.origin != Origin::calculix;
+    }
+
 private slots:
     void quickCasesHold_data()
     {
         QTest::addColumn<int>("number");
         const std::vector<Case> cases = allCases();
         for (std::size_t i = 0; i < cases.size(); ++i) {
-            const auto isExpected = [](const Quantity& q) { return q.expected == Expected::holds; };
-            if (cases[i].quick && std::any_of(cases[i].quantities.begin(), cases[i].quantities.end(), isExpected))
+            if (cases[i].quick && std::any_of(cases[i].quantities.begin(), cases[i].quantities.end(), isAsked))
                 QTest::newRow(cases[i].id.c_str()) << static_cast<int>(i);
         }
     }
@@ -33,7 +38,7 @@ private slots:
         const Record made = record(allCases()[static_cast<std::size_t>(number)], {.calculix = false, .finer = false});
         QVERIFY2(made.runs.front().trouble.empty(), made.runs.front().trouble.c_str());
         for (std::size_t q = 0; q < made.what.quantities.size(); ++q)
-            if (made.what.quantities[q].expected == Expected::holds)
+            if (isAsked(made.what.quantities[q]))
                 QVERIFY2(holds(made, q), ("\n" + tableHead() + "\n" + tableOf(made)).c_str());
         QVERIFY2(made.runs.front().imbalance < 0.01, qPrintable(QString::number(made.runs.front().imbalance)));
     }

@@ -46,7 +46,7 @@ struct Outcome {
     TriangleMesh picture;       ///< the part in its last shape
     std::size_t objects = 0;    ///< or nodes of CalculiX
     double spacing = 0;         ///< [m]; 0 for CalculiX
-    double seconds = 0;         ///< of processors
+    double seconds = 0;         ///< of processor time
     double imbalance = 0;       ///< of energy, as a share of what was turned over
     std::string trouble;        ///< a sentence when it did not come to its end; values are NaN then
 };

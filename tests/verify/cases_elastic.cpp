@@ -144,8 +144,7 @@ void addSquareBars(std::vector<Case>& cases)
                              .group = {},
                              .title = "Torsion stiffness of a round bar",
                              .source = "J = pi r^4 / 2.",
-                             .quantities = {{"GJ / G", "mm^4", 1e12 * pi * std::pow(h / 2, 4) / 2, 0.15,
-                                             Origin::closedForm, Expected::notYet}},
+                             .quantities = {{"GJ / G", "mm^4", 1e12 * pi * std::pow(h / 2, 4) / 2, 0.15}},
                              .across = "the bar",
                              .run = {}},
                             roundBar(h / 2, 0.12, 6), 0.12, h, 0.3, tilted(), Load::torsion, h));
@@ -163,35 +162,34 @@ void addPipes(std::vector<Case>& cases)
         for (const Load load : {Load::bending, Load::torsion}) {
             const bool bends = load == Load::bending;
             const std::string number = cells == 2 ? "2" : "2.5";
-            cases.push_back(
-                section({.id = (bends ? "box-bending-" : "box-torsion-") + number,
-                         .group = {},
-                         .title = std::string(bends ? "Bending" : "Torsion") +
-                                  " stiffness of a square pipe, walls of " + number + " cells",
-                         .source = bends ? "E I of the square less that of its hole."
-                                         : "Bredt: J = 4 A^2 t / s, and s t^3 / 3.",
-                         .quantities = {{bends ? "EI / E" : "GJ / G", "mm^4", 1e12 * (bends ? bending : torsion), 0.15,
-                                         Origin::closedForm, Expected::notYet}},
-                         .cells = cells,
-                         .across = "a wall",
-                         .run = {},
-                         .quick = false,
-                         .finer = cells == 2 ? std::vector<double>{1.5} : std::vector<double>{}},
-                        squarePipe(b, t, length, 1), length, b, 0.3, {}, load, t));
+            cases.push_back(section(
+                {.id = (bends ? "box-bending-" : "box-torsion-") + number,
+                 .group = {},
+                 .title = std::string(bends ? "Bending" : "Torsion") + " stiffness of a square pipe, walls of " +
+                          number + " cells",
+                 .source =
+                     bends ? "E I of the square less that of its hole." : "Bredt: J = 4 A^2 t / s, and s t^3 / 3.",
+                 .quantities = {{bends ? "EI / E" : "GJ / G", "mm^4", 1e12 * (bends ? bending : torsion), 0.15}},
+                 .cells = cells,
+                 .across = "a wall",
+                 .run = {},
+                 .quick = false,
+                 .finer = cells == 2 ? std::vector<double>{1.5} : std::vector<double>{}},
+                squarePipe(b, t, length, 1), length, b, 0.3, {}, load, t));
         }
     constexpr double ri = 0.009, ro = 0.012;
-    cases.push_back(section({.id = "pipe-torsion",
-                             .group = {},
-                             .title = "Torsion stiffness of a round pipe",
-                             .source = "J = pi (R^4 - r^4) / 2.",
-                             .quantities = {{"GJ / G", "mm^4", 1e12 * pi * (std::pow(ro, 4) - std::pow(ri, 4)) / 2,
-                                             0.15, Origin::closedForm, Expected::notYet}},
-                             .cells = 2,
-                             .across = "the wall",
-                             .run = {},
-                             .quick = false,
-                             .finer = {1.5}},
-                            pipe(ri, ro, 0.1, 2), 0.1, 2 * ro, 0.3, {}, Load::torsion, ro - ri));
+    cases.push_back(
+        section({.id = "pipe-torsion",
+                 .group = {},
+                 .title = "Torsion stiffness of a round pipe",
+                 .source = "J = pi (R^4 - r^4) / 2.",
+                 .quantities = {{"GJ / G", "mm^4", 1e12 * pi * (std::pow(ro, 4) - std::pow(ri, 4)) / 2, 0.15}},
+                 .cells = 2,
+                 .across = "the wall",
+                 .run = {},
+                 .quick = false,
+                 .finer = {1.5}},
+                pipe(ri, ro, 0.1, 2), 0.1, 2 * ro, 0.3, {}, Load::torsion, ro - ri));
 }
 
 /// A block whose whole surface is moved as simple shear, or pressed in one direction only.

@@ -65,7 +65,6 @@ struct Part {
     int segments = 12;      ///< that the way of a stage is made of
     double restPeriods = 3; ///< that it may take at most to come to rest
     CalculixLaw law = {};
-    bool steps = false; ///< in long implicit steps, for slender parts; else in stable ones
 };
 
 struct PointForce {

@@ -86,10 +86,6 @@ private:
             scene.manipulators.back().speedLimit = 100;
             scene.manipulators.back().pose = posed(tool.manipulator.pose);
         }
-        if (m_part.steps) {
-            scene.integrator = Integrator::implicitEuler;
-            scene.timeStep = 2 * pi / (m_part.slowest * scene.bodies[0].material.soundSpeed()) / 30;
-        }
         return scene;
     }
 
