@@ -25,8 +25,6 @@ constexpr int staleFactor = 2;           // of iterations, at which the coarse f
 // A step may stretch and turn connections by this much. A turn of t lengthens them by t^2 / 2 when it is taken as straight.
 constexpr double largestStretch = 0.2;
 
-// Steps that are mixed. More remember places from which the way has turned.
-
 // A line is searched until the force along it is this share of what it was, in so many trials.
 constexpr double lineTolerance = 0.5;
 constexpr int mostTrials = 5;
