@@ -121,26 +121,26 @@ void addCurvedBar(std::vector<Case>& cases)
                 .slowest = bendingFrequency(2 * half * middle, outer - inner)};
     };
     const double depth = outer - inner, area = depth * thickness;
-    const double neutral = depth / std::log(outer / inner);
-    cases.push_back(partCase({.id = "curved-bar",
-                              .group = chapter,
-                              .title = "Stress inside a thick curved bar, bent",
-                              .source = "Winkler: N / A + M (r_n - r) / (A e r), with force and moment of the middle "
-                                        "section from the ends; Poisson's ratio 0.",
-                              .quantities = {{"stress / formula", "", 1, 0.1, Origin::closedForm, Expected::notYet}},
-                              .cells = 6,
-                              .across = "the bar",
-                              .run = {}},
-                             part, depth, [=](const std::vector<Finding>& findings) {
-                                 const Finding& found = findings.back();
-                                 // The grips at the high end pull the middle section; about its center of gravity.
-                                 const Vec3 center(middle, 0, 0);
-                                 const double force = -forceOn(found, 1).y();
-                                 const double moment = -momentOn(found, 1, center).z(); // positive closes the ring
-                                 const double stress =
-                                     force / area - moment * (neutral - inner) / (area * (middle - neutral) * inner);
-                                 return std::vector<double>{found.vonMises({inner, 0, 0}) / std::abs(stress)};
-                             }));
+    cases.push_back(partCase(
+        {.id = "curved-bar",
+         .group = chapter,
+         .title = "Stress inside a thick curved bar, bent",
+         .source =
+             "Golovin's exact solution (Timoshenko and Goodier, curved bars) for R / r = 2: 1.2515 N / A + 7.755 M / "
+             "(A h), with force and moment of the middle section from the ends; Poisson's ratio 0.",
+         .quantities = {{"stress / formula", "", 1, 0.1, Origin::closedForm, Expected::notYet}},
+         .cells = 6,
+         .across = "the bar",
+         .run = {}},
+        part, depth, [=](const std::vector<Finding>& findings) {
+            const Finding& found = findings.back();
+            // The grips at the high end pull the middle section; about its center of gravity.
+            const Vec3 center(middle, 0, 0);
+            const double force = -forceOn(found, 1).y();
+            const double moment = -momentOn(found, 1, center).z(); // positive closes the ring
+            const double stress = 1.2515 * force / area - 7.755 * moment / (area * depth);
+            return std::vector<double>{found.vonMises({inner, 0, 0}) / std::abs(stress)};
+        }));
 }
 
 /// A thick tube widened at its bore, by Lame's displacements of an inner pressure with free ends.
