@@ -1,6 +1,8 @@
 // A part of the book in Knead: grips are fixtures whose speed is set again and again.
 #include "core/aggregate/fill.h"
+#include "core/geometry/refine.h"
 #include "core/skin/deformed_surface.h"
+#include "core/skin/skin_stress.h"
 #include "support/shapes.h"
 #include "verify/experiment.h"
 #include "verify/part.h"
@@ -218,12 +220,17 @@ private:
     std::function<double(const Vec3&)> skinStress(const Snapshot& shot) const
     {
         const Snapshot::BodyState& body = shot.bodies[0];
-        return [mesh = m_mesh, aggregate = m_aggregate, pose = m_part.pose, displacements = body.displacements(),
-                relaxed = body.relaxed](const Vec3& place) {
-            const auto strains = objectStrains(*aggregate, displacements, *relaxed);
+        return [skin = refine(m_mesh, m_aggregate->lattice.spacing), aggregate = m_aggregate, pose = m_part.pose,
+                displacements = body.displacements(), relaxed = body.relaxed,
+                loaded = loadedObjects(shot, 0)](const Vec3& place) {
             const Vec3 world = pose.toWorld(place);
-            const Skin skin(*aggregate, std::span(&world, 1));
-            return static_cast<double>(skinFields(skin, displacements, strains).vonMisesStress.at(0));
+            std::size_t nearest = 0;
+            for (std::size_t v = 0; v < skin.vertices.size(); ++v)
+                if ((skin.vertices[v] - world).squaredNorm() < (skin.vertices[nearest] - world).squaredNorm())
+                    nearest = v;
+            const ObjectStrains objects(*aggregate, displacements, *relaxed);
+            const SkinStresses stresses = SkinStress(*aggregate, skin).stresses(objects, loaded, false);
+            return static_cast<double>(stresses.vonMises[nearest]);
         };
     }
 
