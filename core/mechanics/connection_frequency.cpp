@@ -156,9 +156,9 @@ double StructuralConnections::leastDampingTime() const
 
 double StructuralConnections::largestFrequency(ObjectState& state, const std::vector<double>& added)
 {
-    if (m_materials->largest([](const Material& material) { return material.poissonRatio; }) > 0.25)
+    if (!m_tensors && m_materials->largest([](const Material& material) { return material.poissonRatio; }) > 0.25)
         return iteratedFrequency(state, added);
-    const std::vector<double> bounds = bondBounds(state, added);
+    const std::vector<double> bounds = m_tensors ? stiffnessBounds(state, added) : bondBounds(state, added);
     double squared = 0;
     for (std::size_t i = 0; i < bounds.size(); ++i)
         squared = std::max(squared, bounds[i] / state.mass[i]);

@@ -69,6 +69,7 @@ void StructuralConnections::findTensorNumbers()
         for (auto* numbers : {&body.shear, &body.bulk, &body.yieldStress, &body.hardening, &body.flowTime})
             numbers->assign(count, 0);
     std::vector<double> live(count, 0);
+    std::vector<double> stiffness(count, 0); // sum of k |o|^2, of all that were made
     for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
         const Lattice::Node& o = Lattice::directions[d];
         const double squared = Vec3(o[0], o[1], o[2]).squaredNorm();
@@ -76,7 +77,12 @@ void StructuralConnections::findTensorNumbers()
                        [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
                            for (std::size_t s = 0; s < n; ++s) {
                                const double share = squared * m_aggregate->weight[d][lower + s];
+                               const double k =
+                                   squared * m_aggregate->lattice.spacing * m_aggregate->weight[d][lower + s] *
+                                   m_laws.between(static_cast<ObjectIndex>(i + s), static_cast<ObjectIndex>(j + s))
+                                       .stiffness;
                                for (const std::size_t end : {i + s, j + s}) {
+                                   stiffness[end] += k;
                                    body.wholeShape[end] += share;
                                    live[end] += m_stiffness[d][lower + s] > 0 ? share : 0;
                                }
@@ -88,8 +94,11 @@ void StructuralConnections::findTensorNumbers()
         if (m_materials->isUniform())
             continue;
         const Material& material = m_materials->of(i);
-        body.shear[i] = material.shearModulus();
-        body.bulk[i] = bulkModulusOf(material);
+        // Beside softer material, connections are as stiff as springs in series, and so is the object.
+        const double own = material.shearModulus() * m_aggregate->lattice.spacing * body.wholeShape[i];
+        const double share = own > 0 ? std::min(1.0, stiffness[i] / own) : 1;
+        body.shear[i] = share * material.shearModulus();
+        body.bulk[i] = share * bulkModulusOf(material);
         body.yieldStress[i] = yieldStressOf(material);
         body.hardening[i] = material.hardening;
         body.flowTime[i] = material.relaxationTime;

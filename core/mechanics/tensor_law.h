@@ -17,7 +17,7 @@
 /// Flow is J2 (von Mises) with isotropic linear hardening, returned radially within the step. The norm counts what the
 /// connections are strained beyond F:
 ///     e_b = ln(L / l) - (theta_i + theta_j) / 6,  e_d = ln(|F D| / l_b) - theta / 3
-///     N^2 = max(|s|^2 / 4, |s|^2 + 7.5 (2 mu)^2 sum_b k |D|^2 (e_b^2 - e_d^2) / sum_b k |D|^2)
+///     N^2 = |s|^2 + max(0, 7.5 (2 mu)^2 sum_b k |D|^2 (e_b^2 - e_d^2) / sum_b k |D|^2)
 ///     Y = sqrt(2/3) (sigma_y + H alpha)
 ///     N > Y:  dg = (1 - e^(-dt / tau)) (N - Y) / (2 mu t (1 + H / (3 mu t))),  S = 1 - 2 mu t dg / N (else 1)
 ///             s <- S s,  alpha += sqrt(2/3) dg,  b <- s / mu + t I, det b = 1,  C <- J^(-2/3) F^T b^-1 F
@@ -118,8 +118,10 @@ struct LengthArguments {
     double* dissipated;   ///< sumLanes partial sums [J]
 };
 
-/// det F below which ln det F goes on as its tangent and material flows no more: what F says there is not reliable, and a
-/// logarithm that went on would be stiffer than steps that were chosen before can take (by 22 times at a quarter of the volume).
-inline constexpr double leastVolumeRatio = 0.5;
+/// Material that has lost half of its volume fades out of this law, by the share of det F between these two, and does not flow:
+/// what F says there is not reliable, and a logarithm that went on would be stiffer than steps that were chosen before can take (by
+/// 330 times at a tenth of the volume). Springs go on alone, which bear any squashing.
+inline constexpr double wholeVolumeRatio = 0.5;
+inline constexpr double leastVolumeRatio = 0.3;
 
 } // namespace knead::kernels

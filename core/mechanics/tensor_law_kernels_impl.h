@@ -84,7 +84,7 @@ struct Gradient {
     Lanes f[3][3];        ///< [column][world component]
     Lanes cofactor[3][3]; ///< of F: J F^-T
     Lanes ratio;          ///< J, not below leastVolumeRatio
-    LaneBits isSquashed;  ///< J is below that
+    Lanes weight;         ///< of the law: 1 from wholeVolumeRatio on, 0 up to leastVolumeRatio
     LaneBits isFlat;      ///< nothing is known of F
     Lanes theta;
     Lanes scale; ///< ratio^(-2/3)
@@ -117,11 +117,11 @@ KNEAD_INLINE Gradient gradientOf(const Surroundings& a, std::size_t i)
     const Lanes volume =
         g.f[0][0] * g.cofactor[0][0] + g.f[0][1] * g.cofactor[0][1] + g.f[0][2] * g.cofactor[0][2];
     const Lanes smallest = all(leastVolumeRatio);
-    g.isSquashed = volume < smallest;
-    g.ratio = g.isSquashed ? smallest : volume;
-    const Lanes below = g.isSquashed ? volume / smallest - 1 : all(0);
+    g.ratio = larger(volume, smallest);
     const Lanes logarithmic = logarithm(g.ratio);
-    g.theta = g.isFlat ? all(0) : logarithmic + below - load(a.restDilatation + i);
+    const Lanes part = (volume - leastVolumeRatio) * (1 / (wholeVolumeRatio - leastVolumeRatio));
+    g.weight = smaller(larger(part, all(0)), all(1));
+    g.theta = g.isFlat ? all(0) : logarithmic - load(a.restDilatation + i);
     if constexpr (withScale)
         g.scale = exponential(logarithmic * (-2.0 / 3));
     return g;
@@ -387,7 +387,7 @@ KNEAD_INLINE Lanes energyOf(const LaneNumbers& numbers, const Gradient& g, const
 {
     const Lanes whole =
         numbers.volume * (0.5 * numbers.bulk * g.theta * g.theta + 1.5 * numbers.shear * (e.third - 1));
-    return g.isFlat ? all(0) : whole - spacing * spacing * share.energy;
+    return g.isFlat ? all(0) : g.weight * (whole - spacing * spacing * share.energy);
 }
 
 /// N of the namespace squared, from |s|^2.
@@ -423,7 +423,7 @@ KNEAD_INLINE Lanes squaredNorm(const TensorLawArguments& arguments, std::size_t 
         }
     });
     const Lanes extra = 30 * numbers.shear * numbers.shear * beyond / weights;
-    return larger(0.25 * squaredDeviator, squaredDeviator + extra);
+    return squaredDeviator + larger(extra, all(0));
 }
 
 /// Of eight objects, before they flow.
@@ -482,7 +482,7 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
     const Lanes damage = arguments.plastic.damage ? load(arguments.plastic.damage + i) : all(0);
     const Lanes hardening = valuesOf(arguments.numbers.hardening, i);
     const Lanes yield = rootTwoThirds * (valuesOf(arguments.numbers.yieldStress, i) + hardening * alpha);
-    const LaneBits flows = (norm > yield) & ~g.isSquashed;
+    const LaneBits flows = (norm > yield) & (g.weight == all(1));
     after = trial.metric;
     if (!anyBeyond(flows ? all(1) : all(0), 0)) {
         for (int n = 0; n < 6; ++n)
@@ -541,16 +541,20 @@ KNEAD_INLINE Lanes stressOfTensor(const TensorLawArguments& arguments, std::size
         write(arguments.energy, energy);
     if (arguments.theta)
         write(arguments.theta, g.theta);
-    // P = tau F^-T, as the gradient of the energy: where J is below what the logarithm is taken of, t does not depend on it.
+    // P = tau F^-T of the weighed energy w e: w (e' - springs) + w' e cof F.
     const Lanes shear = numbers.volume * numbers.shear * g.scale;
     const Lanes pressure =
-        numbers.volume * (numbers.bulk * g.theta - (g.isSquashed ? all(0) : numbers.shear * e.third)) / g.ratio;
+        numbers.volume * (numbers.bulk * g.theta - numbers.shear * e.third) / g.ratio;
     const double inverseSpacing = 1 / a.spacing;
+    const LaneBits fades = (g.weight > all(0)) & (g.weight < all(1));
+    constexpr double slope = 1 / (wholeVolumeRatio - leastVolumeRatio);
+    const Lanes fading = fades ? energy / (fades ? g.weight : all(1)) * slope : all(0);
     Lanes p[3][3];
     for (int column = 0; column < 3; ++column)
         for (int c = 0; c < 3; ++c)
-            p[column][c] = (shear * e.h[column][c] + pressure * g.cofactor[column][c]) * inverseSpacing -
-                           a.spacing * share.pull[column][c];
+            p[column][c] = g.weight * ((shear * e.h[column][c] + pressure * g.cofactor[column][c]) * inverseSpacing -
+                                       a.spacing * share.pull[column][c]) +
+                           fading * g.cofactor[column][c] * inverseSpacing;
     const Lanes uu = load(a.inverseShape[0] + i), vv = load(a.inverseShape[1] + i), ww = load(a.inverseShape[2] + i);
     const Lanes uv = load(a.inverseShape[3] + i), uw = load(a.inverseShape[4] + i), vw = load(a.inverseShape[5] + i);
     for (int c = 0; c < 3; ++c) {

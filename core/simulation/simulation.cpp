@@ -2,6 +2,7 @@
 
 #include "core/integration/forward_euler.h"
 #include "core/integration/semi_implicit_euler.h"
+#include "core/integration/time_step.h"
 #include "core/integration/shape_damping.h"
 #include "core/simulation/simulation_state.h"
 
@@ -23,6 +24,10 @@ constexpr std::uint64_t breakingInterval = 4;
 constexpr std::uint64_t annealingInterval = 16;
 // Ends of broken connections may touch things from here on [steps].
 constexpr std::uint64_t touchingInterval = 16;
+// Where material yields, no object goes further than this in an explicit step [spacings], unless steps would be shorter than this
+// share of the stable one.
+constexpr double farthestInStep = 0.05;
+constexpr double shortestShare = 1.0 / 32;
 
 } // namespace
 
@@ -196,6 +201,22 @@ double Simulation::State::brakeShape(BodyId body, double duration)
     return rate > 0 && run.deforms() ? dampShape(run.state, rate, duration, piecesOf(body)) : 0;
 }
 
+/// Material that yields gets stiffer as it is squashed, sooner than the stable step is looked at again: where objects go far in a
+/// step, the next one is shorter.
+void Simulation::State::limitTravel(double speed)
+{
+    const bool anyYields = std::any_of(runs.begin(), runs.end(),
+                                       [](const auto& run) { return run->deforms() && run->connections.yields(); });
+    if (!anyYields || wantedTimeStep || !std::isfinite(speed))
+        return;
+    double spacing = std::numeric_limits<double>::infinity();
+    for (const Body& body : bodies)
+        spacing = std::min(spacing, body.aggregate->lattice.spacing);
+    const double longest = timeStepShare * stableStep;
+    const double wanted = speed > 0 ? farthestInStep * spacing / speed : longest;
+    timeStep = std::clamp(wanted, shortestShare * longest, longest);
+}
+
 void Simulation::State::integrate()
 {
     const bool leaps = integrator == Integrator::semiImplicitEuler;
@@ -227,6 +248,7 @@ void Simulation::State::integrate()
     largestTravel = largestSpeed * timeStep;
     lastKick = timeStep + change;
     lastStep = timeStep;
+    limitTravel(largestSpeed);
     unknownEnergy = 0;
     time += timeStep;
     ++step;

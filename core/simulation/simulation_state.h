@@ -48,6 +48,7 @@ struct Simulation::State {
     void changeConnections();
     void computeForces();
     void integrate();
+    void limitTravel(double speed);
     void stepImplicitly();
     StaticReport findBalance(double duration);
     bool balance(double duration, StaticReport& report);
