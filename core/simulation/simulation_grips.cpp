@@ -58,7 +58,11 @@ void Simulation::State::turnGrips()
             if (object >= run.state.size() || !isMovedBy(id, object))
                 continue;
             const Vec3 arm = run.state.position.at(object) - center;
-            run.state.velocity.set(object, fixture.velocity + (turned * arm - arm) / timeStep);
+            const Vec3 velocity = fixture.velocity + (turned * arm - arm) / timeStep;
+            if (gripProgress[id].angle == 0) // the grip sets it going
+                energy.toolWork += 0.5 * run.state.mass[object] *
+                                   (velocity.squaredNorm() - run.state.velocity.at(object).squaredNorm());
+            run.state.velocity.set(object, velocity);
         }
     }
 }

@@ -148,7 +148,12 @@ private slots:
         for (const unsigned threads : {1U, 2U}) {
             const ThreadLimit limit(threads);
             const RunReport report = runRecipe(read("session.recipe.json"), m_shop.path("out"));
-            QVERIFY2(report.warnings.empty(), report.warnings.empty() ? "" : report.warnings[0].c_str());
+            // Random sessions may be poor physics, which is said; nothing is said of what the recipe left out.
+            const std::vector<std::string> poor = remarksOn(report.quality);
+            for (const std::string& warning : report.warnings)
+                QVERIFY2(warning.find("begins ") != std::string::npos ||
+                             std::find(poor.begin(), poor.end(), warning) != poor.end(),
+                         warning.c_str());
             if (report.stateHash != document.simulation.stateHash())
                 qInfo("%s", text.c_str());
             QCOMPARE(report.stateHash, document.simulation.stateHash());

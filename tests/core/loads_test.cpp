@@ -387,7 +387,8 @@ private slots:
         Simulation simulation(scene);
         runUntil(simulation, pi / 2 / speed);
         const double force = massOf(scene) * speed * speed * radius;
-        QVERIFY(std::abs(simulation.reactions()[0].force.norm() - force) < 1e-3 * force);
+        const double carried = simulation.reactions()[0].force.norm();
+        QVERIFY2(std::abs(carried - force) < 1e-3 * force, qPrintable(QString("%1 of %2 N").arg(carried).arg(force)));
         QVERIFY(simulation.reactions()[0].force.y() > 0.99 * force);
     }
 

@@ -160,6 +160,18 @@ private slots:
         const std::size_t rest = 1 + 1 + 4 + middle.moment->health.message.size(); // of all versions
         const auto end = old.end() - static_cast<std::ptrdiff_t>(rest);
         old.erase(end - added, end);
+        // Each connection had a plastic strain, where each object has a metric and two numbers now: of nothing that has flowed that
+        // is a zero for each array of numbers. They begin where a moment in which something has flowed is another.
+        QVERIFY(middle.moment->bodies.size() == 1 && middle.moment->bodies[0].changes.plastic.metric[0].empty());
+        Moment flowed = *middle.moment;
+        flowed.bodies[0].changes.plastic.nominalLength[0].assign(1, 1);
+        const Bytes other = momentToBytes(flowed);
+        std::size_t first = header;
+        while (old[first] == other[first])
+            ++first;
+        constexpr std::size_t arraysNow = Lattice::directionCount + 8;
+        constexpr std::size_t arraysThen = 2 * Lattice::directionCount;
+        old.insert(old.begin() + static_cast<std::ptrdiff_t>(first), arraysThen - arraysNow, std::byte{0});
         const auto put = [&](std::size_t place, std::uint64_t number, std::size_t size) {
             for (std::size_t i = 0; i < size; ++i)
                 old[place + i] = static_cast<std::byte>(number >> (8 * i));
