@@ -354,9 +354,23 @@ void ImplicitEuler::undo()
 ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const RigidSurface> surfaces,
                                           const Vec3& gravity, double h, double contactEnergy)
 {
-    Report report;
     rememberStart();
-    const double startEnergy = elasticEnergy() + contactEnergy;
+    m_startEnergy = elasticEnergy() + contactEnergy;
+    return findEnd(contacts, surfaces, gravity, h);
+}
+
+ImplicitEuler::Report ImplicitEuler::goOn(Contacts& contacts, std::span<const RigidSurface> surfaces,
+                                          const Vec3& gravity, double h, double released)
+{
+    m_startEnergy -= released;
+    return findEnd(contacts, surfaces, gravity, h);
+}
+
+/// Newton's iteration, from the velocities in m_velocity.
+ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const RigidSurface> surfaces,
+                                             const Vec3& gravity, double h)
+{
+    Report report;
     m_mixing.restart();
     ContactStep step{.duration = h, .stickSpeed = stickShare * m_spacing / h, .isTrial = true};
     const double floor = m_mass * std::pow(restShare * m_spacing / h, 2);
@@ -413,7 +427,7 @@ ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const Ri
         }
     }
     report.plastic = flowedEnergy();
-    report.numerical = -report.plastic + numericalLoss(report.contacts, elasticEnergy() + report.contacts.energy - startEnergy, h);
+    report.numerical = -report.plastic + numericalLoss(report.contacts, elasticEnergy() + report.contacts.energy - m_startEnergy, h);
     return report;
 }
 

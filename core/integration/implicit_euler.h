@@ -60,6 +60,11 @@ public:
     Report step(Contacts& contacts, std::span<const RigidSurface> surfaces, const Vec3& gravity, double h,
                 double contactEnergy);
 
+    /// The last step again, from where it has come to: connections have broken at its end.
+    /// @param released with them [J]
+    Report goOn(Contacts& contacts, std::span<const RigidSurface> surfaces, const Vec3& gravity, double h,
+                double released);
+
     /// Lets contacts take place as they are at the end of the last step: joints are made and end, skins heal.
     /// @return what they store, and what went out with that
     Contacts::Report settle(Contacts& contacts, std::span<const RigidSurface> surfaces, double h);
@@ -68,6 +73,7 @@ public:
     void undo();
 
 private:
+    Report findEnd(Contacts& contacts, std::span<const RigidSurface> surfaces, const Vec3& gravity, double h);
     void rememberStart();
     void tryVelocities(double h);
     Contacts::Report findForces(Contacts& contacts, std::span<const RigidSurface> surfaces, const ContactStep& step);
@@ -102,6 +108,7 @@ private:
     std::vector<VectorArray> m_startVelocity;
     std::vector<std::optional<RigidMotion>> m_startMotion; ///< of rigid bodies that move
     std::vector<Pieces> m_whole;                           ///< of bodies that tell of no pieces
+    double m_startEnergy = 0;                              ///< stored at the start, less what broke since [J]
     VectorArray m_velocity;                                ///< rows: velocities at the end, as far as known
     VectorArray m_residual;
     VectorArray m_scratch;

@@ -10,6 +10,23 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+// Next to a broken connection the stress is concentrated, more than the lattice resolves: connections of brittle material that
+// cross the same plane break at this share of their strain. It makes a body break where it begins to, at the force at which
+// it begins to.
+constexpr double strengthBesideCrack = 0.3;
+
+// Of the flow stress in tension: the most that surroundings that do not yield can make of it.
+constexpr double mostConstraint = 3;
+
+/// Plastic strain at which ductile material breaks.
+double ductilityOf(const Material& m)
+{
+    double strain = m.elongationAtBreak > 0 ? std::log1p(m.elongationAtBreak) : infinite;
+    if (m.tensileStrength > 0 && m.hardening > 0)
+        strain = std::min(strain, (m.tensileStrength - m.yieldStress) / m.hardening);
+    return strain;
+}
+
 ConnectionLaw lawOf(const Material& m, double spacing)
 {
     ConnectionLaw law;
@@ -23,7 +40,10 @@ ConnectionLaw lawOf(const Material& m, double spacing)
     // Uniform tension along the lattice strains the connections along it by sigma / E; the first of them to break take the
     // others across the same plane with them.
     law.breakingStrain = m.tensileStrength > 0 ? m.tensileStrength / m.youngsModulus : infinite;
-    law.ductility = m.yields() && m.elongationAtBreak > 0 ? m.elongationAtBreak : infinite;
+    const bool isBrittle = !m.yields() || (m.tensileStrength > 0 && m.tensileStrength <= m.yieldStress);
+    law.ductility = isBrittle ? infinite : ductilityOf(m);
+    law.suddenStrain = isBrittle ? law.breakingStrain : mostConstraint * law.breakingStrain;
+    law.suddenStrainAtCrack = isBrittle ? strengthBesideCrack * law.breakingStrain : law.suddenStrain;
     return law;
 }
 
@@ -49,6 +69,8 @@ ConnectionLaw lawBetween(const Material& a, const Material& b, double spacing)
     };
     law.yieldStrain = lesserForce(&ConnectionLaw::yieldStrain);
     law.breakingStrain = lesserForce(&ConnectionLaw::breakingStrain);
+    law.suddenStrain = lesserForce(&ConnectionLaw::suddenStrain);
+    law.suddenStrainAtCrack = lesserForce(&ConnectionLaw::suddenStrainAtCrack);
     // Hardening and flow are those of the object that yields first.
     const bool firstYields = first.stiffness * first.yieldStrain <= second.stiffness * second.yieldStrain;
     law.hardening = firstYields ? first.hardening : second.hardening;
@@ -100,14 +122,14 @@ bool ConnectionLaws::anyYields() const
 
 bool ConnectionLaws::anyBreaks() const
 {
-    return leastBreakingStrain() < infinite || anyTires();
+    return leastSuddenStrain() < infinite || anyTires();
 }
 
-double ConnectionLaws::leastBreakingStrain() const
+double ConnectionLaws::leastSuddenStrain() const
 {
     double least = infinite;
     for (const ConnectionLaw& law : m_laws)
-        least = std::min(least, law.breakingStrain);
+        least = std::min(least, law.suddenStrainAtCrack);
     return least;
 }
 

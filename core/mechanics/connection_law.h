@@ -18,7 +18,15 @@ struct ConnectionLaw {
     double hardening = 0;      ///< rise of the yield strain per plastic strain
     double flowTime = 0;       ///< [s]
     double breakingStrain = 0; ///< t / (k l), t the tolerance force
-    double ductility = 0;      ///< plastic strain at which it breaks when stretched
+
+    /// Ductile material, which yields before it reaches its strength, breaks by how far it has flowed: at ln(1 + elongation), or
+    /// where it has hardened up to its strength, (strength - sigma_y) / H. Infinite: it flows without end.
+    double ductility = 0;
+    /// Strain at which a connection breaks at once. Of brittle material the breakingStrain. What surrounds a spot that yields
+    /// can keep it from yielding, at the tip of a crack or beside a grip: up to three times the flow stress (Prandtl's
+    /// 1 + pi / 2 times 2 / sqrt(3)), so ductile material takes three times the breakingStrain.
+    double suddenStrain = 0;
+    double suddenStrainAtCrack = 0; ///< the same where connections beside it are broken
 };
 
 /// The law between two objects on a lattice of a given spacing [m].
@@ -42,7 +50,7 @@ public:
     double leastDampingTime() const;   ///< [s]
     bool anyYields() const;
     bool anyBreaks() const;
-    double leastBreakingStrain() const; ///< infinite where nothing breaks by load
+    double leastSuddenStrain() const; ///< beside a crack; infinite where nothing breaks by load
     bool anyTires() const;              ///< breaks by plastic strain
 
 private:

@@ -1,8 +1,11 @@
 // Connections that bear too much break. Part of StructuralConnections.
+#include "core/geometry/disjoint_sets.h"
 #include "core/mechanics/kernel_views.h"
 #include "core/mechanics/lattice_stretches.h"
 #include "core/mechanics/structural_connections.h"
 #include "core/task/parallel.h"
+
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -14,15 +17,15 @@ namespace {
 
 constexpr std::size_t chunkSize = 256;
 
-// Next to a broken connection the stress is concentrated, more than the lattice resolves: connections that cross the same
-// plane break at this share of their strain. It makes a body break where it begins to, at the force at which it begins to.
-constexpr double strengthBesideCrack = 0.3;
+// Where breaking has left less than this of what an object's connections say about a direction, they say too little: springs go
+// on alone.
+constexpr double leastLiveShape = 0.45;
 
 // Strength varies from connection to connection by so much either way, so that an evenly loaded body breaks at one place.
 constexpr double strengthScatter = 0.05;
 
-// Of the connections that bear too much at one look, only those within this share of the worst break; the others may be
-// relieved by that.
+// Of the connections of a crack that bear too much at one look, only those within this share of the worst break; the others may
+// be relieved by that.
 constexpr double worstShare = 0.98;
 
 /// A number from -1 to 1 that belongs to a connection (Murmur3's finalizer).
@@ -90,38 +93,46 @@ void StructuralConnections::markBroken(const ConnectionId& connection)
     const auto [lower, upper] = endsOf(connection);
     m_brokenAround[lower] |= std::uint32_t{1} << connection.direction;
     m_brokenAround[upper] |= std::uint32_t{1} << (Lattice::directionCount + connection.direction);
-    // What has begun to break apart bears no hydrostatic tension any more.
+    // What has begun to break apart bears no more hydrostatic tension than springs do, of bulk modulus 5/3 mu.
     m_bulk[lower] = 0;
     m_bulk[upper] = 0;
-    if (m_tensors) {
-        m_tensors->tensionShare.resize(m_aggregate->size(), 1);
-        m_tensors->tensionShare[lower] = m_tensors->tensionShare[upper] = 0;
+    if (!m_tensors)
+        return;
+    m_tensors->tensionShare.resize(m_aggregate->size(), 1);
+    for (const ObjectIndex end : {lower, upper}) {
+        const Material& material = m_materials->of(end);
+        const double bulk = material.lameLambda() + 2.0 / 3 * material.shearModulus();
+        m_tensors->tensionShare[end] = std::min(1.0, 5.0 / 3 * material.shearModulus() / bulk);
     }
 }
 
+/// Limits of connections that cross the same plane as a broken one beside them.
 void StructuralConnections::weakenBesideCracks(std::size_t d, std::size_t lower, std::size_t upper, std::size_t count,
                                                double* limit) const
 {
     static const auto beside = directionsBeside();
+    double atCrack[chunkSize];
+    m_laws.fill(&ConnectionLaw::suddenStrainAtCrack, lower, upper, count, atCrack);
     for (std::size_t c = 0; c < count; ++c)
         if (((m_brokenAround[lower + c] & beside[d]) |
              (m_brokenAround[upper + c] & beside[Lattice::directionCount + d])) != 0)
-            limit[c] *= strengthBesideCrack;
+            limit[c] = atCrack[c];
 }
 
 void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t begin, std::size_t end,
                                            std::vector<Overloaded>& found) const
 {
     double limit[chunkSize];
+    double spent[chunkSize] = {};
+    double bound[chunkSize];
     double excess[chunkSize];
     double rest[chunkSize];
     // What no limit is below. Nearly always nothing exceeds it, and the limits need not be known.
-    const double least =
-        m_laws.leastBreakingStrain() * (1 - strengthScatter) * (m_brokenAround.empty() ? 1 : strengthBesideCrack);
+    const double least = m_laws.leastSuddenStrain() * (1 - strengthScatter);
     using kernels::from;
     for (std::uint32_t d = 0; d < Lattice::directionCount; ++d) {
-        const LaneVector<double>& damage = m_changes.plastic.damage;
-        const LaneVector<double>& own = m_changes.plastic.nominalLength[d];
+        const LaneVector<double>& damage = plasticState().damage;
+        const LaneVector<double>& nominal = plasticState().nominalLength[d];
         const bool mayBeSpent = !damage.empty() && m_laws.anyTires();
         std::fill_n(rest, chunkSize, m_aggregate->lattice.direction(static_cast<int>(d)).norm());
         forEachForward(
@@ -130,35 +141,40 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
                     const std::size_t count = std::min(chunkSize, i + n - s);
                     const auto self = from(state.position, s);
                     const auto neighbor = from(state.position, s + j - i);
-                    const double* lengths = own.empty() ? rest : &own[s];
+                    const double* lengths = nominal.empty() ? rest : &nominal[s];
                     if (!mayBeSpent &&
                         !kernels::best().anyLonger(count, self, neighbor, &m_stiffness[d][s], lengths, 1 + least))
                         continue;
-                    m_laws.fill(&ConnectionLaw::breakingStrain, s, s + j - i, count, limit);
-                    for (std::size_t c = 0; c < count; ++c)
-                        limit[c] *= 1 + strengthScatter * scatter(d, s + c);
+                    m_laws.fill(&ConnectionLaw::suddenStrain, s, s + j - i, count, limit);
                     if (!m_brokenAround.empty())
                         weakenBesideCracks(d, s, s + j - i, count, limit);
+                    double own[chunkSize]; // strength of each connection by that of its material
+                    for (std::size_t c = 0; c < count; ++c) {
+                        own[c] = 1 + strengthScatter * scatter(d, s + c);
+                        limit[c] *= own[c];
+                    }
                     if (mayBeSpent)
-                        dropSpent(s, s + j - i, count, limit);
-                    kernels::best().excessStrain(count, self, neighbor, lengths, limit, excess);
+                        findSpent(s, s + j - i, count, own, spent);
+                    for (std::size_t c = 0; c < count; ++c)
+                        bound[c] = spent[c] > 1 ? 0 : limit[c];
+                    kernels::best().excessStrain(count, self, neighbor, lengths, bound, excess);
                     for (std::size_t c = 0; c < count; ++c)
                         if (excess[c] > 0 && m_stiffness[d][s + c] > 0)
-                            found.push_back({{d, static_cast<ObjectIndex>(s + c)}, 1 + excess[c] / limit[c]});
+                            found.push_back({{d, static_cast<ObjectIndex>(s + c)},
+                                             std::max(spent[c], (bound[c] + excess[c]) / limit[c])});
                 }
             });
     }
 }
 
-/// Where material at both ends has flowed as far as it can, a connection breaks as soon as it is stretched again.
-void StructuralConnections::dropSpent(std::size_t lower, std::size_t upper, std::size_t count, double* limit) const
+/// How far material has flowed by how far it can. Above 1 a connection breaks as soon as it is stretched again.
+void StructuralConnections::findSpent(std::size_t lower, std::size_t upper, std::size_t count, const double* strength,
+                                      double* spent) const
 {
-    const LaneVector<double>& damage = m_changes.plastic.damage;
-    double ductility[chunkSize];
-    m_laws.fill(&ConnectionLaw::ductility, lower, upper, count, ductility);
+    const LaneVector<double>& damage = plasticState().damage;
+    m_laws.fill(&ConnectionLaw::ductility, lower, upper, count, spent);
     for (std::size_t c = 0; c < count; ++c)
-        if (0.5 * (damage[lower + c] + damage[upper + c]) > ductility[c])
-            limit[c] = 0;
+        spent[c] = 0.5 * (damage[lower + c] + damage[upper + c]) / (strength[c] * spent[c]);
 }
 
 std::vector<ConnectionId> StructuralConnections::overloaded(const ObjectState& state) const
@@ -167,16 +183,36 @@ std::vector<ConnectionId> StructuralConnections::overloaded(const ObjectState& s
     forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         findOverloaded(state, begin, end, found[begin / m_blockSize]);
     });
-    double worst = 0;
+    // Those that share objects are of one crack.
+    std::vector<Overloaded> all;
+    std::vector<ObjectIndex> objects;
     for (const auto& block : found)
-        for (const Overloaded& connection : block)
-            if (std::isfinite(connection.load))
-                worst = std::max(worst, connection.load);
+        for (const Overloaded& connection : block) {
+            all.push_back(connection);
+            for (const ObjectIndex end : endsOf(connection.id))
+                objects.push_back(end);
+        }
+    std::sort(objects.begin(), objects.end());
+    objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
+    const auto placeOf = [&](ObjectIndex object) {
+        return static_cast<std::size_t>(std::lower_bound(objects.begin(), objects.end(), object) - objects.begin());
+    };
+    DisjointSets cracks(objects.size());
+    for (const Overloaded& connection : all) {
+        const auto [lower, upper] = endsOf(connection.id);
+        cracks.join(placeOf(lower), placeOf(upper));
+    }
+    std::vector<double> worst(objects.size(), 0);
+    const auto worstBeside = [&](const Overloaded& connection) -> double& {
+        return worst[cracks.find(placeOf(endsOf(connection.id)[0]))];
+    };
+    for (const Overloaded& connection : all)
+        if (std::isfinite(connection.load))
+            worstBeside(connection) = std::max(worstBeside(connection), connection.load);
     std::vector<ConnectionId> breaking;
-    for (const auto& block : found)
-        for (const Overloaded& connection : block)
-            if (connection.load >= worstShare * worst)
-                breaking.push_back(connection.id);
+    for (const Overloaded& connection : all)
+        if (connection.load >= worstShare * worstBeside(connection))
+            breaking.push_back(connection.id);
     return breaking;
 }
 
@@ -232,23 +268,31 @@ double StructuralConnections::breakAll(const ObjectState& state, const std::vect
     }
     m_count -= connections.size();
     for (const ObjectIndex object : objects)
-        setInverseShape(object, shapeAround(state, object).reference);
-    if (!m_tensors)
-        return released; // the volumetric energy of the ends is all set free
-    for (const ObjectIndex object : objects)
-        m_tensors->volume[object] = m_aggregate->volume[object] * liveShare(object);
-    return released - energy(before);
+        findLiveShape(object);
+    // Without tensors the volumetric energy of the ends is all set free.
+    return m_tensors ? released - energy(before) : released;
 }
 
-/// Of the connections that an object was made with, by k |D|^2.
-double StructuralConnections::liveShare(ObjectIndex object) const
+/// An object some connections of which broke bears with the share of its volume that those left say something about, in the
+/// direction n in which they say least: min n^T K n / n^T K_made n. At the face of a crack that is a half, as for a cell that is
+/// cut there. With more, the object would bear on few connections, and be stiffer than steps allow.
+void StructuralConnections::findLiveShape(ObjectIndex object)
 {
-    double live = 0;
-    forEachConnection(object, [&](ObjectIndex, const ConnectionId& connection) {
-        live += m_aggregate->weight[connection.direction][connection.lower] *
-                latticeStep(connection, object).squaredNorm();
+    Mat3 live = Mat3::Zero();
+    Mat3 made = Mat3::Zero();
+    forEachConnectionMade(object, [&](ObjectIndex neighbor, const ConnectionId& connection) {
+        const auto [d, lower] = connection;
+        const Vec3 step = latticeStep(connection, object);
+        live += m_stiffness[d][lower] * step * step.transpose();
+        made += m_laws.between(object, neighbor).stiffness * m_aggregate->lattice.spacing *
+                m_aggregate->weight[d][lower] * step * step.transpose();
     });
-    return m_tensors->wholeShape[object] > 0 ? live / m_tensors->wholeShape[object] : 1;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Mat3> solver(
+        live, made + 1e-9 * made.trace() * Mat3::Identity(), Eigen::EigenvaluesOnly | Eigen::Ax_lBx);
+    const double share = std::clamp(solver.eigenvalues()[0], 0.0, 1.0);
+    setInverseShape(object, share < leastLiveShape ? Mat3::Zero() : live);
+    if (m_tensors)
+        m_tensors->volume[object] = share * m_aggregate->volume[object];
 }
 
 StructuralConnections::BreakReport StructuralConnections::breakOverloaded(const ObjectState& state, double step)

@@ -32,7 +32,7 @@ auto pointersTo(Arrays& arrays)
 
 /// Numbers and working space of a body with the law of tensor_law.h. All are per object but for the arrays by direction.
 struct TensorBody {
-    LaneVector<double> volume; ///< V, less the share of its connections that broke [m^3]
+    LaneVector<double> volume; ///< V, less what connections that broke take of it [m^3]
     LaneVector<double> tensionShare; ///< 0 where broken, else 1; empty: nothing is broken
     LaneVector<double> energy;       ///< at the stress computed last, where that was asked for [J]
 
@@ -42,7 +42,6 @@ struct TensorBody {
     LaneVector<double> yieldStress; ///< [Pa]
     LaneVector<double> hardening;   ///< [Pa]
     LaneVector<double> flowTime;    ///< [s]
-    LaneVector<double> wholeShape;  ///< sum of w |o|^2 over all connections that were made
 
     PlasticState flowed;           ///< after the last flow
     double dissipatedEnergy = 0;   ///< by it [J]

@@ -63,13 +63,14 @@ void StructuralConnections::findTensorNumbers()
         return;
     const std::size_t count = m_aggregate->size();
     TensorBody& body = *m_tensors;
-    for (auto* numbers : {&body.volume, &body.energy, &body.wholeShape})
+    body.volume.assign(m_aggregate->volume.begin(), m_aggregate->volume.end()); // see findLiveShape()
+    body.energy.assign(count, 0);
+    if (m_materials->isUniform())
+        return;
+    for (auto* numbers : {&body.shear, &body.bulk, &body.yieldStress, &body.hardening, &body.flowTime})
         numbers->assign(count, 0);
-    if (!m_materials->isUniform())
-        for (auto* numbers : {&body.shear, &body.bulk, &body.yieldStress, &body.hardening, &body.flowTime})
-            numbers->assign(count, 0);
-    std::vector<double> live(count, 0);
-    std::vector<double> stiffness(count, 0); // sum of k |o|^2, of all that were made
+    std::vector<double> shape(count, 0);     // sum of w |o|^2 over all connections that were made
+    std::vector<double> stiffness(count, 0); // sum of k |o|^2
     for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
         const Lattice::Node& o = Lattice::directions[d];
         const double squared = Vec3(o[0], o[1], o[2]).squaredNorm();
@@ -83,19 +84,15 @@ void StructuralConnections::findTensorNumbers()
                                        .stiffness;
                                for (const std::size_t end : {i + s, j + s}) {
                                    stiffness[end] += k;
-                                   body.wholeShape[end] += share;
-                                   live[end] += m_stiffness[d][lower + s] > 0 ? share : 0;
+                                   shape[end] += share;
                                }
                            }
                        });
     }
     for (ObjectIndex i = 0; i < count; ++i) {
-        body.volume[i] = m_aggregate->volume[i] * (body.wholeShape[i] > 0 ? live[i] / body.wholeShape[i] : 1);
-        if (m_materials->isUniform())
-            continue;
         const Material& material = m_materials->of(i);
         // Beside softer material, connections are as stiff as springs in series, and so is the object.
-        const double own = material.shearModulus() * m_aggregate->lattice.spacing * body.wholeShape[i];
+        const double own = material.shearModulus() * m_aggregate->lattice.spacing * shape[i];
         const double share = own > 0 ? std::min(1.0, stiffness[i] / own) : 1;
         body.shear[i] = share * material.shearModulus();
         body.bulk[i] = share * bulkModulusOf(material);

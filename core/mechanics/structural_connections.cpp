@@ -191,6 +191,9 @@ void StructuralConnections::findInverseShapes()
     m_brokenAround.clear();
     for (const ConnectionId& broken : m_changes.broken)
         markBroken(broken);
+    for (ObjectIndex i = 0; i < m_brokenAround.size(); ++i)
+        if (m_brokenAround[i] != 0)
+            findLiveShape(i);
 }
 
 std::array<ObjectIndex, 2> StructuralConnections::endsOf(const ConnectionId& connection) const
@@ -210,7 +213,8 @@ void StructuralConnections::setInverseShape(ObjectIndex object, const Mat3& shap
         inverse = shape.inverse();
     else {
         m_bulk[object] = 0;
-        m_flat.push_back(object);
+        if (std::find(m_flat.begin(), m_flat.end(), object) == m_flat.end())
+            m_flat.push_back(object);
     }
     const double components[] = {inverse(0, 0), inverse(1, 1), inverse(2, 2),
                                  inverse(0, 1), inverse(0, 2), inverse(1, 2)};

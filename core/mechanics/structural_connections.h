@@ -160,6 +160,10 @@ public:
     double contactStiffness(ObjectIndex object) const;
 
 private:
+    /// The same for all connections that were made, broken ones among them.
+    template <typename Visit>
+    void forEachConnectionMade(ObjectIndex object, Visit&& visit) const;
+
     /// What the connections of a block give to the objects from `begin` on: the last ones of the block and those behind it.
     struct Margin {
         std::size_t begin = 0;
@@ -196,13 +200,13 @@ private:
     void makeLengthsOwn();
     std::vector<ConnectionId> overloaded(const ObjectState& state) const;
     void markBroken(const ConnectionId& connection);
-    void dropSpent(std::size_t lower, std::size_t upper, std::size_t count, double* limit) const;
+    void findSpent(std::size_t lower, std::size_t upper, std::size_t count, const double* strength, double* spent) const;
     void weakenBesideCracks(std::size_t d, std::size_t lower, std::size_t upper, std::size_t count,
                             double* limit) const;
     void findOverloaded(const ObjectState& state, std::size_t begin, std::size_t end,
                         std::vector<Overloaded>& found) const;
     double breakAll(const ObjectState& state, const std::vector<ConnectionId>& connections, double step);
-    double liveShare(ObjectIndex object) const;
+    void findLiveShape(ObjectIndex object);
     double energyAround(const ObjectState& state, const std::vector<ObjectIndex>& objects, double back) const;
     Shape shapeAround(const ObjectState& state, ObjectIndex object, double back = 0) const;
     std::vector<double> bondBounds(const ObjectState& state, const std::vector<double>& added) const;
@@ -238,12 +242,21 @@ private:
 template <typename Visit>
 void StructuralConnections::forEachConnection(ObjectIndex object, Visit&& visit) const
 {
+    forEachConnectionMade(object, [&](ObjectIndex neighbor, const ConnectionId& connection) {
+        if (m_stiffness[connection.direction][connection.lower] > 0)
+            visit(neighbor, connection);
+    });
+}
+
+template <typename Visit>
+void StructuralConnections::forEachConnectionMade(ObjectIndex object, Visit&& visit) const
+{
     const Lattice& lattice = m_aggregate->lattice;
     for (std::uint32_t d = 0; d < Lattice::directionCount; ++d) {
         const auto& segments = lattice.segments[d];
         const auto forward =
             std::partition_point(segments.begin(), segments.end(), [&](const auto& s) { return s.end <= object; });
-        if (forward != segments.end() && forward->begin <= object && m_stiffness[d][object] > 0)
+        if (forward != segments.end() && forward->begin <= object && m_aggregate->weight[d][object] > 0)
             visit(object + static_cast<ObjectIndex>(forward->offset), ConnectionId{d, object});
         const auto backward = std::partition_point(segments.begin(), segments.end(), [&](const auto& s) {
             return s.end + static_cast<ObjectIndex>(s.offset) <= object;
@@ -251,7 +264,7 @@ void StructuralConnections::forEachConnection(ObjectIndex object, Visit&& visit)
         if (backward == segments.end() || backward->begin + static_cast<ObjectIndex>(backward->offset) > object)
             continue;
         const ObjectIndex lower = object - static_cast<ObjectIndex>(backward->offset);
-        if (m_stiffness[d][lower] > 0)
+        if (m_aggregate->weight[d][lower] > 0)
             visit(lower, ConnectionId{d, lower});
     }
 }

@@ -75,16 +75,25 @@ void Simulation::State::updateVicinity()
     contacts->updateVicinity(surfaces(), largestTravel, surfaceTravel);
 }
 
+/// Those that bear too much at present. @return how many they were
+std::size_t Simulation::State::breakConnections()
+{
+    std::size_t broken = 0;
+    for (auto& run : runs) {
+        if (!run->deforms() || !run->connections.breaks())
+            continue;
+        const auto report = run->connections.breakOverloaded(run->state, isImplicit() ? 0 : timeStep);
+        energy.fracture += report.released;
+        broken += report.broken;
+    }
+    newlyBroken = newlyBroken || broken > 0;
+    return broken;
+}
+
 void Simulation::State::changeConnections()
 {
     if (step % every(breakingInterval) == 0)
-        for (auto& run : runs) {
-            if (!run->deforms() || !run->connections.breaks())
-                continue;
-            const auto report = run->connections.breakOverloaded(run->state, isImplicit() ? 0 : timeStep);
-            energy.fracture += report.released;
-            newlyBroken = newlyBroken || report.broken > 0;
-        }
+        breakConnections();
     if (step % every(annealingInterval) == 0)
         anneal();
     if (newlyBroken && step % every(touchingInterval) == 0) {

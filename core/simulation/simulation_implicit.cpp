@@ -16,6 +16,9 @@ namespace {
 constexpr double longestStep = 1.0 / 60;
 // Steps are halved so often at most, which is a quarter of a millisecond.
 constexpr int mostHalvings = 6;
+// Nor are they after steps that had to be taken again at half the length, below this [s]: what moves too fast for it is far beyond
+// what shows.
+constexpr double shortestStep = longestStep / (1 << (mostHalvings + 3));
 // In a step nothing may go further than this [spacings], so that what is met within it is still on the right side.
 constexpr double travelShare = 0.5;
 // A step that moved something further than this is taken again at half the length [spacings].
@@ -31,6 +34,10 @@ constexpr double aheadShare = 1;
 constexpr double forceLimitShare = 0.05;
 constexpr double leastForceShare = 0.5;
 constexpr int mostWays = 10;
+
+// A crack runs on within a step so many times at most. Each time a system is solved for what is left; what it does not come to runs
+// on in the next step.
+constexpr int mostBreakingRounds = 24;
 
 // What a present-day core does of explicit steps times connections in a second. A constant and not a measurement,
 // so that the same scene is carried out by the same scheme on any machine and with any load.
@@ -297,7 +304,7 @@ void Simulation::State::stepImplicitly()
         contactReport = report.contacts;
         solverIterations += report.iterations;
         const bool wentTooFar = !report.converged || report.largestSpeed * timeStep > farthestShare * spacing;
-        if (wentTooFar && halvings < mostHalvings) {
+        if (wentTooFar && halvings < mostHalvings && timeStep > shortestStep) {
             timeStep /= 2;
             ++halvings;
             ways = beginWays();
@@ -305,6 +312,16 @@ void Simulation::State::stepImplicitly()
             break;
         }
         implicit->undo();
+    }
+    for (int round = 0; round < mostBreakingRounds && report.converged; ++round) {
+        const double fractured = energy.fracture;
+        if (breakConnections() == 0)
+            break;
+        for (BodyId b = 0; b < runs.size(); ++b)
+            piecesOf(b);
+        report = implicit->goOn(*contacts, surfaces(), gravity, timeStep, energy.fracture - fractured);
+        contactReport = report.contacts;
+        solverIterations += report.iterations;
     }
     countSolved(report.converged);
     bookContacts();

@@ -45,6 +45,7 @@ struct Simulation::State {
     void applyCommands();
     void moveManipulators(const std::vector<double>& progress);
     void updateVicinity();
+    std::size_t breakConnections();
     void changeConnections();
     void computeForces();
     void integrate();
