@@ -74,6 +74,18 @@ Mat3 cauchyStress(const Mat3& gradient, const Mat3& relaxed, const Material& mat
                          mostVonMises);
 }
 
+Material bearingMaterial(const Material& material, const MaterialMap& body)
+{
+    Material bearing = material;
+    if (material.isTensorial() || body.isUniform() ||
+        !(body.largest([](const Material& other) { return other.isTensorial() ? 1 : 0; }) > 0))
+        return bearing;
+    bearing.rubberlike = 1;
+    bearing.secondInvariantShare = 0;
+    bearing.lockingElongation = 0;
+    return bearing;
+}
+
 Mat3 limitedStress(const Mat3& stress, double mostVonMises)
 {
     if (mostVonMises == std::numeric_limits<double>::infinity())

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/aggregate/material.h"
+#include "core/aggregate/material_map.h"
 #include "core/geometry/vec3.h"
 
 #include <limits>
@@ -21,6 +21,10 @@ namespace knead {
 /// @param mostVonMises what the material can bear [Pa]: beyond, the deviator is scaled down to it
 Mat3 cauchyStress(const Mat3& gradient, const Mat3& relaxed, const Material& material,
                   double mostVonMises = std::numeric_limits<double>::infinity());
+
+/// What an object bears stress as: in a body where any material yields or is rubberlike, elastic one is neo-Hooke, see
+/// tensor_law.h.
+Material bearingMaterial(const Material& material, const MaterialMap& body);
 
 /// The stress with its deviator scaled down so that its von Mises stress is at most so much.
 Mat3 limitedStress(const Mat3& stress, double mostVonMises);

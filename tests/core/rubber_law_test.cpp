@@ -3,7 +3,9 @@
 #include "core/mechanics/hyperelastic_law.h"
 #include "core/mechanics/stress_law.h"
 #include "core/mechanics/structural_connections.h"
+#include "core/simulation/simulation.h"
 #include "support/scenes.h"
+#include "support/shapes.h"
 
 #include <Eigen/Dense>
 #include <QTest>
@@ -239,6 +241,55 @@ private slots:
             const Mat3 cauchy = block.stress() * f.transpose() / f.determinant();
             const Mat3 found = cauchyStress(f, Mat3::Identity(), material);
             QVERIFY((found - cauchy).norm() < 1e-6 * cauchy.norm());
+        }
+    }
+
+    /// Beside rubber, elastic material is neo-Hooke, in forces and in stress.
+    void elasticMaterialBesideRubberBearsWhatTheLatticeBears()
+    {
+        Material plain = rubber(0.4);
+        plain.rubberlike = 0;
+        Block block(plain, {4, 3, 3});
+        block.materials.set({0}, rubber(0.4));
+        block.connections->updateMaterials();
+        const Mat3 f = Vec3(1.8, 0.8, 0.7).asDiagonal();
+        block.follow(f);
+        const Mat3 cauchy = block.stress() * f.transpose() / f.determinant();
+        const Mat3 found = cauchyStress(f, Mat3::Identity(), bearingMaterial(plain, block.materials));
+        QVERIFY((found - cauchy).norm() < 1e-6 * cauchy.norm());
+        QVERIFY((cauchyStress(f, Mat3::Identity(), plain) - cauchy).norm() > 0.1 * cauchy.norm());
+    }
+
+    /// Three cells across, under a small force at the end: Timoshenko's deflection.
+    void thinWallsBendAsTheyShould()
+    {
+        for (const int across : {3, 4}) {
+            const Material material = rubber(0.49);
+            const Eigen::Vector3i cells(8 * across, across, across);
+            Scene scene = scenes::cantilever(cells, spacing, material, Vec3::Zero());
+            scene.integrator = Integrator::implicitEuler;
+            const double side = across * spacing;
+            const double length = 8 * side;
+            const double bending = material.youngsModulus * std::pow(side, 4) / 12;
+            const double force = 3e-3 * bending / (length * length);
+            Load load{.name = "end", .body = 0, .faces = {1}};
+            const Aggregate& aggregate = *scene.bodies[0].aggregate;
+            load.patch = loadPatch(aggregate, shapes::box(spacing * cells.cast<double>()), {1}, std::nullopt);
+            load.amount = {.force = Vec3(0, 0, force)};
+            scene.loads.push_back(load);
+            Simulation simulation(scene);
+            QVERIFY(simulation.findBalance(1).converged);
+            const std::vector<Vec3> displacements = simulation.snapshot()->bodies[0].displacements();
+            double found = 0;
+            int count = 0;
+            for (ObjectIndex i = 0; i < aggregate.size(); ++i)
+                if (aggregate.lattice.position(i).x() > 0.499 * length) {
+                    found += displacements[i].z();
+                    ++count;
+                }
+            const double wanted = force * std::pow(length, 3) / (3 * bending) +
+                                  force * length / (5.0 / 6 * side * side * material.shearModulus());
+            QVERIFY2(std::abs(found / count / wanted - 1) < 0.06, qPrintable(QString::number(found / count / wanted)));
         }
     }
 
