@@ -6,6 +6,7 @@
 #include "core/simulation/simulation.h"
 #include "support/scenes.h"
 #include "support/shapes.h"
+#include "support/thread_limit.h"
 
 #include <Eigen/Dense>
 #include <QTest>
@@ -401,6 +402,39 @@ private slots:
                         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(held, Eigen::EigenvaluesOnly).eigenvalues()[0] >
                         0);
                 }
+    }
+
+    /// Beside clay and elastic material, with objects of all three in one vector, in several blocks.
+    void bitsDoNotDependOnTheNumberOfThreads()
+    {
+        const auto forcesWith = [](int threads) {
+            return onThreads(threads, [] {
+                Block block(rubber(0.49, 0.2, 4), {24, 24, 20});
+                Material clay = rubber(0.45);
+                clay.yieldStress = 1e4;
+                Material plain = rubber(0.3);
+                plain.rubberlike = 0;
+                std::vector<ObjectIndex> some;
+                std::vector<ObjectIndex> others;
+                for (ObjectIndex i = 0; i < block.state.size(); ++i) {
+                    if (i % 7 == 0)
+                        some.push_back(i);
+                    else if (i % 5 == 1)
+                        others.push_back(i);
+                }
+                block.materials.set(some, clay);
+                block.materials.set(others, plain);
+                block.connections->updateMaterials();
+                block.follow(Vec3(1.4, 0.85, 0.9).asDiagonal());
+                block.shake(0.05, 11);
+                block.connections->computeForces(block.state, 0, 1e-3);
+                return block.state.force;
+            });
+        };
+        const VectorArray one = forcesWith(1);
+        const VectorArray four = forcesWith(4);
+        for (std::size_t i = 0; i < one.size(); ++i)
+            QVERIFY(one.at(i) == four.at(i));
     }
 
     void materialThatYieldsIsAsItWas()
