@@ -1,5 +1,6 @@
 #include "io/material_library.h"
 
+#include "core/aggregate/material_history.h"
 #include "io/json_reader.h"
 #include "io/json_text.h"
 #include "io/safe_file.h"
@@ -22,7 +23,8 @@ std::vector<std::string> presetKeys()
     return keys;
 }
 
-/// A preset states every number: a default in code would be a number without a source.
+/// A preset states every number: a default in code would be a number without a source. Those of older files state all but what
+/// came after them.
 MaterialPreset readPreset(const JsonNode& node)
 {
     node.allowOnly(presetKeys());
@@ -31,7 +33,8 @@ MaterialPreset readPreset(const JsonNode& node)
     preset.name = node.at("name").text();
     preset.source = node.at("source").text();
     for (const MaterialField& field : materialFields())
-        preset.material.*field.value = node.at(field.key).number(field.minimum, field.maximum);
+        if (!isMissingInOlderFiles(field) || node.find(field.key))
+            preset.material.*field.value = node.at(field.key).number(field.minimum, field.maximum);
     return preset;
 }
 

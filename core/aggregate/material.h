@@ -23,6 +23,12 @@ struct Material {
     double relaxationTime = 0; ///< in which stress beyond yield flows off [s], 0 .. 1000; 0: at once
     double healingTime = 0;    ///< pressed together for so long, skins become one [s], 0 .. 1e4; 0: never
 
+    /// The law of hyperelastic_law.h at any strain, 0 .. 1; 0: the springs of connections alone, which is for small strains.
+    /// Material that yields is neo-Hooke before it does, and these three change nothing of it.
+    double rubberlike = 0;
+    double secondInvariantShare = 0; ///< Mooney's C01 / (C10 + C01), 0 .. 1
+    double lockingElongation = 0;    ///< of a bar whose chains are straight, stretch less 1, 0 .. 100; 0: never
+
     friend bool operator==(const Material&, const Material&) = default;
 
     double shearModulus() const { return youngsModulus / (2 * (1 + poissonRatio)); } ///< mu [Pa]
@@ -35,6 +41,8 @@ struct Material {
     bool yields() const { return yieldStress > 0; }
     bool breaks() const { return tensileStrength > 0 || (yields() && elongationAtBreak > 0); }
     bool heals() const { return healingTime > 0; }
+    bool isRubberlike() const { return rubberlike > 0 && !yields(); }
+    bool isTensorial() const { return yields() || isRubberlike(); } ///< a tensor per object bears the stress
 };
 
 /// Describes one number of Material: for panels, recipes and messages.

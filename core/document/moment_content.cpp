@@ -1,5 +1,6 @@
 #include "core/document/moment_content.h"
 
+#include "core/aggregate/material_history.h"
 #include "core/document/moment_check.h"
 
 #include <algorithm>
@@ -266,14 +267,15 @@ void materials(ByteWriter& bytes, const MaterialMap& map)
             bytes(index);
 }
 
-void materials(ByteReader& bytes, MaterialMap& map, std::size_t objects)
+void materials(ByteReader& bytes, MaterialMap& map, const Sizes& sizes)
 {
     std::vector<Material> materials;
     bytes.list(materials, [&](Material& material) {
         for (const MaterialField& field : materialFields())
-            bytes(material.*field.value);
+            if (sizes.version >= 3 || !isMissingInOlderFiles(field))
+                bytes(material.*field.value);
     });
-    std::vector<MaterialMap::Index> indices(objects, 0);
+    std::vector<MaterialMap::Index> indices(sizes.objects, 0);
     if (materials.size() != 1)
         for (MaterialMap::Index& index : indices)
             bytes(index);
@@ -320,7 +322,7 @@ void body(Stream& bytes, Of<Stream, Moment::BodyMoment>& body, const Sizes& size
 {
     bytes(body.kind, BodyKind::glue);
     if constexpr (Stream::isReader)
-        materials(bytes, body.materials, sizes.objects);
+        materials(bytes, body.materials, sizes);
     else
         materials(bytes, body.materials);
     bytes.optional(body.rigid, [&](auto& motion) { rigidMotion(bytes, motion, sizes.objects); });

@@ -95,6 +95,14 @@ kernels::ForceDirection StructuralConnections::forceDirection(std::size_t d) con
     direction.nominalLength = lengths.empty() ? nullptr : lengths.data();
     direction.dampingTime = m_dampingTime[d].empty() ? nullptr : m_dampingTime[d].data();
     direction.uniformLength = m_aggregate->lattice.direction(static_cast<int>(d)).norm();
+    if (const RubberBody* body = rubber(); body != nullptr && body->isWhole) {
+        direction.nominalLength = nullptr;
+        direction.uniformLength = 0;
+        direction.uniformShare = kernels::rubberSpringShare;
+    } else if (body != nullptr) {
+        direction.nominalLength = body->springLength[d].data();
+        direction.springShare = body->springShare[d].data();
+    }
     for (std::size_t c = 0; c < 3; ++c)
         if (const int component = Lattice::directions[d][c]; component != 0) {
             direction.column[direction.columns] = m_stress[c].data();
@@ -124,12 +132,12 @@ void StructuralConnections::addForcesOfBlock(ObjectState& state, std::size_t beg
     const auto limit = [&](std::ptrdiff_t offset) {
         return isLast ? end : vectorBegin(end - static_cast<std::size_t>(offset) - laneCount);
     };
-    kernels::ForceArguments arguments{.position = state.position.data(),
-                                      .velocity = state.velocity.data(),
-                                      .stride = static_cast<std::ptrdiff_t>(state.position.stride()),
-                                      .dampingTime = m_laws.largestDampingTime(),
-                                      .stressStride =
-                                          m_hasBulk || m_tensors ? static_cast<std::ptrdiff_t>(m_stress[0].stride()) : 0};
+    kernels::ForceArguments arguments{
+        .position = state.position.data(),
+        .velocity = state.velocity.data(),
+        .stride = static_cast<std::ptrdiff_t>(state.position.stride()),
+        .dampingTime = m_laws.largestDampingTime(),
+        .stressStride = m_hasBulk || m_tensors ? static_cast<std::ptrdiff_t>(m_stress[0].stride()) : 0};
     Directions near;
     Directions far;
     forEachRun(m_runs, begin, end, [&](const LatticeRun& run, std::size_t first, std::size_t last) {
@@ -191,10 +199,12 @@ void StructuralConnections::addMargins(ObjectState& state, std::size_t begin, st
 void StructuralConnections::computeForces(ObjectState& state, double dt, double flowTime)
 {
     m_hasTrial = false;
-    if (m_tensors && flowTime > 0)
+    if (yields() && flowTime > 0)
         flow(state.position, flowTime);
     else if (m_hasBulk || m_tensors)
         computeStress(state.position, false);
+    if (rubber() != nullptr && (!rubber()->springsAreKnown || yields()))
+        findSprings();
     forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         for (VectorArray* array : {&state.force, &state.damping})
             for (std::size_t c = 0; c < 3; ++c)

@@ -65,6 +65,8 @@ std::vector<double> StructuralConnections::stiffnessBounds(const ObjectState& st
         const double waves = (material.lameLambda() + 2 * material.shearModulus()) / (3 * material.shearModulus());
         bounds[i] *= std::max(1.0, waves);
     }
+    if (rubber() != nullptr)
+        stiffenByStretch(state, bounds);
     return bounds;
 }
 

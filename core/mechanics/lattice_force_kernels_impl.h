@@ -120,7 +120,8 @@ KNEAD_INLINE void addForcesOfVector(const ForceArguments& a, std::size_t i)
         const Lanes length =
             direction->nominalLength ? load(direction->nominalLength + i) : all(direction->uniformLength);
         const Lanes time = direction->dampingTime ? load(direction->dampingTime + i) : all(a.dampingTime);
-        const Lanes pull = k * (1 - length * inverse);
+        const Lanes share = direction->springShare ? load(direction->springShare + i) : all(direction->uniformShare);
+        const Lanes pull = share * (k * (1 - length * inverse));
         const Lanes brake = k * time * (inverseSquared * approach);
         Lanes px = pull * dx, py = pull * dy, pz = pull * dz;
         if constexpr (volumetric) {

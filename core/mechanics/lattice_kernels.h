@@ -26,11 +26,13 @@ struct ForceTarget {
 
 /// The connections of one direction in a run of objects.
 struct ForceDirection {
-    std::ptrdiff_t offset;       ///< from an object to its neighbor, > 0
-    const double* stiffness;     ///< k per object
-    const double* nominalLength; ///< l per object; none: the same for all
-    const double* dampingTime;   ///< b / k per object; none: the same for all
-    double uniformLength;        ///< [m]
+    std::ptrdiff_t offset;               ///< from an object to its neighbor, > 0
+    const double* stiffness;             ///< k per object
+    const double* nominalLength;         ///< l per object; none: the same for all
+    const double* dampingTime;           ///< b / k per object; none: the same for all
+    double uniformLength;                ///< [m]
+    const double* springShare = nullptr; ///< of k, for the spring alone, per object; none: the same for all
+    double uniformShare = 1;
     int columns;             ///< lattice columns that the direction has a part in, 1 to 3; for the volumetric forces
     const double* column[3]; ///< those columns of the stress, component c of object i at [c * stride + i]
     double sign[3];          ///< of the direction along each of them
@@ -103,7 +105,7 @@ inline constexpr std::size_t sumLanes = 8;
 
 /// The kernels of one instruction set.
 struct Kernels {
-    /// Adds the forces of connections, k (|d| - l) n, and with a stress the volumetric ones, to `force`; those of their dampers,
+    /// Adds the forces of connections, k share (|d| - l) n, and with a stress the volumetric ones, to `force`; those of their dampers,
     /// k dampingTime v_n n, to `damping`. Neighbors get the exact opposite.
     void (*addForces)(const ForceArguments& arguments);
 
@@ -111,6 +113,9 @@ struct Kernels {
 
     /// Forces, and flow, of objects with the law of tensor_law.h.
     void (*tensorLaw)(const TensorLawArguments& arguments);
+
+    /// Forces of objects with the law of hyperelastic_law.h; others keep what they have.
+    void (*hyperelasticLaw)(const HyperelasticArguments& arguments);
 
     /// Writes ln det F - restDilatation, and F by lattice column unless `gradient` is null.
     void (*deformation)(const Surroundings& at, double* theta, double* const* gradient);

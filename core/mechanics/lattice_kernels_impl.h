@@ -4,6 +4,7 @@
 // Every loop says ivdep: outputs never overlap inputs, and there are too many arrays for the compiler to check that itself.
 #pragma once
 
+#include "core/mechanics/hyperelastic_kernels_impl.h"
 #include "core/mechanics/lattice_force_kernels_impl.h"
 #include "core/mechanics/lattice_kernels.h"
 #include "core/mechanics/tensor_law_kernels_impl.h"
@@ -78,7 +79,7 @@ AdvanceReport advance(const AdvanceArguments& a)
 } // namespace
 
 extern const Kernels set;
-const Kernels set{addForces, volumetricStress, tensorLaw, deformation,  naturalStrain,
-                  lengthen,  anyLonger,        excessStrain, advance, KNEAD_KERNEL_NAME};
+const Kernels set{addForces, volumetricStress, tensorLaw,    hyperelasticLaw, deformation,      naturalStrain,
+                  lengthen,  anyLonger,        excessStrain, advance,         KNEAD_KERNEL_NAME};
 
 } // namespace knead::kernels::KNEAD_KERNEL_SET

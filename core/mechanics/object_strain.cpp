@@ -129,7 +129,7 @@ ObjectStrain ObjectStrains::of(ObjectIndex object) const
     const Mat3 metric = relaxedMetric(object);
     if (m_relaxed.hasFlowed())
         result.flow = halfLogarithm(metric);
-    const Material& material = m_relaxed.materials.of(object);
+    const Material material = bearingMaterial(m_relaxed.materials.of(object), m_relaxed.materials);
     result.stress = cauchyStress(gradient, metric, material, flowStress(material, plasticStrain(object)));
     return result;
 }

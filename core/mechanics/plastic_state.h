@@ -4,6 +4,7 @@
 #include "core/mechanics/vector_array.h"
 
 #include <array>
+#include <memory>
 #include <tuple>
 #include <type_traits>
 
@@ -14,10 +15,10 @@ using DirectionArray = std::array<LaneVector<double>, Lattice::directionCount>;
 
 /// What of a body has flowed. Arrays are empty until something can.
 struct PlasticState {
-    DirectionArray nominalLength;                ///< l [m]
-    std::array<LaneVector<double>, 6> metric;    ///< C per object, in lattice axes: uu vv ww uv uw vw; det C = 1
-    LaneVector<double> equivalentStrain;         ///< alpha per object: sum of all flow
-    LaneVector<double> damage;                   ///< per object: what of it counts towards breaking, see tensor_law.h
+    DirectionArray nominalLength;             ///< l [m]
+    std::array<LaneVector<double>, 6> metric; ///< C per object, in lattice axes: uu vv ww uv uw vw; det C = 1
+    LaneVector<double> equivalentStrain;      ///< alpha per object: sum of all flow
+    LaneVector<double> damage;                ///< per object: what of it counts towards breaking, see tensor_law.h
 };
 
 /// Pointers to the arrays of a group, one by one.
@@ -30,9 +31,21 @@ auto pointersTo(Arrays& arrays)
     return pointers;
 }
 
+/// What rubberlike objects of a body have beside. Arrays are per object but for those by direction.
+struct RubberBody {
+    bool isWhole = false;           ///< all objects are rubberlike, of one material
+    LaneVector<double> isRubber;    ///< 1 or 0; flat surroundings have no F, so springs must hold them
+    LaneVector<double> secondShare; ///< see RubberNumbers; empty where all are of one material
+    LaneVector<double> inverseChain;
+    LaneVector<double> firstScale;
+    bool springsAreKnown = false;
+    DirectionArray springShare;  ///< of k, for the spring of a connection; empty where all are alike
+    DirectionArray springLength; ///< nominal length of that spring [m]
+};
+
 /// Numbers and working space of a body with the law of tensor_law.h. All are per object but for the arrays by direction.
 struct TensorBody {
-    LaneVector<double> volume; ///< V, less what connections that broke take of it [m^3]
+    LaneVector<double> volume;       ///< V, less what connections that broke take of it [m^3]
     LaneVector<double> tensionShare; ///< 0 where broken, else 1; empty: nothing is broken
     LaneVector<double> energy;       ///< at the stress computed last, where that was asked for [J]
 
@@ -42,6 +55,8 @@ struct TensorBody {
     LaneVector<double> yieldStress; ///< [Pa]
     LaneVector<double> hardening;   ///< [Pa]
     LaneVector<double> flowTime;    ///< [s]
+
+    std::unique_ptr<RubberBody> rubber; ///< null: nothing is rubberlike
 
     PlasticState flowed;           ///< after the last flow
     double dissipatedEnergy = 0;   ///< by it [J]

@@ -58,13 +58,14 @@ double yieldStressOf(const Material& material)
 
 void StructuralConnections::findTensorNumbers()
 {
-    m_tensors = m_laws.anyYields() ? std::make_unique<TensorBody>() : nullptr;
+    m_tensors = anyTensorial() ? std::make_unique<TensorBody>() : nullptr;
     if (!m_tensors)
         return;
     const std::size_t count = m_aggregate->size();
     TensorBody& body = *m_tensors;
     body.volume.assign(m_aggregate->volume.begin(), m_aggregate->volume.end()); // see findLiveShape()
     body.energy.assign(count, 0);
+    findRubber();
     if (m_materials->isUniform())
         return;
     for (auto* numbers : {&body.shear, &body.bulk, &body.yieldStress, &body.hardening, &body.flowTime})
@@ -74,20 +75,20 @@ void StructuralConnections::findTensorNumbers()
     for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
         const Lattice::Node& o = Lattice::directions[d];
         const double squared = Vec3(o[0], o[1], o[2]).squaredNorm();
-        forEachForward(m_aggregate->lattice, d, 0, count,
-                       [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
-                           for (std::size_t s = 0; s < n; ++s) {
-                               const double share = squared * m_aggregate->weight[d][lower + s];
-                               const double k =
-                                   squared * m_aggregate->lattice.spacing * m_aggregate->weight[d][lower + s] *
-                                   m_laws.between(static_cast<ObjectIndex>(i + s), static_cast<ObjectIndex>(j + s))
-                                       .stiffness;
-                               for (const std::size_t end : {i + s, j + s}) {
-                                   stiffness[end] += k;
-                                   shape[end] += share;
-                               }
-                           }
-                       });
+        forEachForward(
+            m_aggregate->lattice, d, 0, count, [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
+                for (std::size_t s = 0; s < n; ++s) {
+                    const double share = squared * m_aggregate->weight[d][lower + s];
+                    const double k =
+                        squared * m_aggregate->lattice.spacing * m_aggregate->weight[d][lower + s] *
+                        m_laws.between(static_cast<ObjectIndex>(i + s), static_cast<ObjectIndex>(j + s)).stiffness;
+                    for (const std::size_t end : {i + s, j + s}) {
+                        stiffness[end] += k;
+                        shape[end] += share;
+                        live[end] += m_stiffness[d][lower + s] > 0 ? share : 0;
+                    }
+                }
+            });
     }
     for (ObjectIndex i = 0; i < count; ++i) {
         const Material& material = m_materials->of(i);
@@ -118,17 +119,22 @@ kernels::TensorLawNumbers StructuralConnections::tensorNumbers() const
             .flowTime = number(body.flowTime, own.relaxationTime)};
 }
 
-void StructuralConnections::applyTensorLaw(const VectorArray& position, const kernels::FlowResult* flow, bool withEnergy)
+void StructuralConnections::applyTensorLaw(const VectorArray& position, const kernels::FlowResult* flow,
+                                           bool withEnergy)
 {
     TensorBody& body = *m_tensors;
     const kernels::TensorLawNumbers numbers = tensorNumbers();
     const PlasticState& state = flow != nullptr ? m_changes.plastic : plasticState();
     const std::array<double*, 9> stress = stressColumns(position.size());
     const auto metric = pointersTo<const double*>(state.metric);
+    if (rubber() != nullptr && rubber()->isWhole) {
+        applyHyperelasticLaw(position, withEnergy);
+        return;
+    }
     forEachSurroundings(position, [&](const kernels::Surroundings& at) {
         kernels::best().tensorLaw({.at = at,
                                    .numbers = numbers,
-                                   .plastic = {.metric = metric.data(),
+                                   .plastic = {.metric = state.metric[0].empty() ? nullptr : metric.data(),
                                                .equivalentStrain = state.equivalentStrain.data(),
                                                .damage = state.damage.data()},
                                    .flow = flow,
@@ -136,6 +142,8 @@ void StructuralConnections::applyTensorLaw(const VectorArray& position, const ke
                                    .theta = withEnergy ? m_theta.data() : nullptr,
                                    .energy = withEnergy ? body.energy.data() : nullptr});
     });
+    if (rubber() != nullptr)
+        applyHyperelasticLaw(position, withEnergy);
 }
 
 /// ln(L / l) of all connections, and the dilatation of all objects.
@@ -217,8 +225,7 @@ void StructuralConnections::flow(const VectorArray& position, double duration)
                                      .lengthening = lengthening.data(),
                                      .dissipated = body.dissipated.data()};
     applyTensorLaw(position, &result, false);
-    body.dissipatedEnergy =
-        lengthen(position) + std::accumulate(body.dissipated.begin(), body.dissipated.end(), 0.0);
+    body.dissipatedEnergy = lengthen(position) + std::accumulate(body.dissipated.begin(), body.dissipated.end(), 0.0);
     m_hasTrial = true;
 }
 
@@ -228,7 +235,8 @@ double StructuralConnections::acceptFlow()
         return 0;
     m_hasTrial = false;
     std::swap(m_changes.plastic, m_tensors->flowed);
-    const bool hasFlowed = std::any_of(m_tensors->share.begin(), m_tensors->share.end(), [](double s) { return s < 1; });
+    const bool hasFlowed =
+        std::any_of(m_tensors->share.begin(), m_tensors->share.end(), [](double s) { return s < 1; });
     m_lengthVersion += hasFlowed ? 1 : 0;
     return m_tensors->dissipatedEnergy;
 }
@@ -239,6 +247,8 @@ double StructuralConnections::renormalize(const ObjectState& state, const std::v
 {
     m_hasTrial = false;
     makeLengthsOwn();
+    if (rubber() != nullptr)
+        rubber()->springsAreKnown = false;
     ++m_lengthVersion;
     const auto takesPart = [&](std::size_t object) { return marks.empty() || marks[object] != 0; };
     const double before = energy(state.position);

@@ -1,5 +1,7 @@
 #include "core/mechanics/stress_law.h"
 
+#include "core/mechanics/hyperelastic_law.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -52,15 +54,36 @@ Mat3 cauchyStress(const Mat3& gradient, const Mat3& relaxed, const Material& mat
     const double lambda = material.lameLambda();
     const double J =
         std::max(gradient.determinant() / std::sqrt(std::max(relaxed.determinant(), 1e-12)), leastJacobian);
-    if (!material.yields()) {
+    if (!material.isTensorial()) {
         const Mat3 springs = mu * springSum(gradient, relaxed);
         const double tension = volumetricTension(lambda - mu, std::log(J));
         return limitedStress((springs + tension * Mat3::Identity()) / J, mostVonMises);
     }
     const Mat3 b = gradient * relaxed.inverse() * gradient.transpose();
     const double bulk = lambda + 2 * mu / 3;
+    if (material.isRubberlike()) {
+        const RubberNumbers rubber = rubberNumbers(material);
+        const Mat3 isochoric = b / std::cbrt(J * J);
+        const double first = isochoric.trace();
+        const double slope = firstSlope(rubber.firstScale, rubber.inverseChain, first);
+        const Mat3 shear =
+            deviator((slope + rubber.secondShare * first) * isochoric - rubber.secondShare * isochoric * isochoric);
+        return (mu * shear + bulk * std::log(J) * Mat3::Identity()) / J;
+    }
     return limitedStress((mu / std::cbrt(J * J) * deviator(b) + bulk * std::log(J) * Mat3::Identity()) / J,
                          mostVonMises);
+}
+
+Material bearingMaterial(const Material& material, const MaterialMap& body)
+{
+    Material bearing = material;
+    if (material.isTensorial() || body.isUniform() ||
+        !(body.largest([](const Material& other) { return other.isTensorial() ? 1 : 0; }) > 0))
+        return bearing;
+    bearing.rubberlike = 1;
+    bearing.secondInvariantShare = 0;
+    bearing.lockingElongation = 0;
+    return bearing;
 }
 
 Mat3 limitedStress(const Mat3& stress, double mostVonMises)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/aggregate/material.h"
+#include "core/aggregate/material_map.h"
 #include "core/geometry/vec3.h"
 
 #include <limits>
@@ -13,12 +13,18 @@ namespace knead {
 /// with the ways d to the neighbors ahead in units of the spacing: the sum of the connections, which are linear springs, and of
 /// the volumetric term, which goes slower than ln J where lambda < mu and volume is lost. For small elastic strain e it is 2 mu e + lambda tr e I. Material that yields:
 ///   sigma = (mu dev(J^(-2/3) b) + K ln J I) / J,  K = lambda + 2/3 mu
-/// In both it turns with F. Material that is squashed flat or inside out is taken as squashed to a thousandth.
+/// Rubberlike material has the same pressure and the deviator of hyperelastic_law.h, with B = J^(-2/3) b:
+///   sigma = (mu dev(((1 - beta) A' + beta I1) B - beta B^2) + K ln J I) / J
+/// In all it turns with F. Material that is squashed flat or inside out is taken as squashed to a thousandth.
 /// Pure; any thread.
 /// @param relaxed C, symmetric and positive; the identity at the start
 /// @param mostVonMises what the material can bear [Pa]: beyond, the deviator is scaled down to it
 Mat3 cauchyStress(const Mat3& gradient, const Mat3& relaxed, const Material& material,
                   double mostVonMises = std::numeric_limits<double>::infinity());
+
+/// What an object bears stress as: in a body where any material yields or is rubberlike, elastic one is neo-Hooke, see
+/// tensor_law.h.
+Material bearingMaterial(const Material& material, const MaterialMap& body);
 
 /// The stress with its deviator scaled down so that its von Mises stress is at most so much.
 Mat3 limitedStress(const Mat3& stress, double mostVonMises);

@@ -160,6 +160,7 @@ double StructuralConnections::nominalLength(const ConnectionId& connection) cons
 void StructuralConnections::findInverseShapes()
 {
     const std::size_t count = m_aggregate->size();
+    m_tensors.reset();
     const auto bulkModulus = [](const Material& material) {
         const double modulus = material.lameLambda() - material.shearModulus();
         return std::abs(modulus) < 1e-9 * material.shearModulus() ? 0 : modulus;
@@ -168,7 +169,7 @@ void StructuralConnections::findInverseShapes()
     for (auto& component : m_inverseShape)
         component.resize(count);
     for (VectorArray& column : m_stress)
-        column.resize(m_hasBulk || m_laws.anyYields() ? count : 0);
+        column.resize(m_hasBulk || anyTensorial() ? count : 0);
     m_bulk.resize(count);
     m_flat.clear();
     m_theta.assign(count, 0);
@@ -220,6 +221,11 @@ void StructuralConnections::setInverseShape(ObjectIndex object, const Mat3& shap
                                  inverse(0, 1), inverse(0, 2), inverse(1, 2)};
     for (std::size_t c = 0; c < 6; ++c)
         m_inverseShape[c][object] = components[c];
+    if (isRubber(object) && components[0] == 0) {
+        rubber()->isWhole = false;
+        rubber()->isRubber[object] = 0;
+        rubber()->springsAreKnown = false;
+    }
 }
 
 double StructuralConnections::energy(const VectorArray& position)
@@ -238,8 +244,8 @@ double StructuralConnections::energy(const VectorArray& position)
                            [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
                                for (std::size_t s = 0; s < n; ++s) {
                                    const double length = (position.at(j + s) - position.at(i + s)).norm();
-                                   const double stretch = length - (own.empty() ? uniform : own[lower + s]);
-                                   sum += 0.5 * m_stiffness[d][lower + s] * stretch * stretch;
+                                   sum += springEnergy(i + s, j + s, m_stiffness[d][lower + s], length,
+                                                       own.empty() ? uniform : own[lower + s]);
                                }
                            });
         }
@@ -247,6 +253,23 @@ double StructuralConnections::energy(const VectorArray& position)
             sum += objectEnergy(i);
     });
     return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+bool StructuralConnections::anyTensorial() const
+{
+    return m_materials->largest([](const Material& material) { return material.isTensorial() ? 1 : 0; }) > 0;
+}
+
+/// Of a connection, whose ends have half of it each.
+double StructuralConnections::springEnergy(std::size_t i, std::size_t j, double stiffness, double length,
+                                           double nominal) const
+{
+    const double stretch = length - nominal;
+    if (rubber() == nullptr)
+        return 0.5 * stiffness * stretch * stretch;
+    const double rubberlike = 0.5 * (rubber()->isRubber[i] + rubber()->isRubber[j]);
+    return 0.5 * stiffness *
+           ((1 - rubberlike) * stretch * stretch + rubberlike * kernels::rubberSpringShare * length * length);
 }
 
 double StructuralConnections::objectEnergy(std::size_t object) const

@@ -28,8 +28,8 @@ namespace knead {
 /// Poisson's ratio 1/4; the rest is a volumetric energy per object, 1/2 (lambda - mu) V theta^2 with
 /// theta = ln det F, F the least-squares deformation gradient over the object's connections. It is absent at 1/4.
 ///
-/// Where a material of the body yields, its objects have the law of tensor_law.h instead: neo-Hooke and J2 flow of a tensor per
-/// object, which the nominal lengths follow.
+/// Where a material of the body yields or is rubberlike, its objects have the law of tensor_law.h instead: neo-Hooke and J2 flow
+/// of a tensor per object, which the nominal lengths follow. Those that are rubberlike have that of hyperelastic_law.h.
 ///
 /// Nominal lengths change by plastic flow and re-normalization, connections are taken away by fracture; all of that is
 /// `Changes`, and going back to an earlier moment means putting earlier changes back.
@@ -88,6 +88,7 @@ public:
     BreakReport breakOverloaded(const ObjectState& state, double step);
 
     bool yields() const { return m_laws.anyYields(); }
+    bool stiffensWhenSquashed() const { return m_tensors != nullptr; }
     bool breaks() const { return m_laws.anyBreaks(); }
 
     /// Re-normalization: nominal lengths approach present lengths, and rest dilatations present ones.
@@ -188,6 +189,14 @@ private:
     void findTensorNumbers();
     kernels::TensorLawNumbers tensorNumbers() const;
     void applyTensorLaw(const VectorArray& position, const kernels::FlowResult* flow, bool withEnergy);
+    void applyHyperelasticLaw(const VectorArray& position, bool withEnergy);
+    void findRubber();
+    void findSprings();
+    RubberBody* rubber() const { return m_tensors ? m_tensors->rubber.get() : nullptr; }
+    bool isRubber(std::size_t object) const { return rubber() != nullptr && rubber()->isRubber[object] > 0; }
+    bool anyTensorial() const;
+    double springEnergy(std::size_t i, std::size_t j, double stiffness, double length, double nominal) const;
+    void stiffenByStretch(const ObjectState& state, std::vector<double>& bounds) const;
     void findStrains(const VectorArray& position);
     double lengthen(const VectorArray& position);
     void flow(const VectorArray& position, double duration);
@@ -234,7 +243,7 @@ private:
     std::array<LaneVector<double>, 6> m_inverseShape; ///< (sum k o o^T)^-1 in lattice axes: uu vv ww uv uw vw [m/N]
     std::array<VectorArray, 3> m_stress;              ///< by lattice column, see kernels::StressArguments
     LaneVector<double> m_theta;                       ///< ln det F less its rest value
-    std::unique_ptr<TensorBody> m_tensors;            ///< null where no material yields
+    std::unique_ptr<TensorBody> m_tensors;            ///< null where none yields or is rubberlike
     bool m_hasTrial = false;                          ///< a flow that is not accepted yet is in m_tensors
     VectorArray m_mode;                               ///< of the largest frequency, as found last
 };

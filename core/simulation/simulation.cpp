@@ -2,8 +2,8 @@
 
 #include "core/integration/forward_euler.h"
 #include "core/integration/semi_implicit_euler.h"
-#include "core/integration/time_step.h"
 #include "core/integration/shape_damping.h"
+#include "core/integration/time_step.h"
 #include "core/simulation/simulation_state.h"
 
 #include <algorithm>
@@ -210,13 +210,14 @@ double Simulation::State::brakeShape(BodyId body, double duration)
     return rate > 0 && run.deforms() ? dampShape(run.state, rate, duration, piecesOf(body)) : 0;
 }
 
-/// Material that yields gets stiffer as it is squashed, sooner than the stable step is looked at again: where objects go far in a
-/// step, the next one is shorter.
+/// Material that yields or is rubberlike gets stiffer as it is squashed, sooner than the stable step is looked at again: where
+/// objects go far in a step, the next one is shorter.
 void Simulation::State::limitTravel(double speed)
 {
-    const bool anyYields = std::any_of(runs.begin(), runs.end(),
-                                       [](const auto& run) { return run->deforms() && run->connections.yields(); });
-    if (!anyYields || wantedTimeStep || !std::isfinite(speed))
+    const bool anyStiffens = std::any_of(runs.begin(), runs.end(), [](const auto& run) {
+        return run->deforms() && run->connections.stiffensWhenSquashed();
+    });
+    if (!anyStiffens || wantedTimeStep || !std::isfinite(speed))
         return;
     double spacing = std::numeric_limits<double>::infinity();
     for (const Body& body : bodies)

@@ -102,6 +102,8 @@ double Simulation::State::releasedSpeed(const BodyRun& run) const
     if (placedEnergy > 0) // contacts may have stored anything
         return mostSoundSpeeds * soundSpeedOf(run);
     return run.materials.largest([](const Material& material) {
+        if (material.isRubberlike()) // comes back from wherever it does not break
+            return material.soundSpeed() * std::max(elasticStrain, material.tensileStrength / material.youngsModulus);
         return material.soundSpeed() * (material.yields() || material.breaks() ? boundedStrain : elasticStrain);
     });
 }

@@ -118,7 +118,10 @@ public:
         return sum;
     }
 
-    const Material& material(const Place& place) const { return m_body.materials().of(place.nearest); }
+    Material material(const Place& place) const
+    {
+        return bearingMaterial(m_body.materials().of(place.nearest), m_body.materials());
+    }
 
 private:
     /// Broken connections.
@@ -253,7 +256,7 @@ SkinStresses SkinStress::stresses(const ObjectStrains& body, std::span<const Obj
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t point = m_gradients.order()[i];
             const Place place = moment.at(point);
-            const Material& material = moment.material(place);
+            const Material material = moment.material(place);
             const double most = flowStress(material, place.plasticStrain);
             Mat3 stress = Mat3::Zero();
             if (place.trust > 0)

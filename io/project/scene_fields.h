@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/aggregate/material_history.h"
 #include "core/mechanics/manipulator.h"
 #include "core/simulation/scene.h"
 #include "io/project/json_fields.h"
@@ -9,11 +10,21 @@ namespace knead {
 
 // The fields of what scenes consist of, see json_fields.h. Keys say the unit, as in recipes, but of SI.
 
+inline bool hasField(const FieldWriter& /*fields*/, const MaterialField& /*field*/)
+{
+    return true;
+}
+inline bool hasField(const FieldReader& fields, const MaterialField& field)
+{
+    return !isMissingInOlderFiles(field) || fields.node().find(field.key).has_value();
+}
+
 template <class Fields>
 void describe(Fields& fields, Field<Fields, Material> material)
 {
     for (const MaterialField& field : materialFields())
-        fields(field.key, material.*field.value);
+        if (hasField(fields, field))
+            fields(field.key, material.*field.value);
 }
 
 template <class Fields>

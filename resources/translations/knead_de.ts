@@ -2974,6 +2974,58 @@ Simuliert: %2, Schritt %3
         <source>Steel</source>
         <translation>Stahl</translation>
     </message>
+    <message>
+        <source>Silicone, Shore A 10</source>
+        <translation>Silikon, Shore A 10</translation>
+    </message>
+    <message>
+        <source>Silicone, Shore A 20</source>
+        <translation>Silikon, Shore A 20</translation>
+    </message>
+    <message>
+        <source>Silicone, Shore A 30</source>
+        <translation>Silikon, Shore A 30</translation>
+    </message>
+    <message>
+        <source>Silicone, Shore A 40</source>
+        <translation>Silikon, Shore A 40</translation>
+    </message>
+    <message>
+        <source>Silicone, Shore A 50</source>
+        <translation>Silikon, Shore A 50</translation>
+    </message>
+    <message>
+        <source>Silicone, Shore A 60</source>
+        <translation>Silikon, Shore A 60</translation>
+    </message>
+    <message>
+        <source>Water clay</source>
+        <translation>Wasserhaltiger Ton</translation>
+    </message>
+    <message>
+        <source>Oil clay</source>
+        <translation>Plastilin auf Ölbasis</translation>
+    </message>
+    <message>
+        <source>TPU 85A</source>
+        <translation>TPU 85A</translation>
+    </message>
+    <message>
+        <source>TPU 95A</source>
+        <translation>TPU 95A</translation>
+    </message>
+    <message>
+        <source>PLA</source>
+        <translation>PLA</translation>
+    </message>
+    <message>
+        <source>PETG</source>
+        <translation>PETG</translation>
+    </message>
+    <message>
+        <source>Nylon PA12</source>
+        <translation>Nylon PA12</translation>
+    </message>
 </context>
 <context>
     <name>MaterialPanel</name>
@@ -3068,6 +3120,30 @@ Simuliert: %2, Schritt %3
     <message>
         <source>does not heal</source>
         <translation>heilt nicht</translation>
+    </message>
+    <message>
+        <source>Rubber</source>
+        <translation>Gummi</translation>
+    </message>
+    <message>
+        <source>Rubberlike</source>
+        <translation>Gummiartig</translation>
+    </message>
+    <message>
+        <source>for small strains</source>
+        <translation>für kleine Dehnungen</translation>
+    </message>
+    <message>
+        <source>Second-invariant share</source>
+        <translation>Anteil der zweiten Invariante</translation>
+    </message>
+    <message>
+        <source>Locking elongation</source>
+        <translation>Dehnung beim Versteifen</translation>
+    </message>
+    <message>
+        <source>never locks</source>
+        <translation>versteift nie</translation>
     </message>
     <message>
         <source>Deformable</source>

@@ -2974,6 +2974,58 @@ Simulé&#xa0;: %2, pas %3
         <source>Steel</source>
         <translation>Acier</translation>
     </message>
+    <message>
+        <source>Silicone, Shore A 10</source>
+        <translation>Silicone, Shore A 10</translation>
+    </message>
+    <message>
+        <source>Silicone, Shore A 20</source>
+        <translation>Silicone, Shore A 20</translation>
+    </message>
+    <message>
+        <source>Silicone, Shore A 30</source>
+        <translation>Silicone, Shore A 30</translation>
+    </message>
+    <message>
+        <source>Silicone, Shore A 40</source>
+        <translation>Silicone, Shore A 40</translation>
+    </message>
+    <message>
+        <source>Silicone, Shore A 50</source>
+        <translation>Silicone, Shore A 50</translation>
+    </message>
+    <message>
+        <source>Silicone, Shore A 60</source>
+        <translation>Silicone, Shore A 60</translation>
+    </message>
+    <message>
+        <source>Water clay</source>
+        <translation>Argile à l'eau</translation>
+    </message>
+    <message>
+        <source>Oil clay</source>
+        <translation>Plastiline</translation>
+    </message>
+    <message>
+        <source>TPU 85A</source>
+        <translation>TPU 85A</translation>
+    </message>
+    <message>
+        <source>TPU 95A</source>
+        <translation>TPU 95A</translation>
+    </message>
+    <message>
+        <source>PLA</source>
+        <translation>PLA</translation>
+    </message>
+    <message>
+        <source>PETG</source>
+        <translation>PETG</translation>
+    </message>
+    <message>
+        <source>Nylon PA12</source>
+        <translation>Nylon PA12</translation>
+    </message>
 </context>
 <context>
     <name>MaterialPanel</name>
@@ -3068,6 +3120,30 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>does not heal</source>
         <translation>ne cicatrise pas</translation>
+    </message>
+    <message>
+        <source>Rubber</source>
+        <translation>Caoutchouc</translation>
+    </message>
+    <message>
+        <source>Rubberlike</source>
+        <translation>Caoutchouteux</translation>
+    </message>
+    <message>
+        <source>for small strains</source>
+        <translation>pour petites déformations</translation>
+    </message>
+    <message>
+        <source>Second-invariant share</source>
+        <translation>Part du second invariant</translation>
+    </message>
+    <message>
+        <source>Locking elongation</source>
+        <translation>Allongement de blocage</translation>
+    </message>
+    <message>
+        <source>never locks</source>
+        <translation>ne bloque jamais</translation>
     </message>
     <message>
         <source>Deformable</source>

@@ -2974,6 +2974,58 @@ Gesimuleerd: %2, stap %3
         <source>Steel</source>
         <translation>Staal</translation>
     </message>
+    <message>
+        <source>Silicone, Shore A 10</source>
+        <translation>Siliconen, Shore A 10</translation>
+    </message>
+    <message>
+        <source>Silicone, Shore A 20</source>
+        <translation>Siliconen, Shore A 20</translation>
+    </message>
+    <message>
+        <source>Silicone, Shore A 30</source>
+        <translation>Siliconen, Shore A 30</translation>
+    </message>
+    <message>
+        <source>Silicone, Shore A 40</source>
+        <translation>Siliconen, Shore A 40</translation>
+    </message>
+    <message>
+        <source>Silicone, Shore A 50</source>
+        <translation>Siliconen, Shore A 50</translation>
+    </message>
+    <message>
+        <source>Silicone, Shore A 60</source>
+        <translation>Siliconen, Shore A 60</translation>
+    </message>
+    <message>
+        <source>Water clay</source>
+        <translation>Waterhoudende klei</translation>
+    </message>
+    <message>
+        <source>Oil clay</source>
+        <translation>Plastiline</translation>
+    </message>
+    <message>
+        <source>TPU 85A</source>
+        <translation>TPU 85A</translation>
+    </message>
+    <message>
+        <source>TPU 95A</source>
+        <translation>TPU 95A</translation>
+    </message>
+    <message>
+        <source>PLA</source>
+        <translation>PLA</translation>
+    </message>
+    <message>
+        <source>PETG</source>
+        <translation>PETG</translation>
+    </message>
+    <message>
+        <source>Nylon PA12</source>
+        <translation>Nylon PA12</translation>
+    </message>
 </context>
 <context>
     <name>MaterialPanel</name>
@@ -3068,6 +3120,30 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>does not heal</source>
         <translation>heelt niet</translation>
+    </message>
+    <message>
+        <source>Rubber</source>
+        <translation>Rubber</translation>
+    </message>
+    <message>
+        <source>Rubberlike</source>
+        <translation>Rubberachtig</translation>
+    </message>
+    <message>
+        <source>for small strains</source>
+        <translation>voor kleine rekken</translation>
+    </message>
+    <message>
+        <source>Second-invariant share</source>
+        <translation>Aandeel tweede invariant</translation>
+    </message>
+    <message>
+        <source>Locking elongation</source>
+        <translation>Rek bij verstijving</translation>
+    </message>
+    <message>
+        <source>never locks</source>
+        <translation>verstijft nooit</translation>
     </message>
     <message>
         <source>Deformable</source>

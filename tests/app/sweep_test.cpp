@@ -220,8 +220,9 @@ void SweepTest::whatCannotBeDoneIsRefused()
     QCOMPARE(
         refusal({"--vary", "material.young=1e5:1e7:log:20"}),
         "knead: press.recipe.json with --set: material.young is not a known key; allowed here: preset, density_kg_m3, "
-        "youngs_modulus_pa, poisson_ratio, damping_ratio, shape_damping_per_s, friction, yield_stress_pa, "
-        "hardening_pa, relaxation_time_s, tensile_strength_pa, elongation_at_break, adhesion_pa, healing_time_s.\n");
+        "youngs_modulus_pa, poisson_ratio, damping_ratio, shape_damping_per_s, friction, rubberlike, "
+        "second_invariant_share, locking_elongation, yield_stress_pa, hardening_pa, relaxation_time_s, "
+        "tensile_strength_pa, elongation_at_break, adhesion_pa, healing_time_s.\n");
     QVERIFY(refusal({"--vary", "spacing_mm=1:2"}).find("this is no range") != std::string::npos);
     QVERIFY(refusal({}).find("--vary is required") != std::string::npos);
     QVERIFY(refusal({"--vary", "spacing_mm=5", "--engine", "cloud"}).starts_with("knead: --engine"));

@@ -234,31 +234,47 @@ std::vector<Column> flowingBlock(const Kernels& kernels)
                           .affine = affine.data(),
                           .lengthening = lengthening.data(),
                           .dissipated = out[46].data()};
-    kernels.tensorLaw({.at = {.begin = 0,
-                              .end = size,
-                              .position = position.data(),
-                              .stride = static_cast<std::ptrdiff_t>(position.stride()),
-                              .forward = 511,
-                              .backward = 511,
-                              .ahead = offset.data(),
-                              .behind = offset.data(),
-                              .hasBehind = hasBehind.data(),
-                              .stiffness = k.data(),
-                              .inverseShape = inverseShape.data(),
-                              .restDilatation = zero.data(),
-                              .spacing = 1},
-                       .numbers = {.volume = one.data(),
+    const Surroundings surroundings{.begin = 0,
+                                    .end = size,
+                                    .position = position.data(),
+                                    .stride = static_cast<std::ptrdiff_t>(position.stride()),
+                                    .forward = 511,
+                                    .backward = 511,
+                                    .ahead = offset.data(),
+                                    .behind = offset.data(),
+                                    .hasBehind = hasBehind.data(),
+                                    .stiffness = k.data(),
+                                    .inverseShape = inverseShape.data(),
+                                    .restDilatation = zero.data(),
+                                    .spacing = 1};
+    const TensorLawNumbers numbers{.volume = one.data(),
                                    .shear = {.each = one.data()},
                                    .bulk = {.all = 1},
                                    .tensionShare = {.all = 1},
                                    .yieldStress = {.each = yield.data()},
                                    .hardening = {.all = 1},
-                                   .flowTime = {.all = 1}},
+                                   .flowTime = {.all = 1}};
+    kernels.tensorLaw({.at = surroundings,
+                       .numbers = numbers,
                        .plastic = {},
                        .flow = &flow,
                        .stress = stress.data(),
                        .theta = out[9].data(),
                        .energy = out[10].data()});
+    // Every third object is rubberlike, the last ones all.
+    LaneVector<double> isRubber(size, 0.0);
+    for (std::size_t i = 0; i < size; ++i)
+        isRubber[i] = i % 3 == 0 || i > size - 30 ? 1 : 0;
+    kernels.hyperelasticLaw({.at = surroundings,
+                             .numbers = numbers,
+                             .isRubber = {.each = isRubber.data()},
+                             .secondShare = {.each = yield.data()},
+                             .inverseChain = {.all = 0.05},
+                             .firstScale = {.all = 0.8},
+                             .metric = nullptr,
+                             .stress = stress.data(),
+                             .theta = out[9].data(),
+                             .energy = out[10].data()});
     std::vector<Column> columns;
     for (const auto& column : out)
         columns.emplace_back(column.begin(), column.end());
@@ -410,8 +426,8 @@ private slots:
             for (std::size_t i = 0; i < count; ++i) {
                 const double length = std::hypot(far[i] - v[0][i], v[4][i] - v[1][i], v[5][i] - v[2][i]);
                 const double beyond = std::log(length / v[6][i]) - affine[i];
-                const double wanted = v[6][i] * std::pow(v[7][i] * v[8][i], 0.25) *
-                                      std::exp(beyond * (1 - 0.5 * (share[i] + v[9][i])));
+                const double wanted =
+                    v[6][i] * std::pow(v[7][i] * v[8][i], 0.25) * std::exp(beyond * (1 - 0.5 * (share[i] + v[9][i])));
                 if (std::abs(after[i] / wanted - 1) > 2e-3)
                     return Column();
                 expected += 0.5 * v[3][i] * (std::pow(length - v[6][i], 2) - std::pow(length - after[i], 2));

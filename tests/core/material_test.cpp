@@ -45,11 +45,13 @@ private slots:
             material.*field.value = ++mark;
         }
         QCOMPARE(keys.size(), sizeof(Material) / sizeof(double));
-        const std::set<double> values{material.density,      material.youngsModulus,   material.poissonRatio,
-                                      material.dampingRatio, material.shapeDamping,    material.friction,
-                                      material.adhesion,     material.tensileStrength, material.yieldStress,
-                                      material.hardening,    material.relaxationTime,  material.elongationAtBreak,
-                                      material.healingTime};
+        const std::set<double> values{
+            material.density,          material.youngsModulus,   material.poissonRatio,
+            material.dampingRatio,     material.shapeDamping,    material.friction,
+            material.adhesion,         material.tensileStrength, material.yieldStress,
+            material.hardening,        material.relaxationTime,  material.elongationAtBreak,
+            material.healingTime,      material.rubberlike,      material.secondInvariantShare,
+            material.lockingElongation};
         QCOMPARE(values.size(), keys.size());
     }
 

@@ -105,8 +105,11 @@ private slots:
             QVERIFY2(!m.yields() || m.elongationAtBreak > 0, preset.id.c_str());
             // What is to flow before it breaks must reach its yield stress first.
             QVERIFY2(m.tensileStrength == 0 || m.yieldStress < m.tensileStrength, preset.id.c_str());
-            const bool isRubbery = m.youngsModulus < 1e7 && !m.yields();
-            QVERIFY2(m.tensileStrength / m.youngsModulus < (isRubbery ? 10 : 0.25), preset.id.c_str());
+            const bool isRubbery = (m.youngsModulus < 1e7 && !m.yields()) || m.isRubberlike();
+            QVERIFY2(m.tensileStrength / m.youngsModulus <= (isRubbery ? 10 : 0.25), preset.id.c_str());
+            // A connection breaks by its stretch, and what locks must do so before its chains are straight.
+            QVERIFY2(m.lockingElongation == 0 || m.tensileStrength / m.youngsModulus < m.lockingElongation,
+                     preset.id.c_str());
         }
     }
 
@@ -154,6 +157,18 @@ private slots:
     {
         QCOMPARE(messageFor(oneMaterial(complete)),
                  std::string("materials.json, line 1: materials[0] must have the key \"friction\"."));
+    }
+
+    void filesOfBeforeRubberAreReadAsBefore()
+    {
+        const QTemporaryDir folder;
+        const auto old = readMaterials(write(folder, oneMaterial(complete + R"(, "friction": 0.7)")));
+        QCOMPARE(old[0].material.rubberlike, 0.0);
+        const auto rubber = readMaterials(write(folder, oneMaterial(complete + R"(, "friction": 0.7, "rubberlike": 1,
+            "second_invariant_share": 0.2, "locking_elongation": 6)")));
+        QCOMPARE(rubber[0].material.rubberlike, 1.0);
+        QCOMPARE(rubber[0].material.secondInvariantShare, 0.2);
+        QCOMPARE(rubber[0].material.lockingElongation, 6.0);
     }
 
     void numberOutOfRangeIsNamed()

@@ -77,7 +77,8 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
         "material.youngs_modulus_pa must be a number between 100 and 1e+12, got 1e+20.");
     row("material key", with("material", R"({"youngs_modulus": 1e6})"),
         "material.youngs_modulus is not a known key; allowed here: preset, density_kg_m3, youngs_modulus_pa, "
-        "poisson_ratio, damping_ratio, shape_damping_per_s, friction, yield_stress_pa, hardening_pa, "
+        "poisson_ratio, damping_ratio, shape_damping_per_s, friction, rubberlike, second_invariant_share, "
+        "locking_elongation, yield_stress_pa, hardening_pa, "
         "relaxation_time_s, "
         "tensile_strength_pa, elongation_at_break, adhesion_pa, healing_time_s.");
     row("gravity", with("gravity_m_s2", "9.81"), "gravity_m_s2 must hold 3 numbers, got 9.81.");

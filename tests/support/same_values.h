@@ -20,8 +20,8 @@ auto members(const Value&)
 }
 inline auto members(const Material& m)
 {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, n] = m;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, n);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, n, o, p, q] = m;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, n, o, p, q);
 }
 inline auto members(const Pose& v)
 {

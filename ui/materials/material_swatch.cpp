@@ -40,6 +40,19 @@ const QHash<QString, Look>& looks()
         {"aluminum", {"#c4cad1", Finish::metal}},
         {"glass", {"#a9d7e8", Finish::clear}},
         {"steel", {"#7f8b99", Finish::metal}},
+        {"silicone-shore-10", {"#8fd3d0", Finish::satin}},
+        {"silicone-shore-20", {"#7cc6d6", Finish::satin}},
+        {"silicone-shore-30", {"#63b3cf", Finish::satin}},
+        {"silicone-shore-40", {"#5a9fc6", Finish::satin}},
+        {"silicone-shore-50", {"#4f89b5", Finish::satin}},
+        {"silicone-shore-60", {"#45729c", Finish::satin}},
+        {"tpu-85a", {"#e8883a", Finish::satin}},
+        {"tpu-95a", {"#d2622c", Finish::satin}},
+        {"pla", {"#6a9e4b", Finish::gloss}},
+        {"petg", {"#b9d3c4", Finish::clear}},
+        {"nylon-pa12", {"#ecebe4", Finish::matte, Grain::specks}},
+        {"oil-clay", {"#8a9a5b", Finish::matte}},
+        {"water-clay", {"#8d8578", Finish::matte, Grain::specks}},
     };
     return all;
 }

@@ -28,6 +28,7 @@ const std::vector<Group>& groups()
         {"Elastic",
          {&Material::density, &Material::youngsModulus, &Material::poissonRatio, &Material::dampingRatio,
           &Material::shapeDamping}},
+        {"Rubber", {&Material::rubberlike, &Material::secondInvariantShare, &Material::lockingElongation}},
         {"Flow", {&Material::yieldStress, &Material::hardening, &Material::relaxationTime}},
         {"Strength", {&Material::tensileStrength, &Material::elongationAtBreak}},
         {"Surface", {&Material::friction, &Material::adhesion, &Material::healingTime}},
