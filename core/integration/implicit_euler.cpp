@@ -42,6 +42,10 @@ constexpr double frictionTolerance = 0.1;
 // Accelerated iterations that make the residual so much larger, squared, are forgotten and begun anew.
 constexpr double mixingLost = 4;
 
+// Where the tangent is too soft, as beside cracks, iterations go too far: each that makes things worse halves what is taken of
+// the next ones, down to this share.
+constexpr double leastRelaxation = 0.125;
+
 // The coarse factor is found again when iterations per decade have grown by this factor and so many since it was new.
 constexpr double staleFactor = 1.5;
 constexpr double staleMore = 3;
@@ -378,6 +382,7 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const
     double reference = 0;
     double lastSize = std::numeric_limits<double>::infinity();
     bool isOverBraked = false;
+    double relaxation = 1;
     for (;; ++report.newtonIterations) {
         tryVelocities(h);
         m_keepsSlip = step.keepsSlip = report.newtonIterations > slipIterations && !isOverBraked;
@@ -410,9 +415,14 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const
         const bool flows = report.newtonIterations > 0 && flowedEnergy() > 0;
         if (size > mixingLost * lastSize)
             m_mixing.restart();
+        if (report.newtonIterations > 1 && size > lastSize)
+            relaxation = std::max(0.5 * relaxation, leastRelaxation);
         lastSize = size;
         m_scratch = m_velocity;
         report.iterations += solve(std::max(linearTolerance * linearTolerance * reference, 0.25 * floor));
+        if (relaxation < 1)
+            for (std::size_t i = 0; i < m_system.rows(); ++i)
+                m_velocity.set(i, m_scratch.at(i) + relaxation * (m_velocity.at(i) - m_scratch.at(i)));
         if (flows)
             m_mixing.accelerate(m_scratch, m_velocity);
     }

@@ -85,7 +85,6 @@ void StructuralConnections::findTensorNumbers()
                     for (const std::size_t end : {i + s, j + s}) {
                         stiffness[end] += k;
                         shape[end] += share;
-                        live[end] += m_stiffness[d][lower + s] > 0 ? share : 0;
                     }
                 }
             });

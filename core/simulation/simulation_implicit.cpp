@@ -16,9 +16,6 @@ namespace {
 constexpr double longestStep = 1.0 / 60;
 // Steps are halved so often at most, which is a quarter of a millisecond.
 constexpr int mostHalvings = 6;
-// Nor are they after steps that had to be taken again at half the length, below this [s]: what moves too fast for it is far beyond
-// what shows.
-constexpr double shortestStep = longestStep / (1 << (mostHalvings + 3));
 // In a step nothing may go further than this [spacings], so that what is met within it is still on the right side.
 constexpr double travelShare = 0.5;
 // A step that moved something further than this is taken again at half the length [spacings].
@@ -304,7 +301,7 @@ void Simulation::State::stepImplicitly()
         contactReport = report.contacts;
         solverIterations += report.iterations;
         const bool wentTooFar = !report.converged || report.largestSpeed * timeStep > farthestShare * spacing;
-        if (wentTooFar && halvings < mostHalvings && timeStep > shortestStep) {
+        if (wentTooFar && halvings < mostHalvings) {
             timeStep /= 2;
             ++halvings;
             ways = beginWays();
