@@ -36,7 +36,20 @@ private slots:
         QVERIFY(std::abs(law.hardening - 2.0 / 3 * 1.45 * 0.04) < 1e-12);
         QVERIFY(std::abs(law.breakingStrain - 0.2) < 1e-12);
         QCOMPARE(law.flowTime, 0.05);
-        QVERIFY(std::isinf(law.ductility));
+        QVERIFY(std::abs(law.ductility - (0.2 - 0.02) / 0.04) < 1e-9); // where it has hardened up to its strength
+        QCOMPARE(law.suddenStrain, 3 * law.breakingStrain);
+    }
+
+    void ductileMaterialBreaksByFlowAndBrittleMaterialByStrength()
+    {
+        Material m = clay();
+        m.elongationAtBreak = 0.22;
+        QVERIFY(std::abs(lawBetween(m, m, 2e-3).ductility - std::log(1.22)) < 1e-12);
+        m.tensileStrength = 0.9 * m.yieldStress; // breaks before it yields
+        const ConnectionLaw brittle = lawBetween(m, m, 2e-3);
+        QVERIFY(std::isinf(brittle.ductility));
+        QCOMPARE(brittle.suddenStrain, brittle.breakingStrain);
+        QVERIFY(brittle.suddenStrainAtCrack < brittle.suddenStrain);
     }
 
     void theSofterAndTheWeakerDecide()

@@ -223,6 +223,58 @@ private slots:
         QVERIFY(std::abs(shot->fixtureForces[0].x()) < 0.05 * peak); // and no longer holds
     }
 
+    void ductileBarFlowsToItsElongationAndBreaksThere_data()
+    {
+        QTest::addColumn<double>("strain"); // pulled so far
+        QTest::addColumn<bool>("breaks");
+        QTest::newRow("2 %") << 0.02 << false;
+        QTest::newRow("15 %") << 0.15 << false;
+        QTest::newRow("27 %") << 0.27 << true;
+    }
+    void ductileBarFlowsToItsElongationAndBreaksThere()
+    {
+        QFETCH(double, strain);
+        QFETCH(bool, breaks);
+        // As steel, but a hundred times softer and weaker, which makes steps ten times longer.
+        Material material;
+        material.density = 7850;
+        material.youngsModulus = 2.1e9;
+        material.poissonRatio = 0.3;
+        material.dampingRatio = 0.1;
+        material.yieldStress = 2.5e6;
+        material.hardening = 7e6;
+        material.tensileStrength = 4e6;
+        material.elongationAtBreak = 0.22;
+        Material strong = material; // where it is gripped
+        strong.tensileStrength = 0;
+        strong.elongationAtBreak = 0;
+        Scene scene;
+        scene.bodies.push_back(scenes::box({16, 4, 4}, spacing, material));
+        const Aggregate& aggregate = *scene.bodies[0].aggregate;
+        const double half = 8 * spacing;
+        const double duration = 0.05 * strain / 0.27;
+        for (const double side : {-1.0, 1.0}) {
+            const auto within = [&](double depth) {
+                return side > 0 ? objectsBetween(aggregate, half - depth, 1) : objectsBetween(aggregate, -1, depth - half);
+            };
+            scene.bodies[0].regions.push_back({"shoulder", within(2.1 * spacing), strong});
+            scene.fixtures.push_back({"grip", 0, within(1e-6), Vec3(side * strain * half / duration, 0, 0)});
+        }
+        Simulation simulation(scene);
+        while (simulation.health().ok && simulation.time() < duration)
+            simulation.step();
+        QVERIFY2(simulation.health().ok, simulation.health().message.c_str());
+        const auto shot = simulation.snapshot();
+        const double stress = std::abs(shot->fixtureForces[0].x()) / (16 * spacing * spacing);
+        qInfo("%zu connections broken, %zu pieces, %.3g MPa", shot->broken, shot->components, stress / 1e6);
+        QCOMPARE(shot->broken > 0, breaks);
+        QCOMPARE(shot->components > 1, breaks);
+        const double flowStress = (material.yieldStress + material.hardening * std::log1p(strain)) / (1 + strain);
+        if (!breaks)
+            QVERIFY(std::abs(stress / flowStress - 1) < 0.08);
+        QVERIFY(ledgerCloses(*shot));
+    }
+
     void glueHoldsUntilItsToleranceAndNoLonger_data()
     {
         QTest::addColumn<double>("load"); // weight by what the glue bears
