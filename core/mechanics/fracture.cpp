@@ -135,35 +135,35 @@ void StructuralConnections::findOverloaded(const ObjectState& state, std::size_t
         const LaneVector<double>& nominal = plasticState().nominalLength[d];
         const bool mayBeSpent = !damage.empty() && m_laws.anyTires();
         std::fill_n(rest, chunkSize, m_aggregate->lattice.direction(static_cast<int>(d)).norm());
-        forEachForward(
-            m_aggregate->lattice, d, begin, end, [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {
-                for (std::size_t s = i; s < i + n; s += chunkSize) {
-                    const std::size_t count = std::min(chunkSize, i + n - s);
-                    const auto self = from(state.position, s);
-                    const auto neighbor = from(state.position, s + j - i);
-                    const double* lengths = nominal.empty() ? rest : &nominal[s];
-                    if (!mayBeSpent &&
-                        !kernels::best().anyLonger(count, self, neighbor, &m_stiffness[d][s], lengths, 1 + least))
-                        continue;
-                    m_laws.fill(&ConnectionLaw::suddenStrain, s, s + j - i, count, limit);
-                    if (!m_brokenAround.empty())
-                        weakenBesideCracks(d, s, s + j - i, count, limit);
-                    double own[chunkSize]; // strength of each connection by that of its material
-                    for (std::size_t c = 0; c < count; ++c) {
-                        own[c] = 1 + strengthScatter * scatter(d, s + c);
-                        limit[c] *= own[c];
-                    }
-                    if (mayBeSpent)
-                        findSpent(s, s + j - i, count, own, spent);
-                    for (std::size_t c = 0; c < count; ++c)
-                        bound[c] = spent[c] > 1 ? 0 : limit[c];
-                    kernels::best().excessStrain(count, self, neighbor, lengths, bound, excess);
-                    for (std::size_t c = 0; c < count; ++c)
-                        if (excess[c] > 0 && m_stiffness[d][s + c] > 0)
-                            found.push_back({{d, static_cast<ObjectIndex>(s + c)},
-                                             std::max(spent[c], (bound[c] + excess[c]) / limit[c])});
-                }
-            });
+        forEachForward(m_aggregate->lattice, d, begin, end,
+                       [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {
+                           for (std::size_t s = i; s < i + n; s += chunkSize) {
+                               const std::size_t count = std::min(chunkSize, i + n - s);
+                               const auto self = from(state.position, s);
+                               const auto neighbor = from(state.position, s + j - i);
+                               const double* lengths = nominal.empty() ? rest : &nominal[s];
+                               if (!mayBeSpent && !kernels::best().anyLonger(count, self, neighbor, &m_stiffness[d][s],
+                                                                             lengths, 1 + least))
+                                   continue;
+                               m_laws.fill(&ConnectionLaw::suddenStrain, s, s + j - i, count, limit);
+                               if (!m_brokenAround.empty())
+                                   weakenBesideCracks(d, s, s + j - i, count, limit);
+                               double own[chunkSize]; // strength of each connection by that of its material
+                               for (std::size_t c = 0; c < count; ++c) {
+                                   own[c] = 1 + strengthScatter * scatter(d, s + c);
+                                   limit[c] *= own[c];
+                               }
+                               if (mayBeSpent)
+                                   findSpent(s, s + j - i, count, own, spent);
+                               for (std::size_t c = 0; c < count; ++c)
+                                   bound[c] = spent[c] > 1 ? 0 : limit[c];
+                               kernels::best().excessStrain(count, self, neighbor, lengths, bound, excess);
+                               for (std::size_t c = 0; c < count; ++c)
+                                   if (excess[c] > 0 && m_stiffness[d][s + c] > 0)
+                                       found.push_back({{d, static_cast<ObjectIndex>(s + c)},
+                                                        std::max(spent[c], (bound[c] + excess[c]) / limit[c])});
+                           }
+                       });
     }
 }
 
@@ -202,17 +202,33 @@ std::vector<ConnectionId> StructuralConnections::overloaded(const ObjectState& s
         const auto [lower, upper] = endsOf(connection.id);
         cracks.join(placeOf(lower), placeOf(upper));
     }
-    std::vector<double> worst(objects.size(), 0);
-    const auto worstBeside = [&](const Overloaded& connection) -> double& {
-        return worst[cracks.find(placeOf(endsOf(connection.id)[0]))];
+    struct Crack {
+        double worst = 0;
+        bool isNew = true; // nothing is broken there yet
     };
-    for (const Overloaded& connection : all)
+    std::vector<Crack> crackAt(objects.size());
+    const auto crackOf = [&](const Overloaded& connection) -> Crack& {
+        return crackAt[cracks.find(placeOf(endsOf(connection.id)[0]))];
+    };
+    double worstNew = 0;
+    for (const Overloaded& connection : all) {
+        Crack& crack = crackOf(connection);
         if (std::isfinite(connection.load))
-            worstBeside(connection) = std::max(worstBeside(connection), connection.load);
+            crack.worst = std::max(crack.worst, connection.load);
+        if (!m_brokenAround.empty())
+            for (const ObjectIndex end : endsOf(connection.id))
+                crack.isNew = crack.isNew && m_brokenAround[end] == 0;
+    }
+    for (const Crack& crack : crackAt)
+        if (crack.isNew)
+            worstNew = std::max(worstNew, crack.worst);
+    // One new crack at a time: it may relieve the places of others, as in an evenly loaded body.
     std::vector<ConnectionId> breaking;
-    for (const Overloaded& connection : all)
-        if (connection.load >= worstShare * worstBeside(connection))
+    for (const Overloaded& connection : all) {
+        const Crack& crack = crackOf(connection);
+        if (connection.load >= worstShare * crack.worst && !(crack.isNew && crack.worst < worstNew))
             breaking.push_back(connection.id);
+    }
     return breaking;
 }
 
@@ -287,8 +303,8 @@ void StructuralConnections::findLiveShape(ObjectIndex object)
         made += m_laws.between(object, neighbor).stiffness * m_aggregate->lattice.spacing *
                 m_aggregate->weight[d][lower] * step * step.transpose();
     });
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Mat3> solver(
-        live, made + 1e-9 * made.trace() * Mat3::Identity(), Eigen::EigenvaluesOnly | Eigen::Ax_lBx);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Mat3> solver(live, made + 1e-9 * made.trace() * Mat3::Identity(),
+                                                                Eigen::EigenvaluesOnly | Eigen::Ax_lBx);
     const double share = std::clamp(solver.eigenvalues()[0], 0.0, 1.0);
     setInverseShape(object, share < leastLiveShape ? Mat3::Zero() : live);
     if (m_tensors)

@@ -255,7 +255,8 @@ private slots:
         const double duration = 0.05 * strain / 0.27;
         for (const double side : {-1.0, 1.0}) {
             const auto within = [&](double depth) {
-                return side > 0 ? objectsBetween(aggregate, half - depth, 1) : objectsBetween(aggregate, -1, depth - half);
+                return side > 0 ? objectsBetween(aggregate, half - depth, 1)
+                                : objectsBetween(aggregate, -1, depth - half);
             };
             scene.bodies[0].regions.push_back({"shoulder", within(2.1 * spacing), strong});
             scene.fixtures.push_back({"grip", 0, within(1e-6), Vec3(side * strain * half / duration, 0, 0)});

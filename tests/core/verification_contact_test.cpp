@@ -33,7 +33,7 @@ Scene kneadedClay()
     clay.tensileStrength = 8e3;
     clay.healingTime = 0.002;
     clay.adhesion = 1e4;
-    clay.elongationAtBreak = 0.5;
+    clay.elongationAtBreak = 0.05;
     scene.bodies.push_back(scenes::box({40, 11, 11}, spacing, clay));
     scene.bodies.push_back(scenes::body(
         shapes::moved(shapes::box(8 * spacing * Vec3::Ones()), at(Vec3(0, 0, 10 * spacing))), spacing, clay, "lump"));
