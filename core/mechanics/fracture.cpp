@@ -1,5 +1,4 @@
 // Connections that bear too much break. Part of StructuralConnections.
-#include "core/geometry/disjoint_sets.h"
 #include "core/mechanics/kernel_views.h"
 #include "core/mechanics/lattice_stretches.h"
 #include "core/mechanics/structural_connections.h"
@@ -24,8 +23,8 @@ constexpr double leastLiveShape = 0.45;
 // Strength varies from connection to connection by so much either way, so that an evenly loaded body breaks at one place.
 constexpr double strengthScatter = 0.05;
 
-// Of the connections of a crack that bear too much at one look, only those within this share of the worst break; the others may
-// be relieved by that.
+// Of the connections that bear too much at one look, only those within this share of the worst break; the others may be
+// relieved by that.
 constexpr double worstShare = 0.98;
 
 /// A number from -1 to 1 that belongs to a connection (Murmur3's finalizer).
@@ -183,52 +182,16 @@ std::vector<ConnectionId> StructuralConnections::overloaded(const ObjectState& s
     forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         findOverloaded(state, begin, end, found[begin / m_blockSize]);
     });
-    // Those that share objects are of one crack.
-    std::vector<Overloaded> all;
-    std::vector<ObjectIndex> objects;
+    double worst = 0;
     for (const auto& block : found)
-        for (const Overloaded& connection : block) {
-            all.push_back(connection);
-            for (const ObjectIndex end : endsOf(connection.id))
-                objects.push_back(end);
-        }
-    std::sort(objects.begin(), objects.end());
-    objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
-    const auto placeOf = [&](ObjectIndex object) {
-        return static_cast<std::size_t>(std::lower_bound(objects.begin(), objects.end(), object) - objects.begin());
-    };
-    DisjointSets cracks(objects.size());
-    for (const Overloaded& connection : all) {
-        const auto [lower, upper] = endsOf(connection.id);
-        cracks.join(placeOf(lower), placeOf(upper));
-    }
-    struct Crack {
-        double worst = 0;
-        bool isNew = true; // nothing is broken there yet
-    };
-    std::vector<Crack> crackAt(objects.size());
-    const auto crackOf = [&](const Overloaded& connection) -> Crack& {
-        return crackAt[cracks.find(placeOf(endsOf(connection.id)[0]))];
-    };
-    double worstNew = 0;
-    for (const Overloaded& connection : all) {
-        Crack& crack = crackOf(connection);
-        if (std::isfinite(connection.load))
-            crack.worst = std::max(crack.worst, connection.load);
-        if (!m_brokenAround.empty())
-            for (const ObjectIndex end : endsOf(connection.id))
-                crack.isNew = crack.isNew && m_brokenAround[end] == 0;
-    }
-    for (const Crack& crack : crackAt)
-        if (crack.isNew)
-            worstNew = std::max(worstNew, crack.worst);
-    // One new crack at a time: it may relieve the places of others, as in an evenly loaded body.
+        for (const Overloaded& connection : block)
+            if (std::isfinite(connection.load))
+                worst = std::max(worst, connection.load);
     std::vector<ConnectionId> breaking;
-    for (const Overloaded& connection : all) {
-        const Crack& crack = crackOf(connection);
-        if (connection.load >= worstShare * crack.worst && !(crack.isNew && crack.worst < worstNew))
-            breaking.push_back(connection.id);
-    }
+    for (const auto& block : found)
+        for (const Overloaded& connection : block)
+            if (connection.load >= worstShare * worst)
+                breaking.push_back(connection.id);
     return breaking;
 }
 
