@@ -30,10 +30,10 @@ Scene kneadedClay()
 {
     Scene scene;
     Material clay = scenes::clay();
-    clay.tensileStrength = 8e3;
+    clay.tensileStrength = 5e3; // a little less than it yields at, so that it cracks
     clay.healingTime = 0.002;
     clay.adhesion = 1e4;
-    clay.elongationAtBreak = 0.05;
+    clay.elongationAtBreak = 0.5;
     scene.bodies.push_back(scenes::box({40, 11, 11}, spacing, clay));
     scene.bodies.push_back(scenes::body(
         shapes::moved(shapes::box(8 * spacing * Vec3::Ones()), at(Vec3(0, 0, 10 * spacing))), spacing, clay, "lump"));
