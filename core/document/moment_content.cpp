@@ -241,6 +241,24 @@ void joint(Stream& bytes, Of<Stream, Joint>& joint)
     bytes(joint.healed);
 }
 
+/// What version 3 knows beside.
+template <typename Stream>
+void frictions(Stream& bytes, Of<Stream, Contacts::Memory>& memory)
+{
+    bytes.list(memory.holds, [&](auto& held) {
+        objectRef(bytes, held.first);
+        objectRef(bytes, held.second);
+        bytes(held.force);
+    });
+    bytes.list(memory.touches, [&](auto& touch) {
+        bytes(touch.surface);
+        bytes(touch.body);
+        bytes(touch.point);
+        bytes(touch.hold);
+        bytes(touch.kept);
+    });
+}
+
 template <typename Stream>
 void contacts(Stream& bytes, Of<Stream, Contacts::Memory>& memory)
 {
@@ -375,6 +393,8 @@ void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std
     energies(bytes, moment.energy);
     if (version >= 2)
         watched(bytes, moment);
+    if (version >= 3)
+        frictions(bytes, moment.contacts);
     bytes(moment.wasSquashed);
     bytes(moment.health.ok);
     bytes(moment.health.message);

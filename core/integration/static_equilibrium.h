@@ -77,7 +77,7 @@ private:
     VectorArray mixed(const VectorArray& place, const VectorArray& step);
     double largestStrain(const VectorArray& way) const;
     static double longest(const VectorArray& way);
-    LinkEnd endOf(const ObjectRef& object) const;
+    LinkEnd endOf(const ObjectRef& object, const PointSpread* spread = nullptr) const;
 
     std::vector<BodyView> m_bodies;
     std::vector<std::size_t> m_first; ///< row of each body's first object

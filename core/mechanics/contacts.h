@@ -1,11 +1,12 @@
 #pragma once
 
-#include "core/aggregate/material_map.h"
+#include "core/mechanics/contact_body.h"
+#include "core/mechanics/contact_crowd.h"
 #include "core/mechanics/contact_law.h"
+#include "core/mechanics/contact_report.h"
 #include "core/mechanics/joints.h"
-#include "core/mechanics/object_state.h"
 #include "core/mechanics/rigid_surface.h"
-#include "core/mechanics/structural_connections.h"
+#include "core/mechanics/surface_contacts.h"
 #include "core/vicinity/vicinity.h"
 
 #include <cstdint>
@@ -15,20 +16,10 @@
 
 namespace knead {
 
-/// How a body takes part.
-enum class BodyKind : std::uint8_t {
-    deformable,
-    rigid, ///< keeps its shape and moves with six degrees of freedom
-    glue,  ///< keeps its shape and place; its adhesion and friction hold for all that touches it
-};
-
 /// Contact connections: found by the vicinity calculation between objects near the skin, of one body or two, and between
-/// those and rigid surfaces. They exist while the ends touch.
+/// the skin and rigid surfaces (SurfaceContacts). They exist while the ends touch.
 ///
-/// The radius of an object in contact is its depth below the skin, so that contact begins when the skins meet.
-/// Rigid surfaces are felt by the objects less than a spacing deep. The radius may be negative there (an object outside the
-/// skin, by the cut cells), and flat faces are flat; the next layer takes part with a third of a spacing, which keeps edges from
-/// slipping in between the others. Objects feel each other when they are half to one and a half spacings deep: so large, spheres a spacing apart
+/// The radius of an object in contact is its depth below the skin, so that contact begins when the skins meet. Objects feel each other when they are half to one and a half spacings deep: so large, spheres a spacing apart
 /// let nothing through between them. Sheets too thin to have such objects, and the ends of broken connections, take part
 /// with half a spacing.
 ///
@@ -41,12 +32,9 @@ enum class BodyKind : std::uint8_t {
 /// may move and turn as a whole without that.
 class Contacts {
 public:
-    struct BodyView {
-        ObjectState* state;
-        const StructuralConnections* connections;
-        const MaterialMap* materials;
-        BodyKind kind = BodyKind::deformable;
-    };
+    using BodyView = ContactBody;
+    using Report = ContactReport;
+    using Friction = ContactFriction;
 
     /// Pairs that overlap at the start keep that distance as nominal length: no force until pressed.
     Contacts(std::vector<BodyView> bodies, VicinityMethod method);
@@ -60,6 +48,13 @@ public:
         };
         std::vector<Pair> keptLengths;     ///< nominal lengths of pairs that have their own [m]
         std::vector<Pair> pressedTimes;    ///< how long pairs have been pressed together now [s]
+        struct Held {
+            ObjectRef first;
+            ObjectRef second;
+            Vec3 force;
+        };
+        std::vector<Held> holds;                     ///< what friction of pairs holds against [N]
+        std::vector<SurfaceContacts::Touch> touches; ///< of rigid surfaces
         std::vector<ObjectRef> facingSlit; ///< objects that face their own body across a slit
         std::vector<Joint> joints;
         double frequency = 0; ///< see updateParameters() [rad/s]
@@ -96,31 +91,17 @@ public:
     /// Forces a new list at the next updateVicinity(): surfaces were added or removed, or the state was replaced.
     void invalidate() { m_valid = false; }
 
-    /// Friction on an object, to see what it does once the object has moved.
-    struct Friction {
-        ObjectRef object;
-        Vec3 force;    ///< [N]
-        Vec3 velocity; ///< of the surface it rubs on; 0 where the opposite object has its own entry [m/s]
-    };
-
-    struct Report {
-        std::vector<SurfaceLoad> loads; ///< per surface
-        double energy = 0;              ///< stored in contacts and joints [J]
-        double brakingPower = 0;        ///< of dampers and friction on the rigid surfaces [W]
-        std::vector<Friction> frictions;
-        double jointFrictionPower = 0; ///< of friction in joints on relative motion [W]
-        double plastic = 0;            ///< flowed off in joints [J]
-        double fracture = 0;           ///< of joints that ended [J]
-        std::size_t count = 0;         ///< contacts that touch
-        double crowding = 0;           ///< largest stiffness of all contacts of an object by that of one
-        double frictionLimit = 0;      ///< sum of u |F_N| of contacts [N]
-        double frictionExcess =
-            0; ///< sum of what friction is beyond that, where it was kept in proportion to slides [N]
-        std::vector<ContactTangent> tangents; ///< of contacts and joints, in a trial
-    };
-
     /// Adds contact and joint forces to the states of the bodies; makes and ends joints, but not in a trial.
     Report computeForces(std::span<const RigidSurface> surfaces, const ContactStep& step);
+
+    /// Tools and the floor were just put somewhere: what is in material already begins without force, see SurfaceContacts.
+    void keepInside(std::span<const RigidSurface> surfaces);
+
+    /// How far the skin of a body is in a surface [m]; negative: not at all.
+    double deepest(std::uint32_t body, const RigidSurface& surface) const
+    {
+        return m_surfaceContacts.deepest(m_bodies[body], body, surface);
+    }
 
     /// What presses on the objects now: the springs of contacts with surfaces and with other objects, without dampers,
     /// friction and joints. Changes nothing. Per body and object [N]
@@ -138,7 +119,6 @@ public:
 private:
     struct ContactObject {
         ObjectRef ref;
-        double reach = 0;       ///< radius against rigid surfaces [m]
         double radius = 0;      ///< against other objects [m]; 0: does not meet them
         bool isCut = false;     ///< has lost connections
         bool facesSlit = false; ///< faces its own body across a slit
@@ -150,13 +130,9 @@ private:
         double pressed = 0;       ///< for how long now [s]
         bool joined = false;      ///< by a joint, which then acts in its place
         bool healed = false;      ///< and that joint is a healed one
-        double slip = 0;          ///< friction by slide in the last trial of the implicit scheme [N s/m]
+        Vec3 hold = Vec3::Zero(); ///< of friction [N]
+        double grip = 0;          ///< of the last trial
         ContactParameters parameters;
-    };
-
-    struct NearObject {
-        std::uint32_t index; ///< into m_objects
-        double slip = 0;     ///< as in ContactPair
     };
 
     void addSkins();
@@ -165,7 +141,6 @@ private:
     void loosen(std::uint32_t body, ObjectIndex object);
     void findSlits(std::uint32_t body);
     void listPairs();
-    void listNearSurfaces(std::span<const RigidSurface> surfaces);
     double travelTowardsOthers() const;
     std::vector<ContactPair> findPairs(Vicinity& vicinity, double margin) const;
     void takeOverLengths(std::vector<ContactPair>& pairs) const;
@@ -176,6 +151,7 @@ private:
                         const ContactObject& b) const; ///< glue with glue and neighbors never are
     void keepDistances();
     double lengthOf(const ContactPair& pair) const;
+    void addHolds(const std::vector<Memory::Held>& holds);
     std::vector<ContactPair> pairsOf(const std::vector<Memory::Pair>& remembered) const;
     ContactParameters between(const ContactObject& a, const ContactObject& b) const;
     ObjectState& stateOf(const ContactObject& object) const { return *m_bodies[object.ref.body].state; }
@@ -189,8 +165,6 @@ private:
         return m_bodies[object.body].connections->aggregate().lattice.spacing;
     }
     void pushApart(ContactPair& pair, const ContactStep& step, Report& report);
-    void pushOff(NearObject& near, const RigidSurface& surface, const ContactStep& step, SurfaceLoad& load,
-                 Report& report);
     void joinIfSticky(ContactPair& pair, double distance, double energy);
     double skinOf(const ObjectRef& object) const; ///< share of the body's surface [m^2]
     bool healIfPressed(ContactPair& pair, const ContactState& state, double dt);
@@ -210,8 +184,9 @@ private:
     std::vector<Joint> m_newJoints;
     std::vector<ContactPair> m_keptDistances; ///< pairs with a nominal length of their own, sorted
     std::vector<ContactPair> m_pairs;
-    std::vector<std::vector<NearObject>> m_nearSurface; ///< per surface
-    std::vector<double> m_touching;                     ///< per contact object: stiffness of its contacts now [N/m]
+    SurfaceContacts m_surfaceContacts;
+    std::size_t m_surfaceCount = 0; ///< when those were listed
+    ContactCrowd m_crowd;
     double m_ahead = 0;                                 ///< see lookAhead() [m]
     double m_margin = 0;                                ///< [m]
     double m_frequency = 0;

@@ -2,6 +2,7 @@
 
 #include "core/mechanics/contact_law.h"
 #include "core/mechanics/object_state.h"
+#include "core/mechanics/point_spread.h"
 
 #include <cstdint>
 #include <optional>
@@ -21,7 +22,8 @@ struct ObjectRef {
 /// implicit scheme.
 struct ContactTangent {
     ObjectRef first;
-    std::optional<ObjectRef> second; ///< none: a rigid surface
+    std::optional<ObjectRef> second;     ///< none: a rigid surface
+    const PointSpread* spread = nullptr; ///< where the first is no object but a point between objects of its body, else null
     Vec3 force = Vec3::Zero();       ///< on the first [N]
     Mat3 resistance = Mat3::Zero();  ///< symmetric, not negative [N s/m]
 };

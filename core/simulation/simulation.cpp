@@ -34,16 +34,17 @@ constexpr double shortestShare = 1.0 / 32;
 std::vector<RigidSurface> Simulation::State::surfaces() const
 {
     std::vector<RigidSurface> all;
-    for (const auto& tool : tools)
-        if (tool)
-            all.push_back({.shape = tool->manipulator.shape(),
+    for (ToolId id = 0; id < tools.size(); ++id)
+        if (const auto& tool = tools[id])
+            all.push_back({.id = id,
+                           .shape = tool->manipulator.shape(),
                            .pose = tool->manipulator.pose,
                            .velocity = tool->velocity,
                            .angularVelocity = tool->angularVelocity,
                            .friction = tool->manipulator.friction});
     if (floorHeight)
         all.push_back(
-            {.isFloor = true, .pose = {Vec3(0, 0, *floorHeight), Quaternion::Identity()}, .friction = floorFriction});
+            {.id = RigidSurface::floorId, .isFloor = true, .pose = {Vec3(0, 0, *floorHeight), Quaternion::Identity()}, .friction = floorFriction});
     return all;
 }
 
@@ -135,6 +136,7 @@ void Simulation::State::bookContacts()
     energy.friction -= contactReport.jointFrictionPower * timeStep;
     energy.plastic += contactReport.plastic;
     energy.fracture += contactReport.fracture;
+    bookPlaced(contactReport);
     std::size_t surface = 0;
     for (auto& tool : tools) {
         if (!tool)

@@ -316,6 +316,7 @@ void Simulation::State::stepImplicitly()
     bookLoadsAfter();
     energy.plastic += settled.plastic;
     energy.fracture += settled.fracture;
+    bookPlaced(settled);
     for (auto& run : runs)
         energy.plastic += run->connections.acceptFlow();
     loadFixtures();

@@ -154,8 +154,14 @@ private slots:
     void momentsOfTheFirstVersionAreRead()
     {
         constexpr std::size_t header = 36;
-        constexpr std::ptrdiff_t added = 8 + 8 + 4 + 1 + 8;
+        constexpr std::ptrdiff_t noFrictions = 4 + 4; // two empty lists
+        constexpr std::ptrdiff_t added = 8 + 8 + 4 + 1 + 8 + noFrictions;
         Middle middle(kinds()[0]);
+        Moment without = *middle.moment; // what friction held against was not known
+        without.contacts.holds.clear();
+        without.contacts.touches.clear();
+        middle.moment = std::make_shared<const Moment>(without);
+        middle.simulation.goTo(middle.moment);
         Bytes old = momentToBytes(*middle.moment);
         const std::size_t rest = 1 + 1 + 4 + middle.moment->health.message.size(); // of all versions
         const auto end = old.end() - static_cast<std::ptrdiff_t>(rest);
