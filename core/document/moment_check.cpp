@@ -213,7 +213,7 @@ private:
         const auto isTouch = [this](const SurfaceContacts::Touch& touch) {
             return touch.body < m_bodies.size() &&
                    touch.point < SurfaceContacts::pointCount(*m_bodies[touch.body].aggregate) &&
-                   touch.hold.allFinite() && isAmount(touch.kept);
+                   touch.hold.allFinite() && isAmount(touch.kept) && isAmount(touch.pressed);
         };
         const auto& joints = memory.joints;
         return all(memory.keptLengths, isPair) && all(memory.pressedTimes, isPair) && all(memory.holds, isHeld) && all(memory.touches, isTouch) &&

@@ -256,6 +256,7 @@ void frictions(Stream& bytes, Of<Stream, Contacts::Memory>& memory)
         bytes(touch.point);
         bytes(touch.hold);
         bytes(touch.kept);
+        bytes(touch.pressed);
     });
 }
 

@@ -426,6 +426,7 @@ ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const Ri
         }
         if (report.newtonIterations == mostNewtonIterations || !std::isfinite(size)) {
             report.converged = size <= failedTolerance * failedTolerance * reference;
+            keepMomenta(gravity, h);
             break;
         }
         if (report.newtonIterations > 0)

@@ -12,6 +12,9 @@ double harmonicMean(double a, double b)
     return a + b > 0 ? 2 * a * b / (a + b) : 0;
 }
 
+// Speed that a contact may give in an explicit step, by what takes its end out of the overlap in one: a sound step stays below.
+constexpr double mostTurned = 1.5;
+
 } // namespace
 
 ContactSpring contactSpring(double overlap, const ContactParameters& parameters)
@@ -42,7 +45,11 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
         return result;
     const ContactSpring spring = contactSpring(state.overlap, parameters);
     const double normalSpeed = state.relativeVelocity.dot(state.normal);
-    const double normalForce = std::max(0.0, spring.force - parameters.damping * normalSpeed);
+    double normalForce = std::max(0.0, spring.force - parameters.damping * normalSpeed);
+    if (!step.isImplicit() && parameters.mass > 0) {
+        const double turned = state.overlap / step.duration + std::max(0.0, -normalSpeed);
+        normalForce = std::min(normalForce, mostTurned * parameters.mass * turned / step.duration);
+    }
     result.spring = spring.force * state.normal;
     result.damping = (normalForce - spring.force) * state.normal;
     result.energy = spring.energy;

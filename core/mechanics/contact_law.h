@@ -15,6 +15,9 @@ struct ContactParameters {
     double friction = 0;  ///< u, Coulomb
     double stiffening = std::numeric_limits<double>::infinity(); ///< d0 [m]; infinite: the spring is linear
     double steepest = std::numeric_limits<double>::infinity();   ///< d1 [m]
+    /// That the contact acts on [kg]: an explicit scheme pushes no harder than what turns it back within the step, so that a fast
+    /// blow on a spring that has stiffened since the time step was chosen does not shoot it away. 0: no such limit.
+    double mass = 0;
     /// Beyond it the spring force stays what it is there, so that bodies placed inside each other do not shoot apart [m].
     double largestOverlap = std::numeric_limits<double>::infinity();
 };

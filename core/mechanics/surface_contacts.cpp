@@ -27,7 +27,7 @@ constexpr double steepestShare = 0.05;
 
 // All points of a rigid body together are so stiff by what the deformable ones' time step allows its mass, and each of them
 // gets so many times as stiff.
-constexpr double rigidShare = 0.1;
+constexpr double rigidShare = 0.05;
 constexpr double rigidStiffening = 10;
 
 // Objects this deep below the skin touch too, with their middles [spacings].
@@ -139,7 +139,8 @@ void SurfaceContacts::updateParameters(std::span<const ContactBody> bodies, doub
                             .damping = 2 * material.dampingRatio * std::sqrt(stiffness * own),
                             .friction = material.friction,
                             .stiffening = stiffeningShare * a,
-                            .steepest = steepest};
+                            .steepest = steepest,
+                            .mass = body.kind == BodyKind::rigid ? 0 : own};
         point.pushSpeed = pushShare * material.soundSpeed();
     }
 }
@@ -197,7 +198,8 @@ std::vector<SurfaceContacts::Touch> SurfaceContacts::memory() const
                                    .body = m_points[near.point].body,
                                    .point = m_points[near.point].number,
                                    .hold = near.hold,
-                                   .kept = near.kept});
+                                   .kept = near.kept,
+                                   .pressed = near.pressed});
     return touches;
 }
 
@@ -228,6 +230,7 @@ void SurfaceContacts::list(std::span<const ContactBody> bodies, std::span<const 
             if (const auto found = before.find({surfaces[s].id, point.body, point.number}); found != before.end()) {
                 near.hold = found->second.hold;
                 near.kept = found->second.kept;
+                near.pressed = found->second.pressed;
             } else if (point.isNew) {
                 near.kept = std::max(0.0, point.reach - surfaces[s].nearest(place).distance);
             }
@@ -250,11 +253,16 @@ void SurfaceContacts::keepInside(std::span<const ContactBody> bodies, std::span<
 }
 
 /// Less of what is kept, by the time that has passed. @return energy that comes in with that [J]
-double SurfaceContacts::letOut(Near& near, const Point& point, double overlap, double duration) const
+double SurfaceContacts::letOut(Near& near, const Point& point, double overlap, const ContactStep& step) const
 {
-    const double before = contactSpring(overlap - near.kept, point.parameters).energy;
-    near.kept = std::clamp(near.kept - point.pushSpeed * duration, 0.0, std::max(0.0, overlap));
-    return contactSpring(overlap - near.kept, point.parameters).energy - before;
+    const double before = near.kept;
+    const double stored = contactSpring(overlap - near.kept, point.parameters).energy;
+    near.kept = std::clamp(near.kept - point.pushSpeed * step.duration, 0.0, std::max(0.0, overlap));
+    const ContactSpring spring = contactSpring(overlap - near.kept, point.parameters);
+    const double last = near.pressed;
+    near.pressed = near.kept > 0 ? spring.force : 0;
+    // In an explicit scheme both ends move at once: the mean force does the work.
+    return step.isImplicit() ? spring.energy - stored : 0.5 * (last + spring.force) * (before - near.kept);
 }
 
 void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurface& surface, const ContactStep& step,
@@ -266,7 +274,7 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
     const SurfacePoint nearest = surface.nearest(place);
     const double depth = point.reach - nearest.distance;
     if (near.kept > 0 && !step.isTrial)
-        report.placed += letOut(near, point, depth, step.duration);
+        report.placed += letOut(near, point, depth, step);
     if (!(depth > near.kept)) {
         if (!step.keepsSlip)
             near.grip = 0;

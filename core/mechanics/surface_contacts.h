@@ -31,6 +31,7 @@ public:
         std::uint32_t point = 0;  ///< of the body, see pointCount()
         Vec3 hold = Vec3::Zero(); ///< of friction, in the frame of the surface [N]
         double kept = 0;          ///< how deep it may still be [m]
+        double pressed = 0;       ///< force of its spring in the last step, while something is kept [N]
     };
     std::vector<Touch> memory() const;
     void restore(std::vector<Touch> touches) { m_remembered = std::move(touches); }
@@ -78,6 +79,7 @@ private:
         std::uint32_t point; ///< into m_points
         Vec3 hold = Vec3::Zero();
         double kept = 0;
+        double pressed = 0;
         double grip = 0; ///< of the last trial
     };
 
@@ -85,7 +87,7 @@ private:
     void addPoint(const Point& point) { m_points.push_back(point); }
     void press(const ContactBody& body, Near& near, const RigidSurface& surface, const ContactStep& step,
                ContactCrowd& crowd, SurfaceLoad& load, ContactReport& report);
-    double letOut(Near& near, const Point& point, double overlap, double duration) const;
+    double letOut(Near& near, const Point& point, double overlap, const ContactStep& step) const;
 
     std::vector<Point> m_points; ///< of all bodies, body after body, then the ends of broken connections
     std::vector<std::vector<Near>> m_near; ///< per surface
