@@ -20,7 +20,7 @@ struct SurfaceRepair {
 
 /// A point of the surface that a body was filled from, at rest.
 struct SkinPoint {
-    Vec3 place; ///< [m]
+    Vec3 place;      ///< [m]
     double area = 0; ///< of the surface that it stands for [m^2]
 
     friend bool operator==(const SkinPoint&, const SkinPoint&) = default;
@@ -40,7 +40,8 @@ struct Aggregate {
                                 ///< carry a lower bound >= 2a instead of the exact value
     std::vector<std::uint32_t> face; ///< CAD face nearest to the object; noFace for deep objects and plain meshes
 
-    std::vector<SkinPoint> skin; ///< what touches rigid surfaces, see skinPoints(); empty: the objects near the surface do
+    std::vector<SkinPoint>
+        skin; ///< what touches rigid surfaces, see skinPoints(); empty: the objects near the surface do
 
     double meshVolume = 0;   ///< of the mesh it was filled from, as far as that bounds one; else filledVolume [m^3]
     double filledVolume = 0; ///< as integrated cell by cell, thin slivers of cells included [m^3]

@@ -216,7 +216,8 @@ private:
                    touch.hold.allFinite() && isAmount(touch.kept) && isAmount(touch.pressed);
         };
         const auto& joints = memory.joints;
-        return all(memory.keptLengths, isPair) && all(memory.pressedTimes, isPair) && all(memory.holds, isHeld) && all(memory.touches, isTouch) &&
+        return all(memory.keptLengths, isPair) && all(memory.pressedTimes, isPair) && all(memory.holds, isHeld) &&
+               all(memory.touches, isTouch) &&
                all(memory.facingSlit, [this](const ObjectRef& object) { return isObject(object); }) &&
                all(joints, [this](const Joint& joint) { return isJoint(joint); }) &&
                std::adjacent_find(joints.begin(), joints.end(), isOutOfOrder) == joints.end() &&

@@ -404,9 +404,8 @@ ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const Ri
             reference = size;
         } else
 
-            reference = std::min(
-                reference, std::max((m_touched.empty() ? leastFreeReference : leastReference) * first,
-                                    sizeOfLoads(report.contacts.tangents, h)));
+            reference = std::min(reference, std::max((m_touched.empty() ? leastFreeReference : leastReference) * first,
+                                                     sizeOfLoads(report.contacts.tangents, h)));
         const bool isBalanced = size <= std::max(newtonTolerance * newtonTolerance * reference, floor);
         isOverBraked = isBalanced && m_keepsSlip && report.newtonIterations < mostNewtonIterations &&
                        report.contacts.frictionExcess > frictionTolerance * report.contacts.frictionLimit;
@@ -451,7 +450,8 @@ ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const Ri
         }
     }
     report.plastic = flowedEnergy();
-    report.numerical = -report.plastic + numericalLoss(report.contacts, elasticEnergy() + report.contacts.energy - startEnergy, h);
+    report.numerical =
+        -report.plastic + numericalLoss(report.contacts, elasticEnergy() + report.contacts.energy - startEnergy, h);
     return report;
 }
 

@@ -99,7 +99,7 @@ private:
     ImplicitSystem m_system;
     RigidModePreconditioner m_preconditioner;
     ConjugateGradients m_solver;
-    AndersonMixing m_mixing; ///< of iterations in which material flows
+    AndersonMixing m_mixing;                  ///< of iterations in which material flows
     std::vector<VectorArray> m_startPosition; ///< per body
     std::vector<VectorArray> m_startVelocity;
     std::vector<std::optional<RigidMotion>> m_startMotion; ///< of rigid bodies that move
@@ -108,10 +108,10 @@ private:
     VectorArray m_residual;
     VectorArray m_scratch;
     std::vector<ObjectRef> m_touched; ///< in any trial of this step
-    bool m_keepsSlip = false;  ///< friction in the last trial was in proportion to the slide
-    bool m_limitsSlip = false; ///< and may only get less
-    double m_factoredStep = 0; ///< h of the factor in use [s]; 0: none
-    double m_freshRate = 0;    ///< iterations per decade when the factor was new; 0: not known
+    bool m_keepsSlip = false;         ///< friction in the last trial was in proportion to the slide
+    bool m_limitsSlip = false;        ///< and may only get less
+    double m_factoredStep = 0;        ///< h of the factor in use [s]; 0: none
+    double m_freshRate = 0;           ///< iterations per decade when the factor was new; 0: not known
     double m_presentRate = 0;
 };
 

@@ -15,7 +15,7 @@ struct LinkEnd {
 
     std::uint32_t row = immovable; ///< of the object, or the first one of the rigid body
     bool isRigid = false;
-    Vec3 arm = Vec3::Zero(); ///< of a point of a rigid body, from its center, in units of the body's size
+    Vec3 arm = Vec3::Zero();             ///< of a point of a rigid body, from its center, in units of the body's size
     const PointSpread* spread = nullptr; ///< of a point between objects; null: none such
     std::uint32_t firstRow = 0;          ///< of the objects of its body
 

@@ -189,8 +189,7 @@ void RigidModePreconditioner::updateBlocks(const ImplicitSystem& system)
             if (end.row == LinkEnd::immovable)
                 continue;
             if (!end.isRigid) {
-                end.forEachRow(
-                    [&](std::uint32_t row, double weight) { add(row, weight * weight * link.matrix); });
+                end.forEachRow([&](std::uint32_t row, double weight) { add(row, weight * weight * link.matrix); });
                 continue;
             }
             add(end.row, link.matrix);
@@ -358,8 +357,8 @@ void RigidModePreconditioner::assemble(const ImplicitSystem& system)
                 const std::uint32_t cluster = m_clusterOf[row];
                 if (cluster == none)
                     return;
-                auto reach = std::find_if(reaches.begin(), reaches.end(),
-                                          [&](const Reach& r) { return r.cluster == cluster; });
+                auto reach =
+                    std::find_if(reaches.begin(), reaches.end(), [&](const Reach& r) { return r.cluster == cluster; });
                 if (reach == reaches.end())
                     reach = reaches.insert(reaches.end(), {cluster, Vec6::Zero()});
                 reach->mode += restricted(push, arm);
@@ -369,9 +368,8 @@ void RigidModePreconditioner::assemble(const ImplicitSystem& system)
                     return;
                 if (end.isRigid)
                     return add(end.row, sign * direction, end.arm);
-                end.forEachRow([&](std::uint32_t row, double weight) {
-                    add(row, sign * weight * direction, m_arm.at(row));
-                });
+                end.forEachRow(
+                    [&](std::uint32_t row, double weight) { add(row, sign * weight * direction, m_arm.at(row)); });
             };
             addEnd(link.first, 1);
             addEnd(link.second, -1);

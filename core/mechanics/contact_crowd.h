@@ -40,7 +40,8 @@ public:
         double largest = 0;
         for (const auto& [body, object] : m_touched) {
             if (bodies[body].kind == BodyKind::deformable)
-                largest = std::max(largest, m_stiffness[body][object] / bodies[body].connections->contactStiffness(object));
+                largest =
+                    std::max(largest, m_stiffness[body][object] / bodies[body].connections->contactStiffness(object));
             m_stiffness[body][object] = 0;
         }
         m_touched.clear();

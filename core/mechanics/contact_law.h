@@ -10,9 +10,9 @@ namespace knead {
 ///     f = k d (1 + (d / d0)^2)   up to d = d1, from where on the slope stays,
 /// so that a light touch is soft enough for long steps and a heavy one hardly sinks in.
 struct ContactParameters {
-    double stiffness = 0; ///< k [N/m]
-    double damping = 0;   ///< b, along the normal and of what sticks [N s/m]
-    double friction = 0;  ///< u, Coulomb
+    double stiffness = 0;                                        ///< k [N/m]
+    double damping = 0;                                          ///< b, along the normal and of what sticks [N s/m]
+    double friction = 0;                                         ///< u, Coulomb
     double stiffening = std::numeric_limits<double>::infinity(); ///< d0 [m]; infinite: the spring is linear
     double steepest = std::numeric_limits<double>::infinity();   ///< d1 [m]
     /// That the contact acts on [kg]: an explicit scheme pushes no harder than what turns it back within the step, so that a fast
@@ -63,9 +63,9 @@ struct ContactResult {
     double energy = 0;            ///< stored in the spring [J]
     double slope = 0;             ///< of the spring [N/m]
 
-    Vec3 hold = Vec3::Zero();  ///< what the spring of friction holds against now, for the next step [N]
-    double grip = 0;           ///< share of what would stick that friction gives: 1 sticks, less slips
-    double frictionLimit = 0;  ///< u |F_N| [N]
+    Vec3 hold = Vec3::Zero(); ///< what the spring of friction holds against now, for the next step [N]
+    double grip = 0;          ///< share of what would stick that friction gives: 1 sticks, less slips
+    double frictionLimit = 0; ///< u |F_N| [N]
     /// Of a trial: how the force at the end of the step answers to the relative velocity; symmetric, not negative [N s/m].
     Mat3 resistance = Mat3::Zero();
 

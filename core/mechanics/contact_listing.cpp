@@ -33,7 +33,8 @@ Vec3 Contacts::outwardOf(const ContactObject& object) const
 
 bool Contacts::faceEachOther(const ContactObject& a, const ContactObject& b) const
 {
-    const bool isOpen = a.isCut || b.isCut || a.facesSlit || b.facesSlit; // the skin does not say where their surface is
+    const bool isOpen =
+        a.isCut || b.isCut || a.facesSlit || b.facesSlit; // the skin does not say where their surface is
     if (isOpen || m_bodies[a.ref.body].kind != BodyKind::deformable)
         return true;
     const Vec3 way = (placeOf(b) - placeOf(a)).stableNormalized();

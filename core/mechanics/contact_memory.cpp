@@ -76,7 +76,8 @@ void Contacts::addHolds(const std::vector<Memory::Held>& holds)
         const double sign = first < second ? 1 : -1; // the force is on the first
         if (second < first)
             std::swap(first, second);
-        const auto found = std::lower_bound(m_pairs.begin(), m_pairs.end(), ContactPair{.objects = {first, second}, .parameters = {}}, inOrder);
+        const auto found = std::lower_bound(m_pairs.begin(), m_pairs.end(),
+                                            ContactPair{.objects = {first, second}, .parameters = {}}, inOrder);
         if (found != m_pairs.end() && found->objects == VicinityPair{first, second})
             found->hold = sign * each.force;
     }

@@ -46,8 +46,8 @@ public:
             ObjectRef second;
             double value = 0;
         };
-        std::vector<Pair> keptLengths;     ///< nominal lengths of pairs that have their own [m]
-        std::vector<Pair> pressedTimes;    ///< how long pairs have been pressed together now [s]
+        std::vector<Pair> keptLengths;  ///< nominal lengths of pairs that have their own [m]
+        std::vector<Pair> pressedTimes; ///< how long pairs have been pressed together now [s]
         struct Held {
             ObjectRef first;
             ObjectRef second;
@@ -55,7 +55,7 @@ public:
         };
         std::vector<Held> holds;                     ///< what friction of pairs holds against [N]
         std::vector<SurfaceContacts::Touch> touches; ///< of rigid surfaces
-        std::vector<ObjectRef> facingSlit; ///< objects that face their own body across a slit
+        std::vector<ObjectRef> facingSlit;           ///< objects that face their own body across a slit
         std::vector<Joint> joints;
         double frequency = 0; ///< see updateParameters() [rad/s]
     };
@@ -187,8 +187,8 @@ private:
     SurfaceContacts m_surfaceContacts;
     std::size_t m_surfaceCount = 0; ///< when those were listed
     ContactCrowd m_crowd;
-    double m_ahead = 0;                                 ///< see lookAhead() [m]
-    double m_margin = 0;                                ///< [m]
+    double m_ahead = 0;  ///< see lookAhead() [m]
+    double m_margin = 0; ///< [m]
     double m_frequency = 0;
     std::vector<Vec3> m_listedAt;  ///< per contact object: its place when pairs were listed [m]
     double m_travel = 0;           ///< of objects towards each other since then, at most [m]

@@ -22,10 +22,11 @@ struct ObjectRef {
 /// implicit scheme.
 struct ContactTangent {
     ObjectRef first;
-    std::optional<ObjectRef> second;     ///< none: a rigid surface
-    const PointSpread* spread = nullptr; ///< where the first is no object but a point between objects of its body, else null
-    Vec3 force = Vec3::Zero();       ///< on the first [N]
-    Mat3 resistance = Mat3::Zero();  ///< symmetric, not negative [N s/m]
+    std::optional<ObjectRef> second; ///< none: a rigid surface
+    const PointSpread* spread =
+        nullptr;                    ///< where the first is no object but a point between objects of its body, else null
+    Vec3 force = Vec3::Zero();      ///< on the first [N]
+    Mat3 resistance = Mat3::Zero(); ///< symmetric, not negative [N s/m]
 };
 
 /// A connection between two objects that are no neighbors on a lattice: of skins that stick together (adhesion, glue) or have

@@ -126,7 +126,8 @@ void SurfaceContacts::updateParameters(std::span<const ContactBody> bodies, doub
         double share = 1;
         for (std::uint32_t n = 0; point.isSkin && n < point.spread.count; ++n) {
             const ObjectIndex object = point.spread.objects[n];
-            share = std::min(share, mostAround * body.connections->contactStiffness(object) / around[point.body][object]);
+            share =
+                std::min(share, mostAround * body.connections->contactStiffness(object) / around[point.body][object]);
         }
         double stiffness = share * stiffnessOf(point);
         double steepest = steepestShare * a;
@@ -145,8 +146,7 @@ void SurfaceContacts::updateParameters(std::span<const ContactBody> bodies, doub
     }
 }
 
-void SurfaceContacts::connectionsBroke(std::span<const ContactBody> bodies, std::uint32_t body,
-                                       std::size_t firstBroken)
+void SurfaceContacts::connectionsBroke(std::span<const ContactBody> bodies, std::uint32_t body, std::size_t firstBroken)
 {
     const StructuralConnections& connections = *bodies[body].connections;
     const Aggregate& aggregate = connections.aggregate();
@@ -304,9 +304,8 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
     report.brakingPower -= result.damping.dot(surfaceVelocity);
     if (!result.friction.isZero(0))
         for (std::uint32_t n = 0; n < point.spread.count; ++n)
-            report.frictions.push_back({{point.body, point.spread.objects[n]},
-                                        point.spread.weights[n] * result.friction,
-                                        surfaceVelocity});
+            report.frictions.push_back(
+                {{point.body, point.spread.objects[n]}, point.spread.weights[n] * result.friction, surfaceVelocity});
     ++report.count;
     report.frictionLimit += result.frictionLimit;
     report.frictionExcess += std::max(0.0, result.friction.norm() - result.frictionLimit);

@@ -89,7 +89,7 @@ private:
                ContactCrowd& crowd, SurfaceLoad& load, ContactReport& report);
     double letOut(Near& near, const Point& point, double overlap, const ContactStep& step) const;
 
-    std::vector<Point> m_points; ///< of all bodies, body after body, then the ends of broken connections
+    std::vector<Point> m_points;           ///< of all bodies, body after body, then the ends of broken connections
     std::vector<std::vector<Near>> m_near; ///< per surface
     std::vector<std::uint32_t> m_listed;   ///< ids of those surfaces
     std::vector<Touch> m_remembered;       ///< of a moment, for the next list

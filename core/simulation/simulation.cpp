@@ -2,8 +2,8 @@
 
 #include "core/integration/forward_euler.h"
 #include "core/integration/semi_implicit_euler.h"
-#include "core/integration/time_step.h"
 #include "core/integration/shape_damping.h"
+#include "core/integration/time_step.h"
 #include "core/simulation/simulation_state.h"
 
 #include <algorithm>
@@ -43,8 +43,10 @@ std::vector<RigidSurface> Simulation::State::surfaces() const
                            .angularVelocity = tool->angularVelocity,
                            .friction = tool->manipulator.friction});
     if (floorHeight)
-        all.push_back(
-            {.id = RigidSurface::floorId, .isFloor = true, .pose = {Vec3(0, 0, *floorHeight), Quaternion::Identity()}, .friction = floorFriction});
+        all.push_back({.id = RigidSurface::floorId,
+                       .isFloor = true,
+                       .pose = {Vec3(0, 0, *floorHeight), Quaternion::Identity()},
+                       .friction = floorFriction});
     return all;
 }
 

@@ -184,10 +184,8 @@ private slots:
 
     void pairsActLikeSpringsInSeries()
     {
-        const ContactParameters a{
-            .stiffness = 100, .damping = 1, .friction = 0.4, .largestOverlap = 1};
-        const ContactParameters b{
-            .stiffness = 300, .damping = 1, .friction = 0.9, .largestOverlap = 2};
+        const ContactParameters a{.stiffness = 100, .damping = 1, .friction = 0.4, .largestOverlap = 1};
+        const ContactParameters b{.stiffness = 300, .damping = 1, .friction = 0.9, .largestOverlap = 2};
         const ContactParameters both = combine(a, b);
         QCOMPARE(both.stiffness, 150.0);
         QVERIFY(std::abs(both.friction - 0.6) < 1e-12);

@@ -154,7 +154,8 @@ private slots:
         for (std::size_t b = 0; b < 2; ++b)
             for (std::size_t i = 0; i < forces[b].size(); ++i)
                 QVERIFY(isNear(forces[b][i], states[b]->force.at(i), largest));
-        QVERIFY(isNear(sumOf(forces[0]) + sumOf(forces[1]), -report.loads[0].force, 10)); // what is between them cancels
+        QVERIFY(
+            isNear(sumOf(forces[0]) + sumOf(forces[1]), -report.loads[0].force, 10)); // what is between them cancels
         QVERIFY(sumOf(forces[1]).z() > 0);
     }
 
