@@ -257,6 +257,8 @@ double StructuralConnections::breakAll(const ObjectState& state, const std::vect
 /// cut there. With more, the object would bear on few connections, and be stiffer than steps allow.
 void StructuralConnections::findLiveShape(ObjectIndex object)
 {
+    if (m_inverseShape[0][object] == 0)
+        return; // flat, and it stays so
     Mat3 live = Mat3::Zero();
     Mat3 made = Mat3::Zero();
     forEachConnectionMade(object, [&](ObjectIndex neighbor, const ConnectionId& connection) {

@@ -46,7 +46,7 @@ struct RubberBody {
 /// Numbers and working space of a body with the law of tensor_law.h. All are per object but for the arrays by direction.
 struct TensorBody {
     LaneVector<double> volume;       ///< V, less what connections that broke take of it [m^3]
-    LaneVector<double> tensionShare; ///< 0 where broken, else 1; empty: nothing is broken
+    LaneVector<double> tensionShare; ///< of K in tension: less where broken, else 1; empty: nothing is
     LaneVector<double> energy;       ///< at the stress computed last, where that was asked for [J]
 
     /// Of each object; empty where all are of one material.

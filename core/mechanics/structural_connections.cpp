@@ -214,8 +214,7 @@ void StructuralConnections::setInverseShape(ObjectIndex object, const Mat3& shap
         inverse = shape.inverse();
     else {
         m_bulk[object] = 0;
-        if (std::find(m_flat.begin(), m_flat.end(), object) == m_flat.end())
-            m_flat.push_back(object);
+        m_flat.push_back(object);
     }
     const double components[] = {inverse(0, 0), inverse(1, 1), inverse(2, 2),
                                  inverse(0, 1), inverse(0, 2), inverse(1, 2)};

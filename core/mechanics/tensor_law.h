@@ -60,10 +60,10 @@ struct ObjectNumber {
 
 /// What objects are made of.
 struct TensorLawNumbers {
-    const double* volume;      ///< V, less the share of its connections that broke [m^3]
+    const double* volume;      ///< V, less what connections that broke take of it [m^3]
     ObjectNumber shear;        ///< mu [Pa]
     ObjectNumber bulk;         ///< K [Pa]
-    ObjectNumber tensionShare; ///< 1, or 0 where broken: of K while theta > 0
+    ObjectNumber tensionShare; ///< of K while theta > 0: 1, or where broken what springs have
     ObjectNumber yieldStress;  ///< sigma_y [Pa]; infinite: does not yield
     ObjectNumber hardening;    ///< H [Pa]
     ObjectNumber flowTime;     ///< tau [s]
