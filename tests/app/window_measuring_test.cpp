@@ -216,8 +216,9 @@ private slots:
         compare(bar.largestDistance, std::abs(moved.z()), 0.02); // the tip is below the end of the original
         // Top and bottom are 0.4 of it away in the mean; the other sides slide within their planes.
         QVERIFY(bar.meanDistance > 0.1 * bar.largestDistance);
+        find<QDialog>("comparisonDialog")->activateWindow(); // there may be no window manager that does it
         QVERIFY(QTest::qWaitForWindowActive(find<QDialog>("comparisonDialog")));
-        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QTest::keyClick(find<QDialog>("comparisonDialog"), Qt::Key_Escape);
         QTRY_VERIFY(find<QDialog>("comparisonDialog") == nullptr);
 
         const QTemporaryDir folder;

@@ -5,6 +5,7 @@
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
+#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkPlaneCollection.h>
@@ -105,12 +106,11 @@ void RegionActor::show(const Region& region, const ContentBodies& bodies, const 
 
 void RegionActor::addLines(const Region& region, const ContentBodies& bodies, const Frame& frame)
 {
-    vtkNew<vtkCellArray> cells;
-    m_parts->linePoints->Reset();
+    m_ends.clear();
     const auto add = [&](const Vec3& a, const Vec3& b) {
-        const vtkIdType ends[] = {m_parts->linePoints->InsertNextPoint(a.data()),
-                                  m_parts->linePoints->InsertNextPoint(b.data())};
-        cells->InsertNextCell(2, ends);
+        for (const Vec3& end : {a, b})
+            for (const double value : end)
+                m_ends.push_back(static_cast<float>(value));
     };
     for (const auto& [id, items] : region.items) {
         const ContentBody& body = *bodies[id];
@@ -133,7 +133,15 @@ void RegionActor::addLines(const Region& region, const ContentBodies& bodies, co
             add(objects[lower], objects[upper]);
         }
     }
+    const auto count = static_cast<vtkIdType>(m_ends.size() / 3);
+    m_parts->linePoints->SetNumberOfPoints(count);
+    std::copy(m_ends.begin(), m_ends.end(), static_cast<float*>(m_parts->linePoints->GetVoidPointer(0)));
     m_parts->linePoints->Modified();
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetNumberOfValues(count);
+    std::iota(ids->Begin(), ids->End(), vtkIdType{0});
+    vtkNew<vtkCellArray> cells;
+    cells->SetData(2, ids); // two points each
     m_parts->lines->SetLines(cells);
     m_parts->lines->Modified();
     m_parts->lineActor->VisibilityOn();

@@ -46,6 +46,7 @@ private:
 
     std::unique_ptr<Parts> m_parts;
     std::map<BodyId, Outline> m_outlines;
+    std::vector<float> m_ends; ///< of lines, x y z of each; kept for its memory
 };
 
 } // namespace knead

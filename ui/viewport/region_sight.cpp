@@ -87,11 +87,18 @@ bool RegionSight::isCutOff(const Vec3& place) const
 /// Nothing lies before a place.
 bool RegionSight::isSeen(const Vec3& place, double tolerance)
 {
+    m_picker.follow();
+    return isSeenNow(place, tolerance);
+}
+
+/// After m_picker.follow(). Any thread.
+bool RegionSight::isSeenNow(const Vec3& place, double tolerance) const
+{
     const std::optional<Pixel> pixel = projector()(place);
     if (!pixel || isCutOff(place))
         return false;
     const Ray ray = m_camera.ray(*pixel, m_window);
-    const PickHit hit = m_picker.pick(ray, true);
+    const PickHit hit = m_picker.pickNow(ray, true);
     return hit.kind == PickHit::Kind::Nothing ||
            (hit.place - ray.origin).dot(ray.direction) >= (place - ray.origin).dot(ray.direction) - tolerance;
 }

@@ -55,6 +55,7 @@ private:
     bool isCutOff(const Vec3& place) const;
     Projector projector() const;
     bool isSeen(const Vec3& place, double tolerance);
+    bool isSeenNow(const Vec3& place, double tolerance) const;
     double tolerance() const;
     bool isWithin(const Vec3& place, const ScreenShape& shape) const;
     std::vector<bool> verticesWithin(BodyId body, const ScreenShape& shape) const;

@@ -1,4 +1,5 @@
 // What lies within a shape on the screen.
+#include "core/task/parallel.h"
 #include "ui/selection/region_contents.h"
 #include "ui/viewport/region_sight.h"
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double objectTolerance = 1.2; // [a]: objects this deep under the skin are seen
 constexpr std::size_t seenSamples = 16; // places at which a face or an edge is looked for
+constexpr std::size_t seenBlock = 256;  // objects that are looked for at a time
 constexpr double probesAcross = 24;     // rays along each side of a shape, at least 2 pixels apart
 
 Eigen::AlignedBox2d boxOf(const ScreenShape& shape)
@@ -201,16 +203,27 @@ Region::Items RegionSight::objectsWithin(BodyId body, const ScreenShape& shape, 
     Region::Items objects;
     const auto addIfWithin = [&](ObjectIndex object) {
         const std::optional<Pixel> pixel = project(places[object]);
-        if (pixel && contains(shape, *pixel) && !isCutOff(places[object]) &&
-            (query.isThrough || isSeen(places[object], objectTolerance * content.aggregate->lattice.spacing)))
+        if (pixel && contains(shape, *pixel) && !isCutOff(places[object]))
             objects.push_back(object);
     };
-    if (query.isThrough)
+    if (query.isThrough) {
         for (ObjectIndex object = 0; object < places.size(); ++object)
             addIfWithin(object);
-    else
-        for (const ObjectIndex object : content.surfaceObjects)
-            addIfWithin(object);
+        return objects;
+    }
+    for (const ObjectIndex object : content.surfaceObjects)
+        addIfWithin(object);
+    m_picker.follow();
+    std::vector<std::uint8_t> seen(objects.size());
+    forEachBlock(objects.size(), seenBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            seen[i] = isSeenNow(places[objects[i]], objectTolerance * content.aggregate->lattice.spacing) ? 1 : 0;
+    });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        if (seen[i] != 0)
+            objects[kept++] = objects[i];
+    objects.resize(kept);
     return objects;
 }
 

@@ -14,7 +14,7 @@ void ScenePicker::forget()
 void ScenePicker::follow()
 {
     const FramePointer& frame = m_document.frame();
-    if (frame == m_frame)
+    if (frame == m_frame || m_document.isEmpty())
         return;
     if (m_pickers.empty()) {
         m_bodies = m_document.content().bodies;
@@ -29,10 +29,15 @@ void ScenePicker::follow()
 
 PickHit ScenePicker::pick(const Ray& ray, bool skipsTools)
 {
+    follow();
+    return pickNow(ray, skipsTools);
+}
+
+PickHit ScenePicker::pickNow(const Ray& ray, bool skipsTools) const
+{
     PickHit hit;
     if (m_document.isEmpty())
         return hit;
-    follow();
     const RayReach reach = reachOf(ray, m_cut);
     double nearest = std::numeric_limits<double>::max();
     for (std::uint32_t b = 0; b < m_pickers.size(); ++b)

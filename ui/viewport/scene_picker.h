@@ -38,9 +38,12 @@ public:
     /// The nearest thing. @param skipsTools looks through tools at the bodies
     PickHit pick(const Ray& ray, bool skipsTools = false);
 
-private:
+    /// Makes ready for pickNow(): bodies are where the document's frame has them.
     void follow();
+    /// As pick(), where they were when follow() was called last. Any thread, and several at a time.
+    PickHit pickNow(const Ray& ray, bool skipsTools = false) const;
 
+private:
     const Document& m_document;
     FramePointer m_frame; ///< the trees fit to this one
     ContentBodies m_bodies;
