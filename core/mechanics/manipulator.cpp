@@ -66,13 +66,20 @@ Pose advance(const Manipulator& manipulator, double time, double dt)
     return std::visit(Advance{manipulator, time, dt}, manipulator.motion);
 }
 
-Pose yieldTo(const Vec3& force, const Manipulator& manipulator, const Pose& next, double dt)
+Pose yieldTo(const Vec3& force, const Manipulator& manipulator, const Pose& next, double dt, bool goesBack)
 {
+    constexpr double yielding = 0.05; // within this share of its limit a tool gets slower, and beyond it goes back
     if (!std::isfinite(manipulator.forceLimit))
         return next;
     const Vec3 way = next.position - manipulator.pose.position;
-    if (force.norm() > manipulator.forceLimit && way.dot(force) <= 0)
-        return manipulator.pose;
+    if (way.dot(force) <= 0 && force.norm() > (goesBack ? 1 - yielding : 1) * manipulator.forceLimit) {
+        if (!goesBack)
+            return manipulator.pose;
+        const double share = std::max(-1.0, (1 - force.norm() / manipulator.forceLimit) / yielding);
+        Pose pose = manipulator.pose;
+        pose.position += share * std::min(1.0, manipulator.speedLimit * dt / way.norm()) * way;
+        return pose;
+    }
     return way.norm() > manipulator.speedLimit * dt ? goTowards(manipulator, next, dt) : next;
 }
 

@@ -54,7 +54,9 @@ Pose advance(const Manipulator& manipulator, double time, double dt);
 /// Where a manipulator goes that wants to be at `next` after `dt` [s] while the material pushes on it with `force` [N].
 /// Beyond its force limit it stalls: it moves with the force or not at all. Afterwards it catches up no faster than its
 /// speed limit. Without a force limit it goes where it wants.
-Pose yieldTo(const Vec3& force, const Manipulator& manipulator, const Pose& next, double dt);
+/// @param goesBack for short steps: near its limit the tool gets slower and beyond it goes back, by (1 - f / limit) / 0.05 of its way,
+/// so that it comes to rest at the limit, not at the peaks of what vibrates
+Pose yieldTo(const Vec3& force, const Manipulator& manipulator, const Pose& next, double dt, bool goesBack = false);
 
 /// One sentence per thing that cannot be simulated: sizes, places, speeds or key frames out of range. Empty when all is well.
 std::vector<std::string> manipulatorProblems(const Manipulator& manipulator);

@@ -65,6 +65,13 @@ private slots:
         tool.forceLimit = 10;
         QCOMPARE(yieldTo({0, 0, 9}, tool, lower, 0.1).position, lower.position);
         QCOMPARE(yieldTo({0, 0, 11}, tool, lower, 0.1).position, tool.pose.position);
+        const auto share = [&](double force) { // of the way that a tool goes that may go back
+            return (yieldTo({0, 0, force}, tool, lower, 0.1, true).position.z() - tool.pose.position.z()) /
+                   (lower.position.z() - tool.pose.position.z());
+        };
+        QCOMPARE(share(9.4), 1.0);
+        QVERIFY(std::abs(share(9.75) - 0.5) < 1e-9 && std::abs(share(10)) < 1e-9);
+        QVERIFY(std::abs(share(10.25) + 0.5) < 1e-9 && std::abs(share(20) + 1) < 1e-9);
         QCOMPARE(yieldTo({0, 0, -11}, tool, lower, 0.1).position, lower.position); // with the force
         // What it missed while it stalled it makes up at the speed limit.
         QVERIFY((yieldTo({0, 0, 0}, tool, {Vec3(0, 0, -1), Quaternion::Identity()}, 0.1).position - Vec3(0, 0, -0.1))
