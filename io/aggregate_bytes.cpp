@@ -72,7 +72,8 @@ Json measuresOf(const Aggregate& aggregate, std::size_t directions)
             {"removedTriangles", aggregate.repair.removedTriangles},
             {"flippedTriangles", aggregate.repair.flippedTriangles},
             {"decidedCells", aggregate.repair.decidedCells},
-            {"doubtfulShare", aggregate.repair.doubtfulShare}};
+            {"doubtfulShare", aggregate.repair.doubtfulShare},
+            {"hasSkin", !aggregate.skin.empty()}};
 }
 
 void setMeasures(const Json& json, Aggregate& aggregate)
@@ -94,6 +95,29 @@ std::vector<double> nextNumbers(BlockReader& blocks, std::size_t count)
     if (!areFinite(numbers))
         blocks.fail("a number is not finite");
     return numbers;
+}
+
+/// Four numbers per point.
+std::vector<SkinPoint> nextSkin(BlockReader& blocks)
+{
+    const std::vector<double> numbers = blocks.nextArray<double>();
+    if (numbers.size() % 4 != 0 || !areFinite(numbers))
+        blocks.fail("a point of its skin is none");
+    std::vector<SkinPoint> skin;
+    for (std::size_t i = 0; i < numbers.size(); i += 4) {
+        skin.push_back({{numbers[i], numbers[i + 1], numbers[i + 2]}, numbers[i + 3]});
+        if (skin.back().area < 0)
+            blocks.fail("a point of its skin is none");
+    }
+    return skin;
+}
+
+void addSkin(const std::vector<SkinPoint>& skin, BlockWriter& blocks)
+{
+    std::vector<double> numbers;
+    for (const SkinPoint& point : skin)
+        numbers.insert(numbers.end(), {point.place.x(), point.place.y(), point.place.z(), point.area});
+    blocks.add(numbers);
 }
 
 Aggregate nextAggregate(BlockReader& blocks)
@@ -119,6 +143,8 @@ Aggregate nextAggregate(BlockReader& blocks)
         if (!areSound(aggregate.weight[d], aggregate.lattice, d))
             blocks.fail("a connection leads nowhere");
     }
+    if (measures.value("hasSkin", false))
+        aggregate.skin = nextSkin(blocks);
     return aggregate;
 }
 
@@ -159,6 +185,8 @@ std::string aggregateToBytes(const Aggregate& aggregate)
     blocks.add(aggregate.face);
     for (std::size_t d = 0; d < directions; ++d)
         blocks.add(aggregate.weight[d]);
+    if (!aggregate.skin.empty())
+        addSkin(aggregate.skin, blocks);
     return std::move(blocks).bytes();
 }
 

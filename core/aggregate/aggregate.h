@@ -18,6 +18,14 @@ struct SurfaceRepair {
     friend bool operator==(const SurfaceRepair&, const SurfaceRepair&) = default;
 };
 
+/// A point of the surface that a body was filled from, at rest.
+struct SkinPoint {
+    Vec3 place;      ///< [m]
+    double area = 0; ///< of the surface that it stands for [m^2]
+
+    friend bool operator==(const SkinPoint&, const SkinPoint&) = default;
+};
+
 /// The objects of one body and their structural connections, at rest. Immutable once filled; shared between threads.
 /// Arrays have one entry per object.
 struct Aggregate {
@@ -31,6 +39,9 @@ struct Aggregate {
     std::vector<double> depth;  ///< distance below the surface [m]; negative outside. Objects further than 2a inside
                                 ///< carry a lower bound >= 2a instead of the exact value
     std::vector<std::uint32_t> face; ///< CAD face nearest to the object; noFace for deep objects and plain meshes
+
+    std::vector<SkinPoint>
+        skin; ///< what touches rigid surfaces, see skinPoints(); empty: the objects near the surface do
 
     double meshVolume = 0;   ///< of the mesh it was filled from, as far as that bounds one; else filledVolume [m^3]
     double filledVolume = 0; ///< as integrated cell by cell, thin slivers of cells included [m^3]

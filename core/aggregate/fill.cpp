@@ -4,6 +4,7 @@
 #include "core/aggregate/cut_cells.h"
 #include "core/aggregate/moment_weights.h"
 #include "core/aggregate/row_repair.h"
+#include "core/aggregate/skin_points.h"
 #include "core/aggregate/spacing_choice.h"
 #include "core/geometry/half_edges.h"
 #include "core/geometry/mass_properties.h"
@@ -199,6 +200,7 @@ Aggregate fillSurface(const TriangleMesh& mesh, HalfEdges halfEdges, const Surfa
         corners.aggregate.repair.doubtfulShare = cells.doubtful() / cells.volume();
     }
     TaskPortion measuring(control, 0.65, 1);
+    corners.aggregate.skin = skinPoints(mesh, corners.aggregate.lattice);
     measureDepth(corners, mesh, std::move(halfEdges), orientation, isDirty ? &*repair : nullptr, measuring);
     return std::move(corners.aggregate);
 }

@@ -38,6 +38,14 @@ Pieces findPieces(const Aggregate& aggregate, std::span<const ConnectionId> brok
     return pieces;
 }
 
+/// The node that a place is nearest to.
+Lattice::Node nearestNode(const Lattice& lattice, const Vec3& place)
+{
+    const Vec3 local = lattice.coordinates(place);
+    return {static_cast<std::int32_t>(std::lround(local.x())), static_cast<std::int32_t>(std::lround(local.y())),
+            static_cast<std::int32_t>(std::lround(local.z()))};
+}
+
 Aggregate extract(const Aggregate& aggregate, std::span<const ObjectIndex> objects,
                   std::span<const std::uint16_t> isBroken)
 {
@@ -78,6 +86,9 @@ Aggregate extract(const Aggregate& aggregate, std::span<const ObjectIndex> objec
         }
     }
     findSegments(part.lattice, directions);
+    for (const SkinPoint& point : aggregate.skin)
+        if (part.lattice.find(nearestNode(part.lattice, point.place)) < part.size())
+            part.skin.push_back(point);
     return part;
 }
 

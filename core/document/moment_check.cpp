@@ -207,8 +207,20 @@ private:
         const auto isOutOfOrder = [](const Joint& a, const Joint& b) {
             return std::pair(a.first, a.second) >= std::pair(b.first, b.second);
         };
+        const auto isFriction = [](const FrictionMemory& friction) {
+            return friction.hold.allFinite() && isAmount(friction.pressure);
+        };
+        const auto isHeld = [&](const Contacts::Memory::Held& held) {
+            return isObject(held.first) && isObject(held.second) && isFriction(held.friction);
+        };
+        const auto isTouch = [&](const SurfaceContacts::Touch& touch) {
+            return touch.body < m_bodies.size() &&
+                   touch.point < SurfaceContacts::pointCount(*m_bodies[touch.body].aggregate) &&
+                   isFriction(touch.friction) && isAmount(touch.kept) && isAmount(touch.pressed);
+        };
         const auto& joints = memory.joints;
-        return all(memory.keptLengths, isPair) && all(memory.pressedTimes, isPair) &&
+        return all(memory.keptLengths, isPair) && all(memory.pressedTimes, isPair) && all(memory.holds, isHeld) &&
+               all(memory.touches, isTouch) &&
                all(memory.facingSlit, [this](const ObjectRef& object) { return isObject(object); }) &&
                all(joints, [this](const Joint& joint) { return isJoint(joint); }) &&
                std::adjacent_find(joints.begin(), joints.end(), isOutOfOrder) == joints.end() &&

@@ -243,6 +243,32 @@ void joint(Stream& bytes, Of<Stream, Joint>& joint)
 }
 
 template <typename Stream>
+void friction(Stream& bytes, Of<Stream, FrictionMemory>& memory)
+{
+    bytes(memory.hold);
+    bytes(memory.pressure);
+}
+
+/// What version 4 knows beside.
+template <typename Stream>
+void frictions(Stream& bytes, Of<Stream, Contacts::Memory>& memory)
+{
+    bytes.list(memory.holds, [&](auto& held) {
+        objectRef(bytes, held.first);
+        objectRef(bytes, held.second);
+        friction(bytes, held.friction);
+    });
+    bytes.list(memory.touches, [&](auto& touch) {
+        bytes(touch.surface);
+        bytes(touch.body);
+        bytes(touch.point);
+        friction(bytes, touch.friction);
+        bytes(touch.kept);
+        bytes(touch.pressed);
+    });
+}
+
+template <typename Stream>
 void contacts(Stream& bytes, Of<Stream, Contacts::Memory>& memory)
 {
     for (auto* pairs : {&memory.keptLengths, &memory.pressedTimes})
@@ -377,6 +403,8 @@ void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std
     energies(bytes, moment.energy);
     if (version >= 2)
         watched(bytes, moment);
+    if (version >= 4)
+        frictions(bytes, moment.contacts);
     bytes(moment.wasSquashed);
     bytes(moment.health.ok);
     bytes(moment.health.message);

@@ -37,7 +37,7 @@ constexpr int slipIterations = 2;
 // From here on it may get less, but no more than Coulomb's: a step that does not settle must not hold what would slide.
 constexpr int limitIterations = 6;
 // Friction that was kept so may exceed Coulomb's by this share of it, over all contacts; else it is made to fit again.
-constexpr double frictionTolerance = 0.1;
+constexpr double frictionTolerance = 0.02;
 
 // Accelerated iterations that make the residual so much larger, squared, are forgotten and begun anew.
 constexpr double mixingLost = 4;
@@ -92,6 +92,14 @@ void ImplicitEuler::rememberStart()
             m_velocity.set(m_first[b] + 1, body.rigid->radius() * body.rigid->angularVelocity());
         }
     }
+}
+
+/// Rows of deformable bodies as their objects move now.
+void ImplicitEuler::takeOverVelocities()
+{
+    for (std::size_t b = 0; b < m_bodies.size(); ++b)
+        for (std::size_t i = 0; m_bodies[b].deforms && i < m_bodies[b].state->size(); ++i)
+            m_velocity.set(m_first[b] + i, m_bodies[b].state->velocity.at(i));
 }
 
 /// Places and velocities of the objects as the rows of m_velocity have them.
@@ -159,16 +167,20 @@ void ImplicitEuler::findResidual(const Vec3& gravity, double h)
     m_system.clearHeld(m_residual);
 }
 
-LinkEnd ImplicitEuler::endOf(const ObjectRef& object) const
+/// @param spread of a point between objects; null: the object itself
+LinkEnd ImplicitEuler::endOf(const ObjectRef& object, const PointSpread* spread) const
 {
     const BodyView& body = m_bodies[object.body];
     if (body.deforms)
-        return {.row = static_cast<std::uint32_t>(m_first[object.body] + object.object)};
+        return {.row = static_cast<std::uint32_t>(m_first[object.body] + object.object),
+                .spread = spread,
+                .firstRow = static_cast<std::uint32_t>(m_first[object.body])};
     if (body.rigid == nullptr)
         return {};
+    const Vec3 place = spread != nullptr ? spread->at(body.state->position) : body.state->position.at(object.object);
     return {.row = static_cast<std::uint32_t>(m_first[object.body]),
             .isRigid = true,
-            .arm = (body.state->position.at(object.object) - body.rigid->center()) / body.rigid->radius()};
+            .arm = (place - body.rigid->center()) / body.rigid->radius()};
 }
 
 /// The system at the places tried last.
@@ -181,7 +193,7 @@ void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, do
     std::vector<Link> links;
     links.reserve(tangents.size());
     for (const ContactTangent& tangent : tangents)
-        links.push_back({.first = endOf(tangent.first),
+        links.push_back({.first = endOf(tangent.first, tangent.spread),
                          .second = tangent.second ? endOf(*tangent.second) : LinkEnd{},
                          .matrix = h * tangent.resistance});
     m_system.setLinks(std::move(links));
@@ -220,6 +232,20 @@ double ImplicitEuler::sizeOf(const VectorArray& momenta)
     return dotProduct(momenta, m_scratch);
 }
 
+/// Size of the residual less what contacts do: what has gone far into a stiff surface within the step would say nothing about the
+/// forces that there will be.
+double ImplicitEuler::sizeWithoutContacts(const std::vector<ContactTangent>& tangents, double h)
+{
+    VectorArray rest = m_residual;
+    for (const ContactTangent& tangent : tangents) {
+        push(endOf(tangent.first, tangent.spread), -h * tangent.force, rest);
+        if (tangent.second)
+            push(endOf(*tangent.second), h * tangent.force, rest);
+    }
+    m_system.clearHeld(rest);
+    return sizeOf(rest);
+}
+
 /// Size of what contacts do in the step, and of the change of momenta: what a residual may be compared with. What it was
 /// before the first solution may be far larger, when a tool has gone on by more than the material can give way, or when a
 /// stiff body turns.
@@ -233,7 +259,7 @@ double ImplicitEuler::sizeOfLoads(const std::vector<ContactTangent>& tangents, d
                 loads.set(m_first[b] + i,
                           m_bodies[b].state->mass[i] * (m_velocity.at(m_first[b] + i) - m_startVelocity[b].at(i)));
     for (const ContactTangent& tangent : tangents) {
-        push(endOf(tangent.first), h * tangent.force, loads);
+        push(endOf(tangent.first, tangent.spread), h * tangent.force, loads);
         if (tangent.second)
             push(endOf(*tangent.second), -h * tangent.force, loads);
     }
@@ -259,21 +285,15 @@ double ImplicitEuler::flowedEnergy() const
     return sum;
 }
 
-/// Pieces that touch nothing and are not held keep their momenta: linear ones to what the solver left over, angular ones to what
+/// Pieces that touched nothing in any trial and are not held keep their momenta: linear ones to what the solver left over, angular ones to what
 /// the scheme takes from anything that turns. A rigid motion of each piece puts them right.
-void ImplicitEuler::keepMomenta(const std::vector<ContactTangent>& tangents, const Vec3& gravity, double h)
+void ImplicitEuler::keepMomenta(const Vec3& gravity, double h)
 {
     std::vector<std::vector<std::uint8_t>> touches;
     for (std::size_t b = 0; b < m_bodies.size(); ++b)
         touches.emplace_back(piecesOf(b).count, std::uint8_t{0});
-    const auto mark = [&](const ObjectRef& object) {
+    for (const ObjectRef& object : m_touched)
         touches[object.body][piecesOf(object.body).ofObject[object.object]] = 1;
-    };
-    for (const ContactTangent& tangent : tangents) {
-        mark(tangent.first);
-        if (tangent.second)
-            mark(*tangent.second);
-    }
     for (std::size_t b = 0; b < m_bodies.size(); ++b) {
         if (!m_bodies[b].deforms)
             continue;
@@ -359,6 +379,8 @@ ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const Ri
                                           const Vec3& gravity, double h, double contactEnergy)
 {
     rememberStart();
+    contacts.beginStep(surfaces, h);
+    m_touched.clear();
     m_startEnergy = elasticEnergy() + contactEnergy;
     return findEnd(contacts, surfaces, gravity, h);
 }
@@ -388,25 +410,42 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const
         m_keepsSlip = step.keepsSlip = report.newtonIterations > slipIterations && !isOverBraked;
         m_limitsSlip = step.limitsSlip = report.newtonIterations > limitIterations;
         report.contacts = findForces(contacts, surfaces, step);
+        for (const ContactTangent& tangent : report.contacts.tangents) {
+            m_touched.push_back(tangent.first);
+            if (tangent.second)
+                m_touched.push_back(*tangent.second);
+        }
         findResidual(gravity, h);
         if (report.newtonIterations == 0)
             updateSystem(report.contacts.tangents, h);
         const double size = sizeOf(m_residual);
-        if (report.newtonIterations == 0)
-            first = reference = size;
-        else
-            reference = std::min(
-                reference, std::max((report.contacts.tangents.empty() ? leastFreeReference : leastReference) * first,
-                                    sizeOfLoads(report.contacts.tangents, h)));
+        if (report.newtonIterations == 0) {
+            first = std::min(size, sizeWithoutContacts(report.contacts.tangents, h));
+            reference = size;
+        } else
+
+            reference = std::min(reference, std::max((m_touched.empty() ? leastFreeReference : leastReference) * first,
+                                                     sizeOfLoads(report.contacts.tangents, h)));
         const bool isBalanced = size <= std::max(newtonTolerance * newtonTolerance * reference, floor);
         isOverBraked = isBalanced && m_keepsSlip && report.newtonIterations < mostNewtonIterations &&
                        report.contacts.frictionExcess > frictionTolerance * report.contacts.frictionLimit;
         if (isOverBraked)
             continue; // with friction as it must be at these forces
-        if (isBalanced)
-            break;
+        if (isBalanced) {
+            keepMomenta(gravity, h);
+            if (surfaces.empty() && m_bodies.size() == 1)
+                break;
+            // What they lacked may have been all of a fall: it must not end inside of something.
+            report.contacts = findForces(contacts, surfaces, step);
+            if (report.contacts.tangents.empty() || !m_touched.empty() ||
+                report.newtonIterations == mostNewtonIterations)
+                break;
+            takeOverVelocities();
+            continue;
+        }
         if (report.newtonIterations == mostNewtonIterations || !std::isfinite(size)) {
             report.converged = size <= failedTolerance * failedTolerance * reference;
+            keepMomenta(gravity, h);
             break;
         }
         if (report.newtonIterations > 0)
@@ -426,7 +465,6 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const
         if (flows)
             m_mixing.accelerate(m_scratch, m_velocity);
     }
-    keepMomenta(report.contacts.tangents, gravity, h);
     for (const BodyView& body : m_bodies) {
         for (std::size_t i = 0; i < body.state->size(); ++i) {
             const Vec3 velocity = body.state->velocity.at(i);
@@ -437,7 +475,8 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const
         }
     }
     report.plastic = flowedEnergy();
-    report.numerical = -report.plastic + numericalLoss(report.contacts, elasticEnergy() + report.contacts.energy - m_startEnergy, h);
+    report.numerical =
+        -report.plastic + numericalLoss(report.contacts, elasticEnergy() + report.contacts.energy - m_startEnergy, h);
     return report;
 }
 

@@ -75,10 +75,11 @@ public:
 private:
     Report findEnd(Contacts& contacts, std::span<const RigidSurface> surfaces, const Vec3& gravity, double h);
     void rememberStart();
+    void takeOverVelocities();
     void tryVelocities(double h);
     Contacts::Report findForces(Contacts& contacts, std::span<const RigidSurface> surfaces, const ContactStep& step);
     void findResidual(const Vec3& gravity, double h);
-    LinkEnd endOf(const ObjectRef& object) const;
+    LinkEnd endOf(const ObjectRef& object, const PointSpread* spread = nullptr) const;
     const Pieces& piecesOf(std::size_t body) const
     {
         return m_bodies[body].pieces != nullptr ? *m_bodies[body].pieces : m_whole[body];
@@ -87,9 +88,10 @@ private:
     int solve(double goal);
     double flowedEnergy() const;
     double sizeOf(const VectorArray& momenta);
+    double sizeWithoutContacts(const std::vector<ContactTangent>& tangents, double h);
     double sizeOfLoads(const std::vector<ContactTangent>& tangents, double h);
     double elasticEnergy() const;
-    void keepMomenta(const std::vector<ContactTangent>& tangents, const Vec3& gravity, double h);
+    void keepMomenta(const Vec3& gravity, double h);
     void keepMomenta(std::size_t body, const std::vector<std::uint8_t>& touches, const Vec3& gravity, double h);
     double numericalLoss(const Contacts::Report& contacts, double energyChange, double h) const;
 
@@ -103,7 +105,7 @@ private:
     ImplicitSystem m_system;
     RigidModePreconditioner m_preconditioner;
     ConjugateGradients m_solver;
-    AndersonMixing m_mixing; ///< of iterations in which material flows
+    AndersonMixing m_mixing;                  ///< of iterations in which material flows
     std::vector<VectorArray> m_startPosition; ///< per body
     std::vector<VectorArray> m_startVelocity;
     std::vector<std::optional<RigidMotion>> m_startMotion; ///< of rigid bodies that move
@@ -112,10 +114,11 @@ private:
     VectorArray m_velocity;                                ///< rows: velocities at the end, as far as known
     VectorArray m_residual;
     VectorArray m_scratch;
-    bool m_keepsSlip = false;  ///< friction in the last trial was in proportion to the slide
-    bool m_limitsSlip = false; ///< and may only get less
-    double m_factoredStep = 0; ///< h of the factor in use [s]; 0: none
-    double m_freshRate = 0;    ///< iterations per decade when the factor was new; 0: not known
+    std::vector<ObjectRef> m_touched; ///< in any trial of this step
+    bool m_keepsSlip = false;         ///< friction in the last trial was in proportion to the slide
+    bool m_limitsSlip = false;        ///< and may only get less
+    double m_factoredStep = 0;        ///< h of the factor in use [s]; 0: none
+    double m_freshRate = 0;           ///< iterations per decade when the factor was new; 0: not known
     double m_presentRate = 0;
 };
 

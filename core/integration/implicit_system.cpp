@@ -12,7 +12,11 @@ Vec3 velocityOf(const LinkEnd& end, const VectorArray& u)
 {
     if (end.row == LinkEnd::immovable)
         return Vec3::Zero();
-    return end.isRigid ? Vec3(u.at(end.row) + u.at(end.row + 1).cross(end.arm)) : u.at(end.row);
+    if (end.isRigid)
+        return u.at(end.row) + u.at(end.row + 1).cross(end.arm);
+    Vec3 velocity = Vec3::Zero();
+    end.forEachRow([&](std::uint32_t row, double weight) { velocity += weight * u.at(row); });
+    return velocity;
 }
 
 } // namespace
@@ -21,9 +25,12 @@ void push(const LinkEnd& end, const Vec3& momentum, VectorArray& rows)
 {
     if (end.row == LinkEnd::immovable)
         return;
-    rows.add(end.row, momentum);
-    if (end.isRigid)
+    if (end.isRigid) {
+        rows.add(end.row, momentum);
         rows.add(end.row + 1, end.arm.cross(momentum));
+    } else {
+        end.forEachRow([&](std::uint32_t row, double weight) { rows.add(row, weight * momentum); });
+    }
 }
 
 std::size_t ImplicitSystem::addDeformable(const StructuralConnections& connections, const ObjectState& state)

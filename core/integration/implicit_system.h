@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mechanics/point_spread.h"
 #include "core/mechanics/tangent_operator.h"
 
 #include <cstdint>
@@ -14,7 +15,19 @@ struct LinkEnd {
 
     std::uint32_t row = immovable; ///< of the object, or the first one of the rigid body
     bool isRigid = false;
-    Vec3 arm = Vec3::Zero(); ///< of a point of a rigid body, from its center, in units of the body's size
+    Vec3 arm = Vec3::Zero();             ///< of a point of a rigid body, from its center, in units of the body's size
+    const PointSpread* spread = nullptr; ///< of a point between objects; null: none such
+    std::uint32_t firstRow = 0;          ///< of the objects of its body
+
+    /// Calls visit(row, weight) for the rows of objects that it is a weighed sum of. @pre not immovable, not rigid
+    template <typename Visit>
+    void forEachRow(Visit&& visit) const
+    {
+        if (spread == nullptr)
+            return visit(row, 1.0);
+        for (std::uint32_t n = 0; n < spread->count; ++n)
+            visit(firstRow + spread->objects[n], spread->weights[n]);
+    }
 };
 
 /// Adds a momentum at an end to the rows of its object or body.

@@ -188,11 +188,14 @@ void RigidModePreconditioner::updateBlocks(const ImplicitSystem& system)
         for (const LinkEnd& end : {link.first, link.second}) {
             if (end.row == LinkEnd::immovable)
                 continue;
+            if (!end.isRigid) {
+                end.forEachRow([&](std::uint32_t row, double weight) { add(row, weight * weight * link.matrix); });
+                continue;
+            }
             add(end.row, link.matrix);
             Mat3 cross;
             cross << 0, -end.arm.z(), end.arm.y(), end.arm.z(), 0, -end.arm.x(), -end.arm.y(), end.arm.x(), 0;
-            if (end.isRigid)
-                add(end.row + 1, cross * link.matrix * cross.transpose());
+            add(end.row + 1, cross * link.matrix * cross.transpose());
         }
     forEachBlock(rows, blockSize, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -349,20 +352,28 @@ void RigidModePreconditioner::assemble(const ImplicitSystem& system)
         const Eigen::SelfAdjointEigenSolver<Mat3> roots(link.matrix);
         for (int axis = 0; axis < 3; ++axis) {
             const Vec3 direction = roots.eigenvectors().col(axis);
-            const auto reach = [&](const LinkEnd& end, double sign) -> Reach {
-                if (end.row == LinkEnd::immovable || m_clusterOf[end.row] == none)
-                    return {none, Vec6::Zero()};
-                return {m_clusterOf[end.row], restricted(sign * direction, end.isRigid ? end.arm : m_arm.at(end.row))};
+            std::vector<Reach> reaches;
+            const auto add = [&](std::uint32_t row, const Vec3& push, const Vec3& arm) {
+                const std::uint32_t cluster = m_clusterOf[row];
+                if (cluster == none)
+                    return;
+                auto reach =
+                    std::find_if(reaches.begin(), reaches.end(), [&](const Reach& r) { return r.cluster == cluster; });
+                if (reach == reaches.end())
+                    reach = reaches.insert(reaches.end(), {cluster, Vec6::Zero()});
+                reach->mode += restricted(push, arm);
             };
-            Reach first = reach(link.first, 1);
-            const Reach second = reach(link.second, -1);
-            const double weight = std::max(0.0, roots.eigenvalues()[axis]);
-            if (first.cluster == second.cluster) {
-                first.mode += second.mode;
-                m_coarse->addDyad(std::array<Reach, 1>{first}, weight);
-            } else {
-                m_coarse->addDyad(std::array<Reach, 2>{first, second}, weight);
-            }
+            const auto addEnd = [&](const LinkEnd& end, double sign) {
+                if (end.row == LinkEnd::immovable)
+                    return;
+                if (end.isRigid)
+                    return add(end.row, sign * direction, end.arm);
+                end.forEachRow(
+                    [&](std::uint32_t row, double weight) { add(row, sign * weight * direction, m_arm.at(row)); });
+            };
+            addEnd(link.first, 1);
+            addEnd(link.second, -1);
+            m_coarse->addDyad(reaches, std::max(0.0, roots.eigenvalues()[axis]));
         }
     }
     m_coarse->factor();

@@ -119,11 +119,13 @@ void StaticEquilibrium::findResidual(const Vec3& gravity, const std::vector<Cont
     m_acting = std::max(leastActing * m_mostActing, std::sqrt(held + weight));
 }
 
-LinkEnd StaticEquilibrium::endOf(const ObjectRef& object) const
+LinkEnd StaticEquilibrium::endOf(const ObjectRef& object, const PointSpread* spread) const
 {
     if (!m_bodies[object.body].deforms)
         return {};
-    return {.row = static_cast<std::uint32_t>(m_first[object.body] + object.object)};
+    return {.row = static_cast<std::uint32_t>(m_first[object.body] + object.object),
+            .spread = spread,
+            .firstRow = static_cast<std::uint32_t>(m_first[object.body])};
 }
 
 std::vector<Link> StaticEquilibrium::linksOf(const std::vector<ContactTangent>& tangents) const
@@ -131,7 +133,7 @@ std::vector<Link> StaticEquilibrium::linksOf(const std::vector<ContactTangent>& 
     std::vector<Link> links;
     links.reserve(tangents.size());
     for (const ContactTangent& tangent : tangents)
-        links.push_back({.first = endOf(tangent.first),
+        links.push_back({.first = endOf(tangent.first, tangent.spread),
                          .second = tangent.second ? endOf(*tangent.second) : LinkEnd{},
                          .matrix = m_step * tangent.resistance});
     return links;

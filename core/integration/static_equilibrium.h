@@ -46,7 +46,8 @@ public:
         std::function<double()> add; ///< adds forces to state.force at present places [N]; may be none
         /// Told how far any object may have gone since it was told last, before forces are looked at [m]; may be none.
         std::function<void(double travel)> moved;
-        double flowTime = 0; ///< in which material flows, from where it was on [s]; StructuralConnections keeps that on asking only
+        double flowTime =
+            0; ///< in which material flows, from where it was on [s]; StructuralConnections keeps that on asking only
         double farthestStep = std::numeric_limits<double>::infinity(); ///< of any object at a time [m]
     };
     struct Report {
@@ -77,7 +78,7 @@ private:
     VectorArray mixed(const VectorArray& place, const VectorArray& step);
     double largestStrain(const VectorArray& way) const;
     static double longest(const VectorArray& way);
-    LinkEnd endOf(const ObjectRef& object) const;
+    LinkEnd endOf(const ObjectRef& object, const PointSpread* spread = nullptr) const;
 
     std::vector<BodyView> m_bodies;
     std::vector<std::size_t> m_first; ///< row of each body's first object
@@ -90,7 +91,7 @@ private:
     double m_acting = 0;                                        ///< 2-norm of what acts now [N]
     double m_mostActing = 0;                                    ///< the largest so far [N]
     AndersonMixing m_mixing;
-    int m_freshIterations = 0;                                  ///< of the first system with the factor in use; 0: none
+    int m_freshIterations = 0; ///< of the first system with the factor in use; 0: none
 };
 
 } // namespace knead

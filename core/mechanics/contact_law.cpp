@@ -12,47 +12,74 @@ double harmonicMean(double a, double b)
     return a + b > 0 ? 2 * a * b / (a + b) : 0;
 }
 
+// Speed that a contact may give in an explicit step, by what takes its end out of the overlap in one: a sound step stays below.
+constexpr double mostTurned = 1.5;
+
+double frictionPressure(double before, double normalForce, const ContactParameters& parameters, const ContactStep& step)
+{
+    if (step.isImplicit() || parameters.frictionDelay <= 0)
+        return normalForce;
+    return normalForce + (before - normalForce) * std::exp(-step.duration / parameters.frictionDelay);
+}
+
 } // namespace
+
+ContactSpring contactSpring(double overlap, const ContactParameters& parameters)
+{
+    if (overlap <= 0)
+        return {};
+    const double k = parameters.stiffness;
+    const double felt = std::min(overlap, parameters.largestOverlap);
+    const double d = std::min(felt, parameters.steepest);
+    const double squared = d / parameters.stiffening * (d / parameters.stiffening);
+    ContactSpring spring{.force = k * d * (1 + squared),
+                         .slope = k * (1 + 3 * squared),
+                         .energy = 0.5 * k * d * d * (1 + 0.5 * squared)};
+    const double beyond = felt - d;
+    spring.energy += beyond * (spring.force + 0.5 * spring.slope * beyond);
+    spring.force += spring.slope * beyond;
+    if (overlap > felt) {
+        spring.energy += spring.force * (overlap - felt);
+        spring.slope = 0;
+    }
+    return spring;
+}
 
 ContactResult contactForce(const ContactState& state, const ContactParameters& parameters, const ContactStep& step)
 {
     ContactResult result;
-    const double late = step.isImplicit() ? parameters.onset / 2 : 0;
-    if (state.overlap <= late)
+    if (state.overlap <= 0)
         return result;
-    const double overlap = std::min(state.overlap, parameters.largestOverlap);
-    const double onset = step.isImplicit() ? 0 : parameters.onset;
-    const bool begins = overlap < onset;
-    const double begun = begins ? overlap * overlap / (2 * onset) : std::max(0.0, overlap - late - onset / 2);
-    const double spring = parameters.stiffness * begun;
+    const ContactSpring spring = contactSpring(state.overlap, parameters);
     const double normalSpeed = state.relativeVelocity.dot(state.normal);
-    const double normalForce = std::max(0.0, spring - parameters.damping * normalSpeed);
-    result.spring = spring * state.normal;
-    result.damping = (normalForce - spring) * state.normal;
-    const double stored =
-        begins ? spring * overlap / 3 : 0.5 * parameters.stiffness * (begun * begun + onset * onset / 12);
-    result.energy = stored + spring * (state.overlap - overlap);
+    double normalForce = std::max(0.0, spring.force - parameters.damping * normalSpeed);
+    if (!step.isImplicit() && parameters.mass > 0) {
+        const double turned = state.overlap / step.duration + std::max(0.0, -normalSpeed);
+        normalForce = std::min(normalForce, mostTurned * parameters.mass * turned / step.duration);
+    }
+    result.spring = spring.force * state.normal;
+    result.damping = (normalForce - spring.force) * state.normal;
+    result.energy = spring.energy;
+    result.slope = spring.slope;
 
     const Vec3 slide = state.relativeVelocity - normalSpeed * state.normal;
-    const double speed = slide.norm();
-    result.frictionLimit = parameters.friction * normalForce;
-    if (step.isImplicit()) {
-        const double coulomb = result.frictionLimit / std::max(speed, step.stickSpeed);
-        const bool exceeds = state.slip > coulomb && normalForce > 0;
-        result.slip = step.keepsSlip && !(step.limitsSlip && exceeds) ? state.slip : coulomb;
-        result.friction = -result.slip * slide;
-    } else if (speed > 0) {
-        constexpr double share = 0.5;
-        const double stopping = share * parameters.reducedMass * speed / step.duration;
-        result.friction = -std::min(result.frictionLimit, stopping) / speed * slide;
-    }
+    const double sideways = step.duration * spring.force / state.overlap;
+    const Vec3& before = state.memory.hold;
+    const Vec3 held = before - before.dot(state.normal) * state.normal + sideways * slide;
+    const Vec3 sticking = held + parameters.damping * slide;
+    const double wanted = sticking.norm();
+    result.memory.pressure = frictionPressure(state.memory.pressure, normalForce, parameters, step);
+    result.frictionLimit = parameters.friction * result.memory.pressure;
+    const double coulomb = wanted > result.frictionLimit ? result.frictionLimit / wanted : 1;
+    const bool exceeds = state.grip > coulomb && normalForce > 0;
+    result.grip = step.keepsSlip && !(step.limitsSlip && exceeds) ? state.grip : coulomb;
+    result.friction = -result.grip * sticking;
+    result.memory.hold = result.grip * held;
     result.damping += result.friction;
     if (step.isTrial && normalForce > 0) {
-        const bool isCapped = state.overlap > parameters.largestOverlap;
-        const double slope = isCapped ? 0 : parameters.stiffness;
         const Mat3 dyad = state.normal * state.normal.transpose();
-        result.resistance =
-            (step.duration * slope + parameters.damping) * dyad + result.slip * (Mat3::Identity() - dyad);
+        result.resistance = (step.duration * spring.slope + parameters.damping) * dyad +
+                            result.grip * (sideways + parameters.damping) * (Mat3::Identity() - dyad);
     }
     return result;
 }
@@ -62,8 +89,9 @@ ContactParameters combine(const ContactParameters& a, const ContactParameters& b
     return {.stiffness = harmonicMean(a.stiffness, b.stiffness),
             .damping = harmonicMean(a.damping, b.damping),
             .friction = std::sqrt(a.friction * b.friction),
-            .reducedMass = harmonicMean(a.reducedMass, b.reducedMass) / 2,
-            .onset = std::min(a.onset, b.onset),
+            .stiffening = std::min(a.stiffening, b.stiffening),
+            .steepest = std::min(a.steepest, b.steepest),
+            .frictionDelay = std::max(a.frictionDelay, b.frictionDelay),
             .largestOverlap = std::min(a.largestOverlap, b.largestOverlap)};
 }
 

@@ -2,20 +2,41 @@
 
 #include "core/geometry/vec3.h"
 
+#include <limits>
+
 namespace knead {
 
-/// What a contact connection is made of.
+/// What a contact connection is made of. Its spring stiffens with the overlap d,
+///     f = k d (1 + (d / d0)^2)   up to d = d1, from where on the slope stays,
+/// so that a light touch is soft enough for long steps and a heavy one hardly sinks in.
 struct ContactParameters {
-    double stiffness = 0;   ///< k [N/m]
-    double damping = 0;     ///< b [N s/m]
-    double friction = 0;    ///< u, Coulomb
-    double reducedMass = 0; ///< of the two objects; an object's own mass against a tool [kg]
-    double onset = 0;       ///< overlap over which the stiffness rises from 0 to k: flat faces that meet all at once
-    ///< within a step would jolt an explicit scheme [m]. In the implicit one, whose iterations a
-    ///< straight line suits better, it is k beyond half of this; that is the same beyond all of it
-    double largestOverlap =
-        0; ///< beyond it the spring force stays what it is there, so that a tool placed inside a body
-           ///< pushes it out instead of shooting it away [m]
+    double stiffness = 0;                                        ///< k [N/m]
+    double damping = 0;                                          ///< b, along the normal and of what sticks [N s/m]
+    double friction = 0;                                         ///< u, Coulomb
+    double stiffening = std::numeric_limits<double>::infinity(); ///< d0 [m]; infinite: the spring is linear
+    double steepest = std::numeric_limits<double>::infinity();   ///< d1 [m]
+    double frictionDelay = 0;                                    ///< t, by which friction follows the pressure [s]
+    /// That the contact acts on [kg]: an explicit scheme pushes no harder than what turns it back within the step, so that a fast
+    /// blow on a spring that has stiffened since the time step was chosen does not shoot it away. 0: no such limit.
+    double mass = 0;
+    /// Beyond it the spring force stays what it is there, so that bodies placed inside each other do not shoot apart [m].
+    double largestOverlap = std::numeric_limits<double>::infinity();
+};
+
+/// The spring of a contact at an overlap.
+struct ContactSpring {
+    double force = 0;  ///< f [N]
+    double slope = 0;  ///< df/dd [N/m]
+    double energy = 0; ///< integral of f [J]
+};
+ContactSpring contactSpring(double overlap, const ContactParameters& parameters);
+
+/// What friction remembers from step to step.
+struct FrictionMemory {
+    Vec3 hold = Vec3::Zero(); ///< what its spring held against at the end of the last step [N]
+    double pressure = 0;      ///< F_P, the normal force that it goes by [N]
+
+    bool isEmpty() const { return pressure == 0 && hold.isZero(0); }
 };
 
 /// How the two ends of a contact lie and move.
@@ -23,16 +44,18 @@ struct ContactState {
     double overlap = 0;                   ///< l - distance, > 0 when they touch [m]
     Vec3 normal = Vec3::UnitZ();          ///< unit, from the opposite object p (or the tool) to o
     Vec3 relativeVelocity = Vec3::Zero(); ///< v_o - v_p [m/s]
-    double slip = 0;                      ///< friction by slide, of the trial before, if it is to be kept [N s/m]
+    FrictionMemory memory;                ///< of the last step
+    double grip = 0;                      ///< of the trial before, if it is to be kept, see ContactResult
 };
 
 /// The step that contact forces are for.
 struct ContactStep {
     double duration = 0; ///< dt [s]
-    /// Slides slower than this are braked in proportion to their speed [m/s], as an implicit scheme can. 0, for explicit ones:
-    /// friction is at most half of what would stop the slide within the step.
+    /// Slides of joints slower than this are braked in proportion to their speed [m/s], as an implicit scheme can; 0 for explicit
+    /// ones.
     double stickSpeed = 0;
-    /// Only to see what would be: makes and ends no joints, and reports how the forces answer to motion.
+    /// Only to see what would be: makes and ends no joints, moves no anchor of friction, and reports how the forces answer to
+    /// motion.
     bool isTrial = false;
     /// Friction goes on as it did in the trial before: in proportion to the slide.
     bool keepsSlip = false;
@@ -47,19 +70,27 @@ struct ContactResult {
     Vec3 damping = Vec3::Zero();  ///< of damper and friction [N]; what it does on the relative motion is lost
     Vec3 friction = Vec3::Zero(); ///< the part of damping that is friction [N]
     double energy = 0;            ///< stored in the spring [J]
+    double slope = 0;             ///< of the spring [N/m]
 
-    double slip = 0;          ///< in an implicit scheme: friction by slide [N s/m]
-    double frictionLimit = 0; ///< u |F_N| [N]
-    /// Of a trial: how the force at the end of the step answers to the relative velocity, friction in
-    /// proportion to the slide; symmetric, not negative [N s/m].
+    FrictionMemory memory;    ///< for the next step
+    double grip = 0;          ///< share of what would stick that friction gives: 1 sticks, less slips
+    double frictionLimit = 0; ///< u F_P [N]
+    /// Of a trial: how the force at the end of the step answers to the relative velocity; symmetric, not negative [N s/m].
     Mat3 resistance = Mat3::Zero();
 
     Vec3 force() const { return spring + damping; }
 };
 
 /// Force of a contact connection, eqs (2), (5) and (7) with signs repaired, per connection.
-/// Contacts push only: the sum of spring and damper is clamped at 0. The friction force is u |F_N| against the slide. Eq (7)
-/// has no value at rest; what regularizes it depends on the scheme.
+/// Contacts push only: the sum of spring and damper is clamped at 0.
+///
+/// Friction remembers (Cundall and Strack 1979): a spring as stiff as the contact is, f / d, holds against the slide since the
+/// ends met, and gives way where that exceeds u F_P. So what sticks does not creep, at rest as well as in the limit of
+/// eq (7). The same law serves explicit and implicit schemes.
+///
+/// In explicit steps the limit follows the normal force late, dF_P/dt = (F_N - F_P) / t (Prakash and Clifton 1993): with Coulomb's
+/// own law an elastic body that slides over a hard one flutters without end (Adams 1995), and creeps down a slope on which it would
+/// stay. Implicit steps are long and damp that away: there F_P = F_N.
 ContactResult contactForce(const ContactState& state, const ContactParameters& parameters, const ContactStep& step);
 
 /// Parameters of a contact between two objects, so that two alike give their own: springs and dampers in series (harmonic

@@ -33,7 +33,8 @@ Vec3 Contacts::outwardOf(const ContactObject& object) const
 
 bool Contacts::faceEachOther(const ContactObject& a, const ContactObject& b) const
 {
-    const bool isOpen = a.isCut || b.isCut || a.facesSlit || b.facesSlit; // the skin does not say where their surface is
+    const bool isOpen =
+        a.isCut || b.isCut || a.facesSlit || b.facesSlit; // the skin does not say where their surface is
     if (isOpen || m_bodies[a.ref.body].kind != BodyKind::deformable)
         return true;
     const Vec3 way = (placeOf(b) - placeOf(a)).stableNormalized();
@@ -96,9 +97,9 @@ void Contacts::takeOverLengths(std::vector<ContactPair>& pairs) const
     }
 }
 
-void Contacts::listPairs()
+void Contacts::listPairs(std::span<const RigidSurface> surfaces)
 {
-    connectionsBroke(); // or pairs that may touch since then would begin with an overlap
+    connectionsBroke(surfaces); // or pairs that may touch since then would begin with an overlap
     std::vector<ContactPair> before = std::move(m_pairs);
     m_pairs = findPairs(*m_vicinity, m_margin + m_ahead);
     m_statistics = m_vicinity->statistics();
@@ -107,29 +108,16 @@ void Contacts::listPairs()
     for (ContactPair& pair : m_pairs) { // all lists are sorted
         while (old != before.end() && old->objects < pair.objects)
             ++old;
-        if (old != before.end() && old->objects == pair.objects)
+        if (old != before.end() && old->objects == pair.objects) {
             pair.pressed = old->pressed;
+            pair.friction = old->friction;
+        }
     }
     m_listedAt.clear();
     for (const ContactObject& object : m_objects)
         m_listedAt.push_back(placeOf(object));
     m_travel = 0;
     ++m_listings;
-}
-
-void Contacts::listNearSurfaces(std::span<const RigidSurface> surfaces)
-{
-    double largestReach = 0;
-    for (const BodyView& body : m_bodies)
-        largestReach = std::max(largestReach, body.connections->aggregate().lattice.spacing);
-    m_nearSurface.assign(surfaces.size(), {});
-    for (std::size_t s = 0; s < surfaces.size(); ++s) {
-        const Box box = surfaces[s].reach(largestReach + m_margin + m_ahead);
-        for (std::uint32_t i = 0; i < m_objects.size(); ++i)
-            if (m_bodies[m_objects[i].ref.body].kind != BodyKind::glue && box.contains(placeOf(m_objects[i])))
-                m_nearSurface[s].push_back({i});
-    }
-    m_travelToSurfaces = 0;
 }
 
 /// How far objects may have moved towards each other since pairs were listed: where a body is alone, only what is no rigid
@@ -175,9 +163,12 @@ void Contacts::updateVicinity(std::span<const RigidSurface> surfaces, double tra
         tooFar = 2 * m_travel > usedShare * m_margin;
     }
     if (!m_valid || tooFar)
-        listPairs();
-    if (!m_valid || m_travelToSurfaces > m_margin || surfaces.size() != m_nearSurface.size())
-        listNearSurfaces(surfaces);
+        listPairs(surfaces);
+    if (!m_valid || m_travelToSurfaces > m_margin || surfaces.size() != m_surfaceCount) {
+        m_surfaceContacts.list(m_bodies, surfaces, m_margin + m_ahead);
+        m_surfaceCount = surfaces.size();
+        m_travelToSurfaces = 0;
+    }
     m_valid = true;
 }
 

@@ -19,6 +19,11 @@ Contacts::Memory Contacts::memory() const
     for (const ContactPair& pair : m_pairs)
         if (pair.pressed > 0)
             remember(memory.pressedTimes, pair, pair.pressed);
+    for (const ContactPair& pair : m_pairs)
+        if (!pair.friction.isEmpty())
+            memory.holds.push_back(
+                {m_objects[pair.objects.first].ref, m_objects[pair.objects.second].ref, pair.friction});
+    memory.touches = m_surfaceContacts.memory();
     for (const ContactObject& object : m_objects)
         if (object.facesSlit)
             memory.facingSlit.push_back(object.ref);
@@ -32,6 +37,7 @@ Contacts::Contacts(std::vector<BodyView> bodies, VicinityMethod method, const Me
     , m_brokenSeen(m_bodies.size(), 0)
     , m_vicinity(makeVicinity(method))
     , m_joints(memory.joints)
+    , m_surfaceContacts(m_bodies)
 {
     addSkins();
     for (std::uint32_t b = 0; b < m_bodies.size(); ++b) {
@@ -39,6 +45,7 @@ Contacts::Contacts(std::vector<BodyView> bodies, VicinityMethod method, const Me
         for (const ConnectionId& connection : broken)
             for (const ObjectIndex end : m_bodies[b].connections->endsOf(connection))
                 loosen(b, end);
+        m_surfaceContacts.connectionsBroke(m_bodies, {}, b, 0);
         m_brokenSeen[b] = broken.size();
     }
     for (const ObjectRef& object : memory.facingSlit)
@@ -46,9 +53,35 @@ Contacts::Contacts(std::vector<BodyView> bodies, VicinityMethod method, const Me
             m_objects[index].facesSlit = true;
     updateParameters(memory.frequency);
     m_keptDistances = pairsOf(memory.keptLengths);
-    m_pairs = pairsOf(memory.pressedTimes); // the next listing takes their times over
+    m_pairs = pairsOf(memory.pressedTimes); // the next listing takes their times and holds over
     for (ContactPair& pair : m_pairs)
         pair.pressed = std::exchange(pair.nominalLength, 0);
+    addHolds(memory.holds);
+    m_surfaceContacts.restore(memory.touches);
+}
+
+/// To the pairs there are, and to new ones.
+void Contacts::addHolds(const std::vector<Memory::Held>& holds)
+{
+    std::vector<Memory::Pair> objects;
+    for (const Memory::Held& held : holds)
+        objects.push_back({held.first, held.second, 0});
+    std::vector<ContactPair> held = pairsOf(objects);
+    std::vector<ContactPair> all;
+    const auto inOrder = [](const ContactPair& a, const ContactPair& b) { return a.objects < b.objects; };
+    std::set_union(m_pairs.begin(), m_pairs.end(), held.begin(), held.end(), std::back_inserter(all), inOrder);
+    m_pairs = std::move(all);
+    for (const Memory::Held& each : holds) {
+        std::uint32_t first = m_indexOf[each.first.body][each.first.object];
+        std::uint32_t second = m_indexOf[each.second.body][each.second.object];
+        const double sign = first < second ? 1 : -1; // the force is on the first
+        if (second < first)
+            std::swap(first, second);
+        const auto found = std::lower_bound(m_pairs.begin(), m_pairs.end(),
+                                            ContactPair{.objects = {first, second}, .parameters = {}}, inOrder);
+        if (found != m_pairs.end() && found->objects == VicinityPair{first, second})
+            found->friction = {sign * each.friction.hold, each.friction.pressure};
+    }
 }
 
 /// Sorted, with the remembered values for nominal lengths.

@@ -11,9 +11,6 @@ std::vector<std::vector<Vec3>> Contacts::pressingForces(std::span<const RigidSur
     std::vector<std::vector<Vec3>> forces;
     for (const BodyView& body : m_bodies)
         forces.emplace_back(body.connections->aggregate().size(), Vec3::Zero());
-    double largestReach = 0;
-    for (const BodyView& body : m_bodies)
-        largestReach = std::max(largestReach, body.connections->aggregate().lattice.spacing);
     const auto add = [&](const ContactObject& object, const Vec3& force) {
         forces[object.ref.body][object.ref.object] += force;
     };
@@ -34,19 +31,7 @@ std::vector<std::vector<Vec3>> Contacts::pressingForces(std::span<const RigidSur
         add(first, force);
         add(second, -force);
     }
-    for (const RigidSurface& surface : surfaces) {
-        const Box reach = surface.reach(largestReach);
-        for (const ContactObject& object : m_objects) {
-            const Vec3 place = placeOf(object);
-            if (m_bodies[object.ref.body].kind == BodyKind::glue || !reach.contains(place))
-                continue;
-            const SurfacePoint point = surface.nearest(place);
-            if (point.distance < object.reach)
-                add(object, contactForce({.overlap = object.reach - point.distance, .normal = point.normal},
-                                         object.parameters, step)
-                                .spring);
-        }
-    }
+    m_surfaceContacts.addPressing(m_bodies, surfaces, forces);
     return forces;
 }
 

@@ -17,19 +17,14 @@ constexpr double marginShare = 0.5;
 // Radii of objects that meet each other, in spacings.
 constexpr double smallestRadius = 0.5;
 constexpr double largestRadius = 1.5;
-// Against surfaces the second layer takes part with so many spacings: enough to be parted by an edge, and little enough that
-// the first layer can be pressed flat onto it.
-constexpr double innerReach = 0.35;
 // Rounding must not take part of the next layer of objects.
 constexpr double belowLayer = 1 - 1e-6;
 constexpr double largestOverlapShare = 2;
 // An object that is pressed against others touches several at a time; they share what one contact is worth.
 constexpr double pairShare = 0.25;
-constexpr double onsetShare = 0.03;
 
 // Contacts of rigid bodies may reach this share of what the deformable ones' time step allows.
 constexpr double rigidShare = 0.1;
-constexpr double immovableMass = 1e9; // [kg]
 
 template <typename Pair>
 auto findPair(std::vector<Pair>& sorted, const VicinityPair& wanted)
@@ -45,6 +40,7 @@ Contacts::Contacts(std::vector<BodyView> bodies, VicinityMethod method)
     : m_bodies(std::move(bodies))
     , m_brokenSeen(m_bodies.size(), 0)
     , m_vicinity(makeVicinity(method))
+    , m_surfaceContacts(m_bodies)
 {
     addSkins();
     for (std::uint32_t b = 0; b < m_bodies.size(); ++b)
@@ -96,8 +92,7 @@ void Contacts::addSkin(std::uint32_t body)
         const double depth = aggregate.depth[i];
         if (depth >= largestRadius * belowLayer * a)
             continue;
-        const double reach = depth < a * belowLayer ? std::max(depth, -a) : innerReach * a;
-        ContactObject object{.ref = {body, i}, .reach = reach, .parameters = {}};
+        ContactObject object{.ref = {body, i}, .parameters = {}};
         object.radius = isDeep(i) ? depth : isThin(i) ? smallestRadius * a : 0;
         addObject(object);
     }
@@ -108,7 +103,7 @@ void Contacts::loosen(std::uint32_t body, ObjectIndex object)
 {
     const double a = m_bodies[body].connections->aggregate().lattice.spacing;
     if (m_indexOf[body][object] == none)
-        addObject({.ref = {body, object}, .reach = smallestRadius * a, .parameters = {}});
+        addObject({.ref = {body, object}, .parameters = {}});
     ContactObject& contact = m_objects[m_indexOf[body][object]];
     contact.isCut = true;
     contact.radius = smallestRadius * a;
@@ -157,10 +152,10 @@ void Contacts::updateParameters(double frequency)
         object.parameters = {.stiffness = stiffness,
                              .damping = 2 * material.dampingRatio * std::sqrt(stiffness * own),
                              .friction = material.friction,
-                             .reducedMass = body.kind == BodyKind::glue ? immovableMass : own,
-                             .onset = onsetShare * spacingOf(object.ref),
+                             .frictionDelay = m_surfaceContacts.crossingTime(body, object.ref.body, material),
                              .largestOverlap = largestOverlapShare * spacingOf(object.ref)};
     }
+    m_surfaceContacts.updateParameters(m_bodies, m_frequency);
     m_valid = false;
 }
 
@@ -223,11 +218,13 @@ void Contacts::keepDistances()
     m_keptDistances = std::move(all);
 }
 
-void Contacts::connectionsBroke()
+void Contacts::connectionsBroke(std::span<const RigidSurface> surfaces)
 {
     bool any = false;
     for (std::uint32_t b = 0; b < m_bodies.size(); ++b) {
         const std::vector<ConnectionId>& broken = m_bodies[b].connections->changes().broken;
+        if (m_brokenSeen[b] < broken.size())
+            m_released += m_surfaceContacts.connectionsBroke(m_bodies, surfaces, b, m_brokenSeen[b]);
         for (; m_brokenSeen[b] < broken.size(); ++m_brokenSeen[b]) {
             const ConnectionId& connection = broken[m_brokenSeen[b]];
             for (const ObjectIndex end : m_bodies[b].connections->endsOf(connection))
@@ -254,15 +251,18 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
     if (squared >= pair.nominalLength * pair.nominalLength || squared == 0) {
         if (!step.isTrial)
             pair.pressed = 0;
+        if (!step.isTrial)
+            pair.friction = {};
         if (!step.keepsSlip)
-            pair.slip = 0;
+            pair.grip = 0;
         return;
     }
     const double distance = std::sqrt(squared);
     const ContactState state{.overlap = pair.nominalLength - distance,
                              .normal = between / distance,
                              .relativeVelocity = a.velocity.at(first.ref.object) - b.velocity.at(second.ref.object),
-                             .slip = pair.slip};
+                             .memory = pair.friction,
+                             .grip = pair.grip};
     if (pair.joined) { // its joint pushes; pressed for long enough, it heals
         if (!step.isTrial && healIfPressed(pair, state, step.duration)) {
             const double stretch = distance - m_joints.find(first.ref, second.ref)->nominalLength;
@@ -272,7 +272,9 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
         return;
     }
     const ContactResult result = contactForce(state, pair.parameters, step);
-    pair.slip = result.slip;
+    pair.grip = result.grip;
+    if (!step.isTrial)
+        pair.friction = result.memory;
     a.force.add(first.ref.object, result.spring);
     a.damping.add(first.ref.object, result.damping);
     b.force.add(second.ref.object, -result.spring);
@@ -285,8 +287,8 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
     ++report.count;
     report.frictionLimit += result.frictionLimit;
     report.frictionExcess += std::max(0.0, result.friction.norm() - result.frictionLimit);
-    m_touching[pair.objects.first] += 2 * pair.parameters.stiffness;
-    m_touching[pair.objects.second] += 2 * pair.parameters.stiffness;
+    for (const ObjectRef& object : {first.ref, second.ref})
+        m_crowd.add(m_bodies[object.body], object.body, object.object, 2 * pair.parameters.stiffness);
     if (step.isTrial) {
         report.tangents.push_back(
             {.first = first.ref, .second = second.ref, .force = result.force(), .resistance = result.resistance});
@@ -299,51 +301,10 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
     }
 }
 
-void Contacts::pushOff(NearObject& near, const RigidSurface& surface, const ContactStep& step, SurfaceLoad& load,
-                       Report& report)
-{
-    const ContactObject& object = m_objects[near.index];
-    ObjectState& state = stateOf(object);
-    const Vec3 place = placeOf(object);
-    const SurfacePoint point = surface.nearest(place);
-    if (!(point.distance < object.reach)) {
-        if (!step.keepsSlip)
-            near.slip = 0;
-        return;
-    }
-    const Vec3 surfaceVelocity = surface.velocityAt(place);
-    ContactParameters parameters = object.parameters;
-    parameters.friction = std::sqrt(parameters.friction * surface.friction);
-    const ContactResult result =
-        contactForce({.overlap = object.reach - point.distance,
-                      .normal = point.normal,
-                      .relativeVelocity = state.velocity.at(object.ref.object) - surfaceVelocity,
-                      .slip = near.slip},
-                     parameters, step);
-    state.force.add(object.ref.object, result.spring);
-    state.damping.add(object.ref.object, result.damping);
-    near.slip = result.slip;
-    load.force -= result.force();
-    load.torque -= (place - surface.pose.position).cross(result.force());
-    load.power += result.force().dot(surfaceVelocity);
-    report.energy += result.energy;
-    report.brakingPower -= result.damping.dot(surfaceVelocity);
-    if (!result.friction.isZero(0))
-        report.frictions.push_back({object.ref, result.friction, surfaceVelocity});
-    ++report.count;
-    report.frictionLimit += result.frictionLimit;
-    report.frictionExcess += std::max(0.0, result.friction.norm() - result.frictionLimit);
-    m_touching[near.index] += parameters.stiffness;
-    if (step.isTrial)
-        report.tangents.push_back(
-            {.first = object.ref, .second = std::nullopt, .force = result.force(), .resistance = result.resistance});
-}
-
 Contacts::Report Contacts::computeForces(std::span<const RigidSurface> surfaces, const ContactStep& step)
 {
     Report report;
     report.loads.resize(surfaces.size());
-    m_touching.assign(m_objects.size(), 0);
     if (!m_joints.all().empty()) {
         std::vector<ObjectState*> states;
         for (const BodyView& body : m_bodies)
@@ -361,14 +322,16 @@ Contacts::Report Contacts::computeForces(std::span<const RigidSurface> surfaces,
     }
     for (ContactPair& pair : m_pairs)
         pushApart(pair, step, report);
-    for (std::size_t s = 0; s < surfaces.size(); ++s)
-        for (NearObject& candidate : m_nearSurface[s])
-            pushOff(candidate, surfaces[s], step, report.loads[s], report);
+    m_surfaceContacts.computeForces(m_bodies, surfaces, step, m_crowd, report);
     makeNewJoints();
-    for (std::size_t i = 0; i < m_objects.size(); ++i)
-        if (m_touching[i] > 0)
-            report.crowding = std::max(report.crowding, m_touching[i] / m_objects[i].parameters.stiffness);
+    report.crowding = m_crowd.take(m_bodies);
     return report;
+}
+
+void Contacts::keepInside(std::span<const RigidSurface> surfaces)
+{
+    updateVicinity(surfaces, 0, 0);
+    m_surfaceContacts.keepInside(m_bodies, surfaces);
 }
 
 std::vector<double> Contacts::addedStiffness(std::uint32_t body, double crowding) const
@@ -376,7 +339,7 @@ std::vector<double> Contacts::addedStiffness(std::uint32_t body, double crowding
     const StructuralConnections& connections = *m_bodies[body].connections;
     std::vector<double> added(connections.aggregate().size());
     for (ObjectIndex i = 0; i < added.size(); ++i)
-        added[i] = crowding * connections.contactStiffness(i);
+        added[i] = (m_indexOf[body][i] != none ? std::max(1.0, crowding) : 1) * connections.contactStiffness(i);
     m_joints.addStiffness(body, added);
     return added;
 }

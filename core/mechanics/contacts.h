@@ -1,34 +1,26 @@
 #pragma once
 
-#include "core/aggregate/material_map.h"
+#include "core/mechanics/contact_body.h"
+#include "core/mechanics/contact_crowd.h"
 #include "core/mechanics/contact_law.h"
+#include "core/mechanics/contact_report.h"
 #include "core/mechanics/joints.h"
-#include "core/mechanics/object_state.h"
 #include "core/mechanics/rigid_surface.h"
-#include "core/mechanics/structural_connections.h"
+#include "core/mechanics/surface_contacts.h"
 #include "core/vicinity/vicinity.h"
 
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace knead {
 
-/// How a body takes part.
-enum class BodyKind : std::uint8_t {
-    deformable,
-    rigid, ///< keeps its shape and moves with six degrees of freedom
-    glue,  ///< keeps its shape and place; its adhesion and friction hold for all that touches it
-};
-
 /// Contact connections: found by the vicinity calculation between objects near the skin, of one body or two, and between
-/// those and rigid surfaces. They exist while the ends touch.
+/// the skin and rigid surfaces (SurfaceContacts). They exist while the ends touch.
 ///
-/// The radius of an object in contact is its depth below the skin, so that contact begins when the skins meet.
-/// Rigid surfaces are felt by the objects less than a spacing deep. The radius may be negative there (an object outside the
-/// skin, by the cut cells), and flat faces are flat; the next layer takes part with a third of a spacing, which keeps edges from
-/// slipping in between the others. Objects feel each other when they are half to one and a half spacings deep: so large, spheres a spacing apart
+/// The radius of an object in contact is its depth below the skin, so that contact begins when the skins meet. Objects feel each other when they are half to one and a half spacings deep: so large, spheres a spacing apart
 /// let nothing through between them. Sheets too thin to have such objects, and the ends of broken connections, take part
 /// with half a spacing.
 ///
@@ -41,12 +33,9 @@ enum class BodyKind : std::uint8_t {
 /// may move and turn as a whole without that.
 class Contacts {
 public:
-    struct BodyView {
-        ObjectState* state;
-        const StructuralConnections* connections;
-        const MaterialMap* materials;
-        BodyKind kind = BodyKind::deformable;
-    };
+    using BodyView = ContactBody;
+    using Report = ContactReport;
+    using Friction = ContactFriction;
 
     /// Pairs that overlap at the start keep that distance as nominal length: no force until pressed.
     Contacts(std::vector<BodyView> bodies, VicinityMethod method);
@@ -58,9 +47,16 @@ public:
             ObjectRef second;
             double value = 0;
         };
-        std::vector<Pair> keptLengths;     ///< nominal lengths of pairs that have their own [m]
-        std::vector<Pair> pressedTimes;    ///< how long pairs have been pressed together now [s]
-        std::vector<ObjectRef> facingSlit; ///< objects that face their own body across a slit
+        std::vector<Pair> keptLengths;  ///< nominal lengths of pairs that have their own [m]
+        std::vector<Pair> pressedTimes; ///< how long pairs have been pressed together now [s]
+        struct Held {
+            ObjectRef first;
+            ObjectRef second;
+            FrictionMemory friction; ///< on the first
+        };
+        std::vector<Held> holds;                     ///< of pairs
+        std::vector<SurfaceContacts::Touch> touches; ///< of rigid surfaces
+        std::vector<ObjectRef> facingSlit;           ///< objects that face their own body across a slit
         std::vector<Joint> joints;
         double frequency = 0; ///< see updateParameters() [rad/s]
     };
@@ -82,7 +78,10 @@ public:
     void glueTouching();
 
     /// Ends of newly broken connections become contact objects; where they overlap now, they keep their distance.
-    void connectionsBroke();
+    void connectionsBroke(std::span<const RigidSurface> surfaces);
+
+    /// Energy of contacts with surfaces that ended as their skin tore, since the last call [J].
+    double takeReleased() { return std::exchange(m_released, 0.0); }
 
     /// Lists candidates again when objects or surfaces have moved too far towards each other, or the surfaces are others.
     /// @param travel how far the fastest object may have moved since the last call [m]
@@ -96,31 +95,23 @@ public:
     /// Forces a new list at the next updateVicinity(): surfaces were added or removed, or the state was replaced.
     void invalidate() { m_valid = false; }
 
-    /// Friction on an object, to see what it does once the object has moved.
-    struct Friction {
-        ObjectRef object;
-        Vec3 force;    ///< [N]
-        Vec3 velocity; ///< of the surface it rubs on; 0 where the opposite object has its own entry [m/s]
-    };
-
-    struct Report {
-        std::vector<SurfaceLoad> loads; ///< per surface
-        double energy = 0;              ///< stored in contacts and joints [J]
-        double brakingPower = 0;        ///< of dampers and friction on the rigid surfaces [W]
-        std::vector<Friction> frictions;
-        double jointFrictionPower = 0; ///< of friction in joints on relative motion [W]
-        double plastic = 0;            ///< flowed off in joints [J]
-        double fracture = 0;           ///< of joints that ended [J]
-        std::size_t count = 0;         ///< contacts that touch
-        double crowding = 0;           ///< largest stiffness of all contacts of an object by that of one
-        double frictionLimit = 0;      ///< sum of u |F_N| of contacts [N]
-        double frictionExcess =
-            0; ///< sum of what friction is beyond that, where it was kept in proportion to slides [N]
-        std::vector<ContactTangent> tangents; ///< of contacts and joints, in a trial
-    };
-
     /// Adds contact and joint forces to the states of the bodies; makes and ends joints, but not in a trial.
     Report computeForces(std::span<const RigidSurface> surfaces, const ContactStep& step);
+
+    /// See SurfaceContacts::beginStep(). @pre updateVicinity() of these surfaces
+    void beginStep(std::span<const RigidSurface> surfaces, double duration)
+    {
+        m_surfaceContacts.beginStep(m_bodies, surfaces, duration);
+    }
+
+    /// Tools and the floor were just put somewhere: what is in material already begins without force, see SurfaceContacts.
+    void keepInside(std::span<const RigidSurface> surfaces);
+
+    /// How far the skin of a body is in a surface [m]; negative: not at all.
+    double deepest(std::uint32_t body, const RigidSurface& surface) const
+    {
+        return m_surfaceContacts.deepest(m_bodies[body], body, surface);
+    }
 
     /// What presses on the objects now: the springs of contacts with surfaces and with other objects, without dampers,
     /// friction and joints. Changes nothing. Per body and object [N]
@@ -138,7 +129,6 @@ public:
 private:
     struct ContactObject {
         ObjectRef ref;
-        double reach = 0;       ///< radius against rigid surfaces [m]
         double radius = 0;      ///< against other objects [m]; 0: does not meet them
         bool isCut = false;     ///< has lost connections
         bool facesSlit = false; ///< faces its own body across a slit
@@ -150,13 +140,9 @@ private:
         double pressed = 0;       ///< for how long now [s]
         bool joined = false;      ///< by a joint, which then acts in its place
         bool healed = false;      ///< and that joint is a healed one
-        double slip = 0;          ///< friction by slide in the last trial of the implicit scheme [N s/m]
+        FrictionMemory friction;
+        double grip = 0; ///< of the last trial
         ContactParameters parameters;
-    };
-
-    struct NearObject {
-        std::uint32_t index; ///< into m_objects
-        double slip = 0;     ///< as in ContactPair
     };
 
     void addSkins();
@@ -164,8 +150,7 @@ private:
     void addObject(const ContactObject& object);
     void loosen(std::uint32_t body, ObjectIndex object);
     void findSlits(std::uint32_t body);
-    void listPairs();
-    void listNearSurfaces(std::span<const RigidSurface> surfaces);
+    void listPairs(std::span<const RigidSurface> surfaces);
     double travelTowardsOthers() const;
     std::vector<ContactPair> findPairs(Vicinity& vicinity, double margin) const;
     void takeOverLengths(std::vector<ContactPair>& pairs) const;
@@ -176,6 +161,7 @@ private:
                         const ContactObject& b) const; ///< glue with glue and neighbors never are
     void keepDistances();
     double lengthOf(const ContactPair& pair) const;
+    void addHolds(const std::vector<Memory::Held>& holds);
     std::vector<ContactPair> pairsOf(const std::vector<Memory::Pair>& remembered) const;
     ContactParameters between(const ContactObject& a, const ContactObject& b) const;
     ObjectState& stateOf(const ContactObject& object) const { return *m_bodies[object.ref.body].state; }
@@ -189,8 +175,6 @@ private:
         return m_bodies[object.body].connections->aggregate().lattice.spacing;
     }
     void pushApart(ContactPair& pair, const ContactStep& step, Report& report);
-    void pushOff(NearObject& near, const RigidSurface& surface, const ContactStep& step, SurfaceLoad& load,
-                 Report& report);
     void joinIfSticky(ContactPair& pair, double distance, double energy);
     double skinOf(const ObjectRef& object) const; ///< share of the body's surface [m^2]
     bool healIfPressed(ContactPair& pair, const ContactState& state, double dt);
@@ -204,16 +188,18 @@ private:
     std::vector<ContactObject> m_objects;
     std::vector<std::vector<std::uint32_t>> m_indexOf; ///< per body and object: place in m_objects, or none
     std::vector<std::size_t> m_brokenSeen;             ///< per body: broken connections taken into account
+    double m_released = 0;                             ///< see takeReleased() [J]
     std::unique_ptr<Vicinity> m_vicinity;
     VicinityStatistics m_statistics;
     Joints m_joints;
     std::vector<Joint> m_newJoints;
     std::vector<ContactPair> m_keptDistances; ///< pairs with a nominal length of their own, sorted
     std::vector<ContactPair> m_pairs;
-    std::vector<std::vector<NearObject>> m_nearSurface; ///< per surface
-    std::vector<double> m_touching;                     ///< per contact object: stiffness of its contacts now [N/m]
-    double m_ahead = 0;                                 ///< see lookAhead() [m]
-    double m_margin = 0;                                ///< [m]
+    SurfaceContacts m_surfaceContacts;
+    std::size_t m_surfaceCount = 0; ///< when those were listed
+    ContactCrowd m_crowd;
+    double m_ahead = 0;  ///< see lookAhead() [m]
+    double m_margin = 0; ///< [m]
     double m_frequency = 0;
     std::vector<Vec3> m_listedAt;  ///< per contact object: its place when pairs were listed [m]
     double m_travel = 0;           ///< of objects towards each other since then, at most [m]

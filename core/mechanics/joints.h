@@ -2,6 +2,7 @@
 
 #include "core/mechanics/contact_law.h"
 #include "core/mechanics/object_state.h"
+#include "core/mechanics/point_spread.h"
 
 #include <cstdint>
 #include <optional>
@@ -22,8 +23,10 @@ struct ObjectRef {
 struct ContactTangent {
     ObjectRef first;
     std::optional<ObjectRef> second; ///< none: a rigid surface
-    Vec3 force = Vec3::Zero();       ///< on the first [N]
-    Mat3 resistance = Mat3::Zero();  ///< symmetric, not negative [N s/m]
+    const PointSpread* spread =
+        nullptr;                    ///< where the first is no object but a point between objects of its body, else null
+    Vec3 force = Vec3::Zero();      ///< on the first [N]
+    Mat3 resistance = Mat3::Zero(); ///< symmetric, not negative [N s/m]
 };
 
 /// A connection between two objects that are no neighbors on a lattice: of skins that stick together (adhesion, glue) or have

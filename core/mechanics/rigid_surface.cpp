@@ -13,6 +13,14 @@ SurfacePoint RigidSurface::nearest(const Vec3& place) const
     return point;
 }
 
+Pose RigidSurface::poseBefore(double duration) const
+{
+    const double speed = angularVelocity.norm();
+    const Quaternion back(speed > 0 ? Eigen::AngleAxisd(-speed * duration, angularVelocity / speed)
+                                    : Eigen::AngleAxisd::Identity());
+    return {pose.position - duration * velocity, back * pose.rotation};
+}
+
 Box RigidSurface::reach(double margin) const
 {
     if (isFloor) {

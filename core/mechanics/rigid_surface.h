@@ -2,10 +2,15 @@
 
 #include "core/mechanics/tool_shape.h"
 
+#include <cstdint>
+
 namespace knead {
 
 /// A rigid thing that objects may touch: a manipulator, or everything below a horizontal floor.
 struct RigidSurface {
+    static constexpr std::uint32_t floorId = 0xffffffffU;
+
+    std::uint32_t id = 0; ///< of the tool, by which contacts know it again
     bool isFloor = false;
     ToolShape shape;                     ///< of a manipulator
     Pose pose;                           ///< of its center; of a floor only the height counts
@@ -16,6 +21,9 @@ struct RigidSurface {
     SurfacePoint nearest(const Vec3& place) const;
     Vec3 velocityAt(const Vec3& place) const { return velocity + angularVelocity.cross(place - pose.position); }
     Box reach(double margin) const; ///< where objects may touch it
+
+    /// Where it was a while ago [s].
+    Pose poseBefore(double duration) const;
 };
 
 /// What the objects do to a rigid surface.

@@ -34,16 +34,19 @@ constexpr double shortestShare = 1.0 / 32;
 std::vector<RigidSurface> Simulation::State::surfaces() const
 {
     std::vector<RigidSurface> all;
-    for (const auto& tool : tools)
-        if (tool)
-            all.push_back({.shape = tool->manipulator.shape(),
+    for (ToolId id = 0; id < tools.size(); ++id)
+        if (const auto& tool = tools[id])
+            all.push_back({.id = id,
+                           .shape = tool->manipulator.shape(),
                            .pose = tool->manipulator.pose,
                            .velocity = tool->velocity,
                            .angularVelocity = tool->angularVelocity,
                            .friction = tool->manipulator.friction});
     if (floorHeight)
-        all.push_back(
-            {.isFloor = true, .pose = {Vec3(0, 0, *floorHeight), Quaternion::Identity()}, .friction = floorFriction});
+        all.push_back({.id = RigidSurface::floorId,
+                       .isFloor = true,
+                       .pose = {Vec3(0, 0, *floorHeight), Quaternion::Identity()},
+                       .friction = floorFriction});
     return all;
 }
 
@@ -56,7 +59,7 @@ void Simulation::State::moveManipulators(const std::vector<double>& progress)
         if (!tool)
             continue;
         Manipulator& manipulator = tool->manipulator;
-        Pose next = yieldTo(tool->force, manipulator, advance(manipulator, time, timeStep), timeStep);
+        Pose next = yieldTo(tool->force, manipulator, advance(manipulator, time, timeStep), timeStep, !isImplicit());
         if (!progress.empty() && progress[t] < 1)
             next = {manipulator.pose.position + progress[t] * (next.position - manipulator.pose.position),
                     manipulator.pose.rotation.slerp(progress[t], next.rotation)};
@@ -73,6 +76,21 @@ void Simulation::State::moveManipulators(const std::vector<double>& progress)
 void Simulation::State::updateVicinity()
 {
     contacts->updateVicinity(surfaces(), largestTravel, surfaceTravel);
+    bookTornSkin();
+}
+
+/// Ends of broken connections may touch now, and the skin between them does not any more.
+void Simulation::State::touchWhereBroken()
+{
+    contacts->connectionsBroke(surfaces());
+    bookTornSkin();
+}
+
+void Simulation::State::bookTornSkin()
+{
+    const double released = contacts->takeReleased();
+    contactReport.energy -= released;
+    energy.fracture += released;
 }
 
 /// Those that bear too much at present. @return how many they were
@@ -97,7 +115,7 @@ void Simulation::State::changeConnections()
     if (step % every(annealingInterval) == 0)
         anneal();
     if (newlyBroken && step % every(touchingInterval) == 0) {
-        contacts->connectionsBroke();
+        touchWhereBroken();
         newlyBroken = false;
     }
 }
@@ -144,6 +162,7 @@ void Simulation::State::bookContacts()
     energy.friction -= contactReport.jointFrictionPower * timeStep;
     energy.plastic += contactReport.plastic;
     energy.fracture += contactReport.fracture;
+    bookPlaced(contactReport);
     std::size_t surface = 0;
     for (auto& tool : tools) {
         if (!tool)

@@ -330,6 +330,7 @@ void Simulation::State::stepImplicitly()
     bookLoadsAfter();
     energy.plastic += settled.plastic;
     energy.fracture += settled.fracture;
+    bookPlaced(settled);
     for (auto& run : runs)
         energy.plastic += run->connections.acceptFlow();
     loadFixtures();

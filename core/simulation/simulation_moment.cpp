@@ -167,7 +167,7 @@ void Simulation::State::keepMoment()
 {
     const double imbalance = storedEnergy().imbalance;
     const bool knowsForces = lastKick > 0;
-    contacts->connectionsBroke();
+    touchWhereBroken();
     for (auto& run : runs)
         if (run->rigid)
             run->rigid->place(run->state);

@@ -45,6 +45,8 @@ struct Simulation::State {
     void applyCommands();
     void moveManipulators(const std::vector<double>& progress);
     void updateVicinity();
+    void touchWhereBroken();
+    void bookTornSkin();
     std::size_t breakConnections();
     void changeConnections();
     void computeForces();
@@ -114,10 +116,12 @@ struct Simulation::State {
         ToolId tool = 0;
         BodyId body = 0;
     };
+    double depthOf(const RigidSurface& surface, BodyId body) const;
     Overlap deepestTool() const;
     double deepestOverlap() const;
     void noteToolsInside();
     void bookToolsInside();
+    void bookPlaced(const Contacts::Report& report);
     void findTimeStep();
     std::pair<Trouble, std::string> lookClosely();
     std::pair<Trouble, std::string> findTrouble();

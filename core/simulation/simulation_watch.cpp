@@ -199,6 +199,13 @@ std::string Simulation::State::remedy() const
                                      : "Move bodies and fixtures slower";
 }
 
+/// Of a surface in a body [m].
+double Simulation::State::depthOf(const RigidSurface& surface, BodyId body) const
+{
+    return std::max(contacts->deepest(body, surface),
+                    overlapOf(surface, runs[body]->state.position, *bodies[body].aggregate));
+}
+
 Simulation::State::Overlap Simulation::State::deepestTool() const
 {
     const std::vector<RigidSurface> all = surfaces();
@@ -210,7 +217,7 @@ Simulation::State::Overlap Simulation::State::deepestTool() const
         for (BodyId b = 0; b < runs.size(); ++b) {
             if (runs[b]->kind == BodyKind::glue) // it touches no tools
                 continue;
-            const double depth = overlapOf(all[surface], runs[b]->state.position, *bodies[b].aggregate);
+            const double depth = depthOf(all[surface], b);
             if (depth > deepest.depth)
                 deepest = {.depth = depth, .tool = t, .body = b};
         }
@@ -226,8 +233,7 @@ double Simulation::State::deepestOverlap() const
     for (const RigidSurface& surface : surfaces())
         for (BodyId b = 0; b < runs.size(); ++b)
             if (runs[b]->kind != BodyKind::glue)
-                deepest = std::max(deepest, overlapOf(surface, runs[b]->state.position, *bodies[b].aggregate) /
-                                                bodies[b].aggregate->lattice.spacing);
+                deepest = std::max(deepest, depthOf(surface, b) / bodies[b].aggregate->lattice.spacing);
     return deepest;
 }
 
@@ -245,16 +251,18 @@ void Simulation::State::noteToolsInside()
     notice = text.str();
 }
 
-/// What contacts store with what was put into material was put in by hand: neither won nor lost in the ledger.
+/// Tools that were put into material begin without force, and push it out from here on.
 void Simulation::State::bookToolsInside()
 {
-    if (!std::exchange(isPlacedInside, false))
-        return;
-    updateVicinity();
-    const Contacts::Report report = contacts->computeForces(surfaces(), {.duration = timeStep, .isTrial = true});
-    startEnergy += report.energy - contactReport.energy;
-    placedEnergy += std::max(0.0, report.energy - contactReport.energy);
-    contactReport.energy = report.energy;
+    if (std::exchange(isPlacedInside, false))
+        contacts->keepInside(surfaces());
+}
+
+/// What contacts store with what was put into material was put in by hand: neither won nor lost in the ledger.
+void Simulation::State::bookPlaced(const Contacts::Report& report)
+{
+    startEnergy += report.placed;
+    placedEnergy += report.placed;
 }
 
 } // namespace knead

@@ -11,13 +11,8 @@ namespace {
 
 constexpr std::size_t blockSize = 4096;
 
-// Objects so deep feel surfaces with this radius [spacings], so that edges do not slip in between those of the skin.
-constexpr double innerReach = 1.0 / 3;
-
-double reachOf(double depth, double spacing)
-{
-    return depth < spacing ? std::max(depth, -spacing) : innerReach * spacing;
-}
+// Objects this much below the skin must not be in a surface; above, the skin itself is looked at [spacings].
+constexpr double shallowest = 0.3;
 
 } // namespace
 
@@ -29,8 +24,8 @@ double overlapOf(const RigidSurface& surface, const VectorArray& position, const
     forEachBlock(position.size(), blockSize, [&](std::size_t begin, std::size_t end) {
         double& most = deepest[begin / blockSize];
         for (std::size_t i = begin; i < end; ++i)
-            if (const Vec3 place = position.at(i); reach.contains(place))
-                most = std::max(most, reachOf(aggregate.depth[i], spacing) - surface.nearest(place).distance);
+            if (const Vec3 place = position.at(i); aggregate.depth[i] > shallowest * spacing && reach.contains(place))
+                most = std::max(most, -surface.nearest(place).distance);
     });
     return deepest.empty() ? -spacing : *std::max_element(deepest.begin(), deepest.end());
 }

@@ -6,9 +6,8 @@
 
 namespace knead {
 
-/// How far a rigid surface has gone into the material of a body: largest over its objects of r - d [m], d from the object to
-/// the surface (negative inside of it), r the depth of the object below its skin, a third of a spacing for those deeper than a
-/// spacing. 0 or less: they do not touch. On all threads; same bits for any number.
+/// How far a rigid surface has gone beyond objects of a body that are below its skin [m]; 0 or less: not at all. On all threads; same
+/// bits for any number. What it does at the skin, Contacts::deepest() says.
 /// @param position of the objects now
 double overlapOf(const RigidSurface& surface, const VectorArray& position, const Aggregate& aggregate);
 

@@ -30,6 +30,16 @@ struct Middle {
         parts = toolPartsOf(scene, simulation.recording());
     }
 
+    /// As older versions kept it.
+    void forgetFriction()
+    {
+        Moment without = *moment;
+        without.contacts.holds.clear();
+        without.contacts.touches.clear();
+        moment = std::make_shared<const Moment>(without);
+        simulation.goTo(moment);
+    }
+
     Scene scene;
     Simulation simulation;
     MomentPointer moment;
@@ -101,15 +111,30 @@ std::size_t firstDifference(const Bytes& one, const Bytes& other)
     return first;
 }
 
-/// Bytes of a moment of one body of one material, without its numbers of rubber, which versions 1 and 2 did not have.
+/// How much of a moment's bytes comes at the end in all versions.
+std::ptrdiff_t restOf(const Moment& moment)
+{
+    return 1 + 1 + 4 + static_cast<std::ptrdiff_t>(moment.health.message.size());
+}
+
+/// Bytes of a moment that holds nothing by friction, without the two lists of it, which versions 1 to 3 did not have.
+Bytes beforeFriction(const Moment& moment)
+{
+    Bytes bytes = momentToBytes(moment);
+    const auto end = bytes.end() - restOf(moment);
+    bytes.erase(end - 4 - 4, end);
+    return bytes;
+}
+
+/// Bytes of a moment of one body of one material, without its numbers of rubber as well, which versions 1 and 2 did not have.
 Bytes beforeRubber(const Moment& moment)
 {
     Moment other = moment;
     Material material = moment.bodies[0].materials.materials().front();
     material.rubberlike = 1.0 / 3; // all bytes differ from those of 0
     other.bodies[0].materials.setOwn(material);
-    Bytes bytes = momentToBytes(moment);
-    const auto first = static_cast<std::ptrdiff_t>(firstDifference(bytes, momentToBytes(other)));
+    Bytes bytes = beforeFriction(moment);
+    const auto first = static_cast<std::ptrdiff_t>(firstDifference(bytes, beforeFriction(other)));
     bytes.erase(bytes.begin() + first, bytes.begin() + first + 3 * 8);
     return bytes;
 }
@@ -184,9 +209,20 @@ private slots:
         QVERIFY(reader.atEnd());
     }
 
+    void momentsOfTheThirdVersionAreRead()
+    {
+        Middle middle(kinds()[0]);
+        middle.forgetFriction();
+        Bytes old = beforeFriction(*middle.moment);
+        putSizes(old, 3);
+        const Moment read = momentFromBytes(old, middle.scene.bodies, middle.parts);
+        QCOMPARE(momentHash(read), momentHash(*middle.moment));
+    }
+
     void momentsOfTheSecondVersionAreRead()
     {
         Middle middle(kinds()[0]);
+        middle.forgetFriction();
         Bytes old = beforeRubber(*middle.moment);
         putSizes(old, 2);
         const Moment read = momentFromBytes(old, middle.scene.bodies, middle.parts);
@@ -198,9 +234,9 @@ private slots:
     {
         constexpr std::ptrdiff_t added = 8 + 8 + 4 + 1 + 8;
         Middle middle(kinds()[0]);
+        middle.forgetFriction();
         Bytes old = beforeRubber(*middle.moment);
-        const std::size_t rest = 1 + 1 + 4 + middle.moment->health.message.size(); // of all versions
-        const auto end = old.end() - static_cast<std::ptrdiff_t>(rest);
+        const auto end = old.end() - restOf(*middle.moment);
         old.erase(end - added, end);
         // Each connection had a plastic strain, where each object has a metric and two numbers now: of nothing that has flowed that
         // is a zero for each array of numbers. They begin where a moment in which something has flowed is another.

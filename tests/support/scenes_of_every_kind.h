@@ -128,7 +128,7 @@ inline KindOfScene rigidAndGlue()
     scene.bodies[0].kind = BodyKind::rigid;
     scene.bodies[0].angularVelocity = Vec3(5, 20, 10);
     Material glue = soft();
-    glue.adhesion = 5e3;
+    glue.adhesion = 2e4;
     scene.bodies.push_back(boxAt({4, 4, 2}, a, Vec3(2.1 * a, 0, -3.3 * a), glue, "glue"));
     scene.bodies[2].kind = BodyKind::glue;
     scene.bodies[1].velocity.z() = -0.2;

@@ -1,0 +1,445 @@
+#include "core/mechanics/surface_contacts.h"
+
+#include "core/task/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+namespace knead {
+
+namespace {
+
+constexpr std::size_t blockSize = 4096;
+
+// Stiffness of a point by the shear modulus times its area over the spacing: six times that of a layer of cells, so that what is
+// pressed lightly gives way in its material and hardly at its skin.
+constexpr double stiffnessShare = 16;
+// What the points around an object add up to at most, by the stiffness of a contact (StructuralConnections::contactStiffness()): that of
+// a flat face. Objects at edges and corners have less mass for the area that they carry.
+constexpr double mostAround = stiffnessShare / 3;
+
+// Overlap at which the spring is twice as stiff, and beyond which it gets no stiffer [spacings]. A tenth of a spacing bears
+// 5 k a = 80 mu. More would take more iterations of the implicit scheme.
+constexpr double stiffeningShare = 0.01;
+constexpr double steepestShare = 0.05;
+
+// All points of a rigid body together are so stiff by what the deformable ones' time step allows its mass, and each of them
+// gets so many times as stiff.
+constexpr double rigidShare = 0.05;
+constexpr double rigidStiffening = 10;
+
+// Objects this deep below the skin touch too, with their middles [spacings].
+constexpr double shallowest = 0.3;
+constexpr double deepestLayer = 1.5;
+// Ends of broken connections touch so far from their middles [spacings]. They do not stiffen and bear no more than at an overlap: what
+// crumbled between two edges does not hold them apart, and is not shot away.
+constexpr double looseReach = 0.5;
+constexpr double mostLoose = 0.25; // [spacings]
+// Of bodies that were filled without a skin, objects so deep touch [spacings].
+constexpr double skinDepth = 1 - 1e-6;
+
+// Normals of one side of a surface differ by less [cosine].
+constexpr double sameSide = 0.7;
+
+// What is put into material pushes it out at this share of the speed of sound: a strain of a hundredth.
+constexpr double pushShare = 0.01;
+
+double sectionOf(const Aggregate& aggregate, ObjectIndex object)
+{
+    const double a = aggregate.lattice.spacing;
+    return std::min(2 * aggregate.volume[object] / a, a * a);
+}
+
+double massOf(const ObjectState& state)
+{
+    double mass = 0;
+    for (std::size_t i = 0; i < state.size(); ++i)
+        mass += state.mass[i];
+    return mass;
+}
+
+Vec3 toLocal(const RigidSurface& surface, const Vec3& direction)
+{
+    return surface.isFloor ? direction : Vec3(surface.pose.rotation.conjugate() * direction);
+}
+
+Vec3 toWorld(const RigidSurface& surface, const Vec3& direction)
+{
+    return surface.isFloor ? direction : Vec3(surface.pose.rotation * direction);
+}
+
+} // namespace
+
+SurfaceContacts::SurfaceContacts(std::span<const ContactBody> bodies)
+{
+    for (std::uint32_t b = 0; b < bodies.size(); ++b) {
+        addPoints(bodies[b], b);
+        double area = 0;
+        for (const Point& point : m_points)
+            if (point.body == b && (point.isSkin || bodies[b].connections->aggregate().skin.empty()))
+                area += point.area;
+        m_widths.push_back(area > 0 ? 4 * bodies[b].connections->aggregate().filledVolume / area : 0);
+    }
+}
+
+double SurfaceContacts::crossingTime(const ContactBody& body, std::uint32_t index, const Material& material) const
+{
+    if (body.kind != BodyKind::deformable)
+        return 0;
+    return m_widths[index] * std::sqrt(material.density / material.shearModulus());
+}
+
+void SurfaceContacts::addPoints(const ContactBody& body, std::uint32_t index)
+{
+    const Aggregate& aggregate = body.connections->aggregate();
+    const double a = aggregate.lattice.spacing;
+    const auto count = static_cast<std::uint32_t>(aggregate.skin.size());
+    for (std::uint32_t p = 0; p < count; ++p)
+        if (const auto spread = spreadOf(aggregate.lattice, aggregate.skin[p].place))
+            addPoint({.body = index,
+                      .number = p,
+                      .spread = *spread,
+                      .area = aggregate.skin[p].area,
+                      .isSkin = true,
+                      .parameters = {}});
+    const bool hasSkin = count > 0;
+    for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
+        const double depth = aggregate.depth[i];
+        const bool touches = hasSkin ? depth > shallowest * a && depth < deepestLayer * a : depth < skinDepth * a;
+        if (touches)
+            addPoint({.body = index,
+                      .number = count + i,
+                      .spread = spreadOf(i),
+                      .area = sectionOf(aggregate, i),
+                      .reach = hasSkin ? 0 : std::max(depth, -a),
+                      .parameters = {}});
+    }
+}
+
+void SurfaceContacts::updateParameters(std::span<const ContactBody> bodies, double frequency)
+{
+    std::vector<double> areas(bodies.size(), 0);
+    std::vector<double> masses;
+    for (const Point& point : m_points)
+        areas[point.body] += point.area;
+    for (const ContactBody& body : bodies)
+        masses.push_back(body.kind == BodyKind::rigid ? massOf(*body.state) : 0);
+    const auto stiffnessOf = [&](const Point& point) {
+        const ContactBody& body = bodies[point.body];
+        return stiffnessShare * body.materialOf(point.spread.main()).shearModulus() * point.area / body.spacing();
+    };
+    std::vector<std::vector<double>> around;
+    for (const ContactBody& body : bodies)
+        around.emplace_back(body.state->size(), 0);
+    for (const Point& point : m_points)
+        for (std::uint32_t n = 0; point.isSkin && n < point.spread.count; ++n)
+            around[point.body][point.spread.objects[n]] += std::abs(point.spread.weights[n]) * stiffnessOf(point);
+    for (Point& point : m_points) {
+        const ContactBody& body = bodies[point.body];
+        const Material& material = body.materialOf(point.spread.main());
+        const double a = body.spacing();
+        const double own = 0.5 * material.density * point.area * a;
+        double share = 1;
+        for (std::uint32_t n = 0; point.isSkin && n < point.spread.count; ++n) {
+            const ObjectIndex object = point.spread.objects[n];
+            share =
+                std::min(share, mostAround * body.connections->contactStiffness(object) / around[point.body][object]);
+        }
+        double stiffness = share * stiffnessOf(point);
+        double steepest = steepestShare * a;
+        if (body.kind == BodyKind::rigid) {
+            stiffness = std::min(stiffness, rigidShare * masses[point.body] * frequency * frequency * point.area /
+                                                areas[point.body]);
+            steepest = std::sqrt((rigidStiffening - 1) / 3) * stiffeningShare * a;
+        }
+        point.parameters = {.stiffness = stiffness,
+                            .damping = 2 * material.dampingRatio * std::sqrt(stiffness * own),
+                            .friction = material.friction,
+                            .stiffening = stiffeningShare * a,
+                            .steepest = steepest,
+                            .frictionDelay = crossingTime(body, point.body, material),
+                            .mass = body.kind == BodyKind::rigid ? 0 : own};
+        if (point.isLoose) {
+            point.parameters.stiffening = std::numeric_limits<double>::infinity();
+            point.parameters.largestOverlap = mostLoose * a;
+        }
+        point.pushSpeed = pushShare * material.soundSpeed();
+    }
+}
+
+/// Of the contacts of some points, as they are now [J].
+double SurfaceContacts::energyOf(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
+                                 const std::vector<std::uint8_t>& ofPoint) const
+{
+    double energy = 0;
+    for (std::size_t s = 0; s < m_near.size(); ++s) {
+        const auto surface = std::find_if(surfaces.begin(), surfaces.end(),
+                                          [&](const RigidSurface& each) { return each.id == m_listed[s]; });
+        if (surface == surfaces.end())
+            continue;
+        for (const Near& near : m_near[s]) {
+            if (ofPoint[near.point] == 0)
+                continue;
+            const Point& point = m_points[near.point];
+            const Vec3 place = point.spread.at(bodies[point.body].state->position);
+            const double overlap = point.reach - surface->nearest(place).distance - near.kept;
+            energy += contactSpring(overlap, point.parameters).energy;
+        }
+    }
+    return energy;
+}
+
+double SurfaceContacts::connectionsBroke(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
+                                         std::uint32_t body, std::size_t firstBroken)
+{
+    const StructuralConnections& connections = *bodies[body].connections;
+    const Aggregate& aggregate = connections.aggregate();
+    const std::vector<ConnectionId>& broken = connections.changes().broken;
+    std::vector<std::vector<ObjectIndex>> apart(aggregate.size()); // from the lower end
+    std::vector<ObjectIndex> ends;
+    for (std::size_t n = firstBroken; n < broken.size(); ++n) {
+        const auto [lower, upper] = connections.endsOf(broken[n]);
+        apart[lower].push_back(upper);
+        ends.insert(ends.end(), {lower, upper});
+    }
+    const auto isTorn = [&](const PointSpread& spread) {
+        const auto begin = spread.objects.begin();
+        const auto end = begin + spread.count;
+        return std::any_of(begin, end, [&](ObjectIndex object) {
+            return std::any_of(apart[object].begin(), apart[object].end(),
+                               [&](ObjectIndex other) { return std::find(begin, end, other) != end; });
+        });
+    };
+    std::vector<std::uint8_t> isThere(aggregate.size(), 0);
+    std::vector<std::uint8_t> torn(m_points.size(), 0);
+    for (std::size_t p = 0; p < m_points.size(); ++p) {
+        Point& point = m_points[p];
+        if (point.body != body)
+            continue;
+        if (point.isLoose)
+            isThere[point.number - aggregate.skin.size()] = 1;
+        else if (point.isActive && isTorn(point.spread)) {
+            point.isActive = false;
+            torn[p] = 1;
+        }
+    }
+    const double released = energyOf(bodies, surfaces, torn);
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    for (const ObjectIndex end : ends)
+        if (isThere[end] == 0)
+            addPoint({.body = body,
+                      .number = static_cast<std::uint32_t>(aggregate.skin.size() + end),
+                      .spread = spreadOf(end),
+                      .area = sectionOf(aggregate, end),
+                      .reach = looseReach * aggregate.lattice.spacing,
+                      .isLoose = true,
+                      .isNew = true,
+                      .parameters = {}});
+    return released;
+}
+
+std::vector<SurfaceContacts::Touch> SurfaceContacts::memory() const
+{
+    std::vector<Touch> touches = m_remembered;
+    for (std::size_t s = 0; s < m_near.size(); ++s)
+        for (const Near& near : m_near[s])
+            if (near.kept > 0 || !near.friction.isEmpty())
+                touches.push_back({.surface = m_listed[s],
+                                   .body = m_points[near.point].body,
+                                   .point = m_points[near.point].number,
+                                   .friction = near.friction,
+                                   .kept = near.kept,
+                                   .pressed = near.pressed});
+    return touches;
+}
+
+void SurfaceContacts::list(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces, double margin)
+{
+    using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
+    std::map<Key, Touch> before;
+    for (const Touch& touch : memory())
+        before.insert_or_assign({touch.surface, touch.body, touch.point}, touch);
+    m_remembered.clear();
+    m_near.assign(surfaces.size(), {});
+    m_listed.clear();
+    double largestReach = 0;
+    for (const ContactBody& body : bodies)
+        largestReach = std::max(largestReach, body.spacing());
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+        const Box box = surfaces[s].reach(largestReach + margin);
+        m_listed.push_back(surfaces[s].id);
+        for (std::uint32_t p = 0; p < m_points.size(); ++p) {
+            const Point& point = m_points[p];
+            const ContactBody& body = bodies[point.body];
+            if (!point.isActive || body.kind == BodyKind::glue)
+                continue;
+            const Vec3 place = point.spread.at(body.state->position);
+            if (!box.contains(place))
+                continue;
+            Near near{.point = p};
+            if (const auto found = before.find({surfaces[s].id, point.body, point.number}); found != before.end()) {
+                near.friction = found->second.friction;
+                near.kept = found->second.kept;
+                near.pressed = found->second.pressed;
+            } else if (point.isNew) {
+                near.kept = std::max(0.0, point.reach - surfaces[s].nearest(place).distance);
+            }
+            m_near[s].push_back(near);
+        }
+    }
+    for (Point& point : m_points)
+        point.isNew = false;
+}
+
+void SurfaceContacts::beginStep(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
+                                double duration)
+{
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+        RigidSurface before = surfaces[s];
+        before.pose = surfaces[s].poseBefore(duration);
+        for (Near& near : m_near[s]) {
+            const Point& point = m_points[near.point];
+            const Vec3 place = point.spread.at(bodies[point.body].state->position);
+            const SurfacePoint nearest = before.nearest(place);
+            near.foot = before.pose.toLocal(place - nearest.distance * nearest.normal);
+            near.normal = toLocal(before, nearest.normal);
+        }
+    }
+}
+
+/// Of a surface; of what went past its edge within the step, of the plane that it came in through.
+SurfacePoint SurfaceContacts::nearest(const Near& near, const RigidSurface& surface, const Vec3& place)
+{
+    const SurfacePoint nearest = surface.nearest(place);
+    if (nearest.distance >= 0 || near.normal.isZero(0))
+        return nearest;
+    const Vec3 normal = toWorld(surface, near.normal);
+    const double distance = (surface.pose.toLocal(place) - near.foot).dot(near.normal);
+    return normal.dot(nearest.normal) < sameSide && distance < 0 ? SurfacePoint{distance, normal} : nearest;
+}
+
+void SurfaceContacts::keepInside(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces)
+{
+    for (std::size_t s = 0; s < surfaces.size(); ++s)
+        for (Near& near : m_near[s]) {
+            const Point& point = m_points[near.point];
+            const Vec3 place = point.spread.at(bodies[point.body].state->position);
+            if (near.friction.isEmpty()) // else it touches already
+                near.kept = std::max(0.0, point.reach - surfaces[s].nearest(place).distance);
+        }
+}
+
+/// Less of what is kept, by the time that has passed. @return energy that comes in with that [J]
+double SurfaceContacts::letOut(Near& near, const Point& point, double overlap, const ContactStep& step) const
+{
+    const double stored = contactSpring(overlap - near.kept, point.parameters).energy;
+    const double pushed = std::min(near.kept, point.pushSpeed * step.duration);
+    near.kept = std::min(near.kept - pushed, std::max(0.0, overlap)); // what comes out by itself is not pushed
+    const ContactSpring spring = contactSpring(overlap - near.kept, point.parameters);
+    const double last = near.pressed;
+    near.pressed = near.kept > 0 ? spring.force : 0;
+    // In an explicit scheme both ends move at once: the mean force does the work.
+    return step.isImplicit() ? spring.energy - stored : 0.5 * (last + spring.force) * pushed;
+}
+
+void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurface& surface, const ContactStep& step,
+                            ContactCrowd& crowd, SurfaceLoad& load, ContactReport& report)
+{
+    const Point& point = m_points[near.point];
+    ObjectState& state = *body.state;
+    const Vec3 place = point.spread.at(state.position);
+    const SurfacePoint nearest = SurfaceContacts::nearest(near, surface, place);
+    const double depth = point.reach - nearest.distance;
+    if (near.kept > 0 && !step.isTrial)
+        report.placed += letOut(near, point, depth, step);
+    if (!(depth > near.kept)) {
+        if (!step.keepsSlip)
+            near.grip = 0;
+        if (!step.isTrial)
+            near.friction = {};
+        return;
+    }
+    const Vec3 surfaceVelocity = surface.velocityAt(place);
+    ContactParameters parameters = point.parameters;
+    parameters.friction = std::sqrt(parameters.friction * surface.friction);
+    const ContactResult result = contactForce({.overlap = depth - near.kept,
+                                               .normal = nearest.normal,
+                                               .relativeVelocity = point.spread.at(state.velocity) - surfaceVelocity,
+                                               .memory = {toWorld(surface, near.friction.hold), near.friction.pressure},
+                                               .grip = near.grip},
+                                              parameters, step);
+    point.spread.add(result.spring, state.force);
+    point.spread.add(result.damping, state.damping);
+    near.grip = result.grip;
+    if (!step.isTrial)
+        near.friction = {toLocal(surface, result.memory.hold), result.memory.pressure};
+    const Vec3 force = result.force();
+    load.force -= force;
+    load.torque -= (place - surface.pose.position).cross(force);
+    load.power += force.dot(surfaceVelocity);
+    report.energy += result.energy;
+    report.brakingPower -= result.damping.dot(surfaceVelocity);
+    if (!result.friction.isZero(0))
+        for (std::uint32_t n = 0; n < point.spread.count; ++n)
+            report.frictions.push_back(
+                {{point.body, point.spread.objects[n]}, point.spread.weights[n] * result.friction, surfaceVelocity});
+    ++report.count;
+    report.frictionLimit += result.frictionLimit;
+    report.frictionExcess += std::max(0.0, result.friction.norm() - result.frictionLimit);
+    crowd.add(body, point.body, point.spread, result.slope);
+    if (step.isTrial)
+        report.tangents.push_back({.first = {point.body, point.spread.main()},
+                                   .second = std::nullopt,
+                                   .spread = &point.spread,
+                                   .force = force,
+                                   .resistance = result.resistance});
+}
+
+void SurfaceContacts::computeForces(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
+                                    const ContactStep& step, ContactCrowd& crowd, ContactReport& report)
+{
+    for (std::size_t s = 0; s < surfaces.size(); ++s)
+        for (Near& near : m_near[s])
+            press(bodies[m_points[near.point].body], near, surfaces[s], step, crowd, report.loads[s], report);
+}
+
+void SurfaceContacts::addPressing(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
+                                  std::vector<std::vector<Vec3>>& forces) const
+{
+    for (const RigidSurface& surface : surfaces) {
+        for (const Point& point : m_points) {
+            const ContactBody& body = bodies[point.body];
+            if (!point.isActive || body.kind == BodyKind::glue)
+                continue;
+            const SurfacePoint nearest = surface.nearest(point.spread.at(body.state->position));
+            const double force = contactSpring(point.reach - nearest.distance, point.parameters).force;
+            for (std::uint32_t n = 0; force > 0 && n < point.spread.count; ++n)
+                forces[point.body][point.spread.objects[n]] += point.spread.weights[n] * force * nearest.normal;
+        }
+    }
+}
+
+double SurfaceContacts::deepest(const ContactBody& body, std::uint32_t index, const RigidSurface& surface) const
+{
+    const double a = body.spacing();
+    const Box box = surface.reach(a);
+    std::vector<double> deepest((m_points.size() + blockSize - 1) / blockSize, -a);
+    forEachBlock(m_points.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+        double& most = deepest[begin / blockSize];
+        for (std::size_t p = begin; p < end; ++p) {
+            const Point& point = m_points[p];
+            if (point.body != index || !point.isActive)
+                continue;
+            const Vec3 place = point.spread.at(body.state->position);
+            if (box.contains(place))
+                most = std::max(most, point.reach - surface.nearest(place).distance);
+        }
+    });
+    return deepest.empty() ? -a : *std::max_element(deepest.begin(), deepest.end());
+}
+
+} // namespace knead
