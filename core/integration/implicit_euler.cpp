@@ -285,8 +285,8 @@ double ImplicitEuler::flowedEnergy() const
     return sum;
 }
 
-/// Pieces that touched nothing in any trial and are not held keep their momenta: linear ones to what the solver left over, angular ones to what
-/// the scheme takes from anything that turns. A rigid motion of each piece puts them right.
+/// Pieces that touched nothing in any trial and are not held keep their momenta: linear ones to what the solver left over,
+/// angular ones to what the scheme takes from anything that turns. A rigid motion of each piece puts them right.
 void ImplicitEuler::keepMomenta(const Vec3& gravity, double h)
 {
     std::vector<std::vector<std::uint8_t>> touches;
@@ -474,7 +474,9 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const
                 report.largestSpeed = std::isfinite(speed) ? speed : std::numeric_limits<double>::infinity();
         }
     }
-    report.plastic = flowedEnergy();
+    for (const BodyView& body : m_bodies)
+        if (body.deforms)
+            report.plastic += body.connections->flowWork();
     report.numerical =
         -report.plastic + numericalLoss(report.contacts, elasticEnergy() + report.contacts.energy - m_startEnergy, h);
     return report;

@@ -60,6 +60,7 @@ struct TensorBody {
 
     PlasticState flowed;           ///< after the last flow
     double dissipatedEnergy = 0;   ///< by it [J]
+    double flowWork = 0;           ///< see StructuralConnections::flowWork() [J]
     LaneVector<double> share;      ///< S of it
     LaneVector<double> dissipated; ///< [J]
     LaneVector<double> dilatation; ///< theta

@@ -54,6 +54,18 @@ double yieldStressOf(const Material& material)
     return material.yields() ? material.yieldStress : std::numeric_limits<double>::infinity();
 }
 
+/// W / D of all objects, where |s| falls to its share q: D = G |e|^2 (1 - q^2), and W = 2 G |e|^2 q (1 - q) = D 2 q / (1 + q).
+/// @param dissipated sum of D [J]
+double workShare(const TensorBody& body, double dissipated)
+{
+    if (dissipated <= 0)
+        return 1;
+    double work = 0;
+    for (std::size_t i = 0; i < body.share.size(); ++i)
+        work += body.dissipated[i] * 2 * body.share[i] / (1 + body.share[i]);
+    return std::clamp(work / dissipated, 0.0, 1.0);
+}
+
 } // namespace
 
 void StructuralConnections::findTensorNumbers()
@@ -224,7 +236,9 @@ void StructuralConnections::flow(const VectorArray& position, double duration)
                                      .lengthening = lengthening.data(),
                                      .dissipated = body.dissipated.data()};
     applyTensorLaw(position, &result, false);
-    body.dissipatedEnergy = lengthen(position) + std::accumulate(body.dissipated.begin(), body.dissipated.end(), 0.0);
+    const double ofObjects = std::accumulate(body.dissipated.begin(), body.dissipated.end(), 0.0);
+    body.dissipatedEnergy = lengthen(position) + ofObjects;
+    body.flowWork = body.dissipatedEnergy * workShare(body, ofObjects);
     m_hasTrial = true;
 }
 

@@ -76,6 +76,10 @@ public:
     /// What acceptFlow() would return.
     double flowedEnergy() const { return m_hasTrial ? m_tensors->dissipatedEnergy : 0; }
 
+    /// Of that, what the stress afterwards does on the flow [J]. In a long step the stress before it is far beyond yield: its
+    /// energy is more by G |plastic strain|^2, which no material turns into heat but the scheme takes back.
+    double flowWork() const { return m_hasTrial ? m_tensors->flowWork : 0; }
+
     /// Forgets the flow of the last forces.
     void rejectFlow() { m_hasTrial = false; }
 

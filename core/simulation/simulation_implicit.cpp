@@ -331,8 +331,9 @@ void Simulation::State::stepImplicitly()
     energy.plastic += settled.plastic;
     energy.fracture += settled.fracture;
     bookPlaced(settled);
+    energy.plastic += report.plastic;
     for (auto& run : runs)
-        energy.plastic += run->connections.acceptFlow();
+        run->connections.acceptFlow();
     loadFixtures();
     for (BodyId b = 0; b < runs.size(); ++b)
         energy.viscous += brakeShape(b, timeStep);

@@ -1,0 +1,156 @@
+// Flow stress of parts that were cut from the lattice in any direction: what is typed is what a testing machine finds.
+#include "core/aggregate/fill.h"
+#include "core/simulation/simulation.h"
+#include "support/scenes.h"
+#include "support/shapes.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace knead;
+
+namespace {
+
+constexpr double width = 0.012; // [m]
+
+Material metal(double modulus, double yieldStress, double hardening)
+{
+    return {.density = 1500,
+            .youngsModulus = modulus,
+            .poissonRatio = 0.3,
+            .dampingRatio = 0.1,
+            .yieldStress = yieldStress,
+            .hardening = hardening};
+}
+
+/// A bar whose axis z lies along a direction of the lattice.
+Body bar(const Vec3& direction, double length, double cells, const Material& material)
+{
+    const Quaternion turn = Quaternion::FromTwoVectors(Vec3::UnitZ(), direction.normalized());
+    const TriangleMesh mesh = shapes::moved(shapes::box({width, width, length}), {Vec3::Zero(), turn});
+    return {.name = "bar",
+            .aggregate = std::make_shared<const Aggregate>(fill(mesh, {.spacing = width / cells})),
+            .material = material};
+}
+
+Scene implicitScene(const Body& body, double duration)
+{
+    Scene scene;
+    scene.bodies.push_back(body);
+    scene.integrator = Integrator::implicitEuler;
+    scene.timeStep = std::min(1.0 / 60, duration / 40);
+    return scene;
+}
+
+/// Between two plates without friction, by a share of its height. @return mean force over the last tenth of the way [N]
+double press(const Vec3& direction, double cells, const Material& material, double share, double duration)
+{
+    const Quaternion turn = Quaternion::FromTwoVectors(Vec3::UnitZ(), direction.normalized());
+    Scene scene = implicitScene(bar(direction, width, cells, material), duration);
+    constexpr double thickness = 0.004;
+    for (const double side : {-1.0, 1.0}) {
+        Manipulator plate{.name = "plate", .size = {2 * width, 2 * width, thickness}};
+        plate.kind = ToolKind::plate;
+        plate.friction = 0;
+        plate.speedLimit = 10;
+        const auto at = [&](double down) {
+            return Pose{turn * Vec3(0, 0, side * (width / 2 + thickness / 2 - down)), turn};
+        };
+        plate.pose = at(0);
+        plate.motion = FollowKeyFrames{{{0, at(0)}, {duration, at(share * width / 2)}}};
+        scene.manipulators.push_back(plate);
+    }
+    Simulation simulation(scene);
+    const auto run = [&](double until) {
+        while (simulation.health().ok && simulation.time() < until * (1 - 1e-9))
+            simulation.step();
+        return simulation.snapshot();
+    };
+    run(0.9 * duration);
+    const auto shot = run(duration);
+    if (!shot->health.ok)
+        qWarning("%s", shot->health.message.c_str());
+    const Vec3 axis = turn * Vec3::UnitZ();
+    return shot->health.ok ? 0.5 * (shot->tools[1].force - shot->tools[0].force).dot(axis) : 0;
+}
+
+/// Pulled at both ends by grips. @return mean force over the last tenth [N]
+double pull(const Vec3& direction, double cells, const Material& material, double stretch, double duration)
+{
+    const Vec3 axis = direction.normalized();
+    constexpr double length = 4 * width;
+    constexpr double gauge = 3 * width;
+    const Body body = bar(direction, length, cells, material);
+    Scene scene = implicitScene(body, duration);
+    for (const double side : {-1.0, 1.0}) {
+        std::vector<ObjectIndex> objects;
+        for (ObjectIndex i = 0; i < body.aggregate->size(); ++i)
+            if (side * body.aggregate->lattice.position(i).dot(axis) > gauge / 2)
+                objects.push_back(i);
+        scene.fixtures.push_back({"grip", 0, objects, side * stretch * gauge / 2 / duration * axis});
+    }
+    Simulation simulation(scene);
+    while (simulation.health().ok && simulation.time() < duration * (1 - 1e-9))
+        simulation.step();
+    const auto shot = simulation.snapshot();
+    if (!shot->health.ok)
+        qWarning("%s", shot->health.message.c_str());
+    return shot->health.ok ? 0.5 * std::abs((shot->fixtureForces[1] - shot->fixtureForces[0]).dot(axis)) : 0;
+}
+
+} // namespace
+
+class FlowStressTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void isWhatWasTyped_data()
+    {
+        QTest::addColumn<double>("u");
+        QTest::addColumn<double>("v");
+        QTest::addColumn<double>("w");
+        QTest::addColumn<double>("cells");
+        QTest::addColumn<double>("tolerance");
+        for (const auto& [name, direction] : {std::pair("[100]", Vec3(0, 0, 1)), std::pair("[110]", Vec3(1, 0, 1)),
+                                              std::pair("[111]", Vec3(1, 1, 1))}) {
+            QTest::newRow(qPrintable(QString("%1, 4 cells").arg(name)))
+                << direction.x() << direction.y() << direction.z() << 4.0 << 0.07;
+            QTest::newRow(qPrintable(QString("%1, 6 cells").arg(name)))
+                << direction.x() << direction.y() << direction.z() << 6.0 << 0.04;
+        }
+    }
+    void isWhatWasTyped()
+    {
+        QFETCH(const double, u);
+        QFETCH(const double, v);
+        QFETCH(const double, w);
+        const Vec3 direction(u, v, w);
+        QFETCH(const double, cells);
+        QFETCH(const double, tolerance);
+        // Pressed by 22 %: volume stays, so the section grows; the mean is taken at 20.9 %.
+        const double pressed =
+            press(direction, cells, metal(1e7, 1e5, 0), 0.22, 0.25) * (1 - 0.209) / (width * width * 1e5);
+        QVERIFY2(std::abs(pressed - 1) < tolerance, qPrintable(QString("pressed: %1").arg(pressed)));
+        // Pulled to 1.22: it hardens, so that it stays even.
+        const double strain = std::log(1.22);
+        const double flow = (1e5 + 2e5 * strain) / 1.22;
+        const double pulled = pull(direction, cells, metal(1e7, 1e5, 2e5), 0.22, 0.25) / (width * width * flow);
+        qInfo("pressed %.3f, pulled %.3f of the typed law", pressed, pulled);
+        QVERIFY2(std::abs(pulled - 1) < tolerance, qPrintable(QString("pulled: %1").arg(pulled)));
+    }
+
+    /// Stiff and slow, stiff and fast: the force is the same.
+    void doesNotDependOnTheTimeItTakes()
+    {
+        const Material steel = metal(2.1e11, 2.5e8, 0);
+        const double fast = press({0, 0, 1}, 4, steel, 0.22, 0.25);
+        const double slow = press({0, 0, 1}, 4, steel, 0.22, 20);
+        QVERIFY2(slow > 0 && std::abs(fast / slow - 1) < 0.02, qPrintable(QString::number(fast / slow)));
+        const double expected = 2.5e8 * width * width / (1 - 0.209);
+        QVERIFY2(std::abs(slow / expected - 1) < 0.07, qPrintable(QString::number(slow / expected)));
+    }
+};
+
+QTEST_APPLESS_MAIN(FlowStressTest)
+#include "flow_stress_test.moc"
