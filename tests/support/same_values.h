@@ -103,10 +103,15 @@ inline auto members(const Lattice::Segment& v)
     const auto& [a, b, c] = v;
     return std::tie(a, b, c);
 }
+inline auto members(const SkinPoint& v)
+{
+    const auto& [a, b] = v;
+    return std::tie(a, b);
+}
 inline auto members(const Aggregate& v)
 {
-    const auto& [a, b, c, d, e, f, g, h, i] = v;
-    return std::tie(a, b, c, d, e, f, g, h, i);
+    const auto& [a, b, c, d, e, f, g, h, i, j] = v;
+    return std::tie(a, b, c, d, e, f, g, h, i, j);
 }
 inline auto members(const SetMaterial& v)
 {
