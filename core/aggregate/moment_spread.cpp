@@ -1,7 +1,6 @@
 #include "core/aggregate/moment_spread.h"
 
-#include <Eigen/Cholesky>
-
+#include <algorithm>
 #include <cmath>
 
 namespace knead {
@@ -61,19 +60,37 @@ struct PowerSums {
     double ofTerms(const Exponents& a, const Exponents& b) const { return all[a[0] + b[0]][a[1] + b[1]][a[2] + b[2]]; }
 };
 
-using Matrix = Eigen::Matrix<double, terms, terms>;
-using Coefficients = Eigen::Matrix<double, terms, 1>;
+using Coefficients = std::array<double, terms>;
 
-/// (sum omega p p^T + ridge)^-1 M
+/// (sum omega p p^T + ridge)^-1 M, by L D L^T.
 Coefficients fitted(const PowerSums& sums, const QuadraticMoments& moments)
 {
-    Matrix matrix;
-    for (std::size_t i = 0; i < terms; ++i)
-        for (std::size_t j = 0; j < terms; ++j)
-            matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-                sums.ofTerms(exponents[i], exponents[j]);
-    matrix.diagonal().array() += ridge * matrix.trace();
-    return matrix.llt().solve(Eigen::Map<const Coefficients>(moments.data()));
+    std::array<std::array<double, terms>, terms> lower; // below the diagonal L, on and above it L D
+    double trace = 0;
+    for (const Exponents& e : exponents)
+        trace += sums.ofTerms(e, e);
+    const double added = ridge * trace;
+    std::array<double, terms> inverse;
+    Coefficients c = moments;
+    for (std::size_t i = 0; i < terms; ++i) {
+        for (std::size_t j = 0; j <= i; ++j) {
+            double left = sums.ofTerms(exponents[i], exponents[j]);
+            for (std::size_t k = 0; k < j; ++k)
+                left -= lower[i][k] * lower[k][j];
+            lower[j][i] = left;
+            if (j < i)
+                lower[i][j] = left * inverse[j];
+        }
+        inverse[i] = 1 / (lower[i][i] += added);
+        for (std::size_t k = 0; k < i; ++k)
+            c[i] -= lower[i][k] * c[k];
+    }
+    for (std::size_t i = terms; i-- > 0;) {
+        c[i] *= inverse[i];
+        for (std::size_t k = i + 1; k < terms; ++k)
+            c[i] -= lower[k][i] * c[k];
+    }
+    return c;
 }
 
 double valueAt(const Coefficients& c, double u, double v, double w)
@@ -102,39 +119,38 @@ const std::vector<MomentSpread::Share>& MomentSpread::spread(std::size_t directi
                                                              const Vec3& center, const Objects& objects,
                                                              const std::vector<double>& today)
 {
-    constexpr double far = radius * radius;
     const Lattice::Node& ahead = Lattice::directions[direction];
     const auto middle = [&](std::int32_t place, std::size_t axis) { return place - reach + 0.5 * ahead[axis]; };
     const auto square = [](double x) { return x * x; };
+    // Calls visit(place, coordinate, what is left of the square) along an axis, where the square of the radius is not passed.
+    const auto forEachWithin = [&](double squared, std::size_t axis, auto visit) {
+        const double at = center[static_cast<Eigen::Index>(axis)];
+        const double half = std::sqrt(squared);
+        const auto first = static_cast<std::int32_t>(std::ceil(at - half - middle(0, axis)));
+        const auto last = static_cast<std::int32_t>(std::floor(at + half - middle(0, axis)));
+        for (std::int32_t place = std::max(first, 0); place <= std::min(last, across - 1); ++place)
+            visit(place, middle(place, axis), std::max(squared - square(middle(place, axis) - at), 0.0));
+    };
     m_points.clear();
     m_shares.clear();
     PowerSums sums;
-    for (std::int32_t planes = 0; planes < across; ++planes) {
-        const double u = middle(planes, 0);
-        const double besides = square(u - center[0]);
-        if (besides >= far)
-            continue;
-        for (std::int32_t rows = 0; rows < across; ++rows) {
-            const double v = middle(rows, 1);
-            const double beside = besides + square(v - center[1]);
-            if (beside >= far)
-                continue;
-            for (std::int32_t places = 0; places < across; ++places) {
-                const double w = middle(places, 2);
-                const double squared = beside + square(w - center[2]);
-                const ObjectIndex object = objects[static_cast<std::size_t>((planes * across + rows) * across + places)];
-                if (squared >= far || object >= today.size() || !(today[object] > 0))
-                    continue;
-                const double r = std::sqrt(squared) / radius;
+    forEachWithin(square(radius), 0, [&](std::int32_t plane, double u, double left) {
+        forEachWithin(left, 1, [&](std::int32_t row, double v, double leftInPlane) {
+            forEachWithin(leftInPlane, 2, [&](std::int32_t place, double w, double leftInRow) {
+                const auto node = static_cast<std::uint32_t>((plane * across + row) * across + place);
+                const ObjectIndex object = objects[node];
+                if (object >= today.size() || !(today[object] > 0))
+                    return;
+                const double r = std::sqrt(square(radius) - leftInRow) * (1 / radius);
                 const double omega = today[object] * square(square(1 - r)) * (4 * r + 1);
                 m_points.push_back({u, v, w, omega});
-                m_shares.push_back({object, 0});
+                m_shares.push_back({node, 0});
                 sums.addPoint(w, omega);
-            }
+            });
             sums.endRow(v);
-        }
+        });
         sums.endPlane(u);
-    }
+    });
     if (m_points.empty())
         return m_shares;
     const Coefficients coefficients = fitted(sums, moments);

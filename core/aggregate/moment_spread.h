@@ -30,7 +30,7 @@ public:
     using Objects = std::array<ObjectIndex, nodes>;
 
     struct Share {
-        ObjectIndex object; ///< lower end of the connection
+        std::uint32_t node; ///< lower end of the connection, as in Objects
         double weight;      ///< m_b
     };
 

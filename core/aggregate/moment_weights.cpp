@@ -34,88 +34,94 @@ double evenlyJoined(std::size_t direction, std::size_t axis)
     return Lattice::directions[direction][axis] == 0 ? 0.25 : 0;
 }
 
-/// What one cell gives to the connections of a family around it beside what joinCells() does.
-class CellCorrection {
+/// Two cells per axis, whose corrections are spread together: an eighth to a quarter of the work of one after the other.
+///
+/// What they give to the connections of a family beside what joinCells() does:
+///  - of a cut cell the moments of its material, less what it gave already;
+///  - of the sides of full cells -excess / 2 times the derivative along the outward normal, taken over the side. Between full
+///    cells the second moments that are too large cancel but for these.
+/// excess = evenlyJoined() - 1/12 - softness() differs from family to family, so what it multiplies is summed up apart.
+class ThinBlock {
 public:
-    CellCorrection(const ThinCell& cell, std::size_t direction)
-        : m_direction(direction)
+    using Place = std::array<std::int32_t, 3>;
+
+    /// @param cell any of it
+    static Place placeOf(const Lattice::Node& cell) { return {cell[0] / 2, cell[1] / 2, cell[2] / 2}; }
+
+    explicit ThinBlock(const Place& place)
+        : m_place(place)
     {
-        if (cell.cut != nullptr)
-            takeMoments(cell.cut->moments, cell.isKept);
-        // A full cell gives its part of the sides that are skin, a cut one that of the full cells beside it.
-        cell.forEachSide([&](std::size_t axis, int side) { addSide(axis, side, cell.cut != nullptr ? -side : side); });
     }
 
-    const QuadraticMoments& moments() const { return m_moments; }
-
-private:
-    /// Of a cut cell: the moments of its material, less what it gave already.
-    void takeMoments(const CellMoments& moments, bool isKept)
-    {
-        m_moments = moments.value;
-        const double kept = isKept ? moments.value[0] : 0;
-        m_moments[0] -= kept;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            m_moments[4 + axis] += softness(m_direction) * moments.value[0] - kept * evenlyJoined(m_direction, axis);
-    }
-
-    /// Between full cells the second moments that are too large cancel but for a part at their outer sides:
-    ///   -excess / 2 times the derivative along the outward normal, taken over the side.
-    /// @param side of this cell along an axis, -1 or 1
-    /// @param outward direction of the full cell's normal there
-    void addSide(std::size_t axis, int side, int outward)
-    {
-        const double excess = evenlyJoined(m_direction, axis) - (1.0 / 12 + softness(m_direction));
-        const double slope = -0.5 * excess * outward;
-        m_moments[1 + axis] += slope;
-        m_moments[4 + axis] += slope * side; // 2 x at x = side / 2
-    }
-
-    std::size_t m_direction;
-    QuadraticMoments m_moments{};
-};
-
-/// Middle of the material, from the middle of the cell [a].
-Vec3 centerOf(const ThinCell& cell)
-{
-    if (cell.cut == nullptr)
-        return Vec3::Zero();
-    const auto& m = cell.cut->moments.value;
-    return Vec3(m[1], m[2], m[3]) / m[0];
-}
-
-/// Two cells per axis, whose corrections are spread together: a quarter to a seventh of the time of doing it cell by cell.
-struct ThinBlock {
-    std::array<std::int32_t, 3> place{}; ///< of its first cell, halved
-    std::vector<ThinCell> cells;
-
-    Lattice::Node middle() const { return {2 * place[0] + 1, 2 * place[1] + 1, 2 * place[2] + 1}; }
-
-    Vec3 fromMiddle(const Lattice::Node& cell) const
+    void add(const ThinCell& cell)
     {
         const Lattice::Node at = middle();
-        return Vec3(cell[0] - at[0], cell[1] - at[1], cell[2] - at[2]) + Vec3::Constant(0.5);
+        Vec3 step(cell.cell[0] - at[0], cell.cell[1] - at[1], cell.cell[2] - at[2]);
+        step += Vec3::Constant(0.5);
+        // A full cell gives its part of the sides that are skin, a cut one that of the full cells beside it.
+        cell.forEachSide(
+            [&](std::size_t axis, int side) { addSide(axis, side, cell.cut != nullptr ? -side : side, step); });
+        if (cell.cut != nullptr)
+            addMaterial(cell.cut->moments.value, cell.isKept, step);
+        m_centers += step;
+        ++m_cells;
     }
+
+    const Place& place() const { return m_place; }
+    Lattice::Node middle() const { return {2 * m_place[0] + 1, 2 * m_place[1] + 1, 2 * m_place[2] + 1}; }
 
     /// Middle of the material, from the middle of the block [a].
-    Vec3 center() const
-    {
-        Vec3 sum = Vec3::Zero();
-        for (const ThinCell& cell : cells)
-            sum += fromMiddle(cell.cell) + centerOf(cell);
-        return sum / static_cast<double>(cells.size());
-    }
+    Vec3 center() const { return m_centers / m_cells; }
 
+    /// About the middle of the block.
     QuadraticMoments moments(std::size_t direction) const
     {
-        QuadraticMoments sum{};
-        for (const ThinCell& cell : cells) {
-            const QuadraticMoments one = moved(CellCorrection(cell, direction).moments(), fromMiddle(cell.cell));
+        QuadraticMoments sum = m_material;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double even = evenlyJoined(direction, axis);
+            const double excess = even - 1.0 / 12 - softness(direction);
+            sum[4 + axis] += softness(direction) * m_volume - even * m_keptVolume;
             for (std::size_t k = 0; k < sum.size(); ++k)
-                sum[k] += one[k];
+                sum[k] += excess * m_sides[axis][k];
         }
         return sum;
     }
+
+private:
+    void addMaterial(const QuadraticMoments& moments, bool isKept, const Vec3& step)
+    {
+        m_volume += moments[0];
+        m_centers += Vec3(moments[1], moments[2], moments[3]) / moments[0];
+        QuadraticMoments lacking = moments;
+        if (isKept) {
+            m_keptVolume += moments[0];
+            // What was given lies at the cell's middle, but for its second moments there.
+            lacking[0] = 0;
+        }
+        addTo(m_material, moved(lacking, step));
+    }
+
+    void addSide(std::size_t axis, int side, int outward, const Vec3& step)
+    {
+        QuadraticMoments slope{};
+        slope[1 + axis] = -0.5 * outward;
+        slope[4 + axis] = -0.5 * outward * side; // 2 x at x = side / 2
+        addTo(m_sides[axis], moved(slope, step));
+    }
+
+    static void addTo(QuadraticMoments& sum, const QuadraticMoments& one)
+    {
+        for (std::size_t k = 0; k < sum.size(); ++k)
+            sum[k] += one[k];
+    }
+
+    Place m_place; // of its first cell, halved
+    Vec3 m_centers = Vec3::Zero();
+    double m_cells = 0;
+    double m_volume = 0;     // of cut cells
+    double m_keptVolume = 0; // of those that joinCells() has seen
+    QuadraticMoments m_material{};
+    std::array<QuadraticMoments, 3> m_sides{}; // per axis of the sides
 };
 
 /// The blocks of two slabs, ascending.
@@ -124,16 +130,15 @@ std::vector<ThinBlock> blocksOf(std::span<const std::vector<ThinCell>> slabs)
     std::vector<ThinCell> cells;
     for (const std::vector<ThinCell>& slab : slabs)
         cells.insert(cells.end(), slab.begin(), slab.end());
-    const auto place = [](const ThinCell& cell) {
-        return std::array<std::int32_t, 3>{cell.cell[0] / 2, cell.cell[1] / 2, cell.cell[2] / 2};
-    };
-    std::stable_sort(cells.begin(), cells.end(),
-                     [&](const ThinCell& one, const ThinCell& other) { return place(one) < place(other); });
+    std::stable_sort(cells.begin(), cells.end(), [](const ThinCell& one, const ThinCell& other) {
+        return ThinBlock::placeOf(one.cell) < ThinBlock::placeOf(other.cell);
+    });
     std::vector<ThinBlock> blocks;
     for (const ThinCell& cell : cells) {
-        if (blocks.empty() || blocks.back().place != place(cell))
-            blocks.push_back({place(cell), {}});
-        blocks.back().cells.push_back(cell);
+        const ThinBlock::Place place = ThinBlock::placeOf(cell.cell);
+        if (blocks.empty() || blocks.back().place() != place)
+            blocks.emplace_back(place);
+        blocks.back().add(cell);
     }
     return blocks;
 }
@@ -141,7 +146,7 @@ std::vector<ThinBlock> blocksOf(std::span<const std::vector<ThinCell>> slabs)
 /// The objects around nodes, quicker for nodes of the same row one after the other.
 class ObjectsAround {
 public:
-    explicit ObjectsAround(const Lattice& lattice, const LatticeRows& rows)
+    ObjectsAround(const Lattice& lattice, const LatticeRows& rows)
         : m_lattice(lattice)
         , m_rows(rows)
     {
@@ -197,26 +202,38 @@ public:
     }
 
     /// Not for blocks less than MomentSpread::across apart at a time in one family.
-    /// @param familyGroup 0 .. familyGroups - 1: a third of the families, so that flat bodies have work for many threads
-    void correct(const std::vector<ThinBlock>& blocks, std::size_t familyGroup)
+    /// @param group of familyGroups, so that flat bodies have work for many threads
+    void correct(const std::vector<ThinBlock>& blocks, std::size_t group)
     {
         ObjectsAround objects(m_aggregate.lattice, m_rows);
         MomentSpread spread;
         for (const ThinBlock& block : blocks) {
             const MomentSpread::Objects& around = objects.around(block.middle());
             const Vec3 center = block.center();
-            for (std::size_t d = familyGroup; d < families; d += familyGroups)
-                for (const auto& [object, weight] :
-                     spread.spread(d, block.moments(d), center, around, m_aggregate.weight[d]))
-                    m_weight[d][object] += weight;
+            for (const std::size_t d : familyGroups[group])
+                give(spread.spread(d, block.moments(d), center, around, m_aggregate.weight[d]), d, around);
         }
     }
 
     std::vector<std::vector<double>> takeWeights() { return std::move(m_weight); }
 
-    static constexpr std::size_t familyGroups = 3;
+    /// The two diagonals of a face of cells cross in their middles and have the same weights, so only one of them is fitted.
+    static constexpr std::array<std::array<std::size_t, 2>, 3> familyGroups{{{0, 3}, {1, 5}, {2, 7}}};
 
 private:
+    void give(const std::vector<MomentSpread::Share>& shares, std::size_t d, const MomentSpread::Objects& objects)
+    {
+        for (const auto& [node, weight] : shares)
+            m_weight[d][objects[node]] += weight;
+        if (d < 3)
+            return;
+        // The other diagonal begins one further along the axis that it goes down.
+        constexpr std::size_t across = MomentSpread::across;
+        const std::size_t further = d == 3 ? across : 1;
+        for (const auto& [node, weight] : shares)
+            m_weight[d + 1][objects[node + further]] += weight;
+    }
+
     const Aggregate& m_aggregate;
     LatticeRows m_rows;
     std::vector<std::vector<double>> m_weight; // per family
@@ -267,7 +284,7 @@ Aggregate withFittedMoments(const CutCells& cells, Aggregate aggregate, TaskCont
     MomentFit fit(cells, aggregate);
     // Blocks that reach the same objects are done one after the other, so that sums are always taken in the same order.
     constexpr std::size_t apart = (MomentSpread::across + 1) / 2;
-    constexpr std::size_t groups = MomentFit::familyGroups;
+    constexpr std::size_t groups = MomentFit::familyGroups.size();
     for (std::size_t color = 0; color < std::min(apart, blocks.size()); ++color) {
         TaskPortion portion(control, static_cast<double>(color) / apart, static_cast<double>(color + 1) / apart);
         const std::size_t count = (blocks.size() - color + apart - 1) / apart;
