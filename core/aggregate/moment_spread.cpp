@@ -14,7 +14,7 @@ constexpr double radius = 2.4;
 
 // Of the trace: what can hardly be told from the points (the square of a height with two layers) is left as it is.
 // Less asks for large weights of both signs there, more leaves out what could be had.
-constexpr double ridge = 2e-4;
+constexpr double relativeRidge = 2e-4;
 
 using Exponents = std::array<std::size_t, 3>;
 
@@ -26,8 +26,8 @@ constexpr std::size_t powers = 5; // 0 to 4
 /// sum omega u^i v^j w^k over points, for i + j + k <= 4. Points come row by row and plane by plane, so that each axis is
 /// summed over once: a third of the work of summing 35 products over the points.
 struct PowerSums {
-    std::array<double, powers> row{};                               ///< k
-    std::array<std::array<double, powers>, powers> plane{};         ///< j k
+    std::array<double, powers> row{};                                         ///< k
+    std::array<std::array<double, powers>, powers> plane{};                   ///< j k
     std::array<std::array<std::array<double, powers>, powers>, powers> all{}; ///< i j k
 
     void addPoint(double w, double omega)
@@ -58,6 +58,14 @@ struct PowerSums {
     }
 
     double ofTerms(const Exponents& a, const Exponents& b) const { return all[a[0] + b[0]][a[1] + b[1]][a[2] + b[2]]; }
+
+    double ridge() const
+    {
+        double trace = 0;
+        for (const Exponents& e : exponents)
+            trace += ofTerms(e, e);
+        return relativeRidge * trace;
+    }
 };
 
 using Coefficients = std::array<double, terms>;
@@ -66,10 +74,7 @@ using Coefficients = std::array<double, terms>;
 Coefficients fitted(const PowerSums& sums, const QuadraticMoments& moments)
 {
     std::array<std::array<double, terms>, terms> lower; // below the diagonal L, on and above it L D
-    double trace = 0;
-    for (const Exponents& e : exponents)
-        trace += sums.ofTerms(e, e);
-    const double added = ridge * trace;
+    const double ridge = sums.ridge();
     std::array<double, terms> inverse;
     Coefficients c = moments;
     for (std::size_t i = 0; i < terms; ++i) {
@@ -81,7 +86,7 @@ Coefficients fitted(const PowerSums& sums, const QuadraticMoments& moments)
             if (j < i)
                 lower[i][j] = left * inverse[j];
         }
-        inverse[i] = 1 / (lower[i][i] += added);
+        inverse[i] = 1 / (lower[i][i] += ridge);
         for (std::size_t k = 0; k < i; ++k)
             c[i] -= lower[i][k] * c[k];
     }
@@ -151,9 +156,13 @@ const std::vector<MomentSpread::Share>& MomentSpread::spread(std::size_t directi
         });
         sums.endPlane(u);
     });
+    m_residual = {};
     if (m_points.empty())
         return m_shares;
     const Coefficients coefficients = fitted(sums, moments);
+    const double ridge = sums.ridge();
+    for (std::size_t k = 0; k < terms; ++k)
+        m_residual[k] = -ridge * coefficients[k];
     for (std::size_t b = 0; b < m_points.size(); ++b) {
         const Point& x = m_points[b];
         m_shares[b].weight = x.omega * valueAt(coefficients, x.u, x.v, x.w);

@@ -18,8 +18,9 @@ QuadraticMoments moved(const QuadraticMoments& moments, const Vec3& step);
 ///
 /// Weights m_b that act as M, sum_b m_b p(x_b) = M for all quadratic p, and are small:
 ///   m_b = omega_b p(x_b)^T (sum omega p p^T + ridge)^-1 M,   omega = weight of today at b times Wendland(distance / 2.4 a)
-/// The weight of today keeps what little there is at the skin from being asked for much. Lengths are in spacings, from the
-/// node; distances are from the middle of the material.
+/// The weight of today keeps what little there is at the skin from being asked for much. What the ridge keeps out, as two
+/// layers of objects have the square of one height only, is the residual sum_b m_b p(x_b) - M. Lengths are in spacings, from
+/// the node; distances are from the middle of the material.
 class MomentSpread {
 public:
     static constexpr std::int32_t reach = 3;  ///< nodes around, per axis and side
@@ -40,6 +41,9 @@ public:
     const std::vector<Share>& spread(std::size_t direction, const QuadraticMoments& moments, const Vec3& center,
                                      const Objects& objects, const std::vector<double>& today);
 
+    /// Of the last call.
+    const QuadraticMoments& residual() const { return m_residual; }
+
 private:
     struct Point {
         double u, v, w;
@@ -48,6 +52,7 @@ private:
 
     std::vector<Point> m_points;
     std::vector<Share> m_shares;
+    QuadraticMoments m_residual{};
 };
 
 } // namespace knead

@@ -13,17 +13,24 @@ namespace knead {
 
 namespace {
 
-constexpr std::size_t families = Lattice::isotropicCount;
+constexpr std::size_t familyCount = Lattice::isotropicCount;
+
+// The two diagonals of a face of cells cross in their middles and have the same weights, so only one of them is fitted: uv, uw, vw.
+constexpr std::array<std::size_t, 3> diagonals{3, 5, 7};
+constexpr std::array<std::size_t, 3> alongAxes{0, 1, 2};
 
 /// Second moment [a^2] that the material gets beside its own, per family.
 ///
 /// A lattice bends a little softer than the continuum between its surfaces, and twists stiffer, as few objects across
-/// cannot warp: a bar of two cells is -10 % in bending and +19 % in torsion with nothing. Connections along the axes bear
-/// bending alone, diagonal ones bear all of torsion, so the former get it. With 0.025 for all, torsion is +28 % there.
+/// cannot warp. Connections along the axes bear bending alone, diagonal ones bear all of torsion, so the former get more.
 constexpr double softness(std::size_t direction)
 {
-    return direction < 3 ? 0.065 : 0;
+    return direction < 3 ? 0.05 : 0.005;
 }
+
+// What diagonal connections across a wall of less than three cells have too much or too little of, those along the axes make
+// up for. In a bar bent along u, diagonals have (1 - nu)^2 / 2 of the energy of connections along u; for nu = 1/4 and four of them.
+constexpr double borneByAxes = 1.125;
 
 // Of a full connection. A wall's outermost ones may be asked for less than nothing; springs must push back.
 constexpr double leastWeight = 0.02;
@@ -73,10 +80,13 @@ public:
     /// Middle of the material, from the middle of the block [a].
     Vec3 center() const { return m_centers / m_cells; }
 
-    /// About the middle of the block.
+    /// About the middle of the block. Those of connections along the axes are known once setResidual() was called for all diagonals.
     QuadraticMoments moments(std::size_t direction) const
     {
         QuadraticMoments sum = m_material;
+        if (direction < diagonals.size())
+            for (std::size_t k = 4; k < sum.size(); ++k)
+                sum[k] -= borneByAxes * meanResidual(direction, k);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double even = evenlyJoined(direction, axis);
             const double excess = even - 1.0 / 12 - softness(direction);
@@ -87,7 +97,25 @@ public:
         return sum;
     }
 
+    /// What a fit of diagonals has beside what it should.
+    void setResidual(std::size_t direction, const QuadraticMoments& residual)
+    {
+        m_residual[diagonalNumber(direction)] = residual;
+    }
+
 private:
+    static std::size_t diagonalNumber(std::size_t direction) { return (direction - diagonals[0]) / 2; }
+
+    /// Over the diagonals that go along an axis: all but those of the face across it.
+    double meanResidual(std::size_t axis, std::size_t term) const
+    {
+        double sum = 0;
+        for (std::size_t number = 0; number < diagonals.size(); ++number)
+            if (number != diagonals.size() - 1 - axis)
+                sum += m_residual[number][term];
+        return sum / 2;
+    }
+
     void addMaterial(const QuadraticMoments& moments, bool isKept, const Vec3& step)
     {
         m_volume += moments[0];
@@ -121,7 +149,8 @@ private:
     double m_volume = 0;     // of cut cells
     double m_keptVolume = 0; // of those that joinCells() has seen
     QuadraticMoments m_material{};
-    std::array<QuadraticMoments, 3> m_sides{}; // per axis of the sides
+    std::array<QuadraticMoments, 3> m_sides{};    // per axis of the sides
+    std::array<QuadraticMoments, 3> m_residual{}; // per pair of diagonals
 };
 
 /// The blocks of two slabs, ascending.
@@ -191,10 +220,10 @@ public:
     MomentFit(const CutCells& cells, const Aggregate& aggregate)
         : m_aggregate(aggregate)
         , m_rows(aggregate.lattice)
-        , m_weight(families)
+        , m_weight(familyCount)
     {
         const double unspread = cells.keptVolume() / cells.volume();
-        forEachBlock(families, 1, [&](std::size_t d, std::size_t) {
+        forEachBlock(familyCount, 1, [&](std::size_t d, std::size_t) {
             m_weight[d] = aggregate.weight[d];
             for (double& weight : m_weight[d])
                 weight *= unspread;
@@ -202,34 +231,31 @@ public:
     }
 
     /// Not for blocks less than MomentSpread::across apart at a time in one family.
-    /// @param group of familyGroups, so that flat bodies have work for many threads
-    void correct(const std::vector<ThinBlock>& blocks, std::size_t group)
+    /// @param d the diagonals first, then alongAxes
+    void correct(std::vector<ThinBlock>& blocks, std::size_t d)
     {
         ObjectsAround objects(m_aggregate.lattice, m_rows);
         MomentSpread spread;
-        for (const ThinBlock& block : blocks) {
+        for (ThinBlock& block : blocks) {
             const MomentSpread::Objects& around = objects.around(block.middle());
-            const Vec3 center = block.center();
-            for (const std::size_t d : familyGroups[group])
-                give(spread.spread(d, block.moments(d), center, around, m_aggregate.weight[d]), d, around);
+            give(spread.spread(d, block.moments(d), block.center(), around, m_aggregate.weight[d]), d, around);
+            if (d >= diagonals[0])
+                block.setResidual(d, spread.residual());
         }
     }
 
     std::vector<std::vector<double>> takeWeights() { return std::move(m_weight); }
-
-    /// The two diagonals of a face of cells cross in their middles and have the same weights, so only one of them is fitted.
-    static constexpr std::array<std::array<std::size_t, 2>, 3> familyGroups{{{0, 3}, {1, 5}, {2, 7}}};
 
 private:
     void give(const std::vector<MomentSpread::Share>& shares, std::size_t d, const MomentSpread::Objects& objects)
     {
         for (const auto& [node, weight] : shares)
             m_weight[d][objects[node]] += weight;
-        if (d < 3)
+        if (d < diagonals[0])
             return;
         // The other diagonal begins one further along the axis that it goes down.
         constexpr std::size_t across = MomentSpread::across;
-        const std::size_t further = d == 3 ? across : 1;
+        const std::size_t further = d == diagonals[0] ? across : 1;
         for (const auto& [node, weight] : shares)
             m_weight[d + 1][objects[node + further]] += weight;
     }
@@ -239,10 +265,25 @@ private:
     std::vector<std::vector<double>> m_weight; // per family
 };
 
+/// One family of a pair of slabs at a time, so that flat bodies have work for several threads.
+void fitFamilies(MomentFit& fit, std::vector<std::vector<ThinBlock>>& blocks,
+                 const std::array<std::size_t, 3>& families, TaskControl& control)
+{
+    // Blocks that reach the same objects are done one after the other, so that sums are always taken in the same order.
+    constexpr std::size_t apart = (MomentSpread::across + 1) / 2;
+    for (std::size_t color = 0; color < std::min(apart, blocks.size()); ++color) {
+        TaskPortion portion(control, static_cast<double>(color) / apart, static_cast<double>(color + 1) / apart);
+        const std::size_t count = (blocks.size() - color + apart - 1) / apart;
+        forEachBlock(count * families.size(), 1, portion, "fitting walls", [&](std::size_t i, std::size_t) {
+            fit.correct(blocks[color + i / families.size() * apart], families[i % families.size()]);
+        });
+    }
+}
+
 /// Takes new weights, none below the least, each family with the sum that the material has.
 void setWeights(Aggregate& aggregate, std::vector<std::vector<double>> weight, double cells)
 {
-    forEachBlock(families, 1, [&](std::size_t d, std::size_t) {
+    forEachBlock(familyCount, 1, [&](std::size_t d, std::size_t) {
         std::vector<double>& of = weight[d];
         for (std::size_t i = 0; i < of.size(); ++i)
             of[i] = aggregate.weight[d][i] > 0 ? std::max(of[i], leastWeight) : 0;
@@ -259,7 +300,7 @@ void setVolumes(Aggregate& aggregate)
     const double a = aggregate.lattice.spacing;
     const double share = a * a * a / 18;
     std::fill(aggregate.volume.begin(), aggregate.volume.end(), 0.0);
-    for (std::size_t d = 0; d < families; ++d)
+    for (std::size_t d = 0; d < familyCount; ++d)
         for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
             for (ObjectIndex low = segment.begin; low < segment.end; ++low) {
                 const double volume = share * aggregate.weight[d][low];
@@ -282,16 +323,10 @@ Aggregate withFittedMoments(const CutCells& cells, Aggregate aggregate, TaskCont
         blocks[i] = blocksOf(std::span(thin).subspan(2 * i, std::min<std::size_t>(2, slabs - 2 * i)));
     });
     MomentFit fit(cells, aggregate);
-    // Blocks that reach the same objects are done one after the other, so that sums are always taken in the same order.
-    constexpr std::size_t apart = (MomentSpread::across + 1) / 2;
-    constexpr std::size_t groups = MomentFit::familyGroups.size();
-    for (std::size_t color = 0; color < std::min(apart, blocks.size()); ++color) {
-        TaskPortion portion(control, static_cast<double>(color) / apart, static_cast<double>(color + 1) / apart);
-        const std::size_t count = (blocks.size() - color + apart - 1) / apart;
-        forEachBlock(count * groups, 1, portion, "fitting walls", [&](std::size_t i, std::size_t) {
-            fit.correct(blocks[color + i / groups * apart], i % groups);
-        });
-    }
+    TaskPortion first(control, 0, 0.5);
+    fitFamilies(fit, blocks, diagonals, first);
+    TaskPortion second(control, 0.5, 1);
+    fitFamilies(fit, blocks, alongAxes, second);
     setWeights(aggregate, fit.takeWeights(), cells.volume());
     setVolumes(aggregate);
     return aggregate;

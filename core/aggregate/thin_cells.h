@@ -15,8 +15,9 @@ struct ThinCell {
     Lattice::Node cell{};
     const CutCells::Cut* cut = nullptr; ///< null: a full cell whose side is skin
     bool isKept = true;
-    std::uint8_t sides = 0; ///< of a cut cell those to full cells, of a full one those that are skin; bit 2 axis for the
-                            ///< lower one, bit 2 axis + 1 for the upper one
+    std::uint8_t sides =
+        0; ///< of a cut cell those to full cells, of a full one those that are skin; bit 2 axis for the
+           ///< lower one, bit 2 axis + 1 for the upper one
 
     /// Calls visit(axis, side) for those, side being -1 or 1.
     template <typename Visit>
