@@ -134,7 +134,7 @@ const std::vector<MomentSpread::Share>& MomentSpread::spread(std::size_t directi
         const auto first = static_cast<std::int32_t>(std::ceil(at - half - middle(0, axis)));
         const auto last = static_cast<std::int32_t>(std::floor(at + half - middle(0, axis)));
         for (std::int32_t place = std::max(first, 0); place <= std::min(last, across - 1); ++place)
-            visit(place, middle(place, axis), std::max(squared - square(middle(place, axis) - at), 0.0));
+            visit(place, middle(place, axis) - at, std::max(squared - square(middle(place, axis) - at), 0.0));
     };
     m_points.clear();
     m_shares.clear();

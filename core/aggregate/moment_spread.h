@@ -19,8 +19,8 @@ QuadraticMoments moved(const QuadraticMoments& moments, const Vec3& step);
 /// Weights m_b that act as M, sum_b m_b p(x_b) = M for all quadratic p, and are small:
 ///   m_b = omega_b p(x_b)^T (sum omega p p^T + ridge)^-1 M,   omega = weight of today at b times Wendland(distance / 2.4 a)
 /// The weight of today keeps what little there is at the skin from being asked for much. What the ridge keeps out, as two
-/// layers of objects have the square of one height only, is the residual sum_b m_b p(x_b) - M. Lengths are in spacings, from
-/// the node; distances are from the middle of the material.
+/// layers of objects have the square of one height only, is the residual sum_b m_b p(x_b) - M. Lengths are in
+/// spacings; M and coordinates are about the middle of the material.
 class MomentSpread {
 public:
     static constexpr std::int32_t reach = 3;  ///< nodes around, per axis and side

@@ -41,6 +41,49 @@ double evenlyJoined(std::size_t direction, std::size_t axis)
     return Lattice::directions[direction][axis] == 0 ? 0.25 : 0;
 }
 
+/// Which cells of an axis go together: pairs from both ends, so that a symmetric body is fitted symmetrically. Where their
+/// number is odd, the one in the middle and up to one beside it on each side are alone.
+class CellPairs {
+public:
+    /// @param cells from first to first + cells - 1
+    CellPairs(std::int32_t first, std::int32_t cells)
+        : m_first(first)
+        , m_cells(cells)
+    {
+    }
+
+    /// Ascending with the cells.
+    std::int32_t numberOf(std::int32_t cell) const
+    {
+        const std::int32_t at = cell - m_first;
+        const std::int32_t middle = m_cells / 2;
+        if (m_cells % 2 == 0 || at < middle)
+            return at / 2;
+        const std::int32_t below = (middle + 1) / 2;
+        return at == middle ? below : 2 * below - (m_cells - 1 - at) / 2;
+    }
+
+    /// The first one of its pair.
+    std::int32_t firstOf(std::int32_t cell) const
+    {
+        return cell > m_first && numberOf(cell - 1) == numberOf(cell) ? cell - 1 : cell;
+    }
+
+    std::int32_t count() const { return m_cells <= 0 ? 0 : numberOf(m_first + m_cells - 1) + 1; }
+
+private:
+    std::int32_t m_first;
+    std::int32_t m_cells;
+};
+
+using Pairing = std::array<CellPairs, 3>;
+using Place = std::array<std::int32_t, 3>; ///< of a block: numbers of its pairs
+
+Place placeOf(const Lattice::Node& cell, const Pairing& pairing)
+{
+    return {pairing[0].numberOf(cell[0]), pairing[1].numberOf(cell[1]), pairing[2].numberOf(cell[2])};
+}
+
 /// Two cells per axis, whose corrections are spread together: an eighth to a quarter of the work of one after the other.
 ///
 /// What they give to the connections of a family beside what joinCells() does:
@@ -50,20 +93,16 @@ double evenlyJoined(std::size_t direction, std::size_t axis)
 /// excess = evenlyJoined() - 1/12 - softness() differs from family to family, so what it multiplies is summed up apart.
 class ThinBlock {
 public:
-    using Place = std::array<std::int32_t, 3>;
-
     /// @param cell any of it
-    static Place placeOf(const Lattice::Node& cell) { return {cell[0] / 2, cell[1] / 2, cell[2] / 2}; }
-
-    explicit ThinBlock(const Place& place)
-        : m_place(place)
+    ThinBlock(const Pairing& pairing, const Lattice::Node& cell)
+        : m_place(placeOf(cell, pairing))
+        , m_node{pairing[0].firstOf(cell[0]) + 1, pairing[1].firstOf(cell[1]) + 1, pairing[2].firstOf(cell[2]) + 1}
     {
     }
 
     void add(const ThinCell& cell)
     {
-        const Lattice::Node at = middle();
-        Vec3 step(cell.cell[0] - at[0], cell.cell[1] - at[1], cell.cell[2] - at[2]);
+        Vec3 step(cell.cell[0] - m_node[0], cell.cell[1] - m_node[1], cell.cell[2] - m_node[2]);
         step += Vec3::Constant(0.5);
         // A full cell gives its part of the sides that are skin, a cut one that of the full cells beside it.
         cell.forEachSide(
@@ -75,18 +114,15 @@ public:
     }
 
     const Place& place() const { return m_place; }
-    Lattice::Node middle() const { return {2 * m_place[0] + 1, 2 * m_place[1] + 1, 2 * m_place[2] + 1}; }
+    const Lattice::Node& node() const { return m_node; } ///< in it
 
-    /// Middle of the material, from the middle of the block [a].
+    /// Middle of the material, from the node [a].
     Vec3 center() const { return m_centers / m_cells; }
 
-    /// About the middle of the block. Those of connections along the axes are known once setResidual() was called for all diagonals.
+    /// About the middle of the material. Those of connections along the axes are known once setResidual() was called for all diagonals.
     QuadraticMoments moments(std::size_t direction) const
     {
         QuadraticMoments sum = m_material;
-        if (direction < diagonals.size())
-            for (std::size_t k = 4; k < sum.size(); ++k)
-                sum[k] -= borneByAxes * meanResidual(direction, k);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double even = evenlyJoined(direction, axis);
             const double excess = even - 1.0 / 12 - softness(direction);
@@ -94,6 +130,10 @@ public:
             for (std::size_t k = 0; k < sum.size(); ++k)
                 sum[k] += excess * m_sides[axis][k];
         }
+        sum = moved(sum, -center());
+        if (direction < diagonals.size())
+            for (std::size_t k = 4; k < sum.size(); ++k)
+                sum[k] -= borneByAxes * meanResidual(direction, k);
         return sum;
     }
 
@@ -143,7 +183,8 @@ private:
             sum[k] += one[k];
     }
 
-    Place m_place; // of its first cell, halved
+    Place m_place;
+    Lattice::Node m_node;
     Vec3 m_centers = Vec3::Zero();
     double m_cells = 0;
     double m_volume = 0;     // of cut cells
@@ -153,23 +194,44 @@ private:
     std::array<QuadraticMoments, 3> m_residual{}; // per pair of diagonals
 };
 
-/// The blocks of two slabs, ascending.
-std::vector<ThinBlock> blocksOf(std::span<const std::vector<ThinCell>> slabs)
+/// Pairs of the cells that there are.
+Pairing pairsOf(const std::vector<std::vector<ThinCell>>& slabs)
 {
-    std::vector<ThinCell> cells;
+    Eigen::AlignedBox3i bounds;
     for (const std::vector<ThinCell>& slab : slabs)
-        cells.insert(cells.end(), slab.begin(), slab.end());
-    std::stable_sort(cells.begin(), cells.end(), [](const ThinCell& one, const ThinCell& other) {
-        return ThinBlock::placeOf(one.cell) < ThinBlock::placeOf(other.cell);
+        for (const ThinCell& cell : slab)
+            bounds.extend(Eigen::Map<const Eigen::Vector3i>(cell.cell.data()));
+    const auto along = [&](Eigen::Index axis) {
+        return CellPairs(bounds.min()[axis], bounds.max()[axis] - bounds.min()[axis] + 1);
+    };
+    return {along(0), along(1), along(2)};
+}
+
+/// By the number of their first pair, ascending.
+std::vector<std::vector<ThinBlock>> blocksOf(const std::vector<std::vector<ThinCell>>& slabs)
+{
+    const Pairing pairing = pairsOf(slabs);
+    std::vector<std::vector<ThinCell>> together(static_cast<std::size_t>(pairing[0].count()));
+    for (const std::vector<ThinCell>& slab : slabs)
+        if (!slab.empty()) {
+            auto& cells = together[static_cast<std::size_t>(pairing[0].numberOf(slab.front().cell[0]))];
+            cells.insert(cells.end(), slab.begin(), slab.end());
+        }
+    std::vector<std::vector<ThinBlock>> all(together.size());
+    forEachBlock(all.size(), 1, [&](std::size_t i, std::size_t) {
+        std::vector<ThinCell>& cells = together[i];
+        const auto isBefore = [&](const ThinCell& one, const ThinCell& other) {
+            return std::pair(placeOf(one.cell, pairing), one.cell) <
+                   std::pair(placeOf(other.cell, pairing), other.cell);
+        };
+        std::stable_sort(cells.begin(), cells.end(), isBefore);
+        for (const ThinCell& cell : cells) {
+            if (all[i].empty() || all[i].back().place() != placeOf(cell.cell, pairing))
+                all[i].emplace_back(pairing, cell.cell);
+            all[i].back().add(cell);
+        }
     });
-    std::vector<ThinBlock> blocks;
-    for (const ThinCell& cell : cells) {
-        const ThinBlock::Place place = ThinBlock::placeOf(cell.cell);
-        if (blocks.empty() || blocks.back().place() != place)
-            blocks.emplace_back(place);
-        blocks.back().add(cell);
-    }
-    return blocks;
+    return all;
 }
 
 /// The objects around nodes, quicker for nodes of the same row one after the other.
@@ -237,7 +299,7 @@ public:
         ObjectsAround objects(m_aggregate.lattice, m_rows);
         MomentSpread spread;
         for (ThinBlock& block : blocks) {
-            const MomentSpread::Objects& around = objects.around(block.middle());
+            const MomentSpread::Objects& around = objects.around(block.node());
             give(spread.spread(d, block.moments(d), block.center(), around, m_aggregate.weight[d]), d, around);
             if (d >= diagonals[0])
                 block.setResidual(d, spread.residual());
@@ -270,7 +332,8 @@ void fitFamilies(MomentFit& fit, std::vector<std::vector<ThinBlock>>& blocks,
                  const std::array<std::size_t, 3>& families, TaskControl& control)
 {
     // Blocks that reach the same objects are done one after the other, so that sums are always taken in the same order.
-    constexpr std::size_t apart = (MomentSpread::across + 1) / 2;
+    // Five blocks are seven nodes at least, with three single cells among them.
+    constexpr std::size_t apart = 5;
     for (std::size_t color = 0; color < std::min(apart, blocks.size()); ++color) {
         TaskPortion portion(control, static_cast<double>(color) / apart, static_cast<double>(color + 1) / apart);
         const std::size_t count = (blocks.size() - color + apart - 1) / apart;
@@ -317,11 +380,7 @@ Aggregate withFittedMoments(const CutCells& cells, Aggregate aggregate, TaskCont
     if (std::all_of(thin.begin(), thin.end(), [](const auto& slab) { return slab.empty(); }))
         return aggregate;
 
-    const std::size_t slabs = thin.size();
-    std::vector<std::vector<ThinBlock>> blocks((slabs + 1) / 2);
-    forEachBlock(blocks.size(), 1, [&](std::size_t i, std::size_t) {
-        blocks[i] = blocksOf(std::span(thin).subspan(2 * i, std::min<std::size_t>(2, slabs - 2 * i)));
-    });
+    std::vector<std::vector<ThinBlock>> blocks = blocksOf(thin);
     MomentFit fit(cells, aggregate);
     TaskPortion first(control, 0, 0.5);
     fitFamilies(fit, blocks, diagonals, first);

@@ -23,8 +23,8 @@ namespace knead {
 /// its springs; they sum to the volume of all cells, the weights of each family to it over a^3.
 ///
 /// Measured on square bars of material that does not yield (nu = 1/4), stiffness by beam theory's, along the lattice, at 29
-/// degrees across it, and tilted in three axes: bending .90 to 1.08 from 1.75 cells on, up to 1.3 from 1.25, and up to 1.5 at one
-/// cell, 1.77 where that has its skin on nodes: two layers. Torsion up to 1.19 at two cells, .97 to 1.10 from three on.
+/// degrees across it, and tilted in three axes: bending .90 to 1.08 from 1.75 cells on, up to 1.3 from 1.3, and up to 1.5 at one
+/// cell, 1.8 where that has its skin on nodes: two layers. Torsion up to 1.19 at two cells, .97 to 1.10 from three on.
 /// Material that yields or is rubberlike has another law for its objects: bending .90 to 1.12 (1.75 cells and more), torsion up to
 /// 1.31 at two cells and 1.16 from three on; rubber .83 to 1.0 and up to 1.18.
 /// Uniform strain, exact before along the lattice, is up to 4 % too soft in walls of less than three cells: families are fitted

@@ -234,12 +234,12 @@ private slots:
         QVERIFY(found.within(0.9, 1.1));
     }
 
-    void wallsOfOneAndAQuarterCellsStayUseful_data() { addTurns(); }
-    void wallsOfOneAndAQuarterCellsStayUseful()
+    void wallsOfOneAndAThirdCellsStayUseful_data() { addTurns(); }
+    void wallsOfOneAndAThirdCellsStayUseful()
     {
         QFETCH(Quaternion, turn);
         const Extremes found =
-            extremes("bending of thin walls", numbersOfCells({1.25, 1.4, 1.65}, 1.75), [&](double cells) {
+            extremes("bending of thin walls", numbersOfCells({1.3, 1.45, 1.65}, 1.75), [&](double cells) {
                 Bar bar = squareBar(cells, turn);
                 return bars::bending(bar);
             });
@@ -252,7 +252,7 @@ private slots:
         // Along the lattice they have two layers of objects, which lie too far apart whatever their weights.
         QFETCH(Quaternion, turn);
         const Extremes found =
-            extremes("bending of walls of one cell", numbersOfCells({1, 1.1}, 1.25), [&](double cells) {
+            extremes("bending of walls of one cell", numbersOfCells({1, 1.1}, 1.3), [&](double cells) {
                 Bar bar = squareBar(cells, turn);
                 return bars::bending(bar);
             });
