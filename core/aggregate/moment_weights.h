@@ -23,12 +23,12 @@ namespace knead {
 /// its springs; they sum to the volume of all cells, the weights of each family to it over a^3.
 ///
 /// Measured on square bars of material that does not yield (nu = 1/4), stiffness by beam theory's, along the lattice, at 29
-/// degrees across it, and tilted in three axes: bending .90 to 1.08 from 1.75 cells on, up to 1.3 from 1.3, and up to 1.5 at one
-/// cell, 1.8 where that has its skin on nodes: two layers. Torsion up to 1.19 at two cells, .97 to 1.10 from three on.
-/// Material that yields or is rubberlike has another law for its objects: bending .90 to 1.12 (1.75 cells and more), torsion up to
-/// 1.31 at two cells and 1.16 from three on; rubber .83 to 1.0 and up to 1.18.
-/// Uniform strain, exact before along the lattice, is up to 4 % too soft in walls of less than three cells: families are fitted
-/// one by one, which leaves small forces at the skin.
+/// degrees across it, and tilted in three axes: bending .91 to 1.07 from 1.75 cells on, up to 1.27 from 1.3, and up to 1.6 at one
+/// cell, 1.8 where that has its skin on nodes: two layers. Torsion up to 1.21 at two cells, .97 to 1.10 from three on.
+/// Material that yields has another law for its objects: bending .91 to 1.10 from 1.75 cells on, torsion up to 1.34 at two cells
+/// and 1.17 from three on.
+/// Uniform strain, exact before along the lattice, is up to 2 % too soft in walls of two cells there, .3 % in those of four:
+/// families are fitted one by one, which leaves small forces at the skin.
 /// The result does not depend on the number of threads.
 /// @param aggregate with the weights of joinCells() from the same cells
 /// @throws Cancelled
