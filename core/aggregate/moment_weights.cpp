@@ -1,11 +1,11 @@
 #include "core/aggregate/moment_weights.h"
 
 #include "core/aggregate/lattice_rows.h"
-#include "core/aggregate/moment_stencil.h"
+#include "core/aggregate/moment_spread.h"
+#include "core/aggregate/thin_cells.h"
 #include "core/task/parallel_progress.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -13,93 +13,27 @@ namespace knead {
 
 namespace {
 
-constexpr std::size_t families = Lattice::isotropicCount;
+constexpr std::size_t familyCount = Lattice::isotropicCount;
 
-// [a^2] of second moment that the material gets beside its own: a bar of two cells is -5 % instead of -10 % stiff.
-constexpr double softness = 0.025;
-constexpr double evenSquare = 1.0 / 12 + softness; // second moment of a full cell
+// The two diagonals of a face of cells cross in their middles and have the same weights, so only one of them is fitted: uv, uw, vw.
+constexpr std::array<std::size_t, 3> diagonals{3, 5, 7};
+constexpr std::array<std::size_t, 3> alongAxes{0, 1, 2};
+
+/// Second moment [a^2] that the material gets beside its own, per family.
+///
+/// A lattice bends a little softer than the continuum between its surfaces, and twists stiffer, as few objects across
+/// cannot warp. Connections along the axes bear bending alone, diagonal ones bear all of torsion, so the former get more.
+constexpr double softness(std::size_t direction)
+{
+    return direction < 3 ? 0.05 : 0.005;
+}
+
+// What diagonal connections across a wall of less than three cells have too much or too little of, those along the axes make
+// up for. In a bar bent along u, diagonals have (1 - nu)^2 / 2 of the energy of connections along u; for nu = 1/4 and four of them.
+constexpr double borneByAxes = 1.125;
 
 // Of a full connection. A wall's outermost ones may be asked for less than nothing; springs must push back.
 constexpr double leastWeight = 0.02;
-
-constexpr std::int32_t thickest = 8; // cells: what is thicker bends right without
-
-Lattice::Node moved(Lattice::Node cell, std::size_t axis, std::int32_t steps)
-{
-    cell[axis] += steps;
-    return cell;
-}
-
-/// Where cells are in the slabs of CutCells.
-class CellFinder {
-public:
-    explicit CellFinder(const CutCells& cells)
-        : m_cells(cells)
-    {
-    }
-
-    /// 0 for a cell that is not kept.
-    static double fraction(const CutCells::Row& row, std::int32_t w)
-    {
-        if (row.w.empty() || w < row.w.front() || w > row.w.back())
-            return 0;
-        // Most rows have no gaps.
-        const auto guess = static_cast<std::size_t>(w - row.w.front());
-        if (guess < row.w.size() && row.w[guess] == w)
-            return row.fraction[guess];
-        const auto found = std::lower_bound(row.w.begin(), row.w.end(), w);
-        return *found == w ? row.fraction[static_cast<std::size_t>(found - row.w.begin())] : 0;
-    }
-
-    CutCells::Row row(std::int32_t u, std::int32_t v) const
-    {
-        return hasSlab(u) ? m_cells.slabs[static_cast<std::size_t>(u)].row(v) : CutCells::Row{};
-    }
-
-    double fraction(const Lattice::Node& cell) const { return fraction(row(cell[0], cell[1]), cell[2]); }
-    bool isFull(const Lattice::Node& cell) const { return fraction(cell) >= full; }
-
-    /// Whether the surface goes through its inside.
-    bool isCut(const Lattice::Node& cell) const
-    {
-        if (!hasSlab(cell[0]))
-            return false;
-        const std::vector<CutCells::Cut>& cut = m_cells.slabs[static_cast<std::size_t>(cell[0])].cut;
-        const auto found =
-            std::lower_bound(cut.begin(), cut.end(), cell, [](const CutCells::Cut& one, const Lattice::Node& other) {
-                return one.v != other[1] ? one.v < other[1] : one.w < other[2];
-            });
-        return found != cut.end() && found->v == cell[1] && found->w == cell[2];
-    }
-
-    static constexpr double full = 1 - 1e-9; // as cutCells() takes it
-
-private:
-    bool hasSlab(std::int32_t u) const { return u >= 0 && static_cast<std::size_t>(u) < m_cells.slabs.size(); }
-
-    const CutCells& m_cells;
-};
-
-/// Whether there are `thickest` cells of material behind a cut cell, along all axes that lead inwards rather than along
-/// the surface: where the cells on both sides differ at least half as much as along the axis where they differ most.
-bool isThick(const CellFinder& finder, const Lattice::Node& cell)
-{
-    constexpr double unclear = 0.25; // of a cell: two skins may be this near to each other
-    std::array<double, 3> inwards{};
-    double most = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        inwards[axis] = finder.fraction(moved(cell, axis, 1)) - finder.fraction(moved(cell, axis, -1));
-        most = std::max(most, std::abs(inwards[axis]));
-    }
-    if (most < unclear)
-        return false;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        if (std::abs(inwards[axis]) >= most / 2)
-            for (std::int32_t step = 2; step <= thickest; step += 2)
-                if (finder.fraction(moved(cell, axis, inwards[axis] > 0 ? step : -step)) == 0)
-                    return false;
-    return true;
-}
 
 /// Second moment along `axis` of a unit of weight that joinCells() gives the connections of a cell.
 double evenlyJoined(std::size_t direction, std::size_t axis)
@@ -107,64 +41,215 @@ double evenlyJoined(std::size_t direction, std::size_t axis)
     return Lattice::directions[direction][axis] == 0 ? 0.25 : 0;
 }
 
-/// What one cell gives to the connections around it beside what joinCells() does: of each family a functional without sum.
-class CellCorrection {
+/// Which cells of an axis go together: pairs from both ends, so that a symmetric body is fitted symmetrically. Where their
+/// number is odd, the one in the middle and up to one beside it on each side are alone.
+class CellPairs {
 public:
-    /// Of a cut cell: the moments of its material, less what it gave already.
-    CellCorrection(const CellMoments& moments, double kept)
-        : m_center(Vec3(moments.value[1], moments.value[2], moments.value[3]) / moments.value[0])
+    /// @param cells from first to first + cells - 1
+    CellPairs(std::int32_t first, std::int32_t cells)
+        : m_first(first)
+        , m_cells(cells)
     {
-        for (std::size_t d = 0; d < families; ++d) {
-            m_moments[d] = moments.value;
-            m_moments[d][0] -= kept;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                m_moments[d][4 + axis] += softness * moments.value[0] - kept * evenlyJoined(d, axis);
-        }
     }
 
-    /// Of a full cell.
-    CellCorrection() = default;
-
-    /// Between full cells the second moments that are too large cancel but for a part at their outer sides:
-    ///   -excess / 2 times the derivative along the outward normal, taken over the side.
-    /// @param side of this cell along an axis, -1 or 1
-    /// @param outward direction of the full cell's normal there: `side` for this cell itself, else the opposite
-    void addSide(std::size_t axis, int side, int outward)
+    /// Ascending with the cells.
+    std::int32_t numberOf(std::int32_t cell) const
     {
-        for (std::size_t d = 0; d < families; ++d) {
-            const double excess = evenlyJoined(d, axis) - evenSquare;
-            const double slope = -0.5 * excess * outward;
-            m_moments[d][1 + axis] += slope;
-            m_moments[d][4 + axis] += slope * side; // 2 x at x = side / 2
-        }
+        const std::int32_t at = cell - m_first;
+        const std::int32_t middle = m_cells / 2;
+        if (m_cells % 2 == 0 || at < middle)
+            return at / 2;
+        const std::int32_t below = (middle + 1) / 2;
+        return at == middle ? below : 2 * below - (m_cells - 1 - at) / 2;
     }
 
-    const Vec3& center() const { return m_center; }
-    const QuadraticMoments& moments(std::size_t d) const { return m_moments[d]; }
+    /// The first one of its pair.
+    std::int32_t firstOf(std::int32_t cell) const
+    {
+        return cell > m_first && numberOf(cell - 1) == numberOf(cell) ? cell - 1 : cell;
+    }
+
+    std::int32_t count() const { return m_cells <= 0 ? 0 : numberOf(m_first + m_cells - 1) + 1; }
 
 private:
-    Vec3 m_center = Vec3::Zero();
-    std::array<QuadraticMoments, families> m_moments{};
+    std::int32_t m_first;
+    std::int32_t m_cells;
 };
 
-/// The objects around the cells of one row of cells.
-class NodesAround {
+using Pairing = std::array<CellPairs, 3>;
+using Place = std::array<std::int32_t, 3>; ///< of a block: numbers of its pairs
+
+Place placeOf(const Lattice::Node& cell, const Pairing& pairing)
+{
+    return {pairing[0].numberOf(cell[0]), pairing[1].numberOf(cell[1]), pairing[2].numberOf(cell[2])};
+}
+
+/// Two cells per axis, whose corrections are spread together: an eighth to a quarter of the work of one after the other.
+///
+/// What they give to the connections of a family beside what joinCells() does:
+///  - of a cut cell the moments of its material, less what it gave already;
+///  - of the sides of full cells -excess / 2 times the derivative along the outward normal, taken over the side. Between full
+///    cells the second moments that are too large cancel but for these.
+/// excess = evenlyJoined() - 1/12 - softness() differs from family to family, so what it multiplies is summed up apart.
+class ThinBlock {
 public:
-    NodesAround(const Lattice& lattice, const LatticeRows& rows)
+    /// @param cell any of it
+    ThinBlock(const Pairing& pairing, const Lattice::Node& cell)
+        : m_place(placeOf(cell, pairing))
+        , m_node{pairing[0].firstOf(cell[0]) + 1, pairing[1].firstOf(cell[1]) + 1, pairing[2].firstOf(cell[2]) + 1}
+    {
+    }
+
+    void add(const ThinCell& cell)
+    {
+        Vec3 step(cell.cell[0] - m_node[0], cell.cell[1] - m_node[1], cell.cell[2] - m_node[2]);
+        step += Vec3::Constant(0.5);
+        // A full cell gives its part of the sides that are skin, a cut one that of the full cells beside it.
+        cell.forEachSide(
+            [&](std::size_t axis, int side) { addSide(axis, side, cell.cut != nullptr ? -side : side, step); });
+        if (cell.cut != nullptr)
+            addMaterial(cell.cut->moments.value, cell.isKept, step);
+        m_centers += step;
+        ++m_cells;
+    }
+
+    const Place& place() const { return m_place; }
+    const Lattice::Node& node() const { return m_node; } ///< in it
+
+    /// Middle of the material, from the node [a].
+    Vec3 center() const { return m_centers / m_cells; }
+
+    /// About the middle of the material. Those of connections along the axes are known once setResidual() was called for all diagonals.
+    QuadraticMoments moments(std::size_t direction) const
+    {
+        QuadraticMoments sum = m_material;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double even = evenlyJoined(direction, axis);
+            const double excess = even - 1.0 / 12 - softness(direction);
+            sum[4 + axis] += softness(direction) * m_volume - even * m_keptVolume;
+            for (std::size_t k = 0; k < sum.size(); ++k)
+                sum[k] += excess * m_sides[axis][k];
+        }
+        sum = moved(sum, -center());
+        if (direction < diagonals.size())
+            for (std::size_t k = 4; k < sum.size(); ++k)
+                sum[k] -= borneByAxes * meanResidual(direction, k);
+        return sum;
+    }
+
+    /// What a fit of diagonals has beside what it should.
+    void setResidual(std::size_t direction, const QuadraticMoments& residual)
+    {
+        m_residual[diagonalNumber(direction)] = residual;
+    }
+
+private:
+    static std::size_t diagonalNumber(std::size_t direction) { return (direction - diagonals[0]) / 2; }
+
+    /// Over the diagonals that go along an axis: all but those of the face across it.
+    double meanResidual(std::size_t axis, std::size_t term) const
+    {
+        double sum = 0;
+        for (std::size_t number = 0; number < diagonals.size(); ++number)
+            if (number != diagonals.size() - 1 - axis)
+                sum += m_residual[number][term];
+        return sum / 2;
+    }
+
+    void addMaterial(const QuadraticMoments& moments, bool isKept, const Vec3& step)
+    {
+        m_volume += moments[0];
+        m_centers += Vec3(moments[1], moments[2], moments[3]) / moments[0];
+        QuadraticMoments lacking = moments;
+        if (isKept) {
+            m_keptVolume += moments[0];
+            // What was given lies at the cell's middle, but for its second moments there.
+            lacking[0] = 0;
+        }
+        addTo(m_material, moved(lacking, step));
+    }
+
+    void addSide(std::size_t axis, int side, int outward, const Vec3& step)
+    {
+        QuadraticMoments slope{};
+        slope[1 + axis] = -0.5 * outward;
+        slope[4 + axis] = -0.5 * outward * side; // 2 x at x = side / 2
+        addTo(m_sides[axis], moved(slope, step));
+    }
+
+    static void addTo(QuadraticMoments& sum, const QuadraticMoments& one)
+    {
+        for (std::size_t k = 0; k < sum.size(); ++k)
+            sum[k] += one[k];
+    }
+
+    Place m_place;
+    Lattice::Node m_node;
+    Vec3 m_centers = Vec3::Zero();
+    double m_cells = 0;
+    double m_volume = 0;     // of cut cells
+    double m_keptVolume = 0; // of those that joinCells() has seen
+    QuadraticMoments m_material{};
+    std::array<QuadraticMoments, 3> m_sides{};    // per axis of the sides
+    std::array<QuadraticMoments, 3> m_residual{}; // per pair of diagonals
+};
+
+/// Pairs of the cells that there are.
+Pairing pairsOf(const std::vector<std::vector<ThinCell>>& slabs)
+{
+    Eigen::AlignedBox3i bounds;
+    for (const std::vector<ThinCell>& slab : slabs)
+        for (const ThinCell& cell : slab)
+            bounds.extend(Eigen::Map<const Eigen::Vector3i>(cell.cell.data()));
+    const auto along = [&](Eigen::Index axis) {
+        return CellPairs(bounds.min()[axis], bounds.max()[axis] - bounds.min()[axis] + 1);
+    };
+    return {along(0), along(1), along(2)};
+}
+
+/// By the number of their first pair, ascending.
+std::vector<std::vector<ThinBlock>> blocksOf(const std::vector<std::vector<ThinCell>>& slabs)
+{
+    const Pairing pairing = pairsOf(slabs);
+    std::vector<std::vector<ThinCell>> together(static_cast<std::size_t>(pairing[0].count()));
+    for (const std::vector<ThinCell>& slab : slabs)
+        if (!slab.empty()) {
+            auto& cells = together[static_cast<std::size_t>(pairing[0].numberOf(slab.front().cell[0]))];
+            cells.insert(cells.end(), slab.begin(), slab.end());
+        }
+    std::vector<std::vector<ThinBlock>> all(together.size());
+    forEachBlock(all.size(), 1, [&](std::size_t i, std::size_t) {
+        std::vector<ThinCell>& cells = together[i];
+        const auto isBefore = [&](const ThinCell& one, const ThinCell& other) {
+            return std::pair(placeOf(one.cell, pairing), one.cell) <
+                   std::pair(placeOf(other.cell, pairing), other.cell);
+        };
+        std::stable_sort(cells.begin(), cells.end(), isBefore);
+        for (const ThinCell& cell : cells) {
+            if (all[i].empty() || all[i].back().place() != placeOf(cell.cell, pairing))
+                all[i].emplace_back(pairing, cell.cell);
+            all[i].back().add(cell);
+        }
+    });
+    return all;
+}
+
+/// The objects around nodes, quicker for nodes of the same row one after the other.
+class ObjectsAround {
+public:
+    ObjectsAround(const Lattice& lattice, const LatticeRows& rows)
         : m_lattice(lattice)
         , m_rows(rows)
     {
     }
 
-    /// Numbers of the objects in the order of MomentStencil::Point::node; the number of objects where there is none.
-    const std::array<ObjectIndex, MomentStencil::nodes>& around(const Lattice::Node& cell)
+    const MomentSpread::Objects& around(const Lattice::Node& node)
     {
-        constexpr std::int32_t first = MomentStencil::first;
-        constexpr std::int32_t across = MomentStencil::across;
+        constexpr std::int32_t across = MomentSpread::across;
         m_objects.fill(static_cast<ObjectIndex>(m_lattice.size()));
-        if (cell[0] != m_row[0] || cell[1] != m_row[1])
-            goTo(cell[0], cell[1]);
-        const std::int32_t low = cell[2] + first;
+        if (m_row != std::array{node[0], node[1]})
+            goTo(node[0], node[1]);
+        const std::int32_t low = node[2] - MomentSpread::reach;
         for (std::size_t row = 0; row < m_around.size(); ++row)
             for (ObjectIndex i = m_rows.lowerBound(m_around[row], low); i < m_around[row].end; ++i) {
                 const std::int32_t w = m_lattice.nodes[i][2] - low;
@@ -178,166 +263,90 @@ public:
 private:
     void goTo(std::int32_t u, std::int32_t v)
     {
-        constexpr std::int32_t across = MomentStencil::across;
+        constexpr std::int32_t across = MomentSpread::across;
         m_row = {u, v};
         for (std::int32_t row = 0; row < across * across; ++row)
             m_around[static_cast<std::size_t>(row)] =
-                m_rows.row(u + MomentStencil::first + row / across, v + MomentStencil::first + row % across);
+                m_rows.row(u - MomentSpread::reach + row / across, v - MomentSpread::reach + row % across);
     }
 
     const Lattice& m_lattice;
     const LatticeRows& m_rows;
-    std::array<std::int32_t, 2> m_row{-1, -1}; ///< (u, v) of the cells now
-    std::array<LatticeRows::Row, MomentStencil::nodes / MomentStencil::across> m_around{};
-    std::array<ObjectIndex, MomentStencil::nodes> m_objects{};
-};
-
-/// Cells that give corrections, of one slab.
-struct ThinCells {
-    struct Bare {
-        Lattice::Node cell;
-        std::uint8_t sides = 0; ///< bit 2 axis for the lower one, bit 2 axis + 1 for the upper one
-    };
-    std::vector<const CutCells::Cut*> cut; ///< all but those of thick walls
-    std::vector<Bare> bare; ///< full ones that end on the skin, with fewer than three full cells behind it
-};
-
-class ThinCellSearch {
-public:
-    ThinCellSearch(const CutCells& cells, const CellFinder& finder)
-        : m_cells(cells)
-        , m_finder(finder)
-    {
-    }
-
-    ThinCells of(std::size_t u) const
-    {
-        ThinCells thin;
-        const CutCells::Slab& slab = m_cells.slabs[u];
-        for (const CutCells::Cut& cut : slab.cut)
-            if (!isThick(m_finder, {static_cast<std::int32_t>(u), cut.v, cut.w}))
-                thin.cut.push_back(&cut);
-        for (std::int32_t v = slab.firstRow; v < slab.rowsEnd(); ++v)
-            addBare(static_cast<std::int32_t>(u), v, thin.bare);
-        return thin;
-    }
-
-private:
-    void addBare(std::int32_t u, std::int32_t v, std::vector<ThinCells::Bare>& bare) const
-    {
-        const CutCells::Row row = m_finder.row(u, v);
-        const std::array<CutCells::Row, 6> beside{
-            m_finder.row(u - 1, v), m_finder.row(u + 1, v), m_finder.row(u, v - 1), m_finder.row(u, v + 1), row, row};
-        for (std::size_t i = 0; i < row.w.size(); ++i) {
-            if (row.fraction[i] < CellFinder::full)
-                continue;
-            ThinCells::Bare cell{{u, v, row.w[i]}, 0};
-            for (std::size_t side = 0; side < 6; ++side) {
-                const std::int32_t w = row.w[i] + (side < 4 ? 0 : side == 4 ? -1 : 1);
-                if (CellFinder::fraction(beside[side], w) == 0 && isBare(cell.cell, side / 2, side % 2 == 0 ? -1 : 1))
-                    cell.sides |= static_cast<std::uint8_t>(1U << side);
-            }
-            if (cell.sides != 0)
-                bare.push_back(cell);
-        }
-    }
-
-    /// @pre the cell beside it is not kept
-    bool isBare(const Lattice::Node& cell, std::size_t axis, int side) const
-    {
-        const bool isThin =
-            !m_finder.isFull(moved(cell, axis, -side)) || !m_finder.isFull(moved(cell, axis, -2 * side));
-        return isThin && !m_finder.isCut(moved(cell, axis, side));
-    }
-
-    const CutCells& m_cells;
-    const CellFinder& m_finder;
+    std::array<std::int32_t, 2> m_row{-1, -1}; ///< (u, v) of the node now
+    std::array<LatticeRows::Row, MomentSpread::nodes / MomentSpread::across> m_around{};
+    MomentSpread::Objects m_objects{};
 };
 
 class MomentFit {
 public:
-    MomentFit(const CutCells& cells, const CellFinder& finder, const Aggregate& aggregate)
-        : m_finder(finder)
-        , m_aggregate(aggregate)
+    MomentFit(const CutCells& cells, const Aggregate& aggregate)
+        : m_aggregate(aggregate)
         , m_rows(aggregate.lattice)
-        , m_unspread(cells.keptVolume() / cells.volume())
-        , m_weight(families)
+        , m_weight(familyCount)
     {
-        forEachBlock(families, 1, [&](std::size_t d, std::size_t) {
+        const double unspread = cells.keptVolume() / cells.volume();
+        forEachBlock(familyCount, 1, [&](std::size_t d, std::size_t) {
             m_weight[d] = aggregate.weight[d];
             for (double& weight : m_weight[d])
-                weight *= m_unspread;
+                weight *= unspread;
         });
     }
 
-    /// Not for slabs less than MomentStencil::across apart at a time.
-    void correct(std::int32_t u, const ThinCells& thin)
+    /// Not for blocks less than MomentSpread::across apart at a time in one family.
+    /// @param d the diagonals first, then alongAxes
+    void correct(std::vector<ThinBlock>& blocks, std::size_t d)
     {
-        Workspace workspace(m_aggregate.lattice, m_rows);
-        for (const CutCells::Cut* cut : thin.cut)
-            correctCut(*cut, {u, cut->v, cut->w}, workspace);
-        for (const ThinCells::Bare& bare : thin.bare) {
-            CellCorrection correction;
-            for (std::size_t side = 0; side < 6; ++side)
-                if ((bare.sides >> side & 1U) != 0)
-                    correction.addSide(side / 2, side % 2 == 0 ? -1 : 1, side % 2 == 0 ? -1 : 1);
-            spread(correction, bare.cell, workspace);
+        ObjectsAround objects(m_aggregate.lattice, m_rows);
+        MomentSpread spread;
+        for (ThinBlock& block : blocks) {
+            const MomentSpread::Objects& around = objects.around(block.node());
+            give(spread.spread(d, block.moments(d), block.center(), around, m_aggregate.weight[d]), d, around);
+            if (d >= diagonals[0])
+                block.setResidual(d, spread.residual());
         }
     }
 
     std::vector<std::vector<double>> takeWeights() { return std::move(m_weight); }
 
 private:
-    struct Workspace {
-        Workspace(const Lattice& lattice, const LatticeRows& rows)
-            : nodes(lattice, rows)
-        {
-        }
-        NodesAround nodes;
-        std::vector<double> today;
-        std::vector<double> more;
-    };
-
-    void correctCut(const CutCells::Cut& cut, const Lattice::Node& cell, Workspace& workspace)
+    void give(const std::vector<MomentSpread::Share>& shares, std::size_t d, const MomentSpread::Objects& objects)
     {
-        CellCorrection correction(cut.moments, m_finder.fraction(cell) > 0 ? cut.moments.value[0] : 0);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            for (const int side : {-1, 1})
-                if (m_finder.isFull(moved(cell, axis, side)))
-                    correction.addSide(axis, side, -side);
-        spread(correction, cell, workspace);
+        for (const auto& [node, weight] : shares)
+            m_weight[d][objects[node]] += weight;
+        if (d < diagonals[0])
+            return;
+        // The other diagonal begins one further along the axis that it goes down.
+        constexpr std::size_t across = MomentSpread::across;
+        const std::size_t further = d == diagonals[0] ? across : 1;
+        for (const auto& [node, weight] : shares)
+            m_weight[d + 1][objects[node + further]] += weight;
     }
 
-    void spread(const CellCorrection& correction, const Lattice::Node& cell, Workspace& workspace)
-    {
-        const auto& objects = workspace.nodes.around(cell);
-        for (std::size_t d = 0; d < families; ++d) {
-            const MomentStencil& stencil = MomentStencil::of(d, correction.center());
-            const auto& points = stencil.points();
-            const std::vector<double>& weight = m_aggregate.weight[d];
-            workspace.today.resize(points.size());
-            for (std::size_t b = 0; b < points.size(); ++b) {
-                const ObjectIndex object = objects[points[b].node];
-                workspace.today[b] = object < weight.size() ? m_unspread * weight[object] : 0;
-            }
-            stencil.spread(correction.moments(d), workspace.today, workspace.more);
-            for (std::size_t b = 0; b < points.size(); ++b)
-                if (workspace.today[b] > 0)
-                    m_weight[d][objects[points[b].node]] += workspace.more[b];
-        }
-    }
-
-    const CellFinder& m_finder;
     const Aggregate& m_aggregate;
     LatticeRows m_rows;
-    double m_unspread;
     std::vector<std::vector<double>> m_weight; // per family
 };
+
+/// One family of a pair of slabs at a time, so that flat bodies have work for several threads.
+void fitFamilies(MomentFit& fit, std::vector<std::vector<ThinBlock>>& blocks,
+                 const std::array<std::size_t, 3>& families, TaskControl& control)
+{
+    // Blocks that reach the same objects are done one after the other, so that sums are always taken in the same order.
+    // Five blocks are seven nodes at least, with three single cells among them.
+    constexpr std::size_t apart = 5;
+    for (std::size_t color = 0; color < std::min(apart, blocks.size()); ++color) {
+        TaskPortion portion(control, static_cast<double>(color) / apart, static_cast<double>(color + 1) / apart);
+        const std::size_t count = (blocks.size() - color + apart - 1) / apart;
+        forEachBlock(count * families.size(), 1, portion, "fitting walls", [&](std::size_t i, std::size_t) {
+            fit.correct(blocks[color + i / families.size() * apart], families[i % families.size()]);
+        });
+    }
+}
 
 /// Takes new weights, none below the least, each family with the sum that the material has.
 void setWeights(Aggregate& aggregate, std::vector<std::vector<double>> weight, double cells)
 {
-    forEachBlock(families, 1, [&](std::size_t d, std::size_t) {
+    forEachBlock(familyCount, 1, [&](std::size_t d, std::size_t) {
         std::vector<double>& of = weight[d];
         for (std::size_t i = 0; i < of.size(); ++i)
             of[i] = aggregate.weight[d][i] > 0 ? std::max(of[i], leastWeight) : 0;
@@ -354,7 +363,7 @@ void setVolumes(Aggregate& aggregate)
     const double a = aggregate.lattice.spacing;
     const double share = a * a * a / 18;
     std::fill(aggregate.volume.begin(), aggregate.volume.end(), 0.0);
-    for (std::size_t d = 0; d < families; ++d)
+    for (std::size_t d = 0; d < familyCount; ++d)
         for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
             for (ObjectIndex low = segment.begin; low < segment.end; ++low) {
                 const double volume = share * aggregate.weight[d][low];
@@ -367,24 +376,16 @@ void setVolumes(Aggregate& aggregate)
 
 Aggregate withFittedMoments(const CutCells& cells, Aggregate aggregate, TaskControl& control)
 {
-    const CellFinder finder(cells);
-    const ThinCellSearch search(cells, finder);
-    const std::size_t slabs = cells.slabs.size();
-    std::vector<ThinCells> thin(slabs);
-    forEachBlock(slabs, 1, [&](std::size_t u, std::size_t) { thin[u] = search.of(u); });
-    if (std::all_of(thin.begin(), thin.end(), [](const ThinCells& of) { return of.cut.empty() && of.bare.empty(); }))
+    const std::vector<std::vector<ThinCell>> thin = findThinCells(cells);
+    if (std::all_of(thin.begin(), thin.end(), [](const auto& slab) { return slab.empty(); }))
         return aggregate;
 
-    MomentFit fit(cells, finder, aggregate);
-    // Slabs that reach the same objects are done one after the other, so that sums are always taken in the same order.
-    constexpr std::size_t apart = MomentStencil::across;
-    for (std::size_t color = 0; color < std::min(apart, slabs); ++color) {
-        TaskPortion portion(control, static_cast<double>(color) / apart, static_cast<double>(color + 1) / apart);
-        forEachBlock((slabs - color + apart - 1) / apart, 1, portion, "fitting walls", [&](std::size_t i, std::size_t) {
-            const std::size_t u = color + i * apart;
-            fit.correct(static_cast<std::int32_t>(u), thin[u]);
-        });
-    }
+    std::vector<std::vector<ThinBlock>> blocks = blocksOf(thin);
+    MomentFit fit(cells, aggregate);
+    TaskPortion first(control, 0, 0.5);
+    fitFamilies(fit, blocks, diagonals, first);
+    TaskPortion second(control, 0.5, 1);
+    fitFamilies(fit, blocks, alongAxes, second);
     setWeights(aggregate, fit.takeWeights(), cells.volume());
     setVolumes(aggregate);
     return aggregate;

@@ -66,7 +66,7 @@ std::string thinWallSentence(double cells, const FillingSize& size)
     const double better = size.thinnestWall / fewestCellsAcrossWall;
     std::ostringstream text;
     text << "The thinnest wall is " << inMillimetres(size.thinnestWall) << ": " << rounded(cells)
-         << " cells, so it will be weak or missing; a spacing of " << inMillimetres(better) << " would give "
+         << " cells, so it will be too stiff or missing; a spacing of " << inMillimetres(better) << " would give "
          << fewestCellsAcrossWall << " cells and about " << readableCount(estimatedObjects(size, better))
          << " objects.";
     return text.str();

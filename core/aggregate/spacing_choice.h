@@ -52,7 +52,8 @@ struct SpacingAssessment {
     std::string warning;        ///< a sentence when the thinnest wall has too few cells; else empty
 };
 
-constexpr double fewestCellsAcrossWall = 3; ///< with fewer, bending of the wall is mostly wrong
+constexpr double fewestCellsAcrossWall = 2; ///< bend right to a tenth; with fewer, walls are soon much too stiff
+constexpr double goodCellsAcrossWall = 3;   ///< twist right to a tenth as well
 
 /// Without a warning when no wall is measured.
 SpacingAssessment assessSpacing(double spacing, const FillingSize& size);

@@ -1525,8 +1525,8 @@
         <translation>es konnte nicht gemessen werden (%1)</translation>
     </message>
     <message>
-        <source>The thinnest wall is %1: %2 cells, so it will be weak or missing; a spacing of %3 would give %4 cells and about %5 objects.</source>
-        <translation>Die dünnste Wand ist %1: %2 Zellen, also wird sie schwach sein oder fehlen; ein Abstand von %3 gäbe %4 Zellen und etwa %5 Objekte.</translation>
+        <source>The thinnest wall is %1: %2 cells, so it will be too stiff or missing; a spacing of %3 would give %4 cells and about %5 objects.</source>
+        <translation>Die dünnste Wand ist %1: %2 Zellen, also wird sie zu steif sein oder fehlen; ein Abstand von %3 gäbe %4 Zellen und etwa %5 Objekte.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not simulated: %2</source>
@@ -3252,8 +3252,8 @@ Simuliert: %2, Schritt %3
         <translation>Zellen quer zur Wand</translation>
     </message>
     <message>
-        <source>Across the thinnest wall: with fewer than %1 its bending is mostly wrong</source>
-        <translation>Quer zur dünnsten Wand: mit weniger als %1 ist ihre Biegung meist falsch</translation>
+        <source>Across the thinnest wall: with fewer than %1 it is too stiff in bending</source>
+        <translation>Quer zur dünnsten Wand: mit weniger als %1 biegt sie sich zu steif</translation>
     </message>
     <message>
         <source>%1 to %2, with any unit; 1.2e6 and 1,2 are taken too</source>

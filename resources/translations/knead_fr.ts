@@ -1525,8 +1525,8 @@
         <translation>il n&apos;a pas pu être mesuré (%1)</translation>
     </message>
     <message>
-        <source>The thinnest wall is %1: %2 cells, so it will be weak or missing; a spacing of %3 would give %4 cells and about %5 objects.</source>
-        <translation>La paroi la plus mince fait %1 : %2 cellules, elle sera donc faible ou absente ; un espacement de %3 donnerait %4 cellules et environ %5 objets.</translation>
+        <source>The thinnest wall is %1: %2 cells, so it will be too stiff or missing; a spacing of %3 would give %4 cells and about %5 objects.</source>
+        <translation>La paroi la plus mince fait %1 : %2 cellules, elle sera donc trop raide ou absente ; un espacement de %3 donnerait %4 cellules et environ %5 objets.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not simulated: %2</source>
@@ -3252,8 +3252,8 @@ Simulé&#xa0;: %2, pas %3
         <translation>Cellules par paroi</translation>
     </message>
     <message>
-        <source>Across the thinnest wall: with fewer than %1 its bending is mostly wrong</source>
-        <translation>À travers la paroi la plus mince&#xa0;: avec moins de %1, sa flexion est le plus souvent fausse</translation>
+        <source>Across the thinnest wall: with fewer than %1 it is too stiff in bending</source>
+        <translation>À travers la paroi la plus mince&#xa0;: avec moins de %1, elle fléchit trop raidement</translation>
     </message>
     <message>
         <source>%1 to %2, with any unit; 1.2e6 and 1,2 are taken too</source>

@@ -1525,8 +1525,8 @@
         <translation>het kon niet worden gemeten (%1)</translation>
     </message>
     <message>
-        <source>The thinnest wall is %1: %2 cells, so it will be weak or missing; a spacing of %3 would give %4 cells and about %5 objects.</source>
-        <translation>De dunste wand is %1: %2 cellen, dus hij zal zwak zijn of ontbreken; een afstand van %3 zou %4 cellen en ongeveer %5 objecten geven.</translation>
+        <source>The thinnest wall is %1: %2 cells, so it will be too stiff or missing; a spacing of %3 would give %4 cells and about %5 objects.</source>
+        <translation>De dunste wand is %1: %2 cellen, dus hij zal te stijf zijn of ontbreken; een afstand van %3 zou %4 cellen en ongeveer %5 objecten geven.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not simulated: %2</source>
@@ -3252,8 +3252,8 @@ Gesimuleerd: %2, stap %3
         <translation>Cellen dwars op wanden</translation>
     </message>
     <message>
-        <source>Across the thinnest wall: with fewer than %1 its bending is mostly wrong</source>
-        <translation>Dwars op de dunste wand: met minder dan %1 klopt de buiging ervan meestal niet</translation>
+        <source>Across the thinnest wall: with fewer than %1 it is too stiff in bending</source>
+        <translation>Dwars op de dunste wand: met minder dan %1 buigt hij te stijf</translation>
     </message>
     <message>
         <source>%1 to %2, with any unit; 1.2e6 and 1,2 are taken too</source>

@@ -47,12 +47,12 @@ private slots:
         const FillingSize size = sizeWithWalls(shapes::box(Vec3(0.0006, 0.3, 0.2)));
         const SpacingAssessment coarse = assessSpacing(0.0015, size);
         QVERIFY(std::abs(coarse.cellsAcrossWall - 0.4) < 1e-9);
-        // 0.3 x 0.2 x 0.0006 m^3 in cells of 0.2 mm are 4.5 million, and 1500 x 1000 x 2 at the faces.
+        // 0.3 x 0.2 x 0.0006 m^3 in cells of 0.3 mm are 1.33 million, and 1000 x 667 x 2 at the faces.
         QCOMPARE(coarse.warning,
-                 std::string("The thinnest wall is 0.6 mm: 0.4 cells, so it will be weak or missing; a spacing of 0.2 "
-                             "mm would give 3 cells and about 7.5 million objects."));
-        QCOMPARE(assessSpacing(0.0002, size).warning, std::string());
-        QVERIFY(!assessSpacing(0.00021, size).warning.empty());
+                 std::string("The thinnest wall is 0.6 mm: 0.4 cells, so it will be too stiff or missing; a spacing "
+                             "of 0.3 mm would give 2 cells and about 2.7 million objects."));
+        QCOMPARE(assessSpacing(0.0003, size).warning, std::string());
+        QVERIFY(!assessSpacing(0.00031, size).warning.empty());
     }
 
     void memoryGrowsWithTheObjects()

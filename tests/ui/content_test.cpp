@@ -140,10 +140,14 @@ private slots:
         Model model;
         model.parts = {boxPart("plate", {0.1, 0.1, 0.003}, Vec3::Zero())};
         const PreparedContent plate = prepare(model);
-        QVERIFY(plate.content.spacing <= 0.0022); // not the 3 mm of 3000 objects
-        QVERIFY(plate.content.bodies[0]->aggregate->size() < 9000);
-        QCOMPARE(plate.content.warnings.size(), std::size_t{1});
-        QVERIFY(plate.content.warnings[0].find("thinnest wall is 3 mm") != std::string::npos);
+        QVERIFY(plate.content.spacing <= 0.0015); // two cells, not the 3 mm of 3000 objects
+        QVERIFY(plate.content.bodies[0]->aggregate->size() < 20'000);
+        QVERIFY(plate.content.warnings.empty());
+        model.parts = {boxPart("sheet", {0.1, 0.1, 0.002}, Vec3::Zero())};
+        const PreparedContent sheet = prepare(model);
+        QVERIFY(sheet.content.bodies[0]->aggregate->size() < 20'000);
+        QCOMPARE(sheet.content.warnings.size(), std::size_t{1});
+        QVERIFY(sheet.content.warnings[0].find("thinnest wall is 2 mm") != std::string::npos);
         model.parts = {boxPart("block", {0.1, 0.1, 0.03}, Vec3::Zero())};
         QVERIFY(prepare(model).content.warnings.empty());
     }

@@ -15,10 +15,11 @@ namespace knead {
 
 namespace {
 
-constexpr double wantedObjects = 3000; // soft rubber of so many runs about in real time on a small machine
-constexpr double mostObjects = 8000;   // unasked, for the sake of thin walls
-constexpr double importShare = 0.4;    // of the progress bar
-constexpr double measuredShare = 0.1;  // of the filling
+constexpr double wantedObjects = 3000;      // soft rubber of so many runs about in real time on a small machine
+constexpr double mostObjects = 8000;        // unasked, for the sake of thin walls that bend and twist well
+constexpr double mostObjectsAtAll = 20'000; // unasked, for walls that would be much too stiff otherwise
+constexpr double importShare = 0.4;         // of the progress bar
+constexpr double measuredShare = 0.1;       // of the filling
 constexpr double preparedShare = 0.92;
 constexpr double surfaceDepth = 0.9; // objects less deep than this many spacings are drawn
 
@@ -80,9 +81,12 @@ double automaticSpacing(const FillingSizes& sizes)
     const auto& [all, largest] = sizes;
     const double share = all.volume > 0 ? largest.volume / all.volume : 1;
     const double usual = spacingFor({SpacingChoice::Kind::Objects, std::max(500.0, wantedObjects * share)}, largest);
-    const double forWalls = spacingFor({SpacingChoice::Kind::CellsAcrossWall, fewestCellsAcrossWall}, all);
-    const double finest = spacingFor({SpacingChoice::Kind::Objects, mostObjects}, all);
-    return roundedDown(std::min(usual, std::max(forWalls, finest)));
+    const auto forWalls = [&all](double cells, double objects) {
+        return std::max(spacingFor({SpacingChoice::Kind::CellsAcrossWall, cells}, all),
+                        spacingFor({SpacingChoice::Kind::Objects, objects}, all));
+    };
+    return roundedDown(std::min(
+        {usual, forWalls(goodCellsAcrossWall, mostObjects), forWalls(fewestCellsAcrossWall, mostObjectsAtAll)}));
 }
 
 double spacingOf(const ImportChoices& request, const FillingSizes& sizes)

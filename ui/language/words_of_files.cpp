@@ -105,8 +105,9 @@ constexpr const char* const sentences[] = {
     QT_TRANSLATE_NOOP("FileWords", "the solid has no volume"),
     QT_TRANSLATE_NOOP("FileWords", "it could not be measured (%1)"),
     // of the filling
-    QT_TRANSLATE_NOOP("FileWords", "The thinnest wall is %1: %2 cells, so it will be weak or missing; a spacing of %3 "
-                                   "would give %4 cells and about %5 objects."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "The thinnest wall is %1: %2 cells, so it will be too stiff or missing; a spacing of %3 "
+                      "would give %4 cells and about %5 objects."),
     QT_TRANSLATE_NOOP("FileWords", "\"%1\" is not simulated: %2"),
     QT_TRANSLATE_NOOP("FileWords", "\"%1\" has no surface, so it is not shown."),
     QT_TRANSLATE_NOOP("FileWords", "\"%1\" is not a closed solid: it is shown, and not simulated. Close its surfaces "

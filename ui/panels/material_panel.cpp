@@ -100,7 +100,7 @@ void MaterialPanel::makeFactRows()
                   tr("Simulated by wall time on this machine: measured while time ran, else by a rule"));
     m_wallCells =
         add("wallCells", tr("Cells across walls"),
-            tr("Across the thinnest wall: with fewer than %1 its bending is mostly wrong").arg(fewestCellsAcrossWall));
+            tr("Across the thinnest wall: with fewer than %1 it is too stiff in bending").arg(fewestCellsAcrossWall));
 }
 
 void MaterialPanel::makeMaterialRows()

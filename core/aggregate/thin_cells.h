@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/aggregate/cut_cells.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace knead {
+
+/// What is thicker than so many cells bends right without help.
+constexpr std::int32_t thickestThinWall = 8;
+
+/// A cell at the skin of a wall of less than thickestThinWall cells.
+struct ThinCell {
+    Lattice::Node cell{};
+    const CutCells::Cut* cut = nullptr; ///< null: a full cell whose side is skin
+    bool isKept = true;
+    std::uint8_t sides =
+        0; ///< of a cut cell those to full cells, of a full one those that are skin; bit 2 axis for the
+           ///< lower one, bit 2 axis + 1 for the upper one
+
+    /// Calls visit(axis, side) for those, side being -1 or 1.
+    template <typename Visit>
+    void forEachSide(Visit visit) const
+    {
+        for (std::size_t side = 0; side < 6; ++side)
+            if ((sides >> side & 1U) != 0)
+                visit(side / 2, side % 2 == 0 ? -1 : 1);
+    }
+};
+
+/// Per slab, in ascending (v, w), cut ones first. The cells must outlive the result.
+std::vector<std::vector<ThinCell>> findThinCells(const CutCells& cells);
+
+} // namespace knead
