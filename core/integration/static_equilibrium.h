@@ -3,6 +3,7 @@
 #include "core/integration/anderson_mixing.h"
 #include "core/integration/conjugate_gradients.h"
 #include "core/mechanics/contacts.h"
+#include "core/task/task_control.h"
 
 #include <cstdint>
 #include <functional>
@@ -36,6 +37,7 @@ public:
     struct Settings {
         double tolerance = 1e-7;  ///< of forces that are left, by those that act (2-norms over all objects)
         int mostIterations = 150; ///< linear systems
+        TaskControl* control = &TaskControl::none();
     };
     /// What acts, besides the material.
     struct Loads {
@@ -46,7 +48,8 @@ public:
         std::function<double()> add; ///< adds forces to state.force at present places [N]; may be none
         /// Told how far any object may have gone since it was told last, before forces are looked at [m]; may be none.
         std::function<void(double travel)> moved;
-        double flowTime = 0; ///< in which material flows, from where it was on [s]; StructuralConnections keeps that on asking only
+        double flowTime =
+            0; ///< in which material flows, from where it was on [s]; StructuralConnections keeps that on asking only
         double farthestStep = std::numeric_limits<double>::infinity(); ///< of any object at a time [m]
     };
     struct Report {
@@ -61,7 +64,7 @@ public:
 
     /// Free objects go to where there is balance; held ones have been put where they are to be. `start` is where all were
     /// before, which friction needs. Afterwards velocities are ways by waySeconds(), and forces those of the balance.
-    /// When it fails places are the last tried.
+    /// When it fails places are the last tried. @throws Cancelled, then too
     Report solve(const Loads& loads, const std::vector<VectorArray>& start, const Settings& settings);
 
     /// The long step that ways are divided by to be velocities [s].
@@ -73,7 +76,7 @@ private:
     void move(const VectorArray& way, double share);
     std::vector<Link> linksOf(const std::vector<ContactTangent>& tangents) const;
     bool isFree(const std::vector<ContactTangent>& tangents) const;
-    VectorArray newtonStep(const std::vector<ContactTangent>& tangents, Report& report);
+    VectorArray newtonStep(const std::vector<ContactTangent>& tangents, Report& report, const TaskControl& control);
     VectorArray mixed(const VectorArray& place, const VectorArray& step);
     double largestStrain(const VectorArray& way) const;
     static double longest(const VectorArray& way);
@@ -90,7 +93,7 @@ private:
     double m_acting = 0;                                        ///< 2-norm of what acts now [N]
     double m_mostActing = 0;                                    ///< the largest so far [N]
     AndersonMixing m_mixing;
-    int m_freshIterations = 0;                                  ///< of the first system with the factor in use; 0: none
+    int m_freshIterations = 0; ///< of the first system with the factor in use; 0: none
 };
 
 } // namespace knead
