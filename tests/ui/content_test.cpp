@@ -143,7 +143,7 @@ private slots:
         QVERIFY(plate.content.spacing <= 0.0022); // not the 3 mm of 3000 objects
         QVERIFY(plate.content.bodies[0]->aggregate->size() < 9000);
         QCOMPARE(plate.content.warnings.size(), std::size_t{1});
-        QVERIFY(plate.content.warnings[0].find("thinnest wall is 3 mm") != std::string::npos);
+        QVERIFY(plate.content.warnings[0].find("cells across 3 mm; bending of such walls") != std::string::npos);
         model.parts = {boxPart("block", {0.1, 0.1, 0.03}, Vec3::Zero())};
         QVERIFY(prepare(model).content.warnings.empty());
     }

@@ -276,7 +276,7 @@ void ImportDialog::addFineness(QFormLayout* form)
     m_cells = new QSpinBox(m_values);
     m_cells->setObjectName("importCells");
     m_cells->setRange(1, 50);
-    m_cells->setValue(static_cast<int>(fewestCellsAcrossWall));
+    m_cells->setValue(static_cast<int>(wantedCellsAcrossWall));
     m_values->addWidget(m_cells);
     m_spacing = makeField(Quantity::Length, "importSpacing", m_values);
     m_spacing->setValue(1e-3);

@@ -80,7 +80,7 @@ double automaticSpacing(const FillingSizes& sizes)
     const auto& [all, largest] = sizes;
     const double share = all.volume > 0 ? largest.volume / all.volume : 1;
     const double usual = spacingFor({SpacingChoice::Kind::Objects, std::max(500.0, wantedObjects * share)}, largest);
-    const double forWalls = spacingFor({SpacingChoice::Kind::CellsAcrossWall, fewestCellsAcrossWall}, all);
+    const double forWalls = spacingFor({SpacingChoice::Kind::CellsAcrossWall, wantedCellsAcrossWall}, all);
     const double finest = spacingFor({SpacingChoice::Kind::Objects, mostObjects}, all);
     return roundedDown(std::min(usual, std::max(forWalls, finest)));
 }
