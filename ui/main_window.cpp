@@ -70,6 +70,10 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     connect(&m_document, &Document::stopping, this, [this] { showSteppable(false); });
     connect(&m_document, &Document::recipeEnded, this, [this](const QString& sentence) { m_log->add(sentence); });
     connect(&m_document, &Document::balanced, this, &MainWindow::showBalance);
+    connect(&m_document, &Document::notBalanced, this, [this](const QString& sentence) {
+        m_shownImbalance = sentence;
+        showProblem(sentence);
+    });
     connect(&m_document, &Document::notice, this, [this](const QString& sentence) { showProblem(sentence); });
     selectionChanged();
     makeShell();

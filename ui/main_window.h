@@ -268,6 +268,7 @@ private:
     TaskReading* m_taskReading = nullptr;
     std::pair<bool, bool> m_surroundings; ///< gravity and floor, as last seen
     std::string m_shownHealth;            ///< message last put into the banner
+    QString m_shownImbalance;             ///< why no balance was found last
     QString m_shownWalls;                 ///< sentence of the present filling; empty: its walls are well
     std::string m_shownNotice;            ///< last put into the log
     std::function<void()> m_remedy;

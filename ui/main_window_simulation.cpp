@@ -92,11 +92,12 @@ void MainWindow::showNotice(const std::string& notice)
         showRemark(inWords(notice));
 }
 
-/// On the banner, too, unless that has a remedy for something worse.
+/// On the banner, too, unless that has something worse to say, or a remedy.
 void MainWindow::showRemark(const QString& sentence)
 {
     m_log->add(sentence, LogPanel::Kind::Warning);
-    if (!m_shownHealth.empty())
+    const bool hasRemedy = !m_banner->isHidden() && m_remedy != nullptr;
+    if (!m_shownHealth.empty() || hasRemedy)
         return;
     m_remedy = nullptr;
     m_banner->show(sentence);
@@ -118,6 +119,8 @@ void MainWindow::showWalls(const SpacingAssessment& fineness)
 
 void MainWindow::showBalance(const QString& sentence)
 {
+    if (!m_shownImbalance.isEmpty() && m_banner->sentence() == m_shownImbalance)
+        m_banner->hide(); // what it says is no longer so
     m_log->add(sentence);
     statusBar()->showMessage(sentence, outcomeTime);
 }

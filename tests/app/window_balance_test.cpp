@@ -1,5 +1,4 @@
 #include "support/window_on_test.h"
-#include "ui/panels/log_panel.h"
 #include "ui/run_window.h"
 
 #include <QStatusBar>
@@ -152,6 +151,11 @@ private slots:
                  QString("A body is free to move: hold it, or let time run (dynamic) until it rests on something."));
         QCOMPARE(tree().records().size(), entries);
         picture("balance-free");
+        document().toggleFace(0, endFace());
+        seen();
+        findBalance();
+        QVERIFY(lastLine().contains("In balance: "));
+        QVERIFY(m_window->banner().sentence().isEmpty());
     }
 
     void itPausesWhatPlays()

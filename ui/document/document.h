@@ -245,6 +245,7 @@ signals:
     void changed(knead::Document::Change what);
     void notice(const QString& sentence);      ///< something the person should know, for the log
     void balanced(const QString& sentence);    ///< found, and how well
+    void notBalanced(const QString& sentence); ///< why not
     void looksChanged();                       ///< what parts are called, and their colors
     void stopping();                           ///< time is about to stand still: who drives a tool lets go of it
     void recipeEnded(const QString& sentence); ///< at its end, or where it cannot go on

@@ -79,7 +79,7 @@ void Document::cancelBalancing()
 void Document::tellBalance(const StaticReport& report)
 {
     if (!report.converged)
-        emit notice(inWords(report.message));
+        emit notBalanced(inWords(report.message));
     else if (report.residual == 0)
         emit balanced(tr("In balance: no force acts on the part."));
     else
