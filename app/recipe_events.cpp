@@ -122,6 +122,7 @@ struct CommandMaker {
     {
         withTool(away.manipulator, [](ToolId id) { return RemoveManipulator{id}; });
     }
+    void operator()(const SettleScene& settle) { made.push_back(FindBalance{settle.duration}); }
     void operator()(const StartAgain&) { made.push_back(Reset{}); }
     void operator()(const MarkMoment&) { made.push_back(KeepMoment{}); }
 };

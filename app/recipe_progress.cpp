@@ -59,10 +59,11 @@ void RecipeProgress::carryOutDue(Simulation& simulation, const std::function<voi
 void RecipeProgress::carryOut(Command command, Simulation& simulation, const std::function<void()>& refused)
 {
     const std::size_t before = simulation.recording().size();
+    const std::size_t kind = command.index();
     simulation.post(std::move(command));
     simulation.applyCommands();
     const std::vector<RecordedCommand>& recording = simulation.recording();
-    if (recording.size() > before)
+    if (recording.size() > before && recording.back().command.index() == kind)
         m_events.carriedOut(recording.back().command);
     else if (refused)
         refused();

@@ -83,8 +83,7 @@ public:
 
     void run(TaskControl& control)
     {
-        const Clock::time_point start = Clock::now();
-        Clock::time_point nextReport = start;
+        Clock::time_point nextReport = m_start;
         m_latest = m_simulation.snapshot();
         if (!m_latest->notice.empty())
             warnAtOnce(m_latest->notice);
@@ -98,11 +97,11 @@ public:
             if (m_simulation.time() + 0.5 * m_simulation.timeStep() >= m_latest->time + frame)
                 takeFrame();
             if (Clock::now() >= nextReport) {
-                report(control, secondsSince(start));
+                report(control, secondsSince(m_start));
                 nextReport = Clock::now() + reportInterval;
             }
         }
-        m_wall = secondsSince(start);
+        m_wall = secondsSince(m_start);
         m_simulation.showPressing(true); // stress needs to know where
         takeSnapshot();
         m_forces.endRow();
@@ -112,20 +111,20 @@ public:
     /// The same by load steps, each at its balance.
     void findBalances(TaskControl& control)
     {
-        const Clock::time_point start = Clock::now();
         m_latest = m_simulation.snapshot();
         const double duration = m_recipe.duration / m_recipe.loadSteps;
         for (int i = 0; i < m_recipe.loadSteps; ++i) {
             control.throwIfCancelled();
             carryOutDueEvents();
-            m_balances.push_back(m_simulation.findBalance(duration));
-            if (!m_balances.back().converged)
-                throw std::runtime_error("Load step " + std::to_string(i + 1) + ": " + m_balances.back().message);
+            const StaticReport found = m_simulation.findBalance(duration);
+            if (!found.converged)
+                throw std::runtime_error("Load step " + std::to_string(i + 1) + ": " + found.message);
+            m_balances.push_back(found);
             m_forces.addRow(m_simulation.reactions(), m_simulation.time());
             takeSnapshot();
-            report(control, secondsSince(start));
+            report(control, secondsSince(m_start));
         }
-        m_wall = secondsSince(start);
+        m_wall = secondsSince(m_start);
         warnOfEventsLeft();
     }
 
@@ -150,6 +149,7 @@ public:
         report.components = m_latest->components;
         report.addedMass = m_latest->addedMass;
         report.quality = qualityOf(*m_latest);
+        report.fineness = m_ready.fineness;
         for (std::size_t i = 0; i < m_latest->bodies.size(); ++i) {
             report.motions.push_back(motionOf(m_ready.parts[i].path, m_latest->bodies[i]));
             report.motions.back().stress = bodyStress(m_ready.parts[i].mesh, *m_latest, static_cast<BodyId>(i));
@@ -159,8 +159,19 @@ public:
         report.balances = m_balances;
         report.warnings = m_ready.warnings;
         report.warnings.insert(report.warnings.end(), m_warnings.begin(), m_warnings.end());
-        const std::vector<std::string> remarks = remarksOn(report.quality);
-        report.warnings.insert(report.warnings.end(), remarks.begin(), remarks.end());
+        for (Remark& remark : remarksOn(report.quality))
+            report.warnings.push_back(std::move(remark.sentence));
+        return report;
+    }
+
+    /// What is known after a failure: of the last good state, to which the simulation went back.
+    RunReport takeReport(const std::string& failure)
+    {
+        m_wall = secondsSince(m_start);
+        takeSnapshot();
+        RunReport report = takeReport();
+        report.failure = failure;
+        report.trouble = m_simulation.health().trouble;
         return report;
     }
 
@@ -247,8 +258,18 @@ private:
     ForceSeries m_forces;
     std::vector<StaticReport> m_balances;
     std::vector<std::string> m_warnings;
+    Clock::time_point m_start = Clock::now();
     double m_wall = 0;
 };
+
+/// @param file empty: none
+void writeForces(const std::string& file, RunReport& report)
+{
+    if (file.empty())
+        return;
+    writeWhole(file, report.forces.csv(), "choose another file with --csv.");
+    report.forcesFile = file;
+}
 
 } // namespace
 
@@ -260,15 +281,22 @@ RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskC
     checkEvents(recipe, ready);
     prepareFolders(recipe.exports, outputFolder);
 
+    if (say && !ready.fineness.warning.empty())
+        say(ready.fineness.warning);
     Runner runner(recipe, ready, say);
-    recipe.analysis == Analysis::equilibrium ? runner.findBalances(control) : runner.run(control);
+    try {
+        recipe.analysis == Analysis::equilibrium ? runner.findBalances(control) : runner.run(control);
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        RunReport known = runner.takeReport(error.what());
+        writeForces(forcesFile, known);
+        throw RunFailed(std::move(known));
+    }
 
     TaskPortion writing(control, stepsEnd, 1);
     RunReport report = runner.takeReport();
-    if (!forcesFile.empty()) {
-        writeWhole(forcesFile, report.forces.csv(), "choose another file with --csv.");
-        report.forcesFile = forcesFile;
-    }
+    writeForces(forcesFile, report);
     if (recipe.exports.empty())
         return report;
     WrittenExports written =

@@ -2,8 +2,9 @@
 
 #include "app/body_stress.h"
 #include "app/force_series.h"
-#include "app/run_quality.h"
+#include "core/aggregate/spacing_choice.h"
 #include "core/model/export_report.h"
+#include "core/simulation/run_quality.h"
 #include "core/simulation/snapshot.h"
 #include "core/simulation/static_report.h"
 #include "core/task/task_control.h"
@@ -11,7 +12,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace knead {
@@ -41,6 +44,7 @@ struct RunReport {
     std::string integrator;      ///< a sentence on which one was in use at the end and why
     EnergyLedger energy;
     RunQuality quality;
+    SpacingAssessment fineness;         ///< of the filling
     std::vector<BodyMotion> motions;    ///< one per body, at the end
     std::vector<ToolState> tools;       ///< as last seen, those taken away included
     ForceSeries forces;                 ///< of fixtures, tools and loads over time
@@ -50,7 +54,22 @@ struct RunReport {
     std::vector<ExportReport> exports;  ///< on those that are no pictures
     std::vector<std::string> warnings;  ///< sentences for the person
 
+    /// Why the run ended before it was done: a sentence with its remedy; empty when it was done.
+    std::string failure;
+    Trouble trouble = Trouble::none; ///< of the simulation, when that was why
+
     double ratio() const { return wall > 0 ? simulated / wall : 0; }
+};
+
+/// The work failed in the midst of a run.
+struct RunFailed : std::runtime_error {
+    explicit RunFailed(RunReport known)
+        : std::runtime_error(known.failure)
+        , report(std::move(known))
+    {
+    }
+
+    RunReport report; ///< what is known, RunReport::failure included
 };
 
 /// Takes what is said while a run goes on, at once: that a tool begins inside material (which is among RunReport::warnings,
@@ -62,7 +81,7 @@ using SayAtOnce = std::function<void(const std::string& sentence)>;
 /// @param outputFolder made when missing
 /// @param forcesFile for a table of forces and moments over time, CSV; empty: none
 /// @throws UnusableInput (app/recipe_scene.h) when recipe and part do not fit, std::runtime_error when the work failed,
-///         each in a sentence. @throws Cancelled
+///         each in a sentence, RunFailed when that was after the first step. @throws Cancelled
 RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskControl& control = TaskControl::none(),
                     const SayAtOnce& say = {}, const std::string& forcesFile = {});
 

@@ -19,14 +19,14 @@ constexpr double importShare = 0.5;
     throw UnusableInput(shortName(recipe.file) + ": " + saying);
 }
 
-/// @param control of measuring walls, where the choice is by them
-double spacingOf(const SpacingChoice& choice, const std::vector<Part>& parts, TaskControl& control)
+/// Of all parts. Walls are those of closed ones, unless they are what is chosen by.
+FillingSize measure(const SpacingChoice& choice, const std::vector<Part>& parts, TaskControl& control)
 {
+    const bool isByWalls = choice.kind == SpacingChoice::Kind::CellsAcrossWall;
     FillingSize all;
     for (const Part& part : parts)
-        all.add(choice.kind == SpacingChoice::Kind::CellsAcrossWall ? sizeWithWalls(part.mesh, control)
-                                                                    : sizeOf(part.mesh));
-    return spacingFor(choice, all);
+        all.add(part.canBeFilled() || isByWalls ? sizeWithWalls(part.mesh, control) : sizeOf(part.mesh));
+    return all;
 }
 
 /// The filling knows no names; in an assembly they matter.
@@ -47,7 +47,13 @@ Aggregate fillPart(const Part& part, Arrangement arrangement, double spacing, Ta
 void fillParts(const Recipe& recipe, RecipeScene& result, TaskControl& control)
 {
     TaskPortion measuring(control, 0, 0.1);
-    const double spacing = spacingOf(recipe.spacing, result.parts, measuring);
+    const FillingSize size = measure(recipe.spacing, result.parts, measuring);
+    const double spacing = spacingFor(recipe.spacing, size);
+    result.fineness = assessSpacing(spacing, size);
+    if (recipe.arrangement == Arrangement::published)
+        result.fineness.warning.clear(); // of cut cells
+    if (!result.fineness.warning.empty())
+        result.warnings.push_back(result.fineness.warning);
     TaskPortion filling(control, 0.1, 1);
     const auto count = static_cast<double>(result.parts.size());
     for (std::size_t i = 0; i < result.parts.size(); ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/recipe_parts.h"
+#include "core/aggregate/spacing_choice.h"
 #include "core/simulation/scene.h"
 
 #include <optional>
@@ -16,6 +17,7 @@ struct RecipeScene {
     std::vector<Part> parts;                                 ///< one per body of the scene, same order
     std::vector<std::vector<FixtureId>> fixtureIds;          ///< per fixture of the recipe; one for each body it holds
     std::vector<std::shared_ptr<const ToolPart>> eventParts; ///< as in RecipeParts
+    SpacingAssessment fineness;                              ///< of all bodies together
     std::vector<std::string> warnings;                       ///< sentences: of the import, and parts left out
 };
 

@@ -156,6 +156,9 @@ struct PlaceRecipeManipulator {
 struct ReshapeRecipeManipulator {
     RecipeManipulator manipulator; ///< its name, form and limits
 };
+struct SettleScene {     ///< FindBalance
+    double duration = 0; ///< [s]
+};
 struct StartAgain {}; ///< Reset: steps and times count anew
 struct MarkMoment {   ///< KeepMoment, at the end of what a person did at one go
     std::string name;
@@ -164,7 +167,7 @@ using RecipeAction =
     std::variant<ChangeMaterial, RenormalizeBodies, ChangeBodyKind, ReleaseFixture, TakeManipulatorAway, ChangeGravity,
                  ChangeFloor, ChangeIntegrator, AddRecipeFixture, MoveRecipeFixture, AddRecipeManipulator,
                  MoveRecipeManipulator, PlaceRecipeManipulator, ReshapeRecipeManipulator, StartAgain, MarkMoment,
-                 AddRecipeLoad, ChangeRecipeLoad, TakeLoadAway>;
+                 AddRecipeLoad, ChangeRecipeLoad, TakeLoadAway, SettleScene>;
 
 /// Events take place in the order of the recipe. Steps and times count from the last StartAgain.
 struct RecipeEvent {

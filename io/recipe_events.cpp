@@ -14,6 +14,8 @@ namespace {
 
 constexpr double longestAnnealing = 3600; // [s]
 constexpr double fastestGrip = 1e5;       // [mm/s]
+constexpr double shortestBalance = 1e-6;  // [s]
+constexpr double longestBalance = 3600;   // [s]
 
 std::string readOptionalText(const JsonNode& node, const std::string& key)
 {
@@ -139,6 +141,7 @@ const std::vector<ActionReader>& actionReaders()
         plain("add_load", [](Node node) { return AddRecipeLoad{readRecipeLoad(node)}; }),
         plain("change_load", readChangeOfLoad),
         plain("remove_load", [](Node node) { return TakeLoadAway{node.text()}; }),
+        plain("find_balance_s", [](Node node) { return SettleScene{node.number(shortestBalance, longestBalance)}; }),
         plain("reset", readReset),
         plain("keep_moment", [](Node node) { return MarkMoment{node.anyText()}; }),
     };

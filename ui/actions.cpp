@@ -107,6 +107,12 @@ Actions::Actions(QWidget* window)
     , play(make(window,
                 {"play", QT_TR_NOOP("Play"), "play", {Qt::Key_Space}, QT_TR_NOOP("Run or pause the simulation")}))
     , step(make(window, {"step", QT_TR_NOOP("Step"), "step", {Qt::Key_Period}, QT_TR_NOOP("One time step")}))
+    , findBalance(
+          make(window, {"findBalance",
+                        QT_TR_NOOP("Find balance"),
+                        "balance",
+                        {QKeySequence("Ctrl+B")},
+                        QT_TR_NOOP("Put the part where forces balance now, without waiting until it is at rest")}))
     , reset(make(window, {"reset",
                           QT_TR_NOOP("Reset"),
                           "reset",
@@ -256,8 +262,8 @@ void Actions::setDocumentOpen(bool isOpen, bool isSimulated)
     for (QAction* action : {save, saveAs, fit, front, back, right, left, top, bottom, isometric, perspective, oneView,
                             twoViews, fourViews, edges, openEdges, grid})
         action->setEnabled(isOpen);
-    for (QAction* action : {exportMeshes, exportRecipe, play, step, reset, gravity, floor, recordVideo, recordPictures,
-                            renormalize, fixFaces, remove, objects, allObjects, hide})
+    for (QAction* action : {exportMeshes, exportRecipe, play, step, findBalance, reset, gravity, floor, recordVideo,
+                            recordPictures, renormalize, fixFaces, remove, objects, allObjects, hide})
         action->setEnabled(isSimulated);
     for (QAction* action : addTool)
         action->setEnabled(isSimulated);

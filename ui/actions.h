@@ -28,6 +28,7 @@ struct Actions {
 
     QAction* play;
     QAction* step;
+    QAction* findBalance;
     QAction* reset;
     QAction* gravity;
     QAction* floor;

@@ -69,6 +69,11 @@ MainWindow::MainWindow(Services services, QWidget* parent)
     connect(&m_document, &Document::changed, this, &MainWindow::documentChanged);
     connect(&m_document, &Document::stopping, this, [this] { showSteppable(false); });
     connect(&m_document, &Document::recipeEnded, this, [this](const QString& sentence) { m_log->add(sentence); });
+    connect(&m_document, &Document::balanced, this, &MainWindow::showBalance);
+    connect(&m_document, &Document::notBalanced, this, [this](const QString& sentence) {
+        m_shownImbalance = sentence;
+        showProblem(sentence);
+    });
     connect(&m_document, &Document::notice, this, [this](const QString& sentence) { showProblem(sentence); });
     selectionChanged();
     makeShell();
@@ -108,6 +113,7 @@ void MainWindow::connectSimulationActions()
     connect(m_actions->redo, &QAction::triggered, &m_document, &Document::redo);
     connect(m_actions->play, &QAction::triggered, &m_document, &Document::togglePlay);
     connect(m_actions->step, &QAction::triggered, &m_document, &Document::stepOnce);
+    connect(m_actions->findBalance, &QAction::triggered, &m_document, &Document::findBalance);
     connect(m_actions->reset, &QAction::triggered, &m_document, &Document::reset);
     connect(m_actions->gravity, &QAction::toggled, this, &MainWindow::setGravity);
     connect(m_actions->floor, &QAction::toggled, this, &MainWindow::setFloor);
@@ -231,6 +237,7 @@ void MainWindow::contentChanged()
                             formatReading(start.timeStep, Quantity::Time)));
     for (const std::string& warning : content.warnings)
         m_log->add(inWords(warning), LogPanel::Kind::Warning);
+    showWalls(content.fineness);
     showImport();
 }
 

@@ -167,6 +167,9 @@ private:
     void historyChanged();
     void showHealth(const Health& health);
     void showNotice(const std::string& notice);
+    void showRemark(const QString& sentence);
+    void showWalls(const SpacingAssessment& fineness);
+    void showBalance(const QString& sentence);
     /// @param remedy what a click on the banner's button does
     void showProblem(const QString& sentence, const QString& remedyText = {}, std::function<void()> remedy = {});
     /// The same with a second button, which goes back to the start.
@@ -265,6 +268,8 @@ private:
     TaskReading* m_taskReading = nullptr;
     std::pair<bool, bool> m_surroundings; ///< gravity and floor, as last seen
     std::string m_shownHealth;            ///< message last put into the banner
+    QString m_shownImbalance;             ///< why no balance was found last
+    QString m_shownWalls;                 ///< sentence of the present filling; empty: its walls are well
     std::string m_shownNotice;            ///< last put into the log
     std::function<void()> m_remedy;
 };

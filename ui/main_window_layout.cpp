@@ -174,7 +174,7 @@ void MainWindow::makeMenus()
     edit->addActions({a.palette, a.shortcuts, a.preferences});
 
     QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
-    simulation->addActions({a.play, a.step, a.reset});
+    simulation->addActions({a.play, a.step, a.findBalance, a.reset});
     simulation->addSeparator();
     simulation->addActions({a.gravity, a.floor, a.renormalize});
     simulation->addSeparator();

@@ -1,6 +1,7 @@
 // Materials and how time runs in the main window: the simulation dock, and what is offered when a simulation had to stop.
 #include "ui/main_window.h"
 
+#include "ui/document/run_remarks.h"
 #include "ui/language/words_of_files.h"
 #include "ui/materials/material_store.h"
 #include "ui/panels/banner.h"
@@ -11,6 +12,7 @@
 
 #include <QDockWidget>
 #include <QScrollArea>
+#include <QStatusBar>
 
 #include <algorithm>
 #include <utility>
@@ -19,6 +21,7 @@ namespace knead {
 
 namespace {
 
+constexpr int outcomeTime = 10'000;    // of what came out [ms]
 constexpr double slower = 0.5;         // speed limit of a tool by its old one
 constexpr double finer = 0.75;         // spacing by the old one
 constexpr double leastDamping = 0.1;   // damping ratio that is offered
@@ -77,6 +80,8 @@ void MainWindow::makeSimulation()
             m_readings->show(*frame->snapshot);
     });
     connect(panel, &SimulationPanel::threadsChosen, this, &MainWindow::chooseThreads);
+    auto* remarks = new RunRemarks(m_document, this);
+    connect(remarks, &RunRemarks::said, this, &MainWindow::showRemark);
     connect(m_banner, &Banner::otherClicked, this, [this] { m_document.reset(); });
 }
 
@@ -84,7 +89,40 @@ void MainWindow::makeSimulation()
 void MainWindow::showNotice(const std::string& notice)
 {
     if (std::exchange(m_shownNotice, notice) != notice && !notice.empty())
-        m_log->add(inWords(notice), LogPanel::Kind::Warning);
+        showRemark(inWords(notice));
+}
+
+/// On the banner, too, unless that has something worse to say, or a remedy.
+void MainWindow::showRemark(const QString& sentence)
+{
+    m_log->add(sentence, LogPanel::Kind::Warning);
+    const bool hasRemedy = !m_banner->isHidden() && m_remedy != nullptr;
+    if (!m_shownHealth.empty() || hasRemedy)
+        return;
+    m_remedy = nullptr;
+    m_banner->show(sentence);
+}
+
+/// Too few cells across them, with a filling that has enough.
+void MainWindow::showWalls(const SpacingAssessment& fineness)
+{
+    const bool isSaid = !m_shownWalls.isEmpty() && m_banner->sentence() == m_shownWalls;
+    const bool isFine = fineness.warning.empty() || m_document.content().bodies.empty();
+    m_shownWalls = isFine ? QString() : inWords(fineness.warning);
+    if (isFine && isSaid)
+        m_banner->hide();
+    if (isFine)
+        return;
+    m_remedy = [this, spacing = fineness.advisedSpacing] { refill(spacing); };
+    m_banner->show(m_shownWalls, tr("Fill finer"));
+}
+
+void MainWindow::showBalance(const QString& sentence)
+{
+    if (!m_shownImbalance.isEmpty() && m_banner->sentence() == m_shownImbalance)
+        m_banner->hide(); // what it says is no longer so
+    m_log->add(sentence);
+    statusBar()->showMessage(sentence, outcomeTime);
 }
 
 /// What the simulation advises, as a button; and back to the start as it is.

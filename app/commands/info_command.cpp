@@ -4,6 +4,7 @@
 #include "app/exit_status.h"
 #include "app/import_arguments.h"
 #include "app/terminal_control.h"
+#include "core/geometry/wall_thickness.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -62,6 +63,7 @@ Json toJson(const Part& part)
             {"volume_mm3", toMm3 * part.volume},
             {"area_mm2", toMm2 * part.area},
             {"bbox_mm", toJson(part.box)},
+            {"thinnest_wall_mm", part.canBeFilled() ? Json(toMm * wallThickness(part.mesh).thinnest) : Json(nullptr)},
             {"watertight", part.watertight},
             {"valid", part.valid},
             {"max_tolerance_mm", toMm * part.maxTolerance},
@@ -98,6 +100,8 @@ void printPart(const Part& part, int depth)
     if (part.volume > 0)
         std::printf(", volume %.6g mm3", toMm3 * part.volume);
     std::printf(", area %.6g mm2", toMm2 * part.area);
+    if (part.canBeFilled())
+        std::printf(", thinnest wall %.3g mm", toMm * wallThickness(part.mesh).thinnest);
     if (part.color)
         std::printf(", color %s", hexColor(*part.color).c_str());
     std::printf("\n%*s  ", indent, "");

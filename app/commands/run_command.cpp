@@ -1,9 +1,9 @@
 #include "app/commands/run_command.h"
 
 #include "app/commands/force_report.h"
+#include "app/commands/run_json.h"
 #include "app/complaint.h"
 #include "app/exit_status.h"
-#include "app/hexadecimal.h"
 #include "app/recipe_runner.h"
 #include "app/recipe_scene.h"
 #include "app/resources.h"
@@ -44,63 +44,8 @@ struct RunOptions {
     bool endsWithParent = false;
 };
 
-nlohmann::ordered_json list(const Vec3& vector)
+void print(const nlohmann::ordered_json& json)
 {
-    return {vector.x(), vector.y(), vector.z()};
-}
-
-void printJson(const RunReport& report)
-{
-    const EnergyLedger& energy = report.energy;
-    nlohmann::ordered_json json{
-        {"objects", report.objects},
-        {"connections", report.connections},
-        {"broken", report.broken},
-        {"joints", report.joints},
-        {"components", report.components},
-        {"added_mass", report.addedMass},
-        {"steps", report.steps},
-        {"time_step_s", report.timeStep},
-        {"simulated_s", report.simulated},
-        {"wall_s", report.wall},
-        {"ratio", report.ratio()},
-        {"state_hash", hexadecimal(report.stateHash)},
-        {"integrator", report.integrator},
-        {"energy_j",
-         {{"kinetic", energy.kinetic},
-          {"elastic", energy.elastic},
-          {"gravity", energy.gravity},
-          {"contact", energy.contact},
-          {"tool_work", energy.toolWork},
-          {"viscous", energy.viscous},
-          {"friction", energy.friction},
-          {"plastic", energy.plastic},
-          {"fracture", energy.fracture},
-          {"numerical", energy.numerical},
-          {"imbalance", energy.imbalance}}},
-        {"bodies", nlohmann::ordered_json::array()},
-        {"tools", nlohmann::ordered_json::array()},
-        {"files", report.files},
-        {"quality", qualityToJson(report.quality)},
-        {"warnings", report.warnings},
-    };
-    for (const BodyMotion& motion : report.motions)
-        json["bodies"].push_back({{"name", motion.name},
-                                  {"mean_displacement_mm", list(1000 * motion.meanDisplacement)},
-                                  {"largest_displacement_mm", 1000 * motion.largestDisplacement},
-                                  {"von_mises_stress",
-                                   {{"largest_pa", motion.stress.largest},
-                                    {"error_share", motion.stress.error},
-                                    {"at_rest_mm", list(1000 * motion.stress.place)}}}});
-    for (const ToolState& tool : report.tools)
-        json["tools"].push_back({{"name", tool.name},
-                                 {"force_n", list(tool.force)},
-                                 {"peak_force_n", tool.peakForce},
-                                 {"torque_nm", list(tool.torque)}});
-    addForces(json, report);
-    json["exports"] = nlohmann::ordered_json::array();
-    for (const ExportReport& exported : report.exports)
-        json["exports"].push_back(nlohmann::ordered_json::parse(reportToJson(exported)));
     std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
@@ -114,6 +59,14 @@ void printDamage(const RunReport& report)
         std::printf("mass scaling added %.3g %% of the mass\n", 100 * report.addedMass);
 }
 
+/// Too few cells are a warning, which is said apart.
+void printWalls(const RunReport& report)
+{
+    if (report.fineness.cellsAcrossWall > 0 && report.fineness.warning.empty())
+        std::printf("thinnest walls: %.2g cells across; their bending is right within %.0f %%\n",
+                    report.fineness.cellsAcrossWall, 100 * bendingErrorOf(report.fineness.cellsAcrossWall));
+}
+
 void printSummary(const RunReport& report)
 {
     std::printf("%zu objects, %zu connections in %zu %s\n", report.objects, report.connections, report.bodies,
@@ -124,6 +77,7 @@ void printSummary(const RunReport& report)
     std::printf("energy: elastic %.3g J, kinetic %.3g J, work of the tools %.3g J, dissipated %.3g J\n",
                 report.energy.elastic, report.energy.kinetic, report.energy.toolWork, report.energy.dissipated());
     printDamage(report);
+    printWalls(report);
     for (const ToolState& tool : report.tools)
         std::printf("tool %s: force (%.3g, %.3g, %.3g) N, peak %.3g N\n", tool.name.c_str(), tool.force.x(),
                     tool.force.y(), tool.force.z(), tool.peakForce);
@@ -135,13 +89,21 @@ void printSummary(const RunReport& report)
             std::printf("%s\n", line.c_str());
 }
 
+/// Those that were not said at once.
+void sayWarnings(const RunReport& report, const std::vector<std::string>& said)
+{
+    for (const std::string& warning : report.warnings)
+        if (std::find(said.begin(), said.end(), warning) == said.end())
+            std::cerr << "knead: warning: " << warning << '\n';
+}
+
 int carryOut(const Recipe& recipe, const RunOptions& options)
 {
     const ThreadLimit limit(options.threads);
     TerminalControl control;
+    std::mutex saying;
+    std::vector<std::string> said;
     try {
-        std::mutex saying;
-        std::vector<std::string> said;
         const auto say = [&](const std::string& sentence) {
             control.say("knead: warning: " + sentence);
             const std::lock_guard lock(saying);
@@ -149,10 +111,8 @@ int carryOut(const Recipe& recipe, const RunOptions& options)
         };
         const RunReport report = runRecipe(recipe, options.outputFolder, control, say, options.forcesFile);
         control.clear();
-        for (const std::string& warning : report.warnings)
-            if (std::find(said.begin(), said.end(), warning) == said.end())
-                std::cerr << "knead: warning: " << warning << '\n';
-        options.json ? printJson(report) : printSummary(report);
+        sayWarnings(report, said);
+        options.json ? print(jsonOf(report)) : printSummary(report);
         return exit_status::done;
     } catch (const Cancelled&) {
         control.clear();
@@ -160,8 +120,16 @@ int carryOut(const Recipe& recipe, const RunOptions& options)
     } catch (const UnusableInput& error) {
         control.clear();
         return complain(error.what(), exit_status::wrongUse);
+    } catch (const RunFailed& failed) {
+        control.clear();
+        sayWarnings(failed.report, said);
+        if (options.json)
+            print(jsonOf(failed.report));
+        return complain(failed.what(), exit_status::failed);
     } catch (const std::exception& error) {
         control.clear();
+        if (options.json)
+            print({{"failure", {{"kind", "failed"}, {"sentence", error.what()}}}});
         return complain(error.what(), exit_status::failed);
     }
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace knead {
@@ -61,14 +62,28 @@ std::string readableCount(double count)
     return digits;
 }
 
-std::string thinWallSentence(double cells, const FillingSize& size)
+/// With two digits, and no more than the value.
+double roundedDown(double value)
 {
-    const double better = size.thinnestWall / fewestCellsAcrossWall;
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
+    return std::floor(value / unit * (1 + 1e-9)) * unit;
+}
+
+std::string stiffnessWords(double error)
+{
+    if (!std::isfinite(error))
+        return "comes out many times too stiff";
+    return error < 1 ? "comes out up to " + rounded(100 * error) + " % too stiff"
+                     : "comes out up to " + rounded(1 + error) + " times too stiff";
+}
+
+std::string thinWallSentence(double cells, const FillingSize& size, double better)
+{
     std::ostringstream text;
-    text << "The thinnest wall is " << inMillimetres(size.thinnestWall) << ": " << rounded(cells)
-         << " cells, so it will be too stiff or missing; a spacing of " << inMillimetres(better) << " would give "
-         << fewestCellsAcrossWall << " cells and about " << readableCount(estimatedObjects(size, better))
-         << " objects.";
+    text << "Thinnest walls: " << rounded(cells) << " cells across " << inMillimetres(size.thinnestWall)
+         << "; bending of such walls " << stiffnessWords(bendingErrorOf(cells)) << ". Fill with a spacing of "
+         << inMillimetres(better) << " for " << advisedCellsAcrossWall << " cells, about "
+         << readableCount(estimatedObjects(size, better)) << " objects.";
     return text.str();
 }
 
@@ -117,14 +132,30 @@ double spacingFor(const SpacingChoice& choice, const FillingSize& size)
     return choice.value;
 }
 
+double bendingErrorOf(double cellsAcross)
+{
+    constexpr double sound = 0.1;
+    constexpr double rough = 0.4;  // from 1.3 cells on
+    constexpr double coarse = 1.4; // from one cell on
+    constexpr double roughest = 1.3;
+    constexpr double rounding = 1 - 1e-6;
+    if (cellsAcross >= fewestCellsAcrossWall * rounding)
+        return sound;
+    if (cellsAcross >= roughest * rounding)
+        return rough;
+    return cellsAcross >= rounding ? coarse : std::numeric_limits<double>::infinity();
+}
+
 SpacingAssessment assessSpacing(double spacing, const FillingSize& size)
 {
     SpacingAssessment assessment;
     assessment.cellsAcrossWall = size.thinnestWall / spacing;
     assessment.objects = estimatedObjects(size, spacing);
     assessment.bytes = bytesPerObject * assessment.objects;
-    if (size.thinnestWall > 0 && assessment.cellsAcrossWall < fewestCellsAcrossWall * (1 - 1e-6))
-        assessment.warning = thinWallSentence(assessment.cellsAcrossWall, size);
+    if (size.thinnestWall > 0 && assessment.cellsAcrossWall < fewestCellsAcrossWall * (1 - 1e-6)) {
+        assessment.advisedSpacing = roundedDown(size.thinnestWall / advisedCellsAcrossWall);
+        assessment.warning = thinWallSentence(assessment.cellsAcrossWall, size, assessment.advisedSpacing);
+    }
     return assessment;
 }
 

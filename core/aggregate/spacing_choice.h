@@ -49,11 +49,17 @@ struct SpacingAssessment {
     double cellsAcrossWall = 0; ///< the thinnest one
     double objects = 0;         ///< about
     double bytes = 0;           ///< of memory for aggregates, simulation and snapshots, about
+    double advisedSpacing = 0;  ///< that serves the thinnest wall; 0: this one does [m]
     std::string warning;        ///< a sentence when the thinnest wall has too few cells; else empty
 };
 
-constexpr double fewestCellsAcrossWall = 2; ///< bend right to a tenth; with fewer, walls are soon much too stiff
-constexpr double goodCellsAcrossWall = 3;   ///< twist right to a tenth as well
+constexpr double fewestCellsAcrossWall = 1.75; ///< with fewer, bending of the wall is too stiff by more than a tenth
+constexpr double advisedCellsAcrossWall = 2;   ///< bending is right within a tenth
+constexpr double goodCellsAcrossWall = 3;      ///< twisting as well, and stress at the skin begins to be
+
+/// By how much bending of a wall may come out too stiff at worst, as a share of its stiffness: 0.4 is 40 %. Measured on
+/// cantilevers, tilted and not, of every thickness; infinite below one cell.
+double bendingErrorOf(double cellsAcross);
 
 /// Without a warning when no wall is measured.
 SpacingAssessment assessSpacing(double spacing, const FillingSize& size);

@@ -28,7 +28,7 @@ double dotProduct(const VectorArray& a, const VectorArray& b)
 
 ConjugateGradients::Report ConjugateGradients::solve(ImplicitSystem& system, RigidModePreconditioner& preconditioner,
                                                      VectorArray& residual, VectorArray& solution, double goal,
-                                                     int most)
+                                                     int most, const std::function<bool()>& isStopped)
 {
     for (VectorArray* vectors : {&m_direction, &m_preconditioned, &m_product})
         vectors->resize(system.rows());
@@ -36,7 +36,7 @@ ConjugateGradients::Report ConjugateGradients::solve(ImplicitSystem& system, Rig
     m_direction = m_preconditioned;
     Report report;
     report.start = report.end = dotProduct(residual, m_preconditioned);
-    while (report.end > goal && report.iterations < most) {
+    while (report.end > goal && report.iterations < most && !(isStopped && isStopped())) {
         system.multiply(m_direction, m_product);
         const double curvature = dotProduct(m_direction, m_product);
         if (!(curvature > 0)) // rounding is all that is left

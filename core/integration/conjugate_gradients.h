@@ -2,6 +2,8 @@
 
 #include "core/integration/rigid_mode_preconditioner.h"
 
+#include <functional>
+
 namespace knead {
 
 /// a . b over all rows, summed in an order that does not depend on the number of threads.
@@ -18,8 +20,9 @@ public:
 
     /// Adds dv to `solution` and makes `residual` what is left of it, until r . P r is at most `goal` [J], or for `most`
     /// iterations.
+    /// @param isStopped asked before each iteration, which is then the last; none: never
     Report solve(ImplicitSystem& system, RigidModePreconditioner& preconditioner, VectorArray& residual,
-                 VectorArray& solution, double goal, int most);
+                 VectorArray& solution, double goal, int most, const std::function<bool()>& isStopped = {});
 
 private:
     VectorArray m_direction;

@@ -39,6 +39,26 @@ constexpr double stickShare = 3e-4;
 // Three held objects hold a piece when they span this share of the square of their distance.
 constexpr double spanShare = 1e-6;
 
+/// Tells how far a solution is: forces that are left fall by about the same factor with every iteration.
+class Progress {
+public:
+    explicit Progress(const StaticEquilibrium::Settings& settings)
+        : m_settings(settings)
+    {
+    }
+
+    void reached(double residual)
+    {
+        const double share = std::log(std::max(residual, m_settings.tolerance)) / std::log(m_settings.tolerance);
+        m_share = std::max(m_share, std::clamp(share, 0.0, 1.0));
+        m_settings.control->report(m_share, "finding the balance");
+    }
+
+private:
+    const StaticEquilibrium::Settings& m_settings;
+    double m_share = 0;
+};
+
 } // namespace
 
 StaticEquilibrium::StaticEquilibrium(std::vector<BodyView> bodies)
@@ -187,7 +207,8 @@ bool StaticEquilibrium::isFree(const std::vector<ContactTangent>& tangents) cons
 }
 
 /// Where Newton's method would go from here [m].
-VectorArray StaticEquilibrium::newtonStep(const std::vector<ContactTangent>& tangents, Report& report)
+VectorArray StaticEquilibrium::newtonStep(const std::vector<ContactTangent>& tangents, Report& report,
+                                          const TaskControl& control)
 {
     m_system.update(m_step);
     m_system.setLinks(linksOf(tangents));
@@ -203,7 +224,9 @@ VectorArray StaticEquilibrium::newtonStep(const std::vector<ContactTangent>& tan
     const double size = dotProduct(rest, preconditioned);
     VectorArray way(m_system.rows());
     const ConjugateGradients::Report solved =
-        m_solver.solve(m_system, m_preconditioner, rest, way, linearTolerance * linearTolerance * size, mostIterations);
+        m_solver.solve(m_system, m_preconditioner, rest, way, linearTolerance * linearTolerance * size, mostIterations,
+                       [&control] { return control.isCancelled(); });
+    control.throwIfCancelled();
     report.iterations += solved.iterations;
     ++report.newtonIterations;
     if (isFirst)
@@ -261,6 +284,7 @@ StaticEquilibrium::Report StaticEquilibrium::solve(const Loads& loads, const std
                                                    const Settings& settings)
 {
     Report report;
+    Progress progress(settings);
     m_mostActing = 0;
     m_freshIterations = 0;
     m_mixing.restart();
@@ -274,7 +298,9 @@ StaticEquilibrium::Report StaticEquilibrium::solve(const Loads& loads, const std
         report.converged = left <= settings.tolerance * m_acting;
         if (report.converged || !std::isfinite(left) || report.newtonIterations == settings.mostIterations)
             break;
-        const VectorArray newton = newtonStep(report.contacts.tangents, report);
+        settings.control->throwIfCancelled();
+        progress.reached(report.residual);
+        const VectorArray newton = newtonStep(report.contacts.tangents, report, *settings.control);
         VectorArray way = mixed(gone, newton);
         if (!(dotProduct(m_residual, way) > 0)) {
             m_mixing.restart();

@@ -3,6 +3,7 @@
 #include "core/integration/anderson_mixing.h"
 #include "core/integration/conjugate_gradients.h"
 #include "core/mechanics/contacts.h"
+#include "core/task/task_control.h"
 
 #include <cstdint>
 #include <functional>
@@ -36,6 +37,7 @@ public:
     struct Settings {
         double tolerance = 1e-7;  ///< of forces that are left, by those that act (2-norms over all objects)
         int mostIterations = 150; ///< linear systems
+        TaskControl* control = &TaskControl::none();
     };
     /// What acts, besides the material.
     struct Loads {
@@ -62,7 +64,7 @@ public:
 
     /// Free objects go to where there is balance; held ones have been put where they are to be. `start` is where all were
     /// before, which friction needs. Afterwards velocities are ways by waySeconds(), and forces those of the balance.
-    /// When it fails places are the last tried.
+    /// When it fails places are the last tried. @throws Cancelled, then too
     Report solve(const Loads& loads, const std::vector<VectorArray>& start, const Settings& settings);
 
     /// The long step that ways are divided by to be velocities [s].
@@ -74,7 +76,7 @@ private:
     void move(const VectorArray& way, double share);
     std::vector<Link> linksOf(const std::vector<ContactTangent>& tangents) const;
     bool isFree(const std::vector<ContactTangent>& tangents) const;
-    VectorArray newtonStep(const std::vector<ContactTangent>& tangents, Report& report);
+    VectorArray newtonStep(const std::vector<ContactTangent>& tangents, Report& report, const TaskControl& control);
     VectorArray mixed(const VectorArray& place, const VectorArray& step);
     double largestStrain(const VectorArray& way) const;
     static double longest(const VectorArray& way);

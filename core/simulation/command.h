@@ -118,10 +118,16 @@ struct RenameFixture {
     std::string name;
 };
 
+/// Puts the objects where there is balance without inertia, for what tools, grips and loads are now, and time goes on by `duration`:
+/// see Simulation::settle(). It counts as one step.
+struct FindBalance {
+    double duration = 1.0 / 60; ///< in which what moves goes on and material flows [s]
+};
+
 using Command = std::variant<SetMaterial, SetBodyKind, Renormalize, SetGravity, SetFloor, AddManipulator,
                              RemoveManipulator, SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, AddFixture,
                              RemoveFixture, MoveFixture, SetIntegrator, Reset, KeepMoment, SetPartLook,
-                             RenameManipulator, RenameFixture, AddLoad, RemoveLoad, SetLoad>;
+                             RenameManipulator, RenameFixture, AddLoad, RemoveLoad, SetLoad, FindBalance>;
 
 /// A command and the step before which it took effect. Steps count on from the Reset before.
 struct RecordedCommand {

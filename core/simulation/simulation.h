@@ -4,6 +4,7 @@
 #include "core/simulation/reaction.h"
 #include "core/simulation/snapshot.h"
 #include "core/simulation/static_report.h"
+#include "core/task/task_control.h"
 
 #include <cstdint>
 #include <memory>
@@ -42,6 +43,11 @@ public:
     /// When it does not come to balance the state is the one before, and the report says why.
     /// @param duration 0 .. 3600 s, > 0
     StaticReport findBalance(double duration);
+
+    /// Carries out FindBalance at once, with progress: as findBalance() does, with the chosen scheme from there on as before. When
+    /// there is no balance, or it was cancelled, the state is the one before.
+    /// @throws Cancelled
+    StaticReport settle(const FindBalance& command, TaskControl& control = TaskControl::none());
 
     /// Takes queued commands into account and carries out KeepMoment. @return the moment, to be gone back to; never null
     MomentPointer keepMoment();

@@ -166,6 +166,14 @@ public:
         ++m_state.resets;
     }
     void operator()(const KeepMoment&) const { m_state.keepMoment(); }
+    void operator()(const FindBalance& command) const
+    {
+        const StaticReport report = m_state.settle(command.duration, TaskControl::none());
+        if (report.converged)
+            return;
+        m_state.recording.push_back({m_state.step, KeepMoment{}}); // which it began with
+        throw std::runtime_error(report.message);
+    }
     void operator()(const SetPartLook&) const {}
     void operator()(const RenameManipulator& command) const
     {

@@ -191,6 +191,7 @@ void Simulation::State::goTo(MomentPointer moment)
     }
     restore(*moment);
     resets = 0;
+    penetration = 0;
     recording.clear();
     lastGood = std::move(moment);
 }

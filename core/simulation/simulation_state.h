@@ -53,8 +53,9 @@ struct Simulation::State {
     void integrate();
     void limitTravel(double speed);
     void stepImplicitly();
-    StaticReport findBalance(double duration);
-    bool balance(double duration, StaticReport& report);
+    StaticReport findBalance(double duration, TaskControl& control);
+    bool balance(double duration, TaskControl& control, StaticReport& report);
+    StaticReport settle(double duration, TaskControl& control);
     void countSolved(bool isSolved);
     void checkHealth();
 

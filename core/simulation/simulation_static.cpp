@@ -21,7 +21,7 @@ constexpr double lostShare = 10;
 // Where there is something to meet, no object goes further than this at a time [spacings], or it would pass by.
 constexpr double shareOfSpacing = 0.5;
 
-std::string nameOf(const Body& body)
+std::string subjectOf(const Body& body)
 {
     return body.name.empty() ? "The body" : "\"" + body.name + "\"";
 }
@@ -53,7 +53,7 @@ double diagonalOf(const std::vector<Body>& bodies)
 } // namespace
 
 /// One part of a load step. @return whether there is balance at its end; else the state is anything
-bool Simulation::State::balance(double duration, StaticReport& report)
+bool Simulation::State::balance(double duration, TaskControl& control, StaticReport& report)
 {
     timeStep = duration;
     const double imbalance = storedEnergy().imbalance;
@@ -84,19 +84,20 @@ bool Simulation::State::balance(double duration, StaticReport& report)
         surface.velocity *= slower;
         surface.angularVelocity *= slower;
     }
-    StaticEquilibrium::Loads acting{.contacts = contacts.get(), .surfaces = moved, .gravity = gravity, .add = {}, .flowTime = duration};
+    StaticEquilibrium::Loads acting{
+        .contacts = contacts.get(), .surfaces = moved, .gravity = gravity, .add = {}, .flowTime = duration};
     acting.moved = [&](double travel) { contacts->updateVicinity(moved, travel, 0); };
     acting.moved(gripTravel);
     if (!moved.empty() || bodies.size() > 1)
         acting.farthestStep = shareOfSpacing * smallestSpacing(bodies);
     if (!loads.empty())
         acting.add = [&] { return addLoads(time + duration); };
-    const StaticEquilibrium::Report found = equilibrium.solve(acting, start, {});
+    const StaticEquilibrium::Report found = equilibrium.solve(acting, start, {.control = &control});
     report.residual = found.residual;
     report.iterations += found.newtonIterations;
     solverIterations = found.iterations;
     if (found.isFree)
-        report.message = "A body is free to move: hold it or use dynamic.";
+        report.message = "A body is free to move: hold it, or let time run (dynamic) until it rests on something.";
     if (!found.converged || found.farthest > lostShare * diagonalOf(bodies))
         return false;
     for (auto& run : runs)
@@ -125,7 +126,7 @@ bool Simulation::State::balance(double duration, StaticReport& report)
     return true;
 }
 
-StaticReport Simulation::State::findBalance(double duration)
+StaticReport Simulation::State::findBalance(double duration, TaskControl& control)
 {
     StaticReport report;
     if (!(duration > 0 && duration <= longestLoadStep)) {
@@ -137,8 +138,8 @@ StaticReport Simulation::State::findBalance(double duration)
     implicit.reset();
     for (std::size_t b = 0; b < runs.size(); ++b)
         if (runs[b]->rigid) {
-            report.message =
-                nameOf(bodies[b]) + " is rigid and free to move: hold it, make it deformable, or use dynamic.";
+            report.message = subjectOf(bodies[b]) +
+                             " is rigid and free to move: hold it, make it deformable, or let time run (dynamic).";
             return report;
         }
     const Moment before = moment();
@@ -146,7 +147,7 @@ StaticReport Simulation::State::findBalance(double duration)
     double part = duration;
     for (int halvings = 0; end - time > 1e-9 * duration;) {
         const Moment here = moment();
-        if (balance(std::min(part, end - time), report)) {
+        if (balance(std::min(part, end - time), control, report)) {
             ++report.parts;
             continue;
         }
@@ -162,7 +163,7 @@ StaticReport Simulation::State::findBalance(double duration)
             report.message =
                 "No balance was found at " + std::to_string(end) + " s: forces of " + inScientific(report.residual) +
                 " of those that act are left. Take more load steps or a smaller load, hold what is free to "
-                "slide or turn, or use dynamic.";
+                "slide or turn, or let time run (dynamic).";
         return report;
     }
     ++step;
@@ -170,12 +171,57 @@ StaticReport Simulation::State::findBalance(double duration)
     return report;
 }
 
+/// The same for a person: nothing is left of it where it fails, and time runs afterwards as it was chosen. Begins with a moment
+/// that is kept, so that the state is the same whether it was tried and given up or not.
+StaticReport Simulation::State::settle(double duration, TaskControl& control)
+{
+    const Integrator wanted = wantedIntegrator;
+    keepMoment();
+    const MomentPointer before = lastGood;
+    StaticReport report;
+    try {
+        report = findBalance(duration, control);
+    } catch (const Cancelled&) {
+        restore(*before);
+        throw;
+    }
+    if (report.converged)
+        checkHealth();
+    if (!health.ok)
+        report = {.message = health.message};
+    if (report.converged)
+        setIntegrator(wanted);
+    else
+        restore(*before);
+    implicit.reset();
+    return report;
+}
+
+StaticReport Simulation::settle(const FindBalance& command, TaskControl& control)
+{
+    State& state = *m_state;
+    control.throwIfCancelled();
+    state.applyCommands();
+    if (!state.health.ok)
+        return {.message = state.health.message};
+    const std::uint64_t before = state.step;
+    const auto record = [&](const Command& done) { state.recording.push_back({before, done}); };
+    try {
+        StaticReport report = state.settle(command.duration, control);
+        record(report.converged ? Command(command) : Command(KeepMoment{}));
+        return report;
+    } catch (const Cancelled&) {
+        record(KeepMoment{});
+        throw;
+    }
+}
+
 StaticReport Simulation::findBalance(double duration)
 {
     m_state->applyCommands();
     if (!m_state->health.ok)
         return {.message = m_state->health.message};
-    StaticReport report = m_state->findBalance(duration);
+    StaticReport report = m_state->findBalance(duration, TaskControl::none());
     if (report.converged) {
         m_state->checkHealth();
         if (!m_state->health.ok)

@@ -8,6 +8,7 @@
 #include <functional>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -154,6 +155,18 @@ struct SimulationThread::Worker {
         return hasEnded;
     }
 
+    std::optional<StaticReport> settle(TaskControl& control)
+    {
+        playing = false;
+        carry = 0;
+        carryOutAgenda(); // what is due now acts
+        try {
+            return simulation.settle({}, control);
+        } catch (const Cancelled&) {
+            return {};
+        }
+    }
+
     Gesture endGesture()
     {
         Gesture gesture = knead::endGesture(simulation);
@@ -266,6 +279,16 @@ void SimulationThread::reset()
         worker.playing = false;
         worker.carry = 0;
         worker.simulation.post(Reset{});
+    });
+}
+
+void SimulationThread::settle(std::shared_ptr<TaskControl> control,
+                              std::function<void(std::optional<StaticReport>)> told)
+{
+    m_worker->ask([control = std::move(control), told = std::move(told)](Worker& worker) {
+        std::optional<StaticReport> report;
+        worker.guard([&] { report = worker.settle(*control); });
+        told(std::move(report));
     });
 }
 

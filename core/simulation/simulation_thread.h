@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace knead {
@@ -28,6 +29,11 @@ public:
     void setSpeed(double ratio); ///< wanted ratio of simulated to wall time, 0.01 .. 10; 1 at first
     void showPressing(bool on);  ///< see Simulation::showPressing(); a new snapshot comes at once
     void post(Command command);  ///< takes effect at the next step, at once while paused
+
+    /// Pauses and puts the objects where there is balance, see Simulation::settle(). Snapshots wait for it.
+    /// @param control called on the simulation's thread
+    /// @param told called there with what came of it; with nothing when it was cancelled. It waits for that
+    void settle(std::shared_ptr<TaskControl> control, std::function<void(std::optional<StaticReport>)> told);
 
     /// Ends a gesture at the present step, be it playing or not: what was posted before belongs to it, what is posted from
     /// now on to the next one.

@@ -140,6 +140,14 @@ template <>
 inline constexpr const char* wordOf<KeepMoment> = "keep-moment";
 
 template <>
+inline constexpr const char* wordOf<FindBalance> = "find-balance";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, FindBalance> command)
+{
+    fields("duration_s", command.duration);
+}
+
+template <>
 inline constexpr const char* wordOf<SetPartLook> = "set-part-look";
 template <class Fields>
 void describe(Fields& fields, Field<Fields, SetPartLook> command)

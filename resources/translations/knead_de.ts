@@ -410,6 +410,14 @@
         <source>What is panned or zoomed in one view is in all of them</source>
         <translation>Was in einer Ansicht geschoben oder gezoomt wird, wird es in allen</translation>
     </message>
+    <message>
+        <source>Find balance</source>
+        <translation>Gleichgewicht suchen</translation>
+    </message>
+    <message>
+        <source>Put the part where forces balance now, without waiting until it is at rest</source>
+        <translation>Das Teil dorthin bringen, wo die Kräfte jetzt im Gleichgewicht sind, ohne zu warten, bis es ruht</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -912,6 +920,26 @@
         <source>There is not enough memory to go to %1. Close other programs and try again.</source>
         <translation>Der Speicher reicht nicht, um zu %1 zu gehen. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
     </message>
+    <message>
+        <source>%1 is still going on: wait for it, or cancel it with Esc, then find the balance.</source>
+        <translation>%1 läuft noch: warten oder mit Esc abbrechen, dann das Gleichgewicht suchen.</translation>
+    </message>
+    <message>
+        <source>Find balance</source>
+        <translation>Gleichgewicht suchen</translation>
+    </message>
+    <message>
+        <source>Finding the balance</source>
+        <translation>Gleichgewicht wird gesucht</translation>
+    </message>
+    <message>
+        <source>In balance: no force acts on the part.</source>
+        <translation>Im Gleichgewicht: keine Kraft wirkt auf das Teil.</translation>
+    </message>
+    <message>
+        <source>In balance: the forces that are left are %1 of those that act.</source>
+        <translation>Im Gleichgewicht: die übrigen Kräfte sind %1 derer, die wirken.</translation>
+    </message>
 </context>
 <context>
     <name>EntryNames</name>
@@ -1042,6 +1070,10 @@
     <message>
         <source>Rename to %1</source>
         <translation>In %1 umbenennen</translation>
+    </message>
+    <message>
+        <source>Find balance</source>
+        <translation>Gleichgewicht suchen</translation>
     </message>
 </context>
 <context>
@@ -1525,10 +1557,6 @@
         <translation>es konnte nicht gemessen werden (%1)</translation>
     </message>
     <message>
-        <source>The thinnest wall is %1: %2 cells, so it will be too stiff or missing; a spacing of %3 would give %4 cells and about %5 objects.</source>
-        <translation>Die dünnste Wand ist %1: %2 Zellen, also wird sie zu steif sein oder fehlen; ein Abstand von %3 gäbe %4 Zellen und etwa %5 Objekte.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is not simulated: %2</source>
         <translation>&quot;%1&quot; wird nicht simuliert: %2</translation>
     </message>
@@ -1755,6 +1783,42 @@
     <message>
         <source>&quot;%1&quot; is an open mesh, which CAD files cannot hold; hide it, or export as a mesh.</source>
         <translation>„%1“ ist ein offenes Netz, das CAD-Dateien nicht aufnehmen; blenden Sie es aus oder exportieren Sie als Netz.</translation>
+    </message>
+    <message>
+        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 % too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects.</source>
+        <translation>Dünnste Wände: %1 Zellen auf %2; solche Wände biegen sich bis zu %3 % zu steif. Ein Abstand von %4 gibt %5 Zellen, etwa %6 Objekte.</translation>
+    </message>
+    <message>
+        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 times too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects.</source>
+        <translation>Dünnste Wände: %1 Zellen auf %2; solche Wände biegen sich bis zu %3-mal zu steif. Ein Abstand von %4 gibt %5 Zellen, etwa %6 Objekte.</translation>
+    </message>
+    <message>
+        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out many times too stiff. Fill with a spacing of %3 for %4 cells, about %5 objects.</source>
+        <translation>Dünnste Wände: %1 Zellen auf %2; solche Wände biegen sich um ein Vielfaches zu steif. Ein Abstand von %3 gibt %4 Zellen, etwa %5 Objekte.</translation>
+    </message>
+    <message>
+        <source>Energy is off by %1 % of all that went round. Choose a shorter time step, or make tools slower.</source>
+        <translation>Die Energie stimmt um %1 % aller umgesetzten nicht. Einen kürzeren Zeitschritt wählen oder Werkzeuge langsamer machen.</translation>
+    </message>
+    <message>
+        <source>Tools or the floor went %1 spacings into material: shapes and forces there are rough. Press less far, or choose a smaller spacing.</source>
+        <translation>Werkzeuge oder der Boden drangen %1 Abstände ins Material ein: Formen und Kräfte dort sind ungenau. Weniger weit drücken oder einen kleineren Abstand wählen.</translation>
+    </message>
+    <message>
+        <source>Mass scaling made %1 % of the mass: what swings and what is thrown is slower than it would be. Choose a shorter time step for it.</source>
+        <translation>Massenskalierung machte %1 % der Masse: was schwingt und was geworfen wird, ist langsamer, als es wäre. Einen kürzeren Zeitschritt dafür wählen.</translation>
+    </message>
+    <message>
+        <source>A body is free to move: hold it, or let time run (dynamic) until it rests on something.</source>
+        <translation>Ein Körper kann sich frei bewegen: festhalten oder die Zeit laufen lassen (dynamic), bis er auf etwas ruht.</translation>
+    </message>
+    <message>
+        <source>%1 is rigid and free to move: hold it, make it deformable, or let time run (dynamic).</source>
+        <translation>%1 ist starr und kann sich frei bewegen: festhalten, verformbar machen oder die Zeit laufen lassen (dynamic).</translation>
+    </message>
+    <message>
+        <source>No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps or a smaller load, hold what is free to slide or turn, or let time run (dynamic).</source>
+        <translation>Bei %1 s fand sich kein Gleichgewicht: Kräfte von %2 derer, die wirken, sind übrig. Mehr Lastschritte oder eine kleinere Last nehmen, festhalten, was gleiten oder sich drehen kann, oder die Zeit laufen lassen (dynamic).</translation>
     </message>
 </context>
 <context>
@@ -3252,10 +3316,6 @@ Simuliert: %2, Schritt %3
         <translation>Zellen quer zur Wand</translation>
     </message>
     <message>
-        <source>Across the thinnest wall: with fewer than %1 it is too stiff in bending</source>
-        <translation>Quer zur dünnsten Wand: mit weniger als %1 biegt sie sich zu steif</translation>
-    </message>
-    <message>
         <source>%1 to %2, with any unit; 1.2e6 and 1,2 are taken too</source>
         <translation>%1 bis %2, in jeder Einheit; auch 1.2e6 und 1,2 werden angenommen</translation>
     </message>
@@ -3306,6 +3366,22 @@ Simuliert: %2, Schritt %3
     <message>
         <source>%1 now</source>
         <translation>%1 jetzt</translation>
+    </message>
+    <message>
+        <source>Across the thinnest wall: with fewer than %1 its bending comes out too stiff</source>
+        <translation>Quer zur dünnsten Wand: mit weniger als %1 biegt sie sich zu steif</translation>
+    </message>
+    <message>
+        <source>%1: many times too stiff</source>
+        <translation>%1: um ein Vielfaches zu steif</translation>
+    </message>
+    <message>
+        <source>%1: up to %2 % too stiff</source>
+        <translation>%1: bis zu %2 % zu steif</translation>
+    </message>
+    <message>
+        <source>%1: up to %2 times too stiff</source>
+        <translation>%1: bis zu %2-mal zu steif</translation>
     </message>
 </context>
 <context>
@@ -4499,6 +4575,13 @@ Simuliert: %2, Schritt %3
     <message>
         <source>%1 connections, %2</source>
         <translation>%1 Verbindungen, %2</translation>
+    </message>
+</context>
+<context>
+    <name>RunRemarks</name>
+    <message>
+        <source>Time hardly goes on: %1 were simulated in %2, in steps of %3. A larger spacing, a softer material, slower tools or ones that begin outside the material make it faster.</source>
+        <translation>Die Zeit geht kaum voran: %1 wurden in %2 simuliert, in Schritten von %3. Ein größerer Abstand, ein weicheres Material, langsamere Werkzeuge oder solche, die außerhalb des Materials beginnen, machen es schneller.</translation>
     </message>
 </context>
 <context>

@@ -410,6 +410,14 @@
         <source>What is panned or zoomed in one view is in all of them</source>
         <translation>Ce qui est déplacé ou zoomé dans une vue l&apos;est dans toutes</translation>
     </message>
+    <message>
+        <source>Find balance</source>
+        <translation>Chercher l&apos;équilibre</translation>
+    </message>
+    <message>
+        <source>Put the part where forces balance now, without waiting until it is at rest</source>
+        <translation>Mettre la pièce là où les forces s&apos;équilibrent maintenant, sans attendre qu&apos;elle soit au repos</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -912,6 +920,26 @@
         <source>There is not enough memory to go to %1. Close other programs and try again.</source>
         <translation>La mémoire ne suffit pas pour aller à %1. Fermez d&apos;autres programmes et réessayez.</translation>
     </message>
+    <message>
+        <source>%1 is still going on: wait for it, or cancel it with Esc, then find the balance.</source>
+        <translation>%1 est encore en cours : attendez, ou annulez avec Échap, puis cherchez l&apos;équilibre.</translation>
+    </message>
+    <message>
+        <source>Find balance</source>
+        <translation>Chercher l&apos;équilibre</translation>
+    </message>
+    <message>
+        <source>Finding the balance</source>
+        <translation>Recherche de l&apos;équilibre</translation>
+    </message>
+    <message>
+        <source>In balance: no force acts on the part.</source>
+        <translation>En équilibre : aucune force n&apos;agit sur la pièce.</translation>
+    </message>
+    <message>
+        <source>In balance: the forces that are left are %1 of those that act.</source>
+        <translation>En équilibre : les forces qui restent sont %1 de celles qui agissent.</translation>
+    </message>
 </context>
 <context>
     <name>EntryNames</name>
@@ -1042,6 +1070,10 @@
     <message>
         <source>Rename to %1</source>
         <translation>Renommer en %1</translation>
+    </message>
+    <message>
+        <source>Find balance</source>
+        <translation>Chercher l&apos;équilibre</translation>
     </message>
 </context>
 <context>
@@ -1525,10 +1557,6 @@
         <translation>il n&apos;a pas pu être mesuré (%1)</translation>
     </message>
     <message>
-        <source>The thinnest wall is %1: %2 cells, so it will be too stiff or missing; a spacing of %3 would give %4 cells and about %5 objects.</source>
-        <translation>La paroi la plus mince fait %1 : %2 cellules, elle sera donc trop raide ou absente ; un espacement de %3 donnerait %4 cellules et environ %5 objets.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is not simulated: %2</source>
         <translation>&quot;%1&quot; n&apos;est pas simulé : %2</translation>
     </message>
@@ -1755,6 +1783,42 @@
     <message>
         <source>&quot;%1&quot; is an open mesh, which CAD files cannot hold; hide it, or export as a mesh.</source>
         <translation>« %1 » est un maillage ouvert, que les fichiers de CAO ne peuvent contenir ; masquez-la ou exportez comme maillage.</translation>
+    </message>
+    <message>
+        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 % too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects.</source>
+        <translation>Parois les plus minces : %1 cellules sur %2 ; la flexion de telles parois est jusqu&apos;à %3 % trop raide. Remplissez avec un espacement de %4 pour %5 cellules, environ %6 objets.</translation>
+    </message>
+    <message>
+        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 times too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects.</source>
+        <translation>Parois les plus minces : %1 cellules sur %2 ; la flexion de telles parois est jusqu&apos;à %3 fois trop raide. Remplissez avec un espacement de %4 pour %5 cellules, environ %6 objets.</translation>
+    </message>
+    <message>
+        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out many times too stiff. Fill with a spacing of %3 for %4 cells, about %5 objects.</source>
+        <translation>Parois les plus minces : %1 cellules sur %2 ; la flexion de telles parois est beaucoup trop raide. Remplissez avec un espacement de %3 pour %4 cellules, environ %5 objets.</translation>
+    </message>
+    <message>
+        <source>Energy is off by %1 % of all that went round. Choose a shorter time step, or make tools slower.</source>
+        <translation>L&apos;énergie est fausse de %1 % de tout ce qui a circulé. Choisissez un pas de temps plus court, ou ralentissez les outils.</translation>
+    </message>
+    <message>
+        <source>Tools or the floor went %1 spacings into material: shapes and forces there are rough. Press less far, or choose a smaller spacing.</source>
+        <translation>Des outils ou le sol sont entrés de %1 espacements dans la matière : formes et forces y sont approximatives. Pressez moins loin, ou choisissez un espacement plus petit.</translation>
+    </message>
+    <message>
+        <source>Mass scaling made %1 % of the mass: what swings and what is thrown is slower than it would be. Choose a shorter time step for it.</source>
+        <translation>La mise à l&apos;échelle a fait %1 % de la masse : ce qui oscille et ce qui est lancé est plus lent qu&apos;il ne le serait. Choisissez pour elle un pas de temps plus court.</translation>
+    </message>
+    <message>
+        <source>A body is free to move: hold it, or let time run (dynamic) until it rests on something.</source>
+        <translation>Un corps est libre de bouger : tenez-le, ou laissez courir le temps (dynamic) jusqu&apos;à ce qu&apos;il repose sur quelque chose.</translation>
+    </message>
+    <message>
+        <source>%1 is rigid and free to move: hold it, make it deformable, or let time run (dynamic).</source>
+        <translation>%1 est rigide et libre de bouger : tenez-le, rendez-le déformable, ou laissez courir le temps (dynamic).</translation>
+    </message>
+    <message>
+        <source>No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps or a smaller load, hold what is free to slide or turn, or let time run (dynamic).</source>
+        <translation>Aucun équilibre trouvé à %1 s : il reste %2 des forces qui agissent. Prenez plus de pas de charge ou une charge plus petite, tenez ce qui peut glisser ou tourner, ou laissez courir le temps (dynamic).</translation>
     </message>
 </context>
 <context>
@@ -3000,7 +3064,7 @@ Simulé&#xa0;: %2, pas %3
     </message>
     <message>
         <source>Water clay</source>
-        <translation>Argile à l'eau</translation>
+        <translation>Argile à l&apos;eau</translation>
     </message>
     <message>
         <source>Oil clay</source>
@@ -3252,10 +3316,6 @@ Simulé&#xa0;: %2, pas %3
         <translation>Cellules par paroi</translation>
     </message>
     <message>
-        <source>Across the thinnest wall: with fewer than %1 it is too stiff in bending</source>
-        <translation>À travers la paroi la plus mince&#xa0;: avec moins de %1, elle fléchit trop raidement</translation>
-    </message>
-    <message>
         <source>%1 to %2, with any unit; 1.2e6 and 1,2 are taken too</source>
         <translation>De %1 à %2, en toute unité&#xa0;; 1.2e6 et 1,2 sont acceptés aussi</translation>
     </message>
@@ -3306,6 +3366,22 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>%1 now</source>
         <translation>%1 (actuel)</translation>
+    </message>
+    <message>
+        <source>Across the thinnest wall: with fewer than %1 its bending comes out too stiff</source>
+        <translation>À travers la paroi la plus mince : avec moins de %1, sa flexion est trop raide</translation>
+    </message>
+    <message>
+        <source>%1: many times too stiff</source>
+        <translation>%1 : beaucoup trop raide</translation>
+    </message>
+    <message>
+        <source>%1: up to %2 % too stiff</source>
+        <translation>%1 : jusqu&apos;à %2 % trop raide</translation>
+    </message>
+    <message>
+        <source>%1: up to %2 times too stiff</source>
+        <translation>%1 : jusqu&apos;à %2 fois trop raide</translation>
     </message>
 </context>
 <context>
@@ -4499,6 +4575,13 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>%1 connections, %2</source>
         <translation>%1 liaisons, %2</translation>
+    </message>
+</context>
+<context>
+    <name>RunRemarks</name>
+    <message>
+        <source>Time hardly goes on: %1 were simulated in %2, in steps of %3. A larger spacing, a softer material, slower tools or ones that begin outside the material make it faster.</source>
+        <translation>Le temps n&apos;avance guère : %1 ont été simulés en %2, par pas de %3. Un plus grand espacement, un matériau plus souple, des outils plus lents ou qui commencent hors de la matière accélèrent.</translation>
     </message>
 </context>
 <context>

@@ -410,6 +410,14 @@
         <source>What is panned or zoomed in one view is in all of them</source>
         <translation>Wat in één aanzicht wordt verschoven of gezoomd, wordt dat in alle</translation>
     </message>
+    <message>
+        <source>Find balance</source>
+        <translation>Evenwicht zoeken</translation>
+    </message>
+    <message>
+        <source>Put the part where forces balance now, without waiting until it is at rest</source>
+        <translation>Het onderdeel neerzetten waar de krachten nu in evenwicht zijn, zonder te wachten tot het in rust is</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -912,6 +920,26 @@
         <source>There is not enough memory to go to %1. Close other programs and try again.</source>
         <translation>Er is niet genoeg geheugen om naar %1 te gaan. Sluit andere programma&apos;s en probeer het opnieuw.</translation>
     </message>
+    <message>
+        <source>%1 is still going on: wait for it, or cancel it with Esc, then find the balance.</source>
+        <translation>%1 is nog bezig: wacht, of breek af met Esc, en zoek dan het evenwicht.</translation>
+    </message>
+    <message>
+        <source>Find balance</source>
+        <translation>Evenwicht zoeken</translation>
+    </message>
+    <message>
+        <source>Finding the balance</source>
+        <translation>Evenwicht zoeken</translation>
+    </message>
+    <message>
+        <source>In balance: no force acts on the part.</source>
+        <translation>In evenwicht: op het onderdeel werkt geen kracht.</translation>
+    </message>
+    <message>
+        <source>In balance: the forces that are left are %1 of those that act.</source>
+        <translation>In evenwicht: de krachten die overblijven zijn %1 van die welke werken.</translation>
+    </message>
 </context>
 <context>
     <name>EntryNames</name>
@@ -1042,6 +1070,10 @@
     <message>
         <source>Rename to %1</source>
         <translation>Hernoemen naar %1</translation>
+    </message>
+    <message>
+        <source>Find balance</source>
+        <translation>Evenwicht zoeken</translation>
     </message>
 </context>
 <context>
@@ -1525,10 +1557,6 @@
         <translation>het kon niet worden gemeten (%1)</translation>
     </message>
     <message>
-        <source>The thinnest wall is %1: %2 cells, so it will be too stiff or missing; a spacing of %3 would give %4 cells and about %5 objects.</source>
-        <translation>De dunste wand is %1: %2 cellen, dus hij zal te stijf zijn of ontbreken; een afstand van %3 zou %4 cellen en ongeveer %5 objecten geven.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is not simulated: %2</source>
         <translation>&quot;%1&quot; wordt niet gesimuleerd: %2</translation>
     </message>
@@ -1755,6 +1783,42 @@
     <message>
         <source>&quot;%1&quot; is an open mesh, which CAD files cannot hold; hide it, or export as a mesh.</source>
         <translation>&quot;%1&quot; is een open net, dat CAD-bestanden niet kunnen bevatten; verberg het, of exporteer als net.</translation>
+    </message>
+    <message>
+        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 % too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects.</source>
+        <translation>Dunste wanden: %1 cellen over %2; zulke wanden buigen tot %3 % te stijf. Vul met een afstand van %4 voor %5 cellen, ongeveer %6 objecten.</translation>
+    </message>
+    <message>
+        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 times too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects.</source>
+        <translation>Dunste wanden: %1 cellen over %2; zulke wanden buigen tot %3 keer te stijf. Vul met een afstand van %4 voor %5 cellen, ongeveer %6 objecten.</translation>
+    </message>
+    <message>
+        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out many times too stiff. Fill with a spacing of %3 for %4 cells, about %5 objects.</source>
+        <translation>Dunste wanden: %1 cellen over %2; zulke wanden buigen vele malen te stijf. Vul met een afstand van %3 voor %4 cellen, ongeveer %5 objecten.</translation>
+    </message>
+    <message>
+        <source>Energy is off by %1 % of all that went round. Choose a shorter time step, or make tools slower.</source>
+        <translation>De energie klopt niet: %1 % van alles wat rondging. Kies een kortere tijdstap, of maak gereedschap langzamer.</translation>
+    </message>
+    <message>
+        <source>Tools or the floor went %1 spacings into material: shapes and forces there are rough. Press less far, or choose a smaller spacing.</source>
+        <translation>Gereedschap of de vloer drong %1 afstanden in materiaal: vormen en krachten zijn daar ruw. Druk minder ver, of kies een kleinere afstand.</translation>
+    </message>
+    <message>
+        <source>Mass scaling made %1 % of the mass: what swings and what is thrown is slower than it would be. Choose a shorter time step for it.</source>
+        <translation>Massaschaling maakte %1 % van de massa: wat slingert en wat geworpen wordt is langzamer dan het zou zijn. Kies er een kortere tijdstap voor.</translation>
+    </message>
+    <message>
+        <source>A body is free to move: hold it, or let time run (dynamic) until it rests on something.</source>
+        <translation>Een lichaam kan vrij bewegen: houd het vast, of laat de tijd lopen (dynamic) tot het ergens op rust.</translation>
+    </message>
+    <message>
+        <source>%1 is rigid and free to move: hold it, make it deformable, or let time run (dynamic).</source>
+        <translation>%1 is star en kan vrij bewegen: houd het vast, maak het vervormbaar, of laat de tijd lopen (dynamic).</translation>
+    </message>
+    <message>
+        <source>No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps or a smaller load, hold what is free to slide or turn, or let time run (dynamic).</source>
+        <translation>Bij %1 s is geen evenwicht gevonden: krachten van %2 van die welke werken zijn over. Neem meer belastingstappen of een kleinere belasting, houd vast wat kan glijden of draaien, of laat de tijd lopen (dynamic).</translation>
     </message>
 </context>
 <context>
@@ -3252,10 +3316,6 @@ Gesimuleerd: %2, stap %3
         <translation>Cellen dwars op wanden</translation>
     </message>
     <message>
-        <source>Across the thinnest wall: with fewer than %1 it is too stiff in bending</source>
-        <translation>Dwars op de dunste wand: met minder dan %1 buigt hij te stijf</translation>
-    </message>
-    <message>
         <source>%1 to %2, with any unit; 1.2e6 and 1,2 are taken too</source>
         <translation>%1 tot %2, in elke eenheid; ook 1.2e6 en 1,2 mogen</translation>
     </message>
@@ -3306,6 +3366,22 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>%1 now</source>
         <translation>%1 nu</translation>
+    </message>
+    <message>
+        <source>Across the thinnest wall: with fewer than %1 its bending comes out too stiff</source>
+        <translation>Dwars op de dunste wand: met minder dan %1 buigt die te stijf</translation>
+    </message>
+    <message>
+        <source>%1: many times too stiff</source>
+        <translation>%1: vele malen te stijf</translation>
+    </message>
+    <message>
+        <source>%1: up to %2 % too stiff</source>
+        <translation>%1: tot %2 % te stijf</translation>
+    </message>
+    <message>
+        <source>%1: up to %2 times too stiff</source>
+        <translation>%1: tot %2 keer te stijf</translation>
     </message>
 </context>
 <context>
@@ -4499,6 +4575,13 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>%1 connections, %2</source>
         <translation>%1 verbindingen, %2</translation>
+    </message>
+</context>
+<context>
+    <name>RunRemarks</name>
+    <message>
+        <source>Time hardly goes on: %1 were simulated in %2, in steps of %3. A larger spacing, a softer material, slower tools or ones that begin outside the material make it faster.</source>
+        <translation>De tijd gaat nauwelijks vooruit: %1 werd in %2 gesimuleerd, in stappen van %3. Een grotere afstand, een zachter materiaal, langzamer gereedschap of gereedschap dat buiten het materiaal begint maken het sneller.</translation>
     </message>
 </context>
 <context>

@@ -132,9 +132,11 @@ void RecipeForcesTest::whatIsFreeEndsWithStatusOneAndARemedy()
     recipe.erase("fixtures");
     const Outcome outcome = knead({"run", shop.write(recipe), "--json"});
     QCOMPARE(outcome.status, 1);
-    QVERIFY2(outcome.errors.find("is free to move: hold it or use dynamic") != std::string::npos,
+    QVERIFY2(outcome.errors.find("is free to move: hold it, or let time run (dynamic)") != std::string::npos,
              outcome.errors.c_str());
-    QVERIFY(outcome.out.empty());
+    const json report = json::parse(outcome.out);
+    QVERIFY(report.at("failure").at("sentence").get<std::string>().find("hold it") != std::string::npos);
+    QCOMPARE(report.at("steps").get<int>(), 0);
 }
 
 void RecipeForcesTest::loadsAreAddedChangedAndTakenAway()

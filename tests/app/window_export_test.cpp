@@ -121,7 +121,7 @@ private:
     {
         m_window->exportTo(path, request);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
-        QVERIFY2(m_window->banner().sentence().isEmpty(), qPrintable(m_window->banner().sentence()));
+        QVERIFY2(problem().isEmpty(), qPrintable(problem()));
     }
 };
 

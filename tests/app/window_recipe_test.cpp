@@ -278,8 +278,7 @@ private:
     {
         m_window->open({recipe});
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
-        QVERIFY2(m_window->banner().sentence().isEmpty() || !m_window->banner().isVisible(),
-                 qPrintable(m_window->banner().sentence()));
+        QVERIFY2(problem().isEmpty(), qPrintable(problem()));
         settle();
         QCOMPARE(snapshot().step, std::uint64_t{0});
     }

@@ -68,7 +68,7 @@ private slots:
         pressSave();
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->isWindowModified(), patience);
         openProject("./a.knead"); // once more, in the window that has it
-        QVERIFY2(m_window->banner().sentence().isEmpty(), qPrintable(m_window->banner().sentence()));
+        QVERIFY2(problem().isEmpty(), qPrintable(problem()));
 
         switchGravity();
         const std::size_t left = entries();

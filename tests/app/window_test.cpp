@@ -143,7 +143,7 @@ private slots:
             const QString path = folder.filePath(name);
             m_window->exportTo(path);
             QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
-            QVERIFY2(m_window->banner().sentence().isEmpty(), qPrintable(m_window->banner().sentence()));
+            QVERIFY2(problem().isEmpty(), qPrintable(problem()));
             const Model read = importFile(path.toStdString());
             double found = 0;
             for (const Part& part : read.parts)

@@ -4,6 +4,9 @@
 
 #include <QtTest>
 
+#include <cmath>
+#include <numbers>
+
 using namespace knead;
 
 using Kind = SpacingChoice::Kind;
@@ -47,12 +50,40 @@ private slots:
         const FillingSize size = sizeWithWalls(shapes::box(Vec3(0.0006, 0.3, 0.2)));
         const SpacingAssessment coarse = assessSpacing(0.0015, size);
         QVERIFY(std::abs(coarse.cellsAcrossWall - 0.4) < 1e-9);
-        // 0.3 x 0.2 x 0.0006 m^3 in cells of 0.3 mm are 1.33 million, and 1000 x 667 x 2 at the faces.
+        // 0.3 x 0.2 x 0.0006 m^3 in cells of 0.3 mm are 1.3 million, and 1000 x 667 x 2 at the faces.
         QCOMPARE(coarse.warning,
-                 std::string("The thinnest wall is 0.6 mm: 0.4 cells, so it will be too stiff or missing; a spacing "
-                             "of 0.3 mm would give 2 cells and about 2.7 million objects."));
-        QCOMPARE(assessSpacing(0.0003, size).warning, std::string());
-        QVERIFY(!assessSpacing(0.00031, size).warning.empty());
+                 std::string("Thinnest walls: 0.4 cells across 0.6 mm; bending of such walls comes out many times too "
+                             "stiff. Fill with a spacing of 0.3 mm for 2 cells, about 2.7 million objects."));
+        QCOMPARE(assessSpacing(0.0006 / 1.75, size).warning, std::string());
+        QVERIFY(!assessSpacing(0.0006 / 1.74, size).warning.empty());
+    }
+
+    /// A plate of 4 mm with chamfers along one end and fillets along the other, both of 1.5 mm, is no thinner for them.
+    void edgesAreNoThinWalls()
+    {
+        constexpr double thickness = 0.004;
+        constexpr double cut = 0.0015;
+        std::vector<Eigen::Vector2d> corners{{0, cut}, {cut, 0}};
+        const auto addFillet = [&](const Eigen::Vector2d& center, double from) {
+            for (int i = 0; i <= 8; ++i) {
+                const double angle = from + 0.5 * std::numbers::pi * i / 8;
+                corners.push_back(center + cut * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+            }
+        };
+        addFillet({0.06 - cut, cut}, -0.5 * std::numbers::pi);
+        addFillet({0.06 - cut, thickness - cut}, 0);
+        corners.insert(corners.end(), {{cut, thickness}, {0, thickness - cut}});
+        const double thinnest = sizeWithWalls(shapes::prism(corners, 0.04)).thinnestWall;
+        QVERIFY2(std::abs(thinnest / thickness - 1) < 0.01, std::to_string(thinnest).c_str());
+    }
+
+    void errorsOfBendingFallWithTheCells()
+    {
+        QVERIFY(std::isinf(bendingErrorOf(0.99)));
+        QCOMPARE(bendingErrorOf(1), 1.4);
+        QCOMPARE(bendingErrorOf(1.3), 0.4);
+        QCOMPARE(bendingErrorOf(1.75), 0.1);
+        QCOMPARE(bendingErrorOf(6), 0.1);
     }
 
     void memoryGrowsWithTheObjects()

@@ -1,22 +1,19 @@
 // The law of material that yields: its forces are those of an energy, it flows at the stress that was typed in every direction,
 // and its plastic state keeps its volume and its account.
 #include "core/aggregate/fill.h"
-#include "core/mechanics/structural_connections.h"
-#include "support/scenes.h"
+#include "support/placed_block.h"
 
-#include <Eigen/Dense>
 #include <QTest>
 
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <random>
 
 using namespace knead;
 
 namespace {
 
-constexpr double spacing = 2e-3;
+constexpr double spacing = Block::spacing;
 
 Material steel()
 {
@@ -39,45 +36,6 @@ Material clay()
     material.yieldStress = 1e4;
     return material;
 }
-
-/// A box of objects that are put where a test wants them.
-struct Block {
-    Block(const Material& material, const Eigen::Vector3i& cells)
-        : body(scenes::box(cells, spacing, material))
-        , materials(material, body.aggregate->size())
-        , connections(std::make_unique<StructuralConnections>(body.aggregate, materials))
-        , state(objectsAtRest(*body.aggregate))
-    {
-        for (const double one : body.aggregate->volume)
-            volume += one;
-    }
-
-    Vec3 rest(ObjectIndex i) const { return body.aggregate->lattice.position(i); }
-
-    /// All objects at F X; flow over a second, taken for good.
-    double follow(const Mat3& f, double flowTime = 1)
-    {
-        for (ObjectIndex i = 0; i < body.aggregate->size(); ++i)
-            state.position.set(i, f * rest(i));
-        connections->computeForces(state, 0, flowTime);
-        return connections->acceptFlow();
-    }
-
-    /// Cauchy stress by the virial of the forces [Pa].
-    Mat3 stress(const Mat3& f) const
-    {
-        Mat3 sum = Mat3::Zero();
-        for (ObjectIndex i = 0; i < body.aggregate->size(); ++i)
-            sum -= state.force.at(i) * state.position.at(i).transpose();
-        return sum / (volume * f.determinant());
-    }
-
-    Body body;
-    MaterialMap materials;
-    std::unique_ptr<StructuralConnections> connections;
-    ObjectState state;
-    double volume = 0;
-};
 
 Mat3 pulledAlong(const Vec3& axis, double logarithmic)
 {
@@ -123,7 +81,7 @@ private slots:
             constexpr int steps = 60;
             for (int n = 1; n <= steps; ++n) {
                 const Mat3 f = pulledAlong({u, v, w}, strain * n / steps);
-                block.follow(f);
+                block.flow(f);
                 const double plastic = block.connections->changes().plastic.equivalentStrain[0];
                 if (plastic == 0)
                     continue;
@@ -144,7 +102,7 @@ private slots:
             Block block(clay(), {3, 3, 3});
             Mat3 f;
             for (int n = 1; n <= steps; ++n)
-                block.follow(f = pulledAlong({1, 0.3, 0}, -0.2 * n / steps), 20.0 / n);
+                block.flow(f = pulledAlong({1, 0.3, 0}, -0.2 * n / steps), 20.0 / n);
             return vonMises(block.stress(f));
         };
         QVERIFY(std::abs(stressAfter(10) / stressAfter(400) - 1) < 0.01);
@@ -156,10 +114,10 @@ private slots:
         slow.relaxationTime = 0.5;
         Block block(slow, {3, 3, 3});
         const Mat3 f = pulledAlong({1, 0, 0}, 0.04);
-        block.follow(f, 0);
+        block.flow(f, 0);
         const double beyond = vonMises(block.stress(f)) - slow.yieldStress;
         for (int n = 0; n < 200; ++n)
-            block.follow(f, 0.5 / 200);
+            block.flow(f, 0.5 / 200);
         const double left = vonMises(block.stress(f)) - slow.yieldStress;
         QVERIFY(std::abs(left / beyond - std::exp(-1)) < 0.01);
     }
@@ -172,7 +130,7 @@ private slots:
             const double big = material.yieldStress / material.youngsModulus * 10;
             Mat3 f = pulledAlong({1, 0.2, 0.1}, big);
             f(0, 1) += big;
-            block.follow(f);
+            block.flow(f);
             std::mt19937 random(3);
             std::uniform_real_distribution<double> part(-1, 1);
             for (ObjectIndex i = 0; i < block.body.aggregate->size(); ++i)
@@ -200,7 +158,7 @@ private slots:
         Block block(clay(), {3, 3, 3});
         std::mt19937 random(5);
         std::uniform_real_distribution<double> part(-1, 1);
-        block.follow(pulledAlong({1, 0.5, 0.2}, 0.3));
+        block.flow(pulledAlong({1, 0.5, 0.2}, 0.3));
         for (ObjectIndex i = 0; i < block.body.aggregate->size(); ++i)
             block.state.position.add(i, 0.1 * spacing * Vec3(part(random), part(random), part(random)));
         const double before = block.connections->energy(block.state);
@@ -214,7 +172,7 @@ private slots:
     void aTrialThatIsNotTakenLeavesNothing()
     {
         Block block(clay(), {3, 3, 3});
-        block.follow(pulledAlong({1, 0, 0}, 0.1));
+        block.flow(pulledAlong({1, 0, 0}, 0.1));
         const auto kept = block.connections->changes().plastic;
         for (ObjectIndex i = 0; i < block.body.aggregate->size(); ++i)
             block.state.position.set(i, pulledAlong({1, 0, 0}, 0.2) * block.rest(i));
@@ -231,7 +189,7 @@ private slots:
         Mat3 f = Mat3::Identity();
         for (int n = 0; n < 200; ++n) {
             const double angle = 0.3 * n;
-            block.follow(f = pulledAlong({std::cos(angle), std::sin(angle), 0.3}, 0.05) * f);
+            block.flow(f = pulledAlong({std::cos(angle), std::sin(angle), 0.3}, 0.05) * f);
         }
         const auto& metric = block.connections->changes().plastic.metric;
         for (std::size_t i = 0; i < metric[0].size(); ++i) {
@@ -249,8 +207,8 @@ private slots:
         Block there(clay(), {3, 3, 2});
         for (int n = 1; n <= 10; ++n) {
             const Mat3 f = pulledAlong({1, 0, 0}, 0.02 * n);
-            here.follow(f);
-            there.follow(turn * f);
+            here.flow(f);
+            there.flow(turn * f);
         }
         for (ObjectIndex i = 0; i < here.body.aggregate->size(); ++i)
             QVERIFY((turn * here.state.force.at(i) - there.state.force.at(i)).norm() < 1e-9);
@@ -261,7 +219,7 @@ private slots:
         const auto damageOf = [](const std::function<Mat3(double)>& path) {
             Block block(clay(), {3, 3, 3});
             for (int n = 1; n <= 100; ++n)
-                block.follow(path(n / 100.0));
+                block.flow(path(n / 100.0));
             return block.connections->changes().plastic.damage[0] /
                    block.connections->changes().plastic.equivalentStrain[0];
         };

@@ -100,7 +100,8 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
     row("event of nothing", with("events", R"([{"time_s": 1}])"),
         "events[0] must have exactly one of the keys material, remove_fixture, remove_manipulator, gravity_m_s2, "
         "renormalize, body_kind, floor, integrator, add_fixture, move_fixture, add_manipulator, move_manipulator, "
-        "place_manipulator, reshape_manipulator, add_load, change_load, remove_load, reset, keep_moment.");
+        "place_manipulator, reshape_manipulator, add_load, change_load, remove_load, find_balance_s, reset, "
+        "keep_moment.");
     row("two events in one", with("events", R"([{"time_s": 1, "renormalize": {}, "gravity_m_s2": [0, 0, 0]}])"),
         "events[0] must have only one of the keys gravity_m_s2 and renormalize.");
     row("box of gravity", with("events", R"([{"time_s": 1, "gravity_m_s2": [0, 0, 0], "box_mm": [0, 0, 0, 1, 1, 1]}])"),

@@ -100,7 +100,8 @@ std::vector<json> fullRecipes()
                    {"time_s": 0, "remove_fixture": "end"}, {"time_s": 0, "remove_manipulator": "a"},
                    {"time_s": 0, "gravity_m_s2": [0, 0, 0]},
                    {"time_s": 0, "renormalize": {"body": "lid", "box_mm": [0, 0, 0, 1, 1, 1], "duration_s": 1}},
-                   {"time_s": 0, "body_kind": {"body": "lid", "kind": "glue"}}],
+                   {"time_s": 0, "body_kind": {"body": "lid", "kind": "glue"}},
+                   {"time_s": 0, "find_balance_s": 0.1}],
         "exports": [{"file": "a.step", "unit": "mm", "tolerance_mm": 0.1, "ap214": true, "report": false},
                     {"file": "b.PNG", "width": 20, "height": 20, "view": "front", "show_tools": false},
                     {"file": "c/d.png", "view": [0, 1, 0]}]})");

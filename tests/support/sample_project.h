@@ -159,6 +159,7 @@ inline std::vector<RecordedCommand> commands(const std::shared_ptr<const ToolPar
         AddLoad{load("Zug")},
         SetLoad{0, {.force = Vec3(third, -0.0, huge), .moment = Vec3(0, tiny, 0), .pressure = -third}, third},
         RemoveLoad{0},
+        FindBalance{third},
         SetPartLook{1, "Grüße \"2\"", "#12ab00"},
     };
     std::vector<RecordedCommand> recorded;

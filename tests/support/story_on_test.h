@@ -65,8 +65,7 @@ protected:
         choose("exportFormat", "STEP", "STEP (.step)");
         QTest::keyClick(find<QDialog>("exportDialog"), Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path) && isIdle(), patience);
-        QVERIFY2(m_window->banner().sentence().isEmpty() || !m_window->banner().isVisible(),
-                 qPrintable(m_window->banner().sentence()));
+        QVERIFY2(problem().isEmpty(), qPrintable(problem()));
         comeBack();
     }
 

@@ -4,6 +4,7 @@
 #include "app/gui.h"
 #include "ui/main_window.h"
 #include "ui/panels/banner.h"
+#include "ui/panels/log_panel.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
@@ -81,6 +82,14 @@ protected:
         m_window->refill(document().size() / cells);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         rest(300); // the view turns to fit
+    }
+
+    /// What went wrong, as the banner says it; empty when nothing did. That numbers are rough is no problem but a warning.
+    QString problem()
+    {
+        const QString said = m_window->banner().sentence();
+        const auto* log = m_window->findChild<LogPanel*>();
+        return log->toPlainText().contains("Warning: " + said) ? QString() : said;
     }
 
     /// Left-clicks the view where a place is seen.

@@ -147,7 +147,7 @@ private slots:
         const PreparedContent sheet = prepare(model);
         QVERIFY(sheet.content.bodies[0]->aggregate->size() < 20'000);
         QCOMPARE(sheet.content.warnings.size(), std::size_t{1});
-        QVERIFY(sheet.content.warnings[0].find("thinnest wall is 2 mm") != std::string::npos);
+        QVERIFY(sheet.content.warnings[0].find("cells across 2 mm; bending of such walls") != std::string::npos);
         model.parts = {boxPart("block", {0.1, 0.1, 0.03}, Vec3::Zero())};
         QVERIFY(prepare(model).content.warnings.empty());
     }

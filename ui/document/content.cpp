@@ -86,7 +86,7 @@ double automaticSpacing(const FillingSizes& sizes)
                         spacingFor({SpacingChoice::Kind::Objects, objects}, all));
     };
     return roundedDown(std::min(
-        {usual, forWalls(goodCellsAcrossWall, mostObjects), forWalls(fewestCellsAcrossWall, mostObjectsAtAll)}));
+        {usual, forWalls(goodCellsAcrossWall, mostObjects), forWalls(advisedCellsAcrossWall, mostObjectsAtAll)}));
 }
 
 double spacingOf(const ImportChoices& request, const FillingSizes& sizes)

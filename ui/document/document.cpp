@@ -67,7 +67,10 @@ Document::Document(QObject* parent)
     connect(&m_history, &DocumentHistory::changed, this, [this] { emit changed(Change::History); });
 }
 
-Document::~Document() = default;
+Document::~Document()
+{
+    cancelBalancing();
+}
 
 void Document::setTasks(TaskRunner* tasks)
 {
@@ -212,6 +215,7 @@ void Document::retire()
     std::erase_if(m_retiring, [](const std::future<void>& one) {
         return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     });
+    cancelBalancing();
     if (m_simulation)
         m_retiring.push_back(std::async(
             std::launch::async, [simulation = std::move(m_simulation), preparer = std::move(m_preparer)]() mutable {

@@ -101,6 +101,9 @@ public:
     bool isPlaying() const { return m_isPlaying; } ///< as asked for; a frame that shows it may be on its way
     void stepOnce();
     void reset();
+    /// Puts the part where there is balance now, without inertia, with progress and to be cancelled: one entry of the history.
+    /// Says in a sentence what came of it; nothing has changed when it was cancelled or there is no balance.
+    void findBalance();
     /// Wanted ratio of simulated to wall time, 0.01 .. 10; 1 at first. Of the window, not of the history.
     void setSpeed(double ratio);
     double speed() const { return m_speed; }
@@ -241,6 +244,8 @@ public:
 signals:
     void changed(knead::Document::Change what);
     void notice(const QString& sentence);      ///< something the person should know, for the log
+    void balanced(const QString& sentence);    ///< found, and how well
+    void notBalanced(const QString& sentence); ///< why not
     void looksChanged();                       ///< what parts are called, and their colors
     void stopping();                           ///< time is about to stand still: who drives a tool lets go of it
     void recipeEnded(const QString& sentence); ///< at its end, or where it cannot go on
@@ -284,6 +289,10 @@ private:
     bool refuseName(const QString& name, bool isTaken);
     std::string lockKeyOf(const Selection& selection) const;
     void noticeEmptyFixtures();
+
+    class Balancing;
+    void cancelBalancing();
+    void tellBalance(const StaticReport& report);
 
     void openGesture(const QString& key);
     void noteEdit();
@@ -349,6 +358,7 @@ private:
     std::uint64_t m_agendaEnds = 0;                 ///< that were told
     std::uint64_t m_fixtureRequest = 0;             ///< the last one of a fixture
     std::vector<std::function<void()>> m_whenKnown; ///< when a frame has seen that
+    std::shared_ptr<Balancing> m_balancing;         ///< the last one
     bool m_showsPressing = false;
     std::uint64_t m_generation = 0; ///< of the content; frames of an earlier one are dropped
     SnapshotPointer m_seen;

@@ -42,8 +42,10 @@ HistoryRecord packedRecord(Gesture gesture, const QString& name, const Packing& 
 
 bool isNothing(const HistoryRecord& record, const HistoryRecord& before)
 {
-    return record.commands.size() <= 1 && record.step == before.step && record.time == before.time &&
-           record.hash == before.hash;
+    const bool onlyKeeps = std::all_of(record.commands.begin(), record.commands.end(), [](const auto& recorded) {
+        return std::holds_alternative<KeepMoment>(recorded.command);
+    });
+    return onlyKeeps && record.step == before.step && record.time == before.time && record.hash == before.hash;
 }
 
 } // namespace

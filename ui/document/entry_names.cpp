@@ -98,6 +98,7 @@ public:
         return Words::tr("Add %1").arg(QString::fromStdString(command.load.name));
     }
     QString operator()(const RemoveLoad& /*command*/) const { return Words::tr("Remove %1").arg(load()); }
+    QString operator()(const FindBalance& /*command*/) const { return Words::tr("Find balance"); }
     QString operator()(const SetLoad& /*command*/) const { return Words::tr("Change %1").arg(load()); }
     QString operator()(const RenameFixture& command) const
     {
@@ -159,6 +160,8 @@ std::optional<EntryKind> kindOf(const Command& command)
     case 20:
     case 21:
         return EntryKind::Fixture;
+    case 22:
+        return EntryKind::Balance;
     case 14:
         return EntryKind::Reset;
     case 16:
@@ -169,7 +172,7 @@ std::optional<EntryKind> kindOf(const Command& command)
         return {};
     }
 }
-static_assert(std::variant_size_v<Command> == 22);
+static_assert(std::variant_size_v<Command> == 23);
 
 } // namespace
 
@@ -204,6 +207,8 @@ const char* iconOf(EntryKind kind)
         return "fix";
     case EntryKind::Renormalize:
         return "renormalize";
+    case EntryKind::Balance:
+        return "balance";
     case EntryKind::Reset:
         return "reset";
     case EntryKind::Look:

@@ -20,6 +20,7 @@ enum class EntryKind {
     Fixture,
     Renormalize,
     Reset,
+    Balance,
     Scene,
     Look
 };

@@ -105,9 +105,12 @@ constexpr const char* const sentences[] = {
     QT_TRANSLATE_NOOP("FileWords", "the solid has no volume"),
     QT_TRANSLATE_NOOP("FileWords", "it could not be measured (%1)"),
     // of the filling
-    QT_TRANSLATE_NOOP("FileWords",
-                      "The thinnest wall is %1: %2 cells, so it will be too stiff or missing; a spacing of %3 "
-                      "would give %4 cells and about %5 objects."),
+    QT_TRANSLATE_NOOP("FileWords", "Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 % too "
+                                   "stiff. Fill with a spacing of %4 for %5 cells, about %6 objects."),
+    QT_TRANSLATE_NOOP("FileWords", "Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 times "
+                                   "too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects."),
+    QT_TRANSLATE_NOOP("FileWords", "Thinnest walls: %1 cells across %2; bending of such walls comes out many times too "
+                                   "stiff. Fill with a spacing of %3 for %4 cells, about %5 objects."),
     QT_TRANSLATE_NOOP("FileWords", "\"%1\" is not simulated: %2"),
     QT_TRANSLATE_NOOP("FileWords", "\"%1\" has no surface, so it is not shown."),
     QT_TRANSLATE_NOOP("FileWords", "\"%1\" is not a closed solid: it is shown, and not simulated. Close its surfaces "
@@ -200,6 +203,25 @@ constexpr const char* const sentences[] = {
                                    "are. Keep it deformable, or reset before it becomes rigid."),
     QT_TRANSLATE_NOOP("FileWords", "The equations of the step at %1 s could not be solved: forces and places are rough "
                                    "from there on. Make tools slower, or choose a shorter time step."),
+    // of how far a run may be trusted
+    QT_TRANSLATE_NOOP("FileWords",
+                      "Energy is off by %1 % of all that went round. Choose a shorter time step, or make tools "
+                      "slower."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "Tools or the floor went %1 spacings into material: shapes and forces there are rough. "
+                      "Press less far, or choose a smaller spacing."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "Mass scaling made %1 % of the mass: what swings and what is thrown is slower than it "
+                      "would be. Choose a shorter time step for it."),
+    // of a balance that was not found
+    QT_TRANSLATE_NOOP("FileWords",
+                      "A body is free to move: hold it, or let time run (dynamic) until it rests on something."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "%1 is rigid and free to move: hold it, make it deformable, or let time run (dynamic)."),
+    QT_TRANSLATE_NOOP("FileWords",
+                      "No balance was found at %1 s: forces of %2 of those that act are left. Take more load "
+                      "steps or a smaller load, hold what is free to slide or turn, or let time run "
+                      "(dynamic)."),
     QT_TRANSLATE_NOOP("FileWords", "the chosen time step of %1 s is longer than the stable one of %2 s. Choose a "
                                    "shorter one, or a softer or more damped material."),
 };

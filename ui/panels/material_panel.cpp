@@ -1,5 +1,6 @@
 #include "ui/panels/material_panel.h"
 
+#include "core/aggregate/spacing_choice.h"
 #include "ui/materials/material_facts.h"
 #include "ui/materials/material_store.h"
 #include "ui/panels/form.h"
@@ -10,6 +11,7 @@
 #include <QPushButton>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace knead {
@@ -98,9 +100,9 @@ void MaterialPanel::makeFactRows()
                           "finely filled ones"));
     m_ratio = add("expectedRatio", tr("Expected speed"),
                   tr("Simulated by wall time on this machine: measured while time ran, else by a rule"));
-    m_wallCells =
-        add("wallCells", tr("Cells across walls"),
-            tr("Across the thinnest wall: with fewer than %1 it is too stiff in bending").arg(fewestCellsAcrossWall));
+    m_wallCells = add(
+        "wallCells", tr("Cells across walls"),
+        tr("Across the thinnest wall: with fewer than %1 its bending comes out too stiff").arg(fewestCellsAcrossWall));
 }
 
 void MaterialPanel::makeMaterialRows()
@@ -242,11 +244,22 @@ void MaterialPanel::showFacts()
     const QString ratio = QString::number(facts.ratio, 'g', 2);
     const QString about = facts.isMeasured ? ratio : tr("about %1").arg(ratio);
     m_ratio->setText(facts.ratio >= keepsUp ? tr("keeps up with real time") : tr("%1 of real time").arg(about));
-    m_wallCells->setText(facts.cellsAcrossWall > 0 ? QString::number(facts.cellsAcrossWall, 'g', 2)
-                                                   : tr("not measured"));
-    const bool isCoarse = facts.cellsAcrossWall > 0 && facts.cellsAcrossWall < fewestCellsAcrossWall;
-    setRole(*m_wallCells, isCoarse ? "slow" : "");
+    showWallCells(facts.cellsAcrossWall);
     setRole(*m_ratio, facts.ratio < keepsUp ? "slow" : "");
+}
+
+/// With what too few of them do to bending.
+void MaterialPanel::showWallCells(double cells)
+{
+    const double error = bendingErrorOf(cells);
+    const bool isCoarse = cells > 0 && error > bendingErrorOf(fewestCellsAcrossWall);
+    const QString number = QString::number(cells, 'g', 2);
+    m_wallCells->setText(cells == 0          ? tr("not measured")
+                         : !isCoarse         ? number
+                         : std::isinf(error) ? tr("%1: many times too stiff").arg(number)
+                         : error < 1         ? tr("%1: up to %2 % too stiff").arg(number).arg(100 * error)
+                                             : tr("%1: up to %2 times too stiff").arg(number).arg(1 + error));
+    setRole(*m_wallCells, isCoarse ? "slow" : "");
 }
 
 void MaterialPanel::chooseKind(int index)

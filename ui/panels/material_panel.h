@@ -55,6 +55,7 @@ private:
     void commit(double Material::*value, double number);
     void post(const QString& what);
     bool isLocked() const;
+    void showWallCells(double cells);
     double cellsAcross(double spacing) const;
 
     Document& m_document;

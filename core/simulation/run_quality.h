@@ -2,8 +2,6 @@
 
 #include "core/simulation/snapshot.h"
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -19,12 +17,18 @@ struct RunQuality {
     std::uint64_t steps = 0;
 };
 
-RunQuality qualityOf(const Snapshot& end);
+RunQuality qualityOf(const Snapshot& now);
 
-/// What a person should know of it: a sentence each, with what to do. Empty when all is well.
-std::vector<std::string> remarksOn(const RunQuality& quality);
+/// What a remark is about.
+enum class Concern : std::uint8_t { unsolved, imbalance, penetration, addedMass };
 
-/// As the keys of a report.
-nlohmann::ordered_json qualityToJson(const RunQuality& quality);
+/// Something that a person should know.
+struct Remark {
+    Concern concern;
+    std::string sentence; ///< with what to do
+};
+
+/// Empty when all is well.
+std::vector<Remark> remarksOn(const RunQuality& quality);
 
 } // namespace knead

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/recipe_runner.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace knead {
+
+/// What `knead run --json` prints of a run, be it done or failed: then with `failure`.
+nlohmann::ordered_json jsonOf(const RunReport& report);
+
+} // namespace knead

@@ -1,0 +1,56 @@
+#include "ui/document/run_remarks.h"
+
+#include "ui/language/words_of_files.h"
+#include "ui/units.h"
+
+#include <QTimer>
+
+namespace knead {
+
+namespace {
+
+constexpr int lookInterval = 1000; // [ms]
+
+} // namespace
+
+RunRemarks::RunRemarks(Document& document, QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+    , m_timer(new QTimer(this))
+{
+    m_clock.start();
+    m_timer->start(lookInterval);
+    connect(m_timer, &QTimer::timeout, this, &RunRemarks::lookAtPace);
+    connect(&document, &Document::changed, this, &RunRemarks::documentChanged);
+}
+
+void RunRemarks::documentChanged(Document::Change what)
+{
+    if (what == Document::Change::Content) {
+        m_quality.begin();
+        m_stall = {};
+    }
+    if (what == Document::Change::Frame)
+        for (const std::string& sentence : m_quality.see(*m_document.frame()->snapshot))
+            emit said(inWords(sentence));
+}
+
+void RunRemarks::lookAtPace()
+{
+    if (!m_document.isPlaying()) {
+        m_stall.stop();
+        return;
+    }
+    const Snapshot& now = *m_document.frame()->snapshot;
+    if (!m_stall.look({.wall = 1e-3 * static_cast<double>(m_clock.elapsed()), .simulated = now.time},
+                      m_document.speed()))
+        return;
+    const StallWatch::Stall stall = m_stall.stall();
+    emit said(
+        tr("Time hardly goes on: %1 were simulated in %2, in steps of %3. A larger spacing, a softer material, slower "
+           "tools or ones that begin outside the material make it faster.")
+            .arg(formatReading(stall.simulated, Quantity::Time), formatReading(stall.wall, Quantity::Time),
+                 formatReading(now.timeStep, Quantity::Time)));
+}
+
+} // namespace knead

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/document/quality_watch.h"
+#include "ui/document/stall_watch.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+
+class QTimer;
+
+namespace knead {
+
+/// Looks at how a document's simulation goes, and says what a person should know of it, each thing once.
+class RunRemarks final : public QObject {
+    Q_OBJECT
+public:
+    explicit RunRemarks(Document& document, QObject* parent = nullptr);
+
+signals:
+    void said(const QString& sentence);
+
+private:
+    void documentChanged(Document::Change what);
+    void lookAtPace();
+
+    Document& m_document;
+    QualityWatch m_quality;
+    StallWatch m_stall;
+    QElapsedTimer m_clock;
+    QTimer* m_timer;
+};
+
+} // namespace knead
