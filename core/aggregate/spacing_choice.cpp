@@ -73,8 +73,7 @@ std::string stiffnessWords(double error)
 {
     if (!std::isfinite(error))
         return "comes out many times too stiff";
-    return error < 1 ? "comes out up to " + rounded(100 * error) + " % too stiff"
-                     : "comes out up to " + rounded(1 + error) + " times too stiff";
+    return "comes out up to " + rounded(100 * error) + " % too stiff";
 }
 
 std::string thinWallSentence(double cells, const FillingSize& size, double better)
@@ -135,8 +134,8 @@ double spacingFor(const SpacingChoice& choice, const FillingSize& size)
 double bendingErrorOf(double cellsAcross)
 {
     constexpr double sound = 0.1;
-    constexpr double rough = 0.4;  // from 1.3 cells on
-    constexpr double coarse = 1.4; // from one cell on
+    constexpr double rough = 0.3;  // from 1.3 cells on
+    constexpr double coarse = 0.8; // from one cell on
     constexpr double roughest = 1.3;
     constexpr double rounding = 1 - 1e-6;
     if (cellsAcross >= fewestCellsAcrossWall * rounding)

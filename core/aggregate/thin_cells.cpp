@@ -10,6 +10,10 @@ namespace knead {
 
 namespace {
 
+// Walls with their skins on nodes are fitted up to so many whole cells. Above it joinCells() is exact in uniform strain, and the
+// fit is not quite, which the bound of a stable step and long stretches of rubber would notice.
+constexpr std::int32_t mostWholeCells = 2;
+
 Lattice::Node moved(Lattice::Node cell, std::size_t axis, std::int32_t steps)
 {
     cell[axis] += steps;
@@ -140,9 +144,9 @@ private:
     bool isBare(const Lattice::Node& cell, std::size_t axis, int side) const
     {
         std::int32_t behind = 1;
-        while (behind <= thickestThinWall && m_finder.isFull(moved(cell, axis, -behind * side)))
+        while (behind <= mostWholeCells && m_finder.isFull(moved(cell, axis, -behind * side)))
             ++behind;
-        return behind <= thickestThinWall && !m_finder.isCut(moved(cell, axis, side));
+        return behind <= mostWholeCells && !m_finder.isCut(moved(cell, axis, side));
     }
 
     const CutCells& m_cells;

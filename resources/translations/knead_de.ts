@@ -1789,10 +1789,6 @@
         <translation>Dünnste Wände: %1 Zellen auf %2; solche Wände biegen sich bis zu %3 % zu steif. Ein Abstand von %4 gibt %5 Zellen, etwa %6 Objekte.</translation>
     </message>
     <message>
-        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 times too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects.</source>
-        <translation>Dünnste Wände: %1 Zellen auf %2; solche Wände biegen sich bis zu %3-mal zu steif. Ein Abstand von %4 gibt %5 Zellen, etwa %6 Objekte.</translation>
-    </message>
-    <message>
         <source>Thinnest walls: %1 cells across %2; bending of such walls comes out many times too stiff. Fill with a spacing of %3 for %4 cells, about %5 objects.</source>
         <translation>Dünnste Wände: %1 Zellen auf %2; solche Wände biegen sich um ein Vielfaches zu steif. Ein Abstand von %3 gibt %4 Zellen, etwa %5 Objekte.</translation>
     </message>

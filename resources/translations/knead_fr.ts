@@ -1789,10 +1789,6 @@
         <translation>Parois les plus minces : %1 cellules sur %2 ; la flexion de telles parois est jusqu&apos;à %3 % trop raide. Remplissez avec un espacement de %4 pour %5 cellules, environ %6 objets.</translation>
     </message>
     <message>
-        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 times too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects.</source>
-        <translation>Parois les plus minces : %1 cellules sur %2 ; la flexion de telles parois est jusqu&apos;à %3 fois trop raide. Remplissez avec un espacement de %4 pour %5 cellules, environ %6 objets.</translation>
-    </message>
-    <message>
         <source>Thinnest walls: %1 cells across %2; bending of such walls comes out many times too stiff. Fill with a spacing of %3 for %4 cells, about %5 objects.</source>
         <translation>Parois les plus minces : %1 cellules sur %2 ; la flexion de telles parois est beaucoup trop raide. Remplissez avec un espacement de %3 pour %4 cellules, environ %5 objets.</translation>
     </message>

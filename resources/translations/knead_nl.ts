@@ -1789,10 +1789,6 @@
         <translation>Dunste wanden: %1 cellen over %2; zulke wanden buigen tot %3 % te stijf. Vul met een afstand van %4 voor %5 cellen, ongeveer %6 objecten.</translation>
     </message>
     <message>
-        <source>Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 times too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects.</source>
-        <translation>Dunste wanden: %1 cellen over %2; zulke wanden buigen tot %3 keer te stijf. Vul met een afstand van %4 voor %5 cellen, ongeveer %6 objecten.</translation>
-    </message>
-    <message>
         <source>Thinnest walls: %1 cells across %2; bending of such walls comes out many times too stiff. Fill with a spacing of %3 for %4 cells, about %5 objects.</source>
         <translation>Dunste wanden: %1 cellen over %2; zulke wanden buigen vele malen te stijf. Vul met een afstand van %3 voor %4 cellen, ongeveer %5 objecten.</translation>
     </message>

@@ -210,8 +210,8 @@ private slots:
 
     void thickBodiesWithSkinsOnNodesKeepTheirWeights()
     {
-        // Uniform strain is exact with the weights of joinCells(), and nine cells twist right to 3 % with them.
-        for (const double cells : {9.0, 10.0}) {
+        // Uniform strain is exact with the weights of joinCells(), and three cells bend right to a tenth with them.
+        for (const double cells : {3.0, 5.0}) {
             const TriangleMesh mesh = shapes::box({12, cells, cells});
             const CellGrid grid = gridAround(massProperties(mesh).box, 1);
             const CutCells cut = cutCells(mesh, grid, 1, 0.25, TaskControl::none());
@@ -269,7 +269,9 @@ private slots:
             return bars::torsion(bar);
         };
         QVERIFY(extremes("torsion of two cells", numbersOfCells({2, 2.1, 2.5}, 3), twist).within(0.95, 1.22));
-        QVERIFY(extremes("torsion", numbersOfCells({3, 3.3, 4}, 6), twist).within(0.95, 1.12));
+        // Bars of whole cells along the lattice keep weights that are exact in tension, and are 3.5 / n^2 too stiff in torsion.
+        const bool isAlong = turn.angularDistance(Quaternion::Identity()) == 0;
+        QVERIFY(extremes("torsion", numbersOfCells({3, 3.3, 4}, 6), twist).within(0.95, isAlong ? 1.4 : 1.12));
     }
 
     void wallsAreAsStiffInTensionAsTheyAreThick_data() { addTurns(); }

@@ -107,8 +107,6 @@ constexpr const char* const sentences[] = {
     // of the filling
     QT_TRANSLATE_NOOP("FileWords", "Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 % too "
                                    "stiff. Fill with a spacing of %4 for %5 cells, about %6 objects."),
-    QT_TRANSLATE_NOOP("FileWords", "Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 times "
-                                   "too stiff. Fill with a spacing of %4 for %5 cells, about %6 objects."),
     QT_TRANSLATE_NOOP("FileWords", "Thinnest walls: %1 cells across %2; bending of such walls comes out many times too "
                                    "stiff. Fill with a spacing of %3 for %4 cells, about %5 objects."),
     QT_TRANSLATE_NOOP("FileWords", "\"%1\" is not simulated: %2"),
