@@ -3375,10 +3375,6 @@ Simuliert: %2, Schritt %3
         <source>%1: up to %2 % too stiff</source>
         <translation>%1: bis zu %2 % zu steif</translation>
     </message>
-    <message>
-        <source>%1: up to %2 times too stiff</source>
-        <translation>%1: bis zu %2-mal zu steif</translation>
-    </message>
 </context>
 <context>
     <name>MaterialStore</name>

@@ -3375,10 +3375,6 @@ Simulé&#xa0;: %2, pas %3
         <source>%1: up to %2 % too stiff</source>
         <translation>%1 : jusqu&apos;à %2 % trop raide</translation>
     </message>
-    <message>
-        <source>%1: up to %2 times too stiff</source>
-        <translation>%1 : jusqu&apos;à %2 fois trop raide</translation>
-    </message>
 </context>
 <context>
     <name>MaterialStore</name>

@@ -3375,10 +3375,6 @@ Gesimuleerd: %2, stap %3
         <source>%1: up to %2 % too stiff</source>
         <translation>%1: tot %2 % te stijf</translation>
     </message>
-    <message>
-        <source>%1: up to %2 times too stiff</source>
-        <translation>%1: tot %2 keer te stijf</translation>
-    </message>
 </context>
 <context>
     <name>MaterialStore</name>

@@ -257,8 +257,7 @@ void MaterialPanel::showWallCells(double cells)
     m_wallCells->setText(cells == 0          ? tr("not measured")
                          : !isCoarse         ? number
                          : std::isinf(error) ? tr("%1: many times too stiff").arg(number)
-                         : error < 1         ? tr("%1: up to %2 % too stiff").arg(number).arg(100 * error)
-                                             : tr("%1: up to %2 times too stiff").arg(number).arg(1 + error));
+                                             : tr("%1: up to %2 % too stiff").arg(number).arg(100 * error));
     setRole(*m_wallCells, isCoarse ? "slow" : "");
 }
 
