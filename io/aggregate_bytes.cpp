@@ -97,8 +97,12 @@ std::vector<double> nextNumbers(BlockReader& blocks, std::size_t count)
     return numbers;
 }
 
+// Of points of a skin, beyond which they are damage.
+constexpr double farthestPoint = 1e8; // [spacings]
+constexpr double largestArea = 1e12;  // [m^2]
+
 /// Four numbers per point.
-std::vector<SkinPoint> nextSkin(BlockReader& blocks)
+std::vector<SkinPoint> nextSkin(BlockReader& blocks, const Lattice& lattice)
 {
     const std::vector<double> numbers = blocks.nextArray<double>();
     if (numbers.size() % 4 != 0 || !areFinite(numbers))
@@ -106,7 +110,8 @@ std::vector<SkinPoint> nextSkin(BlockReader& blocks)
     std::vector<SkinPoint> skin;
     for (std::size_t i = 0; i < numbers.size(); i += 4) {
         skin.push_back({{numbers[i], numbers[i + 1], numbers[i + 2]}, numbers[i + 3]});
-        if (skin.back().area < 0)
+        const bool isFar = lattice.coordinates(skin.back().place).cwiseAbs().maxCoeff() > farthestPoint;
+        if (skin.back().area < 0 || skin.back().area > largestArea || isFar)
             blocks.fail("a point of its skin is none");
     }
     return skin;
@@ -144,7 +149,7 @@ Aggregate nextAggregate(BlockReader& blocks)
             blocks.fail("a connection leads nowhere");
     }
     if (measures.value("hasSkin", false))
-        aggregate.skin = nextSkin(blocks);
+        aggregate.skin = nextSkin(blocks, aggregate.lattice);
     return aggregate;
 }
 

@@ -200,7 +200,7 @@ Aggregate fillSurface(const TriangleMesh& mesh, HalfEdges halfEdges, const Surfa
         corners.aggregate.repair.doubtfulShare = cells.doubtful() / cells.volume();
     }
     TaskPortion measuring(control, 0.65, 1);
-    corners.aggregate.skin = skinPoints(mesh, corners.aggregate.lattice);
+    corners.aggregate.skin = skinPoints(mesh, corners.aggregate.lattice, orientation);
     measureDepth(corners, mesh, std::move(halfEdges), orientation, isDirty ? &*repair : nullptr, measuring);
     return std::move(corners.aggregate);
 }

@@ -14,14 +14,13 @@ struct Material {
     double shapeDamping = 0;    ///< rate at which deviations from rigid motion decay [1/s], 0 .. 1000
     double friction = 0.4;      ///< Coulomb coefficient of contacts, 0 .. 2
 
-    double adhesion = 0;        ///< tension that skins bear after they touched [Pa], 0 .. 1e9; 0: they do not stick
-    double tensileStrength = 0; ///< [Pa], 0 .. 1e11; 0: never breaks
-    double yieldStress = 0;     ///< in uniaxial tension [Pa], 0 .. 1e11; 0: never yields
-    double hardening = 0;       ///< rise of the yield stress per plastic strain [Pa], 0 .. 1e11
-    double elongationAtBreak =
-        0;                     ///< of a bar, by its length, when it breaks, 0 .. 100; 0: it flows without end
-    double relaxationTime = 0; ///< in which stress beyond yield flows off [s], 0 .. 1000; 0: at once
-    double healingTime = 0;    ///< pressed together for so long, skins become one [s], 0 .. 1e4; 0: never
+    double adhesion = 0;          ///< tension that skins bear after they touched [Pa], 0 .. 1e9; 0: they do not stick
+    double tensileStrength = 0;   ///< [Pa], 0 .. 1e11; 0: never breaks
+    double yieldStress = 0;       ///< in uniaxial tension [Pa], 0 .. 1e11; 0: never yields
+    double hardening = 0;         ///< rise of the yield stress per plastic strain [Pa], 0 .. 1e11
+    double elongationAtBreak = 0; ///< of a bar, by its length, when it breaks, 0 .. 100; 0: it flows without end
+    double relaxationTime = 0;    ///< in which stress beyond yield flows off [s], 0 .. 1000; 0: at once
+    double healingTime = 0;       ///< pressed together for so long, skins become one [s], 0 .. 1e4; 0: never
 
     /// The law of hyperelastic_law.h at any strain, 0 .. 1; 0: the springs of connections alone, which is for small strains.
     /// Material that yields is neo-Hooke before it does, and these three change nothing of it.

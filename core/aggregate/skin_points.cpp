@@ -27,12 +27,12 @@ struct Vertex {
     double area = 0;
 };
 
-std::vector<Vertex> verticesOf(const TriangleMesh& mesh, const Lattice& lattice)
+std::vector<Vertex> verticesOf(const TriangleMesh& mesh, const Lattice& lattice, double orientation)
 {
     std::vector<Vertex> vertices(mesh.vertices.size());
     for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
         const Vec3& a = mesh.vertices[triangle[0]];
-        const Vec3 normal = 0.5 * (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a);
+        const Vec3 normal = 0.5 * orientation * (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a);
         for (const std::uint32_t corner : triangle) {
             vertices[corner].normal += normal / 3;
             vertices[corner].area += normal.norm() / 3;
@@ -67,10 +67,10 @@ SkinPoint pointFor(const std::vector<Vertex>& side, const TriangleMesh& mesh)
 
 } // namespace
 
-std::vector<SkinPoint> skinPoints(const TriangleMesh& mesh, const Lattice& lattice)
+std::vector<SkinPoint> skinPoints(const TriangleMesh& mesh, const Lattice& lattice, double orientation)
 {
     const TriangleMesh fine = refine(mesh, longestEdge * lattice.spacing, mostTriangles);
-    const std::vector<Vertex> vertices = verticesOf(fine, lattice);
+    const std::vector<Vertex> vertices = verticesOf(fine, lattice, orientation);
     std::vector<SkinPoint> points;
     for (auto begin = vertices.begin(); begin != vertices.end();) {
         const auto end =

@@ -412,6 +412,8 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const
         report.contacts = findForces(contacts, surfaces, step);
         for (const ContactTangent& tangent : report.contacts.tangents) {
             m_touched.push_back(tangent.first);
+            for (std::uint32_t n = 0; tangent.spread != nullptr && n < tangent.spread->count; ++n)
+                m_touched.push_back({tangent.first.body, tangent.spread->objects[n]});
             if (tangent.second)
                 m_touched.push_back(*tangent.second);
         }
@@ -422,10 +424,10 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const
         if (report.newtonIterations == 0) {
             first = std::min(size, sizeWithoutContacts(report.contacts.tangents, h));
             reference = size;
-        } else
-
+        } else {
             reference = std::min(reference, std::max((m_touched.empty() ? leastFreeReference : leastReference) * first,
                                                      sizeOfLoads(report.contacts.tangents, h)));
+        }
         const bool isBalanced = size <= std::max(newtonTolerance * newtonTolerance * reference, floor);
         isOverBraked = isBalanced && m_keepsSlip && report.newtonIterations < mostNewtonIterations &&
                        report.contacts.frictionExcess > frictionTolerance * report.contacts.frictionLimit;

@@ -51,7 +51,7 @@ public:
     bool anyYields() const;
     bool anyBreaks() const;
     double leastSuddenStrain() const; ///< beside a crack; infinite where nothing breaks by load
-    bool anyTires() const;              ///< breaks by plastic strain
+    bool anyTires() const;            ///< breaks by plastic strain
 
 private:
     const MaterialMap* m_materials;

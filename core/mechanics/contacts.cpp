@@ -264,6 +264,8 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
                              .memory = pair.friction,
                              .grip = pair.grip};
     if (pair.joined) { // its joint pushes; pressed for long enough, it heals
+        if (!step.isTrial)
+            pair.friction = {};
         if (!step.isTrial && healIfPressed(pair, state, step.duration)) {
             const double stretch = distance - m_joints.find(first.ref, second.ref)->nominalLength;
             report.plastic += 0.5 * pair.parameters.stiffness * stretch * stretch;

@@ -20,9 +20,9 @@ namespace knead {
 /// Contact connections: found by the vicinity calculation between objects near the skin, of one body or two, and between
 /// the skin and rigid surfaces (SurfaceContacts). They exist while the ends touch.
 ///
-/// The radius of an object in contact is its depth below the skin, so that contact begins when the skins meet. Objects feel each other when they are half to one and a half spacings deep: so large, spheres a spacing apart
-/// let nothing through between them. Sheets too thin to have such objects, and the ends of broken connections, take part
-/// with half a spacing.
+/// The radius of an object in contact is its depth below the skin, so that contact begins when the skins meet. Objects feel each
+/// other when they are half to one and a half spacings deep: so large, spheres a spacing apart let nothing through between them.
+/// Sheets too thin to have such objects, and the ends of broken connections, take part with half a spacing.
 ///
 /// Within a body, objects that are joined by one or two connections do not touch each other.
 ///

@@ -77,6 +77,7 @@ Pose yieldTo(const Vec3& force, const Manipulator& manipulator, const Pose& next
             return manipulator.pose;
         const double share = std::max(-1.0, (1 - force.norm() / manipulator.forceLimit) / yielding);
         Pose pose = manipulator.pose;
+        pose.rotation = pose.rotation.slerp(std::clamp(share, 0.0, 1.0), next.rotation);
         pose.position += share * std::min(1.0, manipulator.speedLimit * dt / way.norm()) * way;
         return pose;
     }

@@ -213,7 +213,8 @@ private:
     void makeLengthsOwn();
     std::vector<ConnectionId> overloaded(const ObjectState& state) const;
     void markBroken(const ConnectionId& connection);
-    void findSpent(std::size_t lower, std::size_t upper, std::size_t count, const double* strength, double* spent) const;
+    void findSpent(std::size_t lower, std::size_t upper, std::size_t count, const double* strength,
+                   double* spent) const;
     void weakenBesideCracks(std::size_t d, std::size_t lower, std::size_t upper, std::size_t count,
                             double* limit) const;
     void findOverloaded(const ObjectState& state, std::size_t begin, std::size_t end,

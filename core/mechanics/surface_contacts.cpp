@@ -31,6 +31,10 @@ constexpr double steepestShare = 0.05;
 constexpr double rigidShare = 0.05;
 constexpr double rigidStiffening = 10;
 
+// Springs alone (nu <= 1/4, elastic) collapse under half of Young's modulus: no more than about a third of it presses on them, and
+// what presses harder goes in [spacings].
+constexpr double mostOnSprings = 0.015;
+
 // Objects this deep below the skin touch too, with their middles [spacings].
 constexpr double shallowest = 0.3;
 constexpr double deepestLayer = 1.5;
@@ -43,6 +47,9 @@ constexpr double skinDepth = 1 - 1e-6;
 
 // Normals of one side of a surface differ by less [cosine].
 constexpr double sameSide = 0.7;
+
+// What is deeper than this did not get there by touching [spacings].
+constexpr double mostTouching = 0.2;
 
 // What is put into material pushes it out at this share of the speed of sound: a strain of a hundredth.
 constexpr double pushShare = 0.01;
@@ -105,7 +112,7 @@ void SurfaceContacts::addPoints(const ContactBody& body, std::uint32_t index)
                       .area = aggregate.skin[p].area,
                       .isSkin = true,
                       .parameters = {}});
-    const bool hasSkin = count > 0;
+    const bool hasSkin = !m_points.empty() && m_points.back().body == index; // that belongs to its lattice
     for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
         const double depth = aggregate.depth[i];
         const bool touches = hasSkin ? depth > shallowest * a && depth < deepestLayer * a : depth < skinDepth * a;
@@ -162,6 +169,9 @@ void SurfaceContacts::updateParameters(std::span<const ContactBody> bodies, doub
                             .steepest = steepest,
                             .frictionDelay = crossingTime(body, point.body, material),
                             .mass = body.kind == BodyKind::rigid ? 0 : own};
+        const bool springsAlone = !body.connections->hasBulk() && !body.connections->stiffensWhenSquashed();
+        if (body.kind == BodyKind::deformable && springsAlone)
+            point.parameters.largestOverlap = mostOnSprings * a;
         if (point.isLoose) {
             point.parameters.stiffening = std::numeric_limits<double>::infinity();
             point.parameters.largestOverlap = mostLoose * a;
@@ -185,7 +195,7 @@ double SurfaceContacts::energyOf(std::span<const ContactBody> bodies, std::span<
                 continue;
             const Point& point = m_points[near.point];
             const Vec3 place = point.spread.at(bodies[point.body].state->position);
-            const double overlap = point.reach - surface->nearest(place).distance - near.kept;
+            const double overlap = point.reach - nearest(near, *surface, place).distance - near.kept;
             energy += contactSpring(overlap, point.parameters).energy;
         }
     }
@@ -198,6 +208,7 @@ double SurfaceContacts::connectionsBroke(std::span<const ContactBody> bodies, st
     const StructuralConnections& connections = *bodies[body].connections;
     const Aggregate& aggregate = connections.aggregate();
     const std::vector<ConnectionId>& broken = connections.changes().broken;
+    const auto firstLoose = static_cast<std::uint32_t>(aggregate.skin.size() + aggregate.size());
     std::vector<std::vector<ObjectIndex>> apart(aggregate.size()); // from the lower end
     std::vector<ObjectIndex> ends;
     for (std::size_t n = firstBroken; n < broken.size(); ++n) {
@@ -220,7 +231,7 @@ double SurfaceContacts::connectionsBroke(std::span<const ContactBody> bodies, st
         if (point.body != body)
             continue;
         if (point.isLoose)
-            isThere[point.number - aggregate.skin.size()] = 1;
+            isThere[point.number - firstLoose] = 1;
         else if (point.isActive && isTorn(point.spread)) {
             point.isActive = false;
             torn[p] = 1;
@@ -232,7 +243,7 @@ double SurfaceContacts::connectionsBroke(std::span<const ContactBody> bodies, st
     for (const ObjectIndex end : ends)
         if (isThere[end] == 0)
             addPoint({.body = body,
-                      .number = static_cast<std::uint32_t>(aggregate.skin.size() + end),
+                      .number = firstLoose + end,
                       .spread = spreadOf(end),
                       .area = sectionOf(aggregate, end),
                       .reach = looseReach * aggregate.lattice.spacing,
@@ -328,8 +339,12 @@ void SurfaceContacts::keepInside(std::span<const ContactBody> bodies, std::span<
         for (Near& near : m_near[s]) {
             const Point& point = m_points[near.point];
             const Vec3 place = point.spread.at(bodies[point.body].state->position);
-            if (near.friction.isEmpty()) // else it touches already
-                near.kept = std::max(0.0, point.reach - surfaces[s].nearest(place).distance);
+            const double depth = std::max(0.0, point.reach - surfaces[s].nearest(place).distance);
+            // What touches goes on, unless the tool was put further in than contacts ever let it.
+            if (near.friction.isEmpty() || depth - near.kept > mostTouching * bodies[point.body].spacing()) {
+                near.kept = depth;
+                near.friction = {};
+            }
         }
 }
 
@@ -355,7 +370,7 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
     const SurfacePoint nearest = SurfaceContacts::nearest(near, surface, place);
     const double depth = point.reach - nearest.distance;
     if (near.kept > 0 && !step.isTrial)
-        report.placed += letOut(near, point, depth, step);
+        (point.isLoose ? report.loosened : report.placed) += letOut(near, point, depth, step);
     if (!(depth > near.kept)) {
         if (!step.keepsSlip)
             near.grip = 0;
@@ -404,7 +419,8 @@ void SurfaceContacts::computeForces(std::span<const ContactBody> bodies, std::sp
 {
     for (std::size_t s = 0; s < surfaces.size(); ++s)
         for (Near& near : m_near[s])
-            press(bodies[m_points[near.point].body], near, surfaces[s], step, crowd, report.loads[s], report);
+            if (m_points[near.point].isActive)
+                press(bodies[m_points[near.point].body], near, surfaces[s], step, crowd, report.loads[s], report);
 }
 
 void SurfaceContacts::addPressing(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
@@ -432,7 +448,7 @@ double SurfaceContacts::deepest(const ContactBody& body, std::uint32_t index, co
         double& most = deepest[begin / blockSize];
         for (std::size_t p = begin; p < end; ++p) {
             const Point& point = m_points[p];
-            if (point.body != index || !point.isActive)
+            if (point.body != index || !point.isActive || point.isLoose)
                 continue;
             const Vec3 place = point.spread.at(body.state->position);
             if (box.contains(place))

@@ -36,8 +36,8 @@ public:
     std::vector<Touch> memory() const;
     void restore(std::vector<Touch> touches) { m_remembered = std::move(touches); }
 
-    /// Numbers that points of a body may have: those of its skin, then those of its objects.
-    static std::size_t pointCount(const Aggregate& aggregate) { return aggregate.skin.size() + aggregate.size(); }
+    /// Numbers that points of a body may have: those of its skin, those of its objects, those of objects at broken connections.
+    static std::size_t pointCount(const Aggregate& aggregate) { return aggregate.skin.size() + 2 * aggregate.size(); }
 
     /// Takes over changed materials and masses. @param frequency see Contacts::updateParameters()
     void updateParameters(std::span<const ContactBody> bodies, double frequency);

@@ -100,8 +100,11 @@ bool Simulation::State::balance(double duration, TaskControl& control, StaticRep
         report.message = "A body is free to move: hold it, or let time run (dynamic) until it rests on something.";
     if (!found.converged || found.farthest > lostShare * diagonalOf(bodies))
         return false;
-    for (auto& run : runs)
-        energy.plastic += run->connections.acceptFlow();
+    isPlacedInside = false; // all that was put into material has been pushed out
+    for (auto& run : runs) {
+        energy.plastic += run->connections.flowWork();
+        run->connections.acceptFlow();
+    }
 
     // Forces and ways belong together: the work of the forces at the end on the way there.
     timeStep = equilibrium.waySeconds();
@@ -181,7 +184,7 @@ StaticReport Simulation::State::settle(double duration, TaskControl& control)
     StaticReport report;
     try {
         report = findBalance(duration, control);
-    } catch (const Cancelled&) {
+    } catch (...) {
         restore(*before);
         throw;
     }

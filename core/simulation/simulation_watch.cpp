@@ -258,11 +258,13 @@ void Simulation::State::bookToolsInside()
         contacts->keepInside(surfaces());
 }
 
-/// What contacts store with what was put into material was put in by hand: neither won nor lost in the ledger.
+/// What contacts store with what was put into material was put in by hand: neither won nor lost in the ledger. What ends of broken
+/// connections get in their place is given back of what fracture took.
 void Simulation::State::bookPlaced(const Contacts::Report& report)
 {
     startEnergy += report.placed;
     placedEnergy += report.placed;
+    energy.fracture -= report.loosened;
 }
 
 } // namespace knead
