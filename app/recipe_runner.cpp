@@ -288,6 +288,8 @@ RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskC
         recipe.analysis == Analysis::equilibrium ? runner.findBalances(control) : runner.run(control);
     } catch (const Cancelled&) {
         throw;
+    } catch (const UnusableInput&) {
+        throw; // nothing ran that could be reported
     } catch (const std::runtime_error& error) {
         RunReport known = runner.takeReport(error.what());
         writeForces(forcesFile, known);

@@ -51,9 +51,10 @@ std::string inMillimetres(double length)
 /// "about 2 million"
 std::string readableCount(double count)
 {
-    if (count >= 1e9)
+    constexpr double roundedUp = 0.995; // with two digits, what is above this is the next unit
+    if (count >= roundedUp * 1e9)
         return rounded(count / 1e9) + " billion";
-    if (count >= 1e6)
+    if (count >= roundedUp * 1e6)
         return rounded(count / 1e6) + " million";
     const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(count, 1.0))) - 1));
     std::string digits = std::to_string(static_cast<long>(std::round(count / unit) * unit));

@@ -92,7 +92,8 @@ StaticEquilibrium::StaticEquilibrium(std::vector<BodyView> bodies)
     m_residual.resize(m_system.rows());
 }
 
-Contacts::Report StaticEquilibrium::findForces(const Loads& loads, const std::vector<VectorArray>& start)
+Contacts::Report StaticEquilibrium::findForces(const Loads& loads, const std::vector<VectorArray>& start,
+                                               bool isBalance)
 {
     for (std::size_t b = 0; b < m_bodies.size(); ++b) {
         ObjectState& state = *m_bodies[b].state;
@@ -108,7 +109,11 @@ Contacts::Report StaticEquilibrium::findForces(const Loads& loads, const std::ve
         state.damping.setZero(); // nothing moves
     }
     Contacts::Report report = loads.contacts->computeForces(
-        loads.surfaces, {.duration = m_step, .stickSpeed = stickShare * m_spacing / m_step, .isTrial = true});
+        loads.surfaces, {.duration = m_step,
+                         .stickSpeed = stickShare * m_spacing / m_step,
+                         .isTrial = true,
+                         .isStatic = true,
+                         .isBalance = isBalance});
     if (loads.add)
         loads.add();
     return report;
@@ -326,11 +331,13 @@ StaticEquilibrium::Report StaticEquilibrium::solve(const Loads& loads, const std
         for (std::size_t i = 0; i < gone.size(); ++i)
             gone.add(i, done * way.at(i));
     }
-    if (report.converged)
+    if (report.converged) {
+        report.contacts = findForces(loads, start, true);
         for (std::size_t b = 0; b < m_bodies.size(); ++b)
             for (std::size_t i = 0; i < m_bodies[b].state->size(); ++i)
                 report.farthest =
                     std::max(report.farthest, (m_bodies[b].state->position.at(i) - start[b].at(i)).norm());
+    }
     return report;
 }
 

@@ -71,7 +71,8 @@ public:
     double waySeconds() const { return m_step; }
 
 private:
-    Contacts::Report findForces(const Loads& loads, const std::vector<VectorArray>& start);
+    /// @param isBalance friction remembers these
+    Contacts::Report findForces(const Loads& loads, const std::vector<VectorArray>& start, bool isBalance = false);
     void findResidual(const Vec3& gravity, const std::vector<ContactTangent>& tangents);
     void move(const VectorArray& way, double share);
     std::vector<Link> linksOf(const std::vector<ContactTangent>& tangents) const;

@@ -32,9 +32,9 @@ ContactSpring contactSpring(double overlap, const ContactParameters& parameters)
     const double felt = std::min(overlap, parameters.largestOverlap);
     const double d = std::min(felt, parameters.steepest);
     const double squared = d / parameters.stiffening * (d / parameters.stiffening);
-    ContactSpring spring{.force = k * d * (1 + squared),
-                         .slope = k * (1 + 3 * squared),
-                         .energy = 0.5 * k * d * d * (1 + 0.5 * squared)};
+    const double fourth = squared * squared;
+    ContactSpring spring{
+        .force = k * d * (1 + fourth), .slope = k * (1 + 5 * fourth), .energy = 0.5 * k * d * d * (1 + fourth / 3)};
     const double beyond = felt - d;
     spring.energy += beyond * (spring.force + 0.5 * spring.slope * beyond);
     spring.force += spring.slope * beyond;

@@ -7,7 +7,7 @@
 namespace knead {
 
 /// What a contact connection is made of. Its spring stiffens with the overlap d,
-///     f = k d (1 + (d / d0)^2)   up to d = d1, from where on the slope stays,
+///     f = k d (1 + (d / d0)^4)   up to d = d1, from where on the slope stays,
 /// so that a light touch is soft enough for long steps and a heavy one hardly sinks in.
 struct ContactParameters {
     double stiffness = 0;                                        ///< k [N/m]
@@ -60,7 +60,11 @@ struct ContactStep {
     /// Friction goes on as it did in the trial before: in proportion to the slide.
     bool keepsSlip = false;
     bool limitsSlip = false; ///< what is kept is no more than Coulomb's friction
+    /// A trial without time: what was placed inside is pushed out at once.
+    bool isStatic = false;
+    bool isBalance = false; ///< of such a trial: it is the one that friction remembers
 
+    bool remembers() const { return !isTrial || isBalance; }
     bool isImplicit() const { return stickSpeed > 0; }
 };
 

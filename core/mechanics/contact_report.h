@@ -25,7 +25,6 @@ struct ContactReport {
     double plastic = 0;            ///< flowed off in joints [J]
     double fracture = 0;           ///< of joints that ended [J]
     double placed = 0;             ///< came in where tools that were put into material push it out [J]
-    double loosened = 0;           ///< came in where ends of broken connections are pushed out of what they were in [J]
     std::size_t count = 0;         ///< contacts that touch
     double crowding = 0;           ///< largest stiffness of all contacts of an object by what one may have
     double frictionLimit = 0;      ///< sum of u |F_N| of contacts [N]

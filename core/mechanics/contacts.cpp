@@ -14,6 +14,8 @@ constexpr std::uint32_t none = 0xffffffffU;
 
 // Candidates are listed this far ahead, in spacings: more means fewer lists, but longer ones.
 constexpr double marginShare = 0.5;
+// So much further for steps of the implicit scheme.
+constexpr double aheadShare = 1;
 // Radii of objects that meet each other, in spacings.
 constexpr double smallestRadius = 0.5;
 constexpr double largestRadius = 1.5;
@@ -58,12 +60,17 @@ void Contacts::addSkins()
     }
 }
 
-void Contacts::lookAhead(double spacings)
+double Contacts::setScheme(std::span<const RigidSurface> surfaces, bool isImplicit)
 {
     m_ahead = 0;
     for (const BodyView& body : m_bodies)
-        m_ahead = std::max(m_ahead, spacings * body.connections->aggregate().lattice.spacing);
+        if (isImplicit)
+            m_ahead = std::max(m_ahead, aheadShare * body.connections->aggregate().lattice.spacing);
     m_valid = false;
+    const double before = m_surfaceContacts.energy(m_bodies, surfaces);
+    m_isImplicit = isImplicit;
+    m_surfaceContacts.updateParameters(m_bodies, m_frequency, m_isImplicit);
+    return m_surfaceContacts.energy(m_bodies, surfaces) - before;
 }
 
 void Contacts::addObject(const ContactObject& object)
@@ -155,7 +162,7 @@ void Contacts::updateParameters(double frequency)
                              .frictionDelay = m_surfaceContacts.crossingTime(body, object.ref.body, material),
                              .largestOverlap = largestOverlapShare * spacingOf(object.ref)};
     }
-    m_surfaceContacts.updateParameters(m_bodies, m_frequency);
+    m_surfaceContacts.updateParameters(m_bodies, m_frequency, m_isImplicit);
     m_valid = false;
 }
 
@@ -251,7 +258,7 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
     if (squared >= pair.nominalLength * pair.nominalLength || squared == 0) {
         if (!step.isTrial)
             pair.pressed = 0;
-        if (!step.isTrial)
+        if (step.remembers())
             pair.friction = {};
         if (!step.keepsSlip)
             pair.grip = 0;
@@ -264,7 +271,7 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
                              .memory = pair.friction,
                              .grip = pair.grip};
     if (pair.joined) { // its joint pushes; pressed for long enough, it heals
-        if (!step.isTrial)
+        if (step.remembers())
             pair.friction = {};
         if (!step.isTrial && healIfPressed(pair, state, step.duration)) {
             const double stretch = distance - m_joints.find(first.ref, second.ref)->nominalLength;
@@ -275,7 +282,7 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
     }
     const ContactResult result = contactForce(state, pair.parameters, step);
     pair.grip = result.grip;
-    if (!step.isTrial)
+    if (step.remembers())
         pair.friction = result.memory;
     a.force.add(first.ref.object, result.spring);
     a.damping.add(first.ref.object, result.damping);

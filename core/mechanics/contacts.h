@@ -88,9 +88,10 @@ public:
     /// @param surfaceTravel the same for the surfaces [m]
     void updateVicinity(std::span<const RigidSurface> surfaces, double travel, double surfaceTravel);
 
-    /// Lists candidates that are this much further away than needed now, as a step of the implicit scheme may bring them
-    /// together [spacings].
-    void lookAhead(double spacings);
+    /// Steps of the implicit scheme bring together what is further apart, and explicit ones are shorter the stiffer the springs at
+    /// tools and the floor are: these are softer there.
+    /// @return change of the energy that those springs store [J]
+    double setScheme(std::span<const RigidSurface> surfaces, bool isImplicit);
 
     /// Forces a new list at the next updateVicinity(): surfaces were added or removed, or the state was replaced.
     void invalidate() { m_valid = false; }
@@ -198,7 +199,8 @@ private:
     SurfaceContacts m_surfaceContacts;
     std::size_t m_surfaceCount = 0; ///< when those were listed
     ContactCrowd m_crowd;
-    double m_ahead = 0;  ///< see lookAhead() [m]
+    double m_ahead = 0; ///< candidates are listed so much earlier than they can touch [m]
+    bool m_isImplicit = true;
     double m_margin = 0; ///< [m]
     double m_frequency = 0;
     std::vector<Vec3> m_listedAt;  ///< per contact object: its place when pairs were listed [m]

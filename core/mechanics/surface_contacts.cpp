@@ -17,23 +17,22 @@ constexpr std::size_t blockSize = 4096;
 // Stiffness of a point by the shear modulus times its area over the spacing: six times that of a layer of cells, so that what is
 // pressed lightly gives way in its material and hardly at its skin.
 constexpr double stiffnessShare = 16;
-// What the points around an object add up to at most, by the stiffness of a contact (StructuralConnections::contactStiffness()): that of
-// a flat face. Objects at edges and corners have less mass for the area that they carry.
+// What the points around an object add up to at most, by the stiffness of a contact (StructuralConnections::contactStiffness(), 6 mu V
+// / a^2): that of a flat face. Objects at edges and corners have less mass for the area that they carry.
 constexpr double mostAround = stiffnessShare / 3;
+// In explicit schemes also no more than this share of the stiffness of the shortest waves in its material, (11 mu + lambda) V / a^2:
+// steps get shorter by a third.
+constexpr double mostOfWaves = 0.7;
 
-// Overlap at which the spring is twice as stiff, and beyond which it gets no stiffer [spacings]. A tenth of a spacing bears
-// 5 k a = 80 mu. More would take more iterations of the implicit scheme.
-constexpr double stiffeningShare = 0.01;
-constexpr double steepestShare = 0.05;
+// Overlap at which the force is twice that of a linear spring, and beyond which the spring gets no stiffer [spacings]. A tenth of a
+// spacing bears 4 k a = 64 mu. More would take more iterations of the implicit scheme.
+constexpr double stiffeningShare = 0.04;
+constexpr double steepestShare = 0.1;
 
 // All points of a rigid body together are so stiff by what the deformable ones' time step allows its mass, and each of them
 // gets so many times as stiff.
 constexpr double rigidShare = 0.05;
 constexpr double rigidStiffening = 10;
-
-// Springs alone (nu <= 1/4, elastic) collapse under half of Young's modulus: no more than about a third of it presses on them, and
-// what presses harder goes in [spacings].
-constexpr double mostOnSprings = 0.015;
 
 // Objects this deep below the skin touch too, with their middles [spacings].
 constexpr double shallowest = 0.3;
@@ -58,6 +57,13 @@ double sectionOf(const Aggregate& aggregate, ObjectIndex object)
 {
     const double a = aggregate.lattice.spacing;
     return std::min(2 * aggregate.volume[object] / a, a * a);
+}
+
+/// What the points around an object may add up to in explicit schemes, by the stiffness of a contact.
+double mostInSteps(const Material& material)
+{
+    const double nu = material.poissonRatio;
+    return mostOfWaves * (11 + 2 * nu / (1 - 2 * nu)) / 6;
 }
 
 double massOf(const ObjectState& state)
@@ -126,7 +132,7 @@ void SurfaceContacts::addPoints(const ContactBody& body, std::uint32_t index)
     }
 }
 
-void SurfaceContacts::updateParameters(std::span<const ContactBody> bodies, double frequency)
+void SurfaceContacts::updateParameters(std::span<const ContactBody> bodies, double frequency, bool isImplicit)
 {
     std::vector<double> areas(bodies.size(), 0);
     std::vector<double> masses;
@@ -147,20 +153,22 @@ void SurfaceContacts::updateParameters(std::span<const ContactBody> bodies, doub
     for (Point& point : m_points) {
         const ContactBody& body = bodies[point.body];
         const Material& material = body.materialOf(point.spread.main());
+        const bool springsAlone = body.kind == BodyKind::deformable && !body.connections->hasBulk() &&
+                                  !body.connections->stiffensWhenSquashed();
+        const double most = isImplicit && !springsAlone ? mostAround : std::min(mostAround, mostInSteps(material));
         const double a = body.spacing();
         const double own = 0.5 * material.density * point.area * a;
         double share = 1;
         for (std::uint32_t n = 0; point.isSkin && n < point.spread.count; ++n) {
             const ObjectIndex object = point.spread.objects[n];
-            share =
-                std::min(share, mostAround * body.connections->contactStiffness(object) / around[point.body][object]);
+            share = std::min(share, most * body.connections->contactStiffness(object) / around[point.body][object]);
         }
         double stiffness = share * stiffnessOf(point);
         double steepest = steepestShare * a;
         if (body.kind == BodyKind::rigid) {
             stiffness = std::min(stiffness, rigidShare * masses[point.body] * frequency * frequency * point.area /
                                                 areas[point.body]);
-            steepest = std::sqrt((rigidStiffening - 1) / 3) * stiffeningShare * a;
+            steepest = std::pow((rigidStiffening - 1) / 5, 0.25) * stiffeningShare * a;
         }
         point.parameters = {.stiffness = stiffness,
                             .damping = 2 * material.dampingRatio * std::sqrt(stiffness * own),
@@ -169,14 +177,11 @@ void SurfaceContacts::updateParameters(std::span<const ContactBody> bodies, doub
                             .steepest = steepest,
                             .frictionDelay = crossingTime(body, point.body, material),
                             .mass = body.kind == BodyKind::rigid ? 0 : own};
-        const bool springsAlone = !body.connections->hasBulk() && !body.connections->stiffensWhenSquashed();
-        if (body.kind == BodyKind::deformable && springsAlone)
-            point.parameters.largestOverlap = mostOnSprings * a;
-        if (point.isLoose) {
+        if (springsAlone || point.isLoose)
             point.parameters.stiffening = std::numeric_limits<double>::infinity();
+        if (point.isLoose)
             point.parameters.largestOverlap = mostLoose * a;
-        }
-        point.pushSpeed = pushShare * material.soundSpeed();
+        point.pushSpeed = point.isLoose ? 0 : pushShare * material.soundSpeed();
     }
 }
 
@@ -200,6 +205,11 @@ double SurfaceContacts::energyOf(std::span<const ContactBody> bodies, std::span<
         }
     }
     return energy;
+}
+
+double SurfaceContacts::energy(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces) const
+{
+    return energyOf(bodies, surfaces, std::vector<std::uint8_t>(m_points.size(), 1));
 }
 
 double SurfaceContacts::connectionsBroke(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
@@ -370,18 +380,21 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
     const SurfacePoint nearest = SurfaceContacts::nearest(near, surface, place);
     const double depth = point.reach - nearest.distance;
     if (near.kept > 0 && !step.isTrial)
-        (point.isLoose ? report.loosened : report.placed) += letOut(near, point, depth, step);
-    if (!(depth > near.kept)) {
+        report.placed += letOut(near, point, depth, step);
+    if (step.isBalance)
+        near.kept = near.pressed = 0;
+    const double kept = step.isStatic ? 0 : near.kept;
+    if (!(depth > kept)) {
         if (!step.keepsSlip)
             near.grip = 0;
-        if (!step.isTrial)
+        if (step.remembers())
             near.friction = {};
         return;
     }
     const Vec3 surfaceVelocity = surface.velocityAt(place);
     ContactParameters parameters = point.parameters;
     parameters.friction = std::sqrt(parameters.friction * surface.friction);
-    const ContactResult result = contactForce({.overlap = depth - near.kept,
+    const ContactResult result = contactForce({.overlap = depth - kept,
                                                .normal = nearest.normal,
                                                .relativeVelocity = point.spread.at(state.velocity) - surfaceVelocity,
                                                .memory = {toWorld(surface, near.friction.hold), near.friction.pressure},
@@ -390,7 +403,7 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
     point.spread.add(result.spring, state.force);
     point.spread.add(result.damping, state.damping);
     near.grip = result.grip;
-    if (!step.isTrial)
+    if (step.remembers())
         near.friction = {toLocal(surface, result.memory.hold), result.memory.pressure};
     const Vec3 force = result.force();
     load.force -= force;
@@ -426,13 +439,27 @@ void SurfaceContacts::computeForces(std::span<const ContactBody> bodies, std::sp
 void SurfaceContacts::addPressing(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
                                   std::vector<std::vector<Vec3>>& forces) const
 {
+    double largestSpacing = 0;
+    for (const ContactBody& body : bodies)
+        largestSpacing = std::max(largestSpacing, body.spacing());
+    std::vector<double> kept(m_points.size());
     for (const RigidSurface& surface : surfaces) {
-        for (const Point& point : m_points) {
+        const Box box = surface.reach(largestSpacing);
+        std::fill(kept.begin(), kept.end(), 0);
+        const auto listed = std::find(m_listed.begin(), m_listed.end(), surface.id);
+        if (listed != m_listed.end())
+            for (const Near& near : m_near[static_cast<std::size_t>(listed - m_listed.begin())])
+                kept[near.point] = near.kept;
+        for (std::size_t p = 0; p < m_points.size(); ++p) {
+            const Point& point = m_points[p];
             const ContactBody& body = bodies[point.body];
             if (!point.isActive || body.kind == BodyKind::glue)
                 continue;
-            const SurfacePoint nearest = surface.nearest(point.spread.at(body.state->position));
-            const double force = contactSpring(point.reach - nearest.distance, point.parameters).force;
+            const Vec3 place = point.spread.at(body.state->position);
+            if (!box.contains(place))
+                continue;
+            const SurfacePoint nearest = surface.nearest(place);
+            const double force = contactSpring(point.reach - nearest.distance - kept[p], point.parameters).force;
             for (std::uint32_t n = 0; force > 0 && n < point.spread.count; ++n)
                 forces[point.body][point.spread.objects[n]] += point.spread.weights[n] * force * nearest.normal;
         }

@@ -16,7 +16,8 @@ namespace knead {
 /// What touches are points of the skin (Aggregate::skin), each for its share of the area, carried by the objects of its cell. So
 /// contact begins where the skin is, flat faces are flat, and a surface without friction pushes along its normal only. The spring
 /// of a point stiffens (ContactParameters), by as much as keeps it from going in by a tenth of a spacing at pressures
-/// of many times the modulus. Objects below the skin keep sharp tools from slipping in between its points.
+/// of many times the modulus; where springs alone bear a body, which collapse under half of Young's modulus, it does not.
+/// Objects below the skin keep sharp tools from slipping in between its points.
 ///
 /// A tool that is put into material begins without force: each point keeps how deep it is, and that goes back to nothing at a
 /// hundredth of the speed of sound, which pushes the material out without a blow.
@@ -40,7 +41,10 @@ public:
     static std::size_t pointCount(const Aggregate& aggregate) { return aggregate.skin.size() + 2 * aggregate.size(); }
 
     /// Takes over changed materials and masses. @param frequency see Contacts::updateParameters()
-    void updateParameters(std::span<const ContactBody> bodies, double frequency);
+    void updateParameters(std::span<const ContactBody> bodies, double frequency, bool isImplicit);
+
+    /// In the springs of all points that are listed, as they are now [J].
+    double energy(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces) const;
 
     /// In which a shear wave crosses a body, for ContactParameters::frictionDelay: 4 V / A over its speed; 0 where the body keeps
     /// its shape [s].
@@ -66,7 +70,7 @@ public:
     void computeForces(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
                        const ContactStep& step, ContactCrowd& crowd, ContactReport& report);
 
-    /// Springs only, of all points, without what is kept. @param forces per body and object [N]
+    /// Springs only, of all points that reach into a surface, less what they keep. @param forces per body and object [N]
     void addPressing(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
                      std::vector<std::vector<Vec3>>& forces) const;
 

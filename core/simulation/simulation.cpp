@@ -24,7 +24,7 @@ constexpr std::uint64_t breakingInterval = 4;
 constexpr std::uint64_t annealingInterval = 16;
 // Ends of broken connections may touch things from here on [steps].
 constexpr std::uint64_t touchingInterval = 16;
-// Where material yields, no object goes further than this in an explicit step [spacings], unless steps would be shorter than this
+// Where something stiffens, nothing goes further than this in an explicit step [spacings], unless steps would be shorter than this
 // share of the stable one.
 constexpr double farthestInStep = 0.05;
 constexpr double shortestShare = 1.0 / 32;
@@ -229,21 +229,29 @@ double Simulation::State::brakeShape(BodyId body, double duration)
     return rate > 0 && run.deforms() ? dampShape(run.state, rate, duration, piecesOf(body)) : 0;
 }
 
-/// Material that yields or is rubberlike gets stiffer as it is squashed, sooner than the stable step is looked at again: where
-/// objects go far in a step, the next one is shorter.
+/// Material that yields or is rubberlike gets stiffer as it is squashed, and contacts with tools and the floor as they are pressed,
+/// sooner than the stable step is looked at again: where something goes far in a step, the next one is shorter.
 void Simulation::State::limitTravel(double speed)
 {
-    const bool anyStiffens = std::any_of(runs.begin(), runs.end(), [](const auto& run) {
-        return run->deforms() && run->connections.stiffensWhenSquashed();
-    });
-    if (!anyStiffens || wantedTimeStep || !std::isfinite(speed))
+    if (wantedTimeStep || !std::isfinite(speed) || speed <= 0)
         return;
     double spacing = std::numeric_limits<double>::infinity();
     for (const Body& body : bodies)
         spacing = std::min(spacing, body.aggregate->lattice.spacing);
     const double longest = timeStepShare * stableStep;
-    const double wanted = speed > 0 ? farthestInStep * spacing / speed : longest;
-    timeStep = std::clamp(wanted, shortestShare * longest, longest);
+    timeStep = std::min(timeStep, std::max(farthestInStep * spacing / speed, shortestShare * longest));
+}
+
+void Simulation::State::chooseNextStep(double speed)
+{
+    if (!wantedTimeStep)
+        timeStep = timeStepShare * stableStep;
+    const bool touches = floorHeight || contactReport.count > 0;
+    const bool stiffens = std::any_of(runs.begin(), runs.end(), [](const auto& run) {
+        return run->deforms() && run->connections.stiffensWhenSquashed();
+    });
+    if (touches || stiffens)
+        limitTravel(speed);
 }
 
 void Simulation::State::integrate()
@@ -277,7 +285,7 @@ void Simulation::State::integrate()
     largestTravel = largestSpeed * timeStep;
     lastKick = timeStep + change;
     lastStep = timeStep;
-    limitTravel(largestSpeed);
+    chooseNextStep(largestSpeed);
     unknownEnergy = 0;
     time += timeStep;
     ++step;
@@ -306,6 +314,7 @@ void Simulation::step()
         state.stepImplicitly();
         state.clock.end(Stage::connections);
     } else {
+        state.limitTravel(state.fastestSurface());
         state.moveManipulators({});
         state.clock.end(Stage::tools);
         state.updateVicinity();

@@ -23,9 +23,6 @@ constexpr double farthestShare = 1.25;
 // Before a step is made longer again, speeds must be so much below what it allows: the factor of the system would be found anew
 // with every change.
 constexpr double calmShare = 0.7;
-// Candidates for contact are listed this far ahead [spacings].
-constexpr double aheadShare = 1;
-
 // A tool may exceed its force limit by this share in a step. A step that ends above is taken again with less of the tool's way,
 // so many times at most, until it ends below, and not far below where it was stopped.
 constexpr double forceLimitShare = 0.05;
@@ -104,14 +101,10 @@ void Simulation::State::chooseIntegrator()
         unknownEnergy = 0;
     }
     integrator = chosen;
-    lookAhead();
+    const double stored = contacts->setScheme(surfaces(), isImplicit());
+    contactReport.energy += stored;
+    energy.numerical -= stored;
     timeStep = isImplicit() ? std::min(longestStep, wantedTimeStep.value_or(longestStep)) : explicitStep;
-}
-
-/// Steps of the implicit scheme bring together what is further apart.
-void Simulation::State::lookAhead()
-{
-    contacts->lookAhead(isImplicit() ? aheadShare : 0);
 }
 
 void Simulation::State::setIntegrator(Integrator chosen)

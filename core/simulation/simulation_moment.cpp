@@ -158,7 +158,7 @@ void Simulation::State::restoreBodies(const Moment& moment)
 void Simulation::State::restoreContacts(const Moment& moment)
 {
     contacts = std::make_unique<Contacts>(contactBodies(), vicinity, moment.contacts);
-    lookAhead();
+    contacts->setScheme({}, isImplicit());
     contactReport = {.energy = moment.contactEnergy, .count = moment.contactCount};
 }
 

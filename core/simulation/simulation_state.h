@@ -52,6 +52,7 @@ struct Simulation::State {
     void computeForces();
     void integrate();
     void limitTravel(double speed);
+    void chooseNextStep(double speed);
     void stepImplicitly();
     StaticReport findBalance(double duration, TaskControl& control);
     bool balance(double duration, TaskControl& control, StaticReport& report);
@@ -96,7 +97,6 @@ struct Simulation::State {
     EnergyLedger storedEnergy();
     std::vector<Contacts::BodyView> contactBodies();
     void addPressing(Snapshot& shot) const;
-    void lookAhead();
     Moment moment() const;
     bool isOfThisScene(const Moment& moment) const;
     void restore(const Moment& moment);

@@ -258,13 +258,11 @@ void Simulation::State::bookToolsInside()
         contacts->keepInside(surfaces());
 }
 
-/// What contacts store with what was put into material was put in by hand: neither won nor lost in the ledger. What ends of broken
-/// connections get in their place is given back of what fracture took.
+/// What contacts store with what was put into material was put in by hand: neither won nor lost in the ledger.
 void Simulation::State::bookPlaced(const Contacts::Report& report)
 {
     startEnergy += report.placed;
     placedEnergy += report.placed;
-    energy.fracture -= report.loosened;
 }
 
 } // namespace knead

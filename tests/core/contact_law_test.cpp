@@ -123,7 +123,7 @@ private slots:
         parameters.steepest = 1e-4;
         QVERIFY(std::abs(contactSpring(1e-5, parameters).force / (2 * 1e4 * 1e-5) - 1) < 1e-12);
         for (const double overlap : {3e-6, 5e-5, 0.99e-4, 2e-4}) {
-            const double step = 1e-3 * overlap;
+            const double step = 1e-4 * overlap;
             const ContactSpring low = contactSpring(overlap - step, parameters);
             const ContactSpring spring = contactSpring(overlap, parameters);
             const ContactSpring high = contactSpring(overlap + step, parameters);
