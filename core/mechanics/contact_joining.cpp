@@ -13,6 +13,9 @@ namespace {
 constexpr double healingReach = 1.6;
 // A healed object has about twice the connections across the seam that a lattice has.
 constexpr double healedWeight = 0.5;
+// Of material that has no elongation a joint ends, when it is stretched, once it has flowed by this [log strain]: it would flow
+// without end, and threads of them hold together what is far apart.
+constexpr double mostFlow = 1;
 
 } // namespace
 
@@ -64,7 +67,7 @@ Joint Contacts::healed(const ObjectRef& a, const ObjectRef& b) const
             .tolerance = stiffness * length * law.breakingStrain,
             .yieldStrain = law.yieldStrain,
             .flowTime = law.flowTime,
-            .ductility = law.ductility,
+            .ductility = std::min(law.ductility, mostFlow),
             .healed = true};
 }
 

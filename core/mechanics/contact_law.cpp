@@ -12,7 +12,8 @@ double harmonicMean(double a, double b)
     return a + b > 0 ? 2 * a * b / (a + b) : 0;
 }
 
-// Speed that a contact may give in an explicit step, by what takes its end out of the overlap in one: a sound step stays below.
+// Speed that a contact may give in an explicit step, by what takes its end out of the overlap in one, but no more of that than bears
+// the largest pressures: a sound step stays below.
 constexpr double mostTurned = 1.5;
 
 double frictionPressure(double before, double normalForce, const ContactParameters& parameters, const ContactStep& step)
@@ -54,7 +55,8 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
     const double normalSpeed = state.relativeVelocity.dot(state.normal);
     double normalForce = std::max(0.0, spring.force - parameters.damping * normalSpeed);
     if (!step.isImplicit() && parameters.mass > 0) {
-        const double turned = state.overlap / step.duration + std::max(0.0, -normalSpeed);
+        const double turned =
+            std::min(state.overlap, parameters.steepest) / step.duration + std::max(0.0, -normalSpeed);
         normalForce = std::min(normalForce, mostTurned * parameters.mass * turned / step.duration);
     }
     result.spring = spring.force * state.normal;

@@ -217,7 +217,10 @@ void Contacts::keepDistances()
         const bool touched = known != m_pairs.end() && distance < known->nominalLength;
         pair.nominalLength = touched ? known->nominalLength : distance;
     }
-    // Those that do not overlap now may have kept a distance before.
+    // What was kept is forgotten once two are as far apart as contacts are.
+    std::erase_if(m_keptDistances, [&](const ContactPair& pair) {
+        return lengthOf(pair) >= m_objects[pair.objects.first].radius + m_objects[pair.objects.second].radius;
+    });
     std::vector<ContactPair> all;
     std::set_union(overlapping.begin(), overlapping.end(), m_keptDistances.begin(), m_keptDistances.end(),
                    std::back_inserter(all),

@@ -66,6 +66,12 @@ double mostInSteps(const Material& material)
     return mostOfWaves * (11 + 2 * nu / (1 - 2 * nu)) / 6;
 }
 
+/// With what mass scaling adds [kg/m^3].
+double densityOf(const ContactBody& body, ObjectIndex object)
+{
+    return body.state->mass[object] / body.connections->aggregate().volume[object];
+}
+
 double massOf(const ObjectState& state)
 {
     double mass = 0;
@@ -157,7 +163,7 @@ void SurfaceContacts::updateParameters(std::span<const ContactBody> bodies, doub
                                   !body.connections->stiffensWhenSquashed();
         const double most = isImplicit && !springsAlone ? mostAround : std::min(mostAround, mostInSteps(material));
         const double a = body.spacing();
-        const double own = 0.5 * material.density * point.area * a;
+        const double own = 0.5 * densityOf(body, point.spread.main()) * point.area * a;
         double share = 1;
         for (std::uint32_t n = 0; point.isSkin && n < point.spread.count; ++n) {
             const ObjectIndex object = point.spread.objects[n];

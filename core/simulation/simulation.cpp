@@ -5,6 +5,7 @@
 #include "core/integration/shape_damping.h"
 #include "core/integration/time_step.h"
 #include "core/simulation/simulation_state.h"
+#include "core/simulation/smallest_spacing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,8 @@ constexpr std::uint64_t touchingInterval = 16;
 // share of the stable one.
 constexpr double farthestInStep = 0.05;
 constexpr double shortestShare = 1.0 / 32;
+// A tool that goes further than this in an explicit step, short as it is, has jumped, as key frames may have it [spacings].
+constexpr double jump = 0.5;
 
 } // namespace
 
@@ -54,6 +57,7 @@ std::vector<RigidSurface> Simulation::State::surfaces() const
 void Simulation::State::moveManipulators(const std::vector<double>& progress)
 {
     surfaceTravel = 0;
+    const double spacing = smallestSpacing(bodies);
     for (std::size_t t = 0; t < tools.size(); ++t) {
         auto& tool = tools[t];
         if (!tool)
@@ -69,6 +73,10 @@ void Simulation::State::moveManipulators(const std::vector<double>& progress)
         manipulator.pose = next;
         const double speed = tool->velocity.norm() + tool->angularVelocity.norm() * 0.5 * manipulator.size.norm();
         surfaceTravel = std::max(surfaceTravel, speed * timeStep);
+        if (!isImplicit() && speed * timeStep > jump * spacing) { // it was put there, and hits nothing
+            tool->velocity = tool->angularVelocity = Vec3::Zero();
+            isPlacedInside = true;
+        }
     }
     turnGrips();
 }
@@ -231,15 +239,22 @@ double Simulation::State::brakeShape(BodyId body, double duration)
 
 /// Material that yields or is rubberlike gets stiffer as it is squashed, and contacts with tools and the floor as they are pressed,
 /// sooner than the stable step is looked at again: where something goes far in a step, the next one is shorter.
+/// @param speed of objects [m/s]; tools are looked at here
 void Simulation::State::limitTravel(double speed)
 {
+    for (const auto& tool : tools) {
+        if (!tool)
+            continue;
+        const Manipulator& manipulator = tool->manipulator;
+        const Pose next = advance(manipulator, time, timeStep);
+        const double turn = next.rotation.angularDistance(manipulator.pose.rotation);
+        const double way = (next.position - manipulator.pose.position).norm() + turn * 0.5 * manipulator.size.norm();
+        speed = std::max(speed, way / timeStep);
+    }
     if (wantedTimeStep || !std::isfinite(speed) || speed <= 0)
         return;
-    double spacing = std::numeric_limits<double>::infinity();
-    for (const Body& body : bodies)
-        spacing = std::min(spacing, body.aggregate->lattice.spacing);
     const double longest = timeStepShare * stableStep;
-    timeStep = std::min(timeStep, std::max(farthestInStep * spacing / speed, shortestShare * longest));
+    timeStep = std::min(timeStep, std::max(farthestInStep * smallestSpacing(bodies) / speed, shortestShare * longest));
 }
 
 void Simulation::State::chooseNextStep(double speed)
@@ -314,10 +329,11 @@ void Simulation::step()
         state.stepImplicitly();
         state.clock.end(Stage::connections);
     } else {
-        state.limitTravel(state.fastestSurface());
+        state.limitTravel(0);
         state.moveManipulators({});
         state.clock.end(Stage::tools);
         state.updateVicinity();
+        state.bookToolsInside(); // those that jumped
         state.clock.end(Stage::vicinity);
         state.changeConnections();
         state.clock.end(Stage::material);

@@ -1,6 +1,7 @@
 // Steps of the implicit scheme, how long they are, and when they are taken.
 #include "core/integration/time_step.h"
 #include "core/simulation/simulation_state.h"
+#include "core/simulation/smallest_spacing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -273,9 +274,7 @@ void Simulation::State::stepImplicitly()
     std::vector<Pose> before;
     for (const auto& tool : tools)
         before.push_back(tool ? tool->manipulator.pose : Pose{});
-    double spacing = std::numeric_limits<double>::infinity();
-    for (const Body& body : bodies)
-        spacing = std::min(spacing, body.aggregate->lattice.spacing);
+    const double spacing = smallestSpacing(bodies);
     timeStep = longestImplicitStep();
     ImplicitEuler::Report report;
     std::vector<WaySearch> ways = beginWays();

@@ -1,6 +1,7 @@
 // Load steps without inertia.
 #include "core/integration/static_equilibrium.h"
 #include "core/simulation/simulation_state.h"
+#include "core/simulation/smallest_spacing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,14 +32,6 @@ std::string inScientific(double number)
     char text[32];
     std::snprintf(text, sizeof text, "%.1e", number);
     return text;
-}
-
-double smallestSpacing(const std::vector<Body>& bodies)
-{
-    double spacing = std::numeric_limits<double>::infinity();
-    for (const Body& body : bodies)
-        spacing = std::min(spacing, body.aggregate->lattice.spacing);
-    return spacing;
 }
 
 double diagonalOf(const std::vector<Body>& bodies)

@@ -178,6 +178,7 @@ private slots:
     void sectionAndColorsAreInAllViews()
     {
         openExample("bracket.step");
+        m_window->banner().hide(); // that the filling is coarse takes room
         action("grid")->trigger();
         press(Qt::Key_F2, Qt::ShiftModifier);
         QTest::qWait(200);
