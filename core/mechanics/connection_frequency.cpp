@@ -55,11 +55,11 @@ std::vector<double> StructuralConnections::bondBounds(const ObjectState& state, 
     return bounds;
 }
 
-/// The volumetric term stiffens the fastest waves from 3 mu to lambda + 2 mu.
+/// The volumetric term stiffens the fastest waves from 3 mu to lambda + 2 mu, but not what is added.
 std::vector<double> StructuralConnections::stiffnessBounds(const ObjectState& state,
                                                            const std::vector<double>& added) const
 {
-    std::vector<double> bounds = bondBounds(state, added);
+    std::vector<double> bounds = bondBounds(state, std::vector<double>(added.size(), 0));
     for (ObjectIndex i = 0; i < bounds.size(); ++i) {
         const Material& material = m_materials->of(i);
         const double waves = (material.lameLambda() + 2 * material.shearModulus()) / (3 * material.shearModulus());
@@ -67,6 +67,8 @@ std::vector<double> StructuralConnections::stiffnessBounds(const ObjectState& st
     }
     if (rubber() != nullptr)
         stiffenByStretch(state, bounds);
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+        bounds[i] += added[i];
     return bounds;
 }
 
