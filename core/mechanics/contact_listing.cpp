@@ -103,6 +103,7 @@ void Contacts::listPairs(std::span<const RigidSurface> surfaces)
     std::vector<ContactPair> before = std::move(m_pairs);
     m_pairs = findPairs(*m_vicinity, m_margin + m_ahead);
     m_statistics = m_vicinity->statistics();
+    forgetThoseApart();
     takeOverLengths(m_pairs);
     auto old = before.begin();
     for (ContactPair& pair : m_pairs) { // all lists are sorted
@@ -159,8 +160,10 @@ void Contacts::updateVicinity(std::span<const RigidSurface> surfaces, double tra
     m_travelToSurfaces += travel + surfaceTravel;
     bool tooFar = 2 * m_travel > m_margin;
     if (m_valid && tooFar) {
+        // A body that has flown off and back within one listing meets the others anew.
+        const bool forgot = forgetThoseApart();
         m_travel = std::min(m_travel, travelTowardsOthers());
-        tooFar = 2 * m_travel > usedShare * m_margin;
+        tooFar = forgot || 2 * m_travel > usedShare * m_margin;
     }
     if (!m_valid || tooFar)
         listPairs(surfaces);

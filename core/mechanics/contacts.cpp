@@ -205,6 +205,14 @@ double Contacts::lengthOf(const ContactPair& pair) const
     return (placeOf(m_objects[pair.objects.first]) - placeOf(m_objects[pair.objects.second])).norm();
 }
 
+/// What was kept is forgotten once two are as far apart as contacts are. @return whether there was any
+bool Contacts::forgetThoseApart()
+{
+    return std::erase_if(m_keptDistances, [&](const ContactPair& pair) {
+               return lengthOf(pair) >= m_objects[pair.objects.first].radius + m_objects[pair.objects.second].radius;
+           }) > 0;
+}
+
 /// Pairs that overlap now get a nominal length that leaves their force as it is: that of the contact they had, else their
 /// distance.
 void Contacts::keepDistances()
@@ -217,10 +225,7 @@ void Contacts::keepDistances()
         const bool touched = known != m_pairs.end() && distance < known->nominalLength;
         pair.nominalLength = touched ? known->nominalLength : distance;
     }
-    // What was kept is forgotten once two are as far apart as contacts are.
-    std::erase_if(m_keptDistances, [&](const ContactPair& pair) {
-        return lengthOf(pair) >= m_objects[pair.objects.first].radius + m_objects[pair.objects.second].radius;
-    });
+    forgetThoseApart();
     std::vector<ContactPair> all;
     std::set_union(overlapping.begin(), overlapping.end(), m_keptDistances.begin(), m_keptDistances.end(),
                    std::back_inserter(all),

@@ -160,6 +160,7 @@ private:
     bool faceEachOther(const ContactObject& a, const ContactObject& b) const;
     bool mayBeInContact(const ContactObject& a,
                         const ContactObject& b) const; ///< glue with glue and neighbors never are
+    bool forgetThoseApart();
     void keepDistances();
     double lengthOf(const ContactPair& pair) const;
     void addHolds(const std::vector<Memory::Held>& holds);

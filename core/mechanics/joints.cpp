@@ -28,7 +28,7 @@ double flow(Joint& joint, double length, double dt)
         return 0;
     const double amount = beyond * (joint.flowTime > 0 ? -std::expm1(-dt / joint.flowTime) : 1);
     const double before = length - joint.nominalLength;
-    joint.nominalLength *= strain > 0 ? 1 + amount : 1 / (1 + amount);
+    joint.nominalLength *= std::exp(strain > 0 ? amount : -amount);
     joint.plasticStrain += amount;
     const double after = length - joint.nominalLength;
     return 0.5 * joint.stiffness * (before * before - after * after);

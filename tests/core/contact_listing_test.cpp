@@ -1,5 +1,5 @@
-#include "core/mechanics/contacts.h"
 #include "core/geometry/rigid_fit.h"
+#include "core/mechanics/contacts.h"
 #include "support/scenes.h"
 
 #include <QtTest>
@@ -134,6 +134,30 @@ private slots:
                 QCOMPARE(boxes.contacts->listings(), std::size_t{1}); // nothing was near
         }
         QVERIFY(touching() >= 25);
+    }
+
+    /// Bodies that begin in each other feel nothing; once apart they meet where their skins do.
+    void whatBeganInsideIsForgottenOnceApart()
+    {
+        Boxes boxes(2, -0.3e-3);
+        const auto energy = [&] { return boxes.contacts->computeForces({}, {.duration = 1e-6}).energy; };
+        const auto moveTo = [&](double x) {
+            boxes.move(1, [&](const Vec3& place) { return Vec3(place + Vec3(x, 0, 0)); });
+            boxes.update();
+        };
+        QCOMPARE(energy(), 0.0);
+        moveTo(0.1e-3); // still in each other: what they keep stays
+        moveTo(0);
+        QCOMPARE(energy(), 0.0);
+        moveTo(-0.1e-3);
+        const double deeper = energy();
+        QVERIFY(deeper > 0);
+        moveTo(5e-3);
+        QCOMPARE(energy(), 0.0);
+        moveTo(-0.1e-3);
+        // Opposite ones 0.4 instead of 0.1 mm deep, those across sqrt(2^2) - sqrt(1.6^2 + 1) = 0.113 mm instead of 0.085 mm:
+        // (0.4^2 + 4 * 0.113^2) / (0.1^2 + 4 * 0.085^2) = 5.4 inside, more at the rim, which has fewer across.
+        QVERIFY2(energy() > 5.4 * deeper && energy() < 8 * deeper, qPrintable(QString::number(energy() / deeper)));
     }
 };
 

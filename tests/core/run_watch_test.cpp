@@ -315,6 +315,52 @@ private slots:
         QCOMPARE(other.snapshot()->energy.imbalance, shot->energy.imbalance);
     }
 
+    /// It hits nothing on its way, and comes to stand in the material as one that was put there.
+    void aToolThatJumpsInAStepHitsNothing()
+    {
+        Scene scene = plateAt(-1);
+        const Pose above = scene.manipulators[0].pose;
+        Pose inside = above;
+        inside.position.z() -= 2 * spacing;
+        constexpr double start = 5e-3;
+        scene.manipulators[0].motion =
+            FollowKeyFrames{{{0, above}, {start, above}, {start + 1e-9, inside}, {1, inside}}};
+        Simulation simulation(scene);
+        double most = 0;
+        while (simulation.time() < 4 * start) {
+            simulation.step();
+            most = std::max(most, simulation.snapshot()->energy.kinetic);
+        }
+        const auto shot = simulation.snapshot();
+        QVERIFY2(shot->health.ok, shot->health.message.c_str());
+        // 4 mm in 1 ns would be 4000 km/s; it is pushed out at a hundredth of the speed of sound.
+        const double speed = std::sqrt(2 * most / massOf(scene));
+        const double soundSpeed = std::sqrt(1e6 / rubber().density);
+        QVERIFY2(speed > 0 && speed < 0.1 * soundSpeed, qPrintable(QString::number(speed / soundSpeed)));
+        QVERIFY2(shot->energy.imbalanceShare() < 0.05, qPrintable(QString::number(shot->energy.imbalanceShare())));
+    }
+
+    /// What is pressed flat against a plate and torn apart is still kept out of it, as its ends are.
+    void whatBreaksIsKeptOutOfTheFloorAsBefore()
+    {
+        Material brittle = rubber();
+        brittle.tensileStrength = 2e4;
+        Scene scene;
+        scene.bodies.push_back(scenes::box({8, 4, 4}, spacing, brittle));
+        scene.gravity = earth;
+        scene.floorHeight = -2 * spacing;
+        Simulation simulation(scene);
+        scenes::cut(simulation, 0, 0, 1e-4);
+        QVERIFY(simulation.components() > 1);
+        while (simulation.time() < 0.2)
+            simulation.step();
+        const auto shot = simulation.snapshot();
+        QVERIFY2(shot->health.ok, shot->health.message.c_str());
+        QVERIFY2(shot->penetration < 0.1, qPrintable(QString::number(shot->penetration)));
+        for (const Vec3& place : shot->bodies[0].positions)
+            QVERIFY(place.z() > *scene.floorHeight - 0.1 * spacing);
+    }
+
     void penetrationIsThatOfTheDeepestSurface()
     {
         QCOMPARE(Simulation(plateAt(-1)).snapshot()->penetration, 0.0);
