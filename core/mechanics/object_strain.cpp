@@ -134,6 +134,12 @@ ObjectStrain ObjectStrains::of(ObjectIndex object) const
     return result;
 }
 
+ObjectStrains::Elastic ObjectStrains::elastic(ObjectIndex object) const
+{
+    const Mat3 gradient = deformationGradient(*m_surroundings, m_displacements, object);
+    return {gradient, halfLogarithm(gradient * relaxedMetric(object).inverse() * gradient.transpose())};
+}
+
 Mat3 ObjectStrains::relaxedMetric(ObjectIndex object) const
 {
     if (!m_relaxed.hasFlowed())

@@ -57,6 +57,13 @@ public:
 
     ObjectStrain of(ObjectIndex object) const;
 
+    /// F, and Hencky strain ln sqrt(F C^-1 F^T) of what is elastic in it, both in world axes.
+    struct Elastic {
+        Mat3 gradient = Mat3::Identity();
+        Mat3 strain = Mat3::Zero();
+    };
+    Elastic elastic(ObjectIndex object) const;
+
     /// C, symmetric and positive. All who want to know how the material has flowed ask here or flow().
     Mat3 relaxedMetric(ObjectIndex object) const;
 

@@ -18,21 +18,21 @@ constexpr double heldShare = 0.5; // of a point's objects that are loaded: from 
 constexpr double hot = 0.8;       // of the largest stress: points that count for the error where stress is largest
 
 /// exp(2 H) of a symmetric H.
-Mat3 metricOf(const Mat3& flow)
+Mat3 squaredStretch(const Mat3& strain)
 {
-    const Eigen::SelfAdjointEigenSolver<Mat3> solver(flow);
-    const Vec3 metric = (2 * solver.eigenvalues()).array().exp();
-    return solver.eigenvectors() * metric.asDiagonal() * solver.eigenvectors().transpose();
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(strain);
+    const Vec3 squares = (2 * solver.eigenvalues()).array().exp();
+    return solver.eigenvectors() * squares.asDiagonal() * solver.eigenvectors().transpose();
 }
 
 /// What is known at the objects that carry points, at one moment.
 struct Carriers {
     std::vector<Vec3> displacement;
-    std::vector<std::uint8_t> hasBroken; ///< empty: none
-    std::vector<std::uint8_t> isLoaded;  ///< empty: none
-    std::vector<Mat3> flow;              ///< ln sqrt(C); empty: none
-    std::vector<double> plasticStrain;   ///< with flow
-    std::vector<ObjectStrain> strains;   ///< only where they are needed
+    std::vector<std::uint8_t> hasBroken;         ///< empty: none
+    std::vector<std::uint8_t> isLoaded;          ///< empty: none
+    std::vector<ObjectStrains::Elastic> elastic; ///< empty: nothing has flowed
+    std::vector<double> plasticStrain;           ///< with elastic
+    std::vector<ObjectStrain> strains;           ///< only where they are needed
 };
 
 /// What one point needs of them.
@@ -41,7 +41,7 @@ struct Place {
     double free = 1;  ///< how far nothing presses
     ObjectIndex nearest = 0;
     Mat3 gradient = Mat3::Identity();
-    Mat3 flow = Mat3::Zero();
+    ObjectStrains::Elastic elastic{Mat3::Zero(), Mat3::Zero()}; ///< of the objects, each with its share
     double plasticStrain = 0;
 };
 
@@ -68,7 +68,7 @@ public:
         if (!isWanted.empty())
             m_carriers.strains.resize(objects.size());
         if (body.hasFlowed()) {
-            m_carriers.flow.resize(objects.size());
+            m_carriers.elastic.resize(objects.size());
             m_carriers.plasticStrain.resize(objects.size());
         }
         m_carriers.displacement.resize(objects.size());
@@ -77,8 +77,8 @@ public:
                 m_carriers.displacement[i] = body.displacements()[objects[i]];
                 if (!isWanted.empty() && isWanted[i] != 0)
                     m_carriers.strains[i] = body.of(objects[i]);
-                if (!m_carriers.flow.empty()) {
-                    m_carriers.flow[i] = body.flow(objects[i]);
+                if (!m_carriers.elastic.empty()) {
+                    m_carriers.elastic[i] = body.elastic(objects[i]);
                     m_carriers.plasticStrain[i] = body.plasticStrain(objects[i]);
                 }
             }
@@ -89,8 +89,8 @@ public:
     {
         Place place{.trust = isBeside(point) ? 0 : m_gradients.trust(point), .nearest = nearestTo(point)};
         place.gradient += m_gradients.sumOfProducts(point, m_carriers.displacement);
-        if (!m_carriers.flow.empty())
-            addFlow(point, place);
+        if (!m_carriers.elastic.empty())
+            addElastic(point, place);
         if (!m_carriers.isLoaded.empty())
             place.free = freeShare(point);
         return place;
@@ -145,10 +145,11 @@ private:
         return m_gradients.carriers()[nearest->carrier];
     }
 
-    void addFlow(std::size_t point, Place& place) const
+    void addElastic(std::size_t point, Place& place) const
     {
         for (const auto& [carrier, value, slope] : m_gradients.influences(point)) {
-            place.flow += static_cast<double>(value) * m_carriers.flow[carrier];
+            place.elastic.gradient += static_cast<double>(value) * m_carriers.elastic[carrier].gradient;
+            place.elastic.strain += static_cast<double>(value) * m_carriers.elastic[carrier].strain;
             place.plasticStrain += static_cast<double>(value) * m_carriers.plasticStrain[carrier];
         }
         place.plasticStrain = std::max(0.0, place.plasticStrain);
@@ -207,6 +208,18 @@ private:
     Carriers m_carriers;
 };
 
+/// C at a place: of the elastic strain of its objects, changed by how much farther F is there than theirs, in so far as that is
+/// elastic. Where much has flowed nearly all of it is flow, of which the objects know no more than their own.
+Mat3 relaxedMetric(const Place& place, const Material& material)
+{
+    const double yieldStrain = flowStress(material, place.plasticStrain) / material.youngsModulus;
+    const double share = place.plasticStrain > 0 ? 1 / (1 + place.plasticStrain / yieldStrain) : 1;
+    const Mat3 farther = place.gradient * place.elastic.gradient.inverse() - Mat3::Identity();
+    const Mat3 step = Mat3::Identity() + share * farther;
+    const Mat3 elastic = step * squaredStretch(place.elastic.strain) * step.transpose();
+    return place.gradient.transpose() * elastic.inverse() * place.gradient;
+}
+
 /// What stays of a stress at a place when what is not real is taken off.
 Mat3 cleared(const Mat3& stress, const Place& place, const FreeSurface& surface, const Material& material)
 {
@@ -260,9 +273,10 @@ SkinStresses SkinStress::stresses(const ObjectStrains& body, std::span<const Obj
             const double most = flowStress(material, place.plasticStrain);
             Mat3 stress = Mat3::Zero();
             if (place.trust > 0)
-                stress += place.trust * cauchyStress(place.gradient,
-                                                     body.hasFlowed() ? metricOf(place.flow) : Mat3::Identity(),
-                                                     material, most);
+                stress +=
+                    place.trust * cauchyStress(place.gradient,
+                                               body.hasFlowed() ? relaxedMetric(place, material) : Mat3::Identity(),
+                                               material, most);
             if (place.trust < 1)
                 stress += (1 - place.trust) * moment.carried(point, &ObjectStrain::stress);
             stress = cleared(stress, place, m_surfaces[point], material);

@@ -117,7 +117,7 @@ void addTurnedBars(std::vector<Case>& cases)
         return {.block = bar({length, h, h}, 3),
                 .material = plastic(modulus, 0.3, yield, 0),
                 .grips = arcEnds(length, curvature * length),
-                .stages = {{1}, {1, {1}}},
+                .stages = {{1}, {0.66, {1}}}, // nearly all the way back before: what is let go at once whips and yields again
                 .slowest = bendingFrequency(length, h, 10),
                 .loadPeriods = 5,
                 .restPeriods = 5};
@@ -126,7 +126,7 @@ void addTurnedBars(std::vector<Case>& cases)
         return {.block = roundBar(r, twistLength, 4),
                 .material = plastic(modulus, 0.3, yield, 0),
                 .grips = twoEnds(Vec3::UnitX(), twistLength, shear * twistLength / r),
-                .stages = {{1}, {1, {1}}},
+                .stages = {{1}, {0.82, {1}}},
                 .slowest = twistingFrequency(twistLength, 0.3) / 2,
                 .loadPeriods = 5,
                 .restPeriods = 5};
@@ -189,7 +189,7 @@ void addSteelStrip(std::vector<Case>& cases)
         Part strip{.block = block,
                    .material = plastic(210e9, 0.3, 250e6, 700e6),
                    .grips = {held([](const Vec3& p) { return p.x(); })},
-                   .stages = {{0.5}, {1}, {1, {1}, true}},
+                   .stages = {{0.5}, {1}, {0.75, {1}, true}},
                    .slowest = bendingFrequency(0.12, 0.006, 3.516),
                    .loadPeriods = 2,
                    .restPeriods = 3,
