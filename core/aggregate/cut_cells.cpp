@@ -13,7 +13,8 @@ namespace knead {
 
 namespace {
 
-constexpr double sliver = 1e-9; // of a cell: what rounding may add or take
+constexpr double sliver = 1e-9;   // of a cell: what rounding may add or take
+constexpr double fullCell = 0.95; // thinner than so much of a cell, half of it might hold too little to be kept
 
 // Of the least fraction, where no full cell is near. A tilted wall of one cell has many cells with little in them; without
 // them it has holes, and at some tilts falls into rows that only hang together at their corners.
@@ -327,8 +328,10 @@ CellGrid gridAround(const Box& box, double spacing)
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const Eigen::Index world = (longest + 1 + axis) % 3;
         grid.frame.axes(world, axis) = 1;
-        grid.count[static_cast<std::size_t>(axis)] =
-            std::max(1, static_cast<std::int32_t>(std::ceil(sides[world] / spacing - sliver)));
+        auto& count = grid.count[static_cast<std::size_t>(axis)];
+        count = std::max(1, static_cast<std::int32_t>(std::ceil(sides[world] / spacing - sliver)));
+        if (count == 1 && sides[world] > fullCell * spacing)
+            count = 2;
     }
     const Vec3 cells(grid.count[0], grid.count[1], grid.count[2]);
     grid.frame.origin = box.center() - 0.5 * spacing * (grid.frame.axes * cells);

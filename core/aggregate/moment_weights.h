@@ -22,11 +22,11 @@ namespace knead {
 /// The volume of an object is an eighteenth of the weights of its connections, as before, so that no object is light against
 /// its springs; they sum to the volume of all cells, the weights of each family to it over a^3.
 ///
-/// Measured on square bars of material that does not yield (nu = 1/4), stiffness by beam theory's, along the lattice, at 29
-/// degrees across it, and tilted in three axes: bending .91 to 1.07 from 1.75 cells on, up to 1.27 from 1.3, and up to 1.6 at one
-/// cell, 1.8 where that has its skin on nodes: two layers. Torsion up to 1.21 at two cells, .97 to 1.10 from three on.
-/// Material that yields has another law for its objects: bending .91 to 1.10 from 1.75 cells on, torsion up to 1.34 at two cells
-/// and 1.17 from three on.
+/// Measured on square bars of material that does not yield (nu = 1/4) in steps of a twentieth of a cell, stiffness by beam theory's,
+/// along the lattice, at 29 degrees across it, and tilted in three axes: bending .90 to 1.10 from 1.75 cells on, up to 1.20 from 1.3,
+/// and from one cell on up to 1.24, tilted in three axes 1.49. Torsion from two cells on up to 1.15 along the lattice, 1.19 at 29
+/// degrees, 1.13 tilted; from three on up to 1.11, but for bars of three and four whole cells along the lattice (1.38, 1.22; see
+/// findThinCells()). Material that yields has another law for its objects: with a former fit it bent by .91 to 1.10 from 1.75 cells on.
 /// Uniform strain, exact before along the lattice, is up to 2 % too soft in walls of two cells there, .3 % in those of four:
 /// families are fitted one by one, which leaves small forces at the skin.
 /// The result does not depend on the number of threads.

@@ -1,9 +1,12 @@
 #include "core/skin/free_surface.h"
 
+#include "core/geometry/half_edges.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace knead {
 
@@ -12,6 +15,7 @@ namespace {
 constexpr double flatSpread = 0.22;   // second eigenvalue of the normals by the first: tan^2 of 25 degrees
 constexpr double flatMean = 0.7;      // length of their mean: those of a knife's edge point away from each other
 constexpr double cornerSpread = 0.08; // third by the first: normals no longer lie in a plane across an edge
+constexpr int rings = 3;              // of neighbors over which a curvature is a mean, so that facets are round
 
 /// What the triangles at a vertex say.
 struct Fan {
@@ -52,9 +56,63 @@ FreeSurface surfaceOf(const Fan& fan)
     if (shares[1] < flatSpread * shares[2] && mean > flatMean * fan.normals.trace())
         return {FreeSurface::Kind::face, fan.mean / mean};
     const bool isOutward = fan.away.dot(fan.mean) < 0;
-    if (shares[0] < cornerSpread * shares[2] && isOutward)
+    if (!isOutward)
+        return {.hollow = std::numeric_limits<double>::infinity()};
+    if (shares[0] < cornerSpread * shares[2])
         return {FreeSurface::Kind::edge, spread.eigenvectors().col(0)};
     return {};
+}
+
+/// Largest curvature inwards at the faces' vertices. Each edge bends the surface across itself by its angle: over an area, the mean of
+/// angle times length times e e^T (Cohen-Steiner and Morvan, 2003), whose largest eigenvalue is the curvature across e. The area is
+/// that of some rings of neighbors around a vertex.
+void findHollows(const TriangleMesh& mesh, std::vector<FreeSurface>& surfaces)
+{
+    struct Bend {
+        Mat3 inwards = Mat3::Zero(); ///< sum of angle times length e e^T
+        double area = 0;
+    };
+    const HalfEdges edges = findHalfEdges(mesh);
+    const auto areaOf = [&](std::size_t triangle) {
+        const auto& [a, b, c] = mesh.triangles[triangle];
+        return Vec3(0.5 * (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]));
+    };
+    const auto endsOf = [&](std::size_t edge) {
+        return std::pair(mesh.triangles[edge / 3][edge % 3], mesh.triangles[edge / 3][(edge + 1) % 3]);
+    };
+    const auto isFace = [&](std::uint32_t vertex) { return surfaces[vertex].kind == FreeSurface::Kind::face; };
+    std::vector<Bend> own(mesh.vertices.size());
+    for (std::size_t edge = 0; edge < edges.twin.size(); ++edge) {
+        const auto [from, to] = endsOf(edge);
+        const Vec3 here = areaOf(edge / 3);
+        own[from].area += here.norm() / 3;
+        if (edges.twin[edge] == HalfEdges::none || !isFace(from) || !isFace(to))
+            continue;
+        const Vec3 there = areaOf(edges.twin[edge] / 3);
+        const Vec3 way = mesh.vertices[to] - mesh.vertices[from];
+        const double length = way.norm();
+        if (!(length > 0))
+            continue;
+        // Outwards the normals turn about the edge as it runs. Both of its half-edges add, each to both ends: a quarter.
+        const double angle = std::atan2(-here.cross(there).dot(way) / length, here.dot(there));
+        const Mat3 bend = 0.25 * angle / length * way * way.transpose();
+        own[from].inwards += bend;
+        own[to].inwards += bend;
+    }
+    for (int ring = 0; ring < rings; ++ring) {
+        std::vector<Bend> around = own;
+        for (std::size_t edge = 0; edge < edges.twin.size(); ++edge) {
+            const auto [from, to] = endsOf(edge);
+            around[from].inwards += own[to].inwards;
+            around[from].area += own[to].area;
+        }
+        own = std::move(around);
+    }
+    for (std::size_t v = 0; v < surfaces.size(); ++v)
+        if (isFace(static_cast<std::uint32_t>(v)) && own[v].area > 0) {
+            const Eigen::SelfAdjointEigenSolver<Mat3> curvature(own[v].inwards / own[v].area, Eigen::EigenvaluesOnly);
+            surfaces[v].hollow = std::max(0.0, curvature.eigenvalues()[2]);
+        }
 }
 
 } // namespace
@@ -64,6 +122,7 @@ std::vector<FreeSurface> freeSurfaces(const TriangleMesh& mesh)
     const std::vector<Fan> fans = fansOf(mesh);
     std::vector<FreeSurface> surfaces(fans.size());
     std::transform(fans.begin(), fans.end(), surfaces.begin(), surfaceOf);
+    findHollows(mesh, surfaces);
     return surfaces;
 }
 

@@ -16,6 +16,9 @@ struct FreeSurface {
     };
     Kind kind = Kind::none;
     Vec3 direction = Vec3::Zero(); ///< outward normal of a face, direction of an edge; unit
+
+    /// Largest curvature inwards, as of a hole or a fillet [1/m]; 0: none. Infinite at an edge that goes inwards.
+    double hollow = 0;
 };
 
 /// At all vertices, by the normals of the triangles that meet there, each by its angle: an edge where they differ by more than

@@ -227,6 +227,12 @@ Mat3 cleared(const Mat3& stress, const Place& place, const FreeSurface& surface,
     return limitedStress(free, flowStress(material, place.plasticStrain));
 }
 
+/// How wrong a stress may be, as a share of it, since the skin goes inwards; not more than all of it.
+double hollowShare(const FreeSurface& surface, double spacing)
+{
+    return std::min(1.0, SkinStress::errorPerHollow * spacing * surface.hollow);
+}
+
 double errorWhereLargest(const SkinStresses& stresses)
 {
     double most = 0;
@@ -253,6 +259,7 @@ SkinStress::SkinStress(const Aggregate& aggregate, const TriangleMesh& mesh, std
 SkinStress::SkinStress(const Aggregate& aggregate, std::span<const Vec3> points, std::vector<FreeSurface> surfaces,
                        std::span<const ObjectIndex> numbers, TaskControl& control)
     : m_isPiece(!numbers.empty())
+    , m_spacing(aggregate.lattice.spacing)
     , m_gradients(aggregate, points, numbers, control)
     , m_surfaces(std::move(surfaces))
 {
@@ -283,7 +290,8 @@ SkinStresses SkinStress::stresses(const ObjectStrains& body, std::span<const Obj
             result.vonMises[point] = static_cast<float>(vonMisesStress(stress));
             if (wantsError)
                 result.error[point] =
-                    static_cast<float>(errorPerDifference * vonMisesStress(stress - moment.averaged(point)));
+                    static_cast<float>(std::max(errorPerDifference * vonMisesStress(stress - moment.averaged(point)),
+                                                hollowShare(m_surfaces[point], m_spacing) * vonMisesStress(stress)));
         }
     });
     if (wantsError)

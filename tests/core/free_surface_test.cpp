@@ -74,6 +74,36 @@ private slots:
         QCOMPARE(edges, 48);
     }
 
+    /// A pipe is hollow inside by one over its radius, along the facets and between them, and nowhere else.
+    void boresAreHollowByTheirRadius()
+    {
+        for (const double longest : {1.0, 0.0011, 0.0006}) {
+            TriangleMesh mesh = shapes::cylinder(0.004, 0.03, 24);
+            for (TriangleMesh::Triangle& triangle : mesh.triangles) // a hole through everything
+                std::swap(triangle[0], triangle[1]);
+            mesh = refine(mesh, longest);
+            const std::vector<FreeSurface> surfaces = freeSurfaces(mesh);
+            int found = 0;
+            double sum = 0;
+            for (std::size_t v = 0; v < surfaces.size(); ++v) {
+                const double inEnds = 0.015 - std::abs(mesh.vertices[v].z());
+                if (longest < 1 && inEnds > 0.002) {
+                    const double share = 0.004 * surfaces[v].hollow;
+                    QVERIFY2(share < 2, qPrintable(QString::number(share)));
+                    sum += share;
+                    ++found;
+                }
+                if (longest < 0.001 && inEnds < 1e-9 && mesh.vertices[v].head<2>().norm() < 0.0015)
+                    QCOMPARE(surfaces[v].hollow, 0.0);
+            }
+            QVERIFY(longest == 1 || (found > 100 && std::abs(sum / found - 1) < 0.1));
+            for (TriangleMesh::Triangle& triangle : mesh.triangles) // and a shaft is not
+                std::swap(triangle[0], triangle[1]);
+            for (const FreeSurface& surface : freeSurfaces(mesh))
+                QVERIFY(surface.hollow < 1e-6 / 0.004);
+        }
+    }
+
     /// The inner edge of a bracket goes inwards: nothing is taken off there.
     void edgesThatGoInwardsAreNotFree()
     {
@@ -91,6 +121,8 @@ private slots:
             const bool isInner = std::abs(low.x() - 0.01) < 1e-9 && std::abs(low.y() - 0.01) < 1e-9;
             if (isInner) {
                 QCOMPARE(surfaces[v].kind, FreeSurface::Kind::none);
+                const bool isInside = low.z() > 1e-9 && mesh.vertices[v].z() < box.max().z() - 1e-9;
+                QVERIFY(!isInside || std::isinf(surfaces[v].hollow));
                 ++inner;
             }
         }

@@ -209,14 +209,26 @@ private slots:
     /// Of a plate 12 radii wide that is pulled, with 8 cells across the hole. Heywood: the stress at the hole is
     /// 2 + (1 - d / w)^3 times that on the net section, 2.58 here; quadratic finite elements of this very plate, by CalculiX, say
     /// 2.60 in the middle of its thickness and 2.46 at its faces.
+    void holeConcentratesStress_data()
+    {
+        QTest::addColumn<double>("cells"); // across the radius
+        QTest::addColumn<double>("bound");
+        QTest::newRow("8 across") << 4.0 << 0.1;
+        // The lattice does not divide them: the stress is less sure, and the estimate says so.
+        QTest::newRow("8.22 across") << 4.11 << 0.25;
+        QTest::newRow("10.44 across") << 5.22 << 0.2;
+    }
     void holeConcentratesStress()
     {
+        QFETCH(double, cells);
+        QFETCH(double, bound);
         constexpr double radius = 0.004;
-        constexpr double halfWidth = 6 * radius;
-        constexpr double halfLength = 7 * radius;
-        constexpr double thickness = radius;
+        const double spacing = radius / cells;
+        const double halfWidth = std::round(6 * cells) * spacing;
+        const double halfLength = std::round(7 * cells) * spacing;
+        const double thickness = 2 * std::round(cells / 2) * spacing;
         constexpr double pull = 1e-6;
-        Specimen plate(plateWithHole(radius, halfLength, halfWidth, thickness), radius / 4);
+        Specimen plate(plateWithHole(radius, halfLength, halfWidth, thickness), spacing);
         StaticBody body(plate.aggregate, rubber());
         for (std::size_t i = 0; i < body.size(); ++i)
             if (std::abs(body.place(i).x()) > halfLength - 1e-9)
@@ -243,7 +255,7 @@ private slots:
             }
         qInfo("factor %.3f, wanted %.3f (%+.2g %%), estimated error %.2g %%, where largest %.2g %%",
               factor * most / wanted, factor, 100 * (most / wanted - 1), 100 * estimated, 100 * stresses.errorShare);
-        QVERIFY(std::abs(most / wanted - 1) < 0.1);
+        QVERIFY(std::abs(most / wanted - 1) < bound);
         QVERIFY(std::abs(most / wanted - 1) < estimated);
         QVERIFY(stresses.errorShare > 0.5 * estimated && stresses.errorShare < 2 * estimated);
     }

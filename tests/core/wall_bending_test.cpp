@@ -149,13 +149,13 @@ private slots:
     void connectionsOfEachFamilyHaveTheMomentsOfTheMaterial_data() { addTurns(); }
     void connectionsOfEachFamilyHaveTheMomentsOfTheMaterial()
     {
-        // At their middles, with 0.05 a^2 more along each axis for connections along axes, 0.005 a^2 for diagonal ones. The rule
+        // At their middles, with 0.082 a^2 more along each axis for connections along axes, 0.007 a^2 less for diagonal ones. The rule
         // for thick bodies alone is 0.17 a^2 and more above the material's.
         QFETCH(Quaternion, turn);
         const Vec3 sides(14.3, 3.6, 5.45);
         const Aggregate aggregate = fill(shapes::moved(shapes::box(sides), {Vec3::Zero(), turn}), {.spacing = 1});
         for (std::size_t d = 0; d < Lattice::isotropicCount; ++d) {
-            const Mat3 expected = squareOf(sides, turn) + (d < 3 ? 0.05 : 0.005) * Mat3::Identity();
+            const Mat3 expected = squareOf(sides, turn) + (d < 3 ? 0.082 : -0.007) * Mat3::Identity();
             double sum = 0;
             Vec3 first = Vec3::Zero();
             Mat3 second = Mat3::Zero();
@@ -183,7 +183,7 @@ private slots:
             for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
                 if (aggregate.weight[d][i] == 0)
                     continue;
-                QVERIFY(aggregate.weight[d][i] > 0.01);
+                QVERIFY(aggregate.weight[d][i] > 0.0025);
                 Lattice::Node other = aggregate.lattice.nodes[i];
                 for (std::size_t axis = 0; axis < 3; ++axis)
                     other[axis] += Lattice::directions[d][axis];
@@ -246,17 +246,18 @@ private slots:
         QVERIFY(found.within(0.7, 1.3));
     }
 
-    void wallsOfOneCellAreNotMoreThanTwiceTooStiff_data() { addTurns(); }
-    void wallsOfOneCellAreNotMoreThanTwiceTooStiff()
+    void wallsOfOneCellAreNotMoreThanHalfTooStiff_data() { addTurns(); }
+    void wallsOfOneCellAreNotMoreThanHalfTooStiff()
     {
-        // Along the lattice they have two layers of objects, which lie too far apart whatever their weights.
+        // Tilted in three axes their diagonals lie too far apart whatever their weights.
         QFETCH(Quaternion, turn);
         const Extremes found =
             extremes("bending of walls of one cell", numbersOfCells({1, 1.1}, 1.3), [&](double cells) {
                 Bar bar = squareBar(cells, turn);
                 return bars::bending(bar);
             });
-        QVERIFY(found.within(0.7, 1.8));
+        const bool isTilted = turn.angularDistance(tiltedInThreeAxes) == 0;
+        QVERIFY(found.within(0.7, isTilted ? 1.5 : 1.3));
     }
 
     void solidBarsTwistAsTheorySays_data() { addTurns(); }
@@ -268,7 +269,7 @@ private slots:
             Bar bar = squareBar(cells, turn);
             return bars::torsion(bar);
         };
-        QVERIFY(extremes("torsion of two cells", numbersOfCells({2, 2.1, 2.5}, 3), twist).within(0.95, 1.22));
+        QVERIFY(extremes("torsion of two cells", numbersOfCells({2, 2.1, 2.5}, 3), twist).within(0.95, 1.2));
         // Bars of whole cells along the lattice keep weights that are exact in tension, and are 3.5 / n^2 too stiff in torsion.
         const bool isAlong = turn.angularDistance(Quaternion::Identity()) == 0;
         QVERIFY(extremes("torsion", numbersOfCells({3, 3.3, 4}, 6), twist).within(0.95, isAlong ? 1.4 : 1.12));
