@@ -143,13 +143,25 @@ void Simulation::State::anneal()
     std::erase_if(annealings, [&](const Annealing& annealing) { return time >= annealing.end; });
 }
 
+/// What the flow of this step took out of the motion [J]. Where the stress of an object has grown by ds since the last flow, in
+/// n = flowInterval equal parts, the scheme has worked with s - ds + (1 + ... + n - 1) ds / n^2 in the mean, and not with the
+/// s - ds / 2 that the stored energy loses: less by ds / (2 n), an n-th of what a flow in every step would be off. Objects that flow
+/// now and then are off by less: a block that is pressed evenly by all of that, one that a ball is pressed into by 0.43 of it. Half is
+/// taken, which leaves the ledger below .6 percent in all.
+double Simulation::State::workOfFlow(const StructuralConnections& connections)
+{
+    const double stored = connections.flowedEnergy();
+    return stored - 0.5 * (stored - connections.flowWork()) / static_cast<double>(flowInterval);
+}
+
 void Simulation::State::computeForces()
 {
     const double flowTime = step % flowInterval == 0 ? static_cast<double>(flowInterval) * timeStep : 0;
     for (auto& run : runs) {
         if (run->deforms()) {
             run->connections.computeForces(run->state, timeStep, flowTime);
-            energy.plastic += run->connections.acceptFlow();
+            energy.plastic += workOfFlow(run->connections);
+            run->connections.acceptFlow();
             continue;
         }
         run->state.force.setZero();

@@ -49,6 +49,7 @@ struct Simulation::State {
     void bookTornSkin();
     std::size_t breakConnections();
     void changeConnections();
+    static double workOfFlow(const StructuralConnections& connections);
     void computeForces();
     void integrate();
     void limitTravel(double speed);

@@ -101,7 +101,30 @@ void addBillets(std::vector<Case>& cases)
         }));
 }
 
-/// A ball pressed into a block until the print is 0.4 of it.
+/// Radius of the print that a ball at `center` leaves in the face z = top, whose rim has piled up [m]: where the gap between both,
+/// as a line over the distance from the middle, begins.
+double printRadius(const Finding& found, double top, const Vec3& center, double radius)
+{
+    double n = 0, g = 0, r = 0, gg = 0, gr = 0;
+    for (std::size_t i = 0; i < found.rest.size(); ++i) {
+        if (found.rest[i].z() < top - 0.01 * found.spacing)
+            continue;
+        const Vec3 place = found.rest[i] + found.displacement[i] - center;
+        const double gap = place.norm() - radius;
+        if (gap < 0.05 * found.spacing || gap > 0.6 * found.spacing)
+            continue;
+        const double out = place.head<2>().norm();
+        n += 1;
+        g += gap;
+        r += out;
+        gg += gap * gap;
+        gr += gap * out;
+    }
+    const double slope = (n * gr - g * r) / (n * gg - g * g);
+    return (r - slope * g) / n;
+}
+
+/// A ball pressed into a block until the print is 0.4 of it, by how deep it is.
 void addIndentation(std::vector<Case>& cases)
 {
     struct Row {
@@ -154,8 +177,9 @@ void addIndentation(std::vector<Case>& cases)
              .finer = {1.25, 1.5}},
             part, 2 * print,
             [=](const std::vector<Finding>& findings) {
-                const double area = pi * print * print;
-                return std::vector<double>{findings[0].toolForces[0].norm() / area / yield};
+                const Vec3 center(0, 0, depth / 2 + radius - down);
+                const double reached = printRadius(findings[0], depth / 2, center, radius);
+                return std::vector<double>{findings[0].toolForces[0].norm() / (pi * reached * reached) / yield};
             },
             false));
     }

@@ -114,13 +114,15 @@ void addTurnedBars(std::vector<Case>& cases)
                                  turned(beyond(0, 1, long_ / 2), {long_ / 2, 0, 0}, axis, angle / 2)};
     };
     const auto bent = [=]() -> Part {
-        return {.block = bar({length, h, h}, 3),
-                .material = plastic(modulus, 0.3, yield, 0),
-                .grips = arcEnds(length, curvature * length),
-                .stages = {{1}, {0.66, {1}}}, // nearly all the way back before: what is let go at once whips and yields again
-                .slowest = bendingFrequency(length, h, 10),
-                .loadPeriods = 5,
-                .restPeriods = 5};
+        return {
+            .block = bar({length, h, h}, 3),
+            .material = plastic(modulus, 0.3, yield, 0),
+            .grips = arcEnds(length, curvature * length),
+            .stages = {{1},
+                       {0.66, {1}}}, // nearly all the way back before: what is let go at once whips and yields again
+            .slowest = bendingFrequency(length, h, 10),
+            .loadPeriods = 5,
+            .restPeriods = 5};
     };
     const auto twisted = [=]() -> Part {
         return {.block = roundBar(r, twistLength, 4),
