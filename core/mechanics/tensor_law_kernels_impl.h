@@ -59,17 +59,20 @@ KNEAD_INLINE void tensorLawOfVector(const TensorLawArguments& arguments, std::si
     const Symmetric metric = loadSymmetric(arguments.plastic.metric, i);
     const ElasticPart e = elasticPart(g, metric);
     const Excess excess = excessOf(a, g, metric);
-    const SpringShare share = springShare(a, i, behind, g, excess);
     Symmetric after;
     if (flows && flowOfVector(arguments, i, behind, {g, metric, e, excess, numbers}, after)) {
         const Writer write{a, i, i < a.begin || i + lanes > a.end};
-        const Lanes before = energyOf(numbers, g, e, share, a.spacing);
+        const Lanes before = energyOf(numbers, g, e, springShare<true>(a, i, behind, g, excess), a.spacing);
         const Lanes energy = stressOfTensor(arguments, i, numbers, g, elasticPart(g, after),
-                                            springShare(a, i, behind, g, excessOf(a, g, after)));
+                                            springShare<true>(a, i, behind, g, excessOf(a, g, after)));
         write(arguments.flow->dissipated, before - energy);
         return;
     }
-    stressOfTensor(arguments, i, numbers, g, e, share);
+    // Only what is asked for energy or fades needs it, a tenth of the work.
+    const bool withEnergy = arguments.energy || anyBeyond(1 - g.weight, 0);
+    stressOfTensor(arguments, i, numbers, g, e,
+                   withEnergy ? springShare<true>(a, i, behind, g, excess)
+                              : springShare<false>(a, i, behind, g, excess));
 }
 
 template <typename OfVector>

@@ -153,9 +153,10 @@ constexpr double leastStretch = -1;
 /// and the energy sum_b k / 4 (|F o| - l_b)^2 (each connection belongs to two objects); both for a spacing of 1.
 struct SpringShare {
     Lanes pull[3][3];
-    Lanes energy;
+    Lanes energy; ///< 0 unless it was asked for
 };
 
+template <bool withEnergy>
 KNEAD_INLINE SpringShare springShare(const Surroundings& a, std::size_t i, UnsignedBits behind, const Gradient& g,
                                      const Excess& excess)
 {
@@ -167,13 +168,15 @@ KNEAD_INLINE SpringShare springShare(const Surroundings& a, std::size_t i, Unsig
         const Lanes k = stiffnessAround<d>(a, i, behind);
         Lanes step[3];
         along<d>(g, step);
-        const Lanes squared = step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
         const Lanes whole = relativeStretch(excess.rho[d], excess.isSmall);
         const LaneBits isShort = whole < all(leastStretch);
         const Lanes stretch = isShort ? all(leastStretch) : whole;
         const Lanes half = 0.5 * k * stretch;
-        // Below the least stretch the force goes on in proportion to |F o|: sum_b k / 4 (l_b^2 / 2 - |F o|^2).
-        share.energy += 0.25 * k * squared * (isShort ? -0.5 - 0.5 * excess.rho[d] : stretch * stretch);
+        if constexpr (withEnergy) {
+            // Below the least stretch the force goes on in proportion to |F o|: sum_b k / 4 (l_b^2 / 2 - |F o|^2).
+            const Lanes squared = step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
+            share.energy += 0.25 * k * squared * (isShort ? -0.5 - 0.5 * excess.rho[d] : stretch * stretch);
+        }
         for (int c = 0; c < 3; ++c)
             for (int column = 0; column < 3; ++column) {
                 if (o[column] > 0)

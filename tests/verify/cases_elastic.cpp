@@ -31,14 +31,15 @@ Case tension(double nu, const Pose& pose, const std::string& name, const std::st
         const double pull = 0.5 * (forceOn(found, 0) - forceOn(found, 1)).x();
         return std::vector<double>{1e-6 * pull / (0.02 * 0.02) / stretch, -across / stretch};
     };
-    const Expected expected = pose.rotation.w() == 1 ? Expected::holds : Expected::notYet;
+    const bool isTilted = pose.rotation.w() != 1;
     return partCase(
         {.id = "tension-" + name,
          .group = chapter,
          .title = "Square bar pulled, " + words,
          .source = "Typed modulus and Poisson's ratio; force over section and strain of the middle half.",
-         .quantities = {{"modulus", "MPa", 1, 0.03, Origin::closedForm, expected},
-                        {"Poisson's ratio", "", nu, nu == 0 ? 0.01 : 0.05, Origin::closedForm, expected}},
+         .quantities = {{"modulus", "MPa", 1, 0.03},
+                        {"Poisson's ratio", "", nu, nu == 0 ? 0.01 : 0.05, Origin::closedForm,
+                         isTilted ? Expected::notYet : Expected::holds}},
          .across = "the bar",
          .run = {}},
         [=] { return pulledBar(nu, pose); }, 0.02, measure);
@@ -99,20 +100,19 @@ void addSquareBars(std::vector<Case>& cases)
         const char* words;
         Pose pose;
         double tolerance;
-        Expected expected;
     };
     const Row rows[] = {
-        {1, "1", "1 cell", {}, 0.3, Expected::notYet},
-        {1.3, "1.3", "1.3 cells", {}, 0.3, Expected::notYet},
-        {1.75, "1.75", "1.75 cells", {}, 0.1, Expected::notYet},
-        {2, "2", "2 cells", {}, 0.1, Expected::notYet},
-        {2.5, "2.5", "2.5 cells", {}, 0.1, Expected::notYet},
-        {3.3, "3.3", "3.3 cells", {}, 0.1, Expected::notYet},
-        {4, "4", "4 cells", {}, 0.1, Expected::holds},
-        {2.5, "2.5-rolled", "2.5 cells, rolled by 29 degrees", rolled(29), 0.1, Expected::notYet},
-        {4, "4-rolled", "4 cells, rolled by 29 degrees", rolled(29), 0.1, Expected::notYet},
-        {2.5, "2.5-tilted", "2.5 cells, tilted about three axes", tilted(), 0.1, Expected::holds},
-        {4, "4-tilted", "4 cells, tilted about three axes", tilted(), 0.1, Expected::holds},
+        {1, "1", "1 cell", {}, 0.3},
+        {1.3, "1.3", "1.3 cells", {}, 0.3},
+        {1.75, "1.75", "1.75 cells", {}, 0.1},
+        {2, "2", "2 cells", {}, 0.1},
+        {2.5, "2.5", "2.5 cells", {}, 0.1},
+        {3.3, "3.3", "3.3 cells", {}, 0.1},
+        {4, "4", "4 cells", {}, 0.1},
+        {2.5, "2.5-rolled", "2.5 cells, rolled by 29 degrees", rolled(29), 0.1},
+        {4, "4-rolled", "4 cells, rolled by 29 degrees", rolled(29), 0.1},
+        {2.5, "2.5-tilted", "2.5 cells, tilted about three axes", tilted(), 0.1},
+        {4, "4-tilted", "4 cells, tilted about three axes", tilted(), 0.1},
     };
     for (const Row& row : rows) {
         // Finer runs of the coarse ones would repeat the others.
@@ -122,8 +122,7 @@ void addSquareBars(std::vector<Case>& cases)
                      .group = {},
                      .title = std::string("Bending stiffness of a square bar, ") + row.words,
                      .source = "E I with I = h^4 / 12; moment at the ends over curvature of the middle half.",
-                     .quantities = {{"EI / E", "mm^4", 1e12 * std::pow(h, 4) / 12, row.tolerance, Origin::closedForm,
-                                     row.expected}},
+                     .quantities = {{"EI / E", "mm^4", 1e12 * std::pow(h, 4) / 12, row.tolerance}},
                      .cells = row.cells,
                      .across = "the bar",
                      .run = {},

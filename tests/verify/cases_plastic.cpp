@@ -50,10 +50,11 @@ void addBlocks(std::vector<Case>& cases)
         const char* words;
         Vec3 axis;
         double periods;
+        Expected atFirst = Expected::holds; ///< of the flow stress at 2 %
     };
     // Loads run along the z of the part; the lattice stays along x, y and z of the world.
     const Row rows[] = {{"100", "along the lattice", Vec3::UnitZ(), 30},
-                        {"110", "at 45 degrees to the lattice", Vec3(0, 1, 1), 30},
+                        {"110", "at 45 degrees to the lattice", Vec3(0, 1, 1), 30, Expected::notYet},
                         {"111", "along a space diagonal of the lattice", Vec3(1, 1, 1), 30},
                         {"slow", "along the lattice, eight times slower", Vec3::UnitZ(), 240}};
     for (const Row& row : rows) {
@@ -64,9 +65,9 @@ void addBlocks(std::vector<Case>& cases)
              .title = std::string("Block pressed between plates without friction, ") + row.words,
              .source =
                  "Perfectly plastic: force over the present section is the typed yield stress; so is von Mises stress.",
-             .quantities = {{"flow / typed, 2 %", "", 1, 0.07, Origin::closedForm, Expected::notYet},
-                            {"flow / typed, 20 %", "", 1, 0.07, Origin::closedForm, Expected::notYet},
-                            {"von Mises / typed", "", 1, 0.1, Origin::closedForm, Expected::notYet}},
+             .quantities = {{"flow / typed, 2 %", "", 1, 0.07, Origin::closedForm, row.atFirst},
+                            {"flow / typed, 20 %", "", 1, 0.07},
+                            {"von Mises / typed", "", 1, 0.1}},
              .across = "the block",
              .run = {}},
             [=] { return blockBetweenPlates(pose, row.periods); }, 0.02, flowStress, false));
@@ -90,7 +91,7 @@ void addPulledBar(std::vector<Case>& cases)
          .group = chapter,
          .title = "Bar pulled by a tenth of its length, with hardening",
          .source = "True stress of the middle is yield + hardening times plastic strain, section by constant volume.",
-         .quantities = {{"force / formula", "", 1, 0.07, Origin::closedForm, Expected::notYet}},
+         .quantities = {{"force / formula", "", 1, 0.07}},
          .across = "the bar",
          .run = {}},
         part, h, [=](const std::vector<Finding>& findings) {
@@ -145,7 +146,7 @@ void addTurnedBars(std::vector<Case>& cases)
          .title = "Square bar bent to four times its yield curvature and let go",
          .source =
              "M = s h^3 / 4 (1 - (k_y / k)^2 / 3) at the curvature k of the middle; it springs back by M / (E I).",
-         .quantities = {{"moment / formula", "", 1, 0.06, Origin::closedForm, Expected::notYet},
+         .quantities = {{"moment / formula", "", 1, 0.06},
                         {"left / formula", "", 1, 0.06, Origin::closedForm, Expected::notYet}},
          .across = "the bar",
          .run = {}},
@@ -161,8 +162,7 @@ void addTurnedBars(std::vector<Case>& cases)
          .title = "Round bar twisted beyond yield and let go",
          .source =
              "M = 2 pi / 3 t r^3 (1 - (g_y / g)^3 / 4) at the surface shear g, t = s / sqrt 3; back by M / (G J).",
-         .quantities = {{"moment / formula", "", 1, 0.1, Origin::closedForm, Expected::notYet},
-                        {"left / formula", "", 1, 0.1, Origin::closedForm, Expected::notYet}},
+         .quantities = {{"moment / formula", "", 1, 0.1}, {"left / formula", "", 1, 0.1}},
          .cells = 6,
          .across = "the bar",
          .run = {}},
@@ -204,8 +204,7 @@ void addSteelStrip(std::vector<Case>& cases)
          .group = chapter,
          .title = "Steel strip bent 8 mm over a roller and let go",
          .source = "CalculiX (309 N, -5.65 mm): 210 GPa, yield 250 MPa, hardening 700 MPa, 100 mm from the clamp.",
-         .quantities = {{"load", "N", 0, 0.06, Origin::calculix, Expected::notYet},
-                        {"left", "mm", 0, 0.06, Origin::calculix, Expected::notYet}},
+         .quantities = {{"load", "N", 0, 0.06, Origin::calculix}, {"left", "mm", 0, 0.06, Origin::calculix}},
          .across = "the strip",
          .run = {},
          .quick = false,
@@ -243,17 +242,16 @@ void addThreePointBending(std::vector<Case>& cases)
         beam.grips.push_back(center);
         return beam;
     };
-    cases.push_back(partCase(
-        {.id = "three-point-bending",
-         .group = chapter,
-         .title = "Three-point bending to the plastic hinge",
-         .source = "Limit load F = s b h^2 / span (4 M_p / span).",
-         .quantities = {{"force", "mN", 1000 * yield * h * h * h / span, 0.12, Origin::closedForm, Expected::notYet}},
-         .across = "the beam",
-         .run = {}},
-        part, h, [](const std::vector<Finding>& findings) {
-            return std::vector<double>{1000 * rollerForce(findings.back(), 0)};
-        }));
+    cases.push_back(partCase({.id = "three-point-bending",
+                              .group = chapter,
+                              .title = "Three-point bending to the plastic hinge",
+                              .source = "Limit load F = s b h^2 / span (4 M_p / span).",
+                              .quantities = {{"force", "mN", 1000 * yield * h * h * h / span, 0.12}},
+                              .across = "the beam",
+                              .run = {}},
+                             part, h, [](const std::vector<Finding>& findings) {
+                                 return std::vector<double>{1000 * rollerForce(findings.back(), 0)};
+                             }));
 }
 
 } // namespace
