@@ -15,7 +15,7 @@ namespace {
 constexpr double flatSpread = 0.22;   // second eigenvalue of the normals by the first: tan^2 of 25 degrees
 constexpr double flatMean = 0.7;      // length of their mean: those of a knife's edge point away from each other
 constexpr double cornerSpread = 0.08; // third by the first: normals no longer lie in a plane across an edge
-constexpr int rings = 3;              // of neighbors over which a curvature is a mean, so that facets are round
+constexpr int rings = 4;              // of neighbors over which a curvature is a mean, so that facets are round
 
 /// What the triangles at a vertex say.
 struct Fan {
@@ -99,19 +99,26 @@ void findHollows(const TriangleMesh& mesh, std::vector<FreeSurface>& surfaces)
         own[from].inwards += bend;
         own[to].inwards += bend;
     }
+    // Each passes on half of what it has, so that nothing counts more for having many neighbors.
     for (int ring = 0; ring < rings; ++ring) {
-        std::vector<Bend> around = own;
-        for (std::size_t edge = 0; edge < edges.twin.size(); ++edge) {
-            const auto [from, to] = endsOf(edge);
-            around[from].inwards += own[to].inwards;
-            around[from].area += own[to].area;
+        std::vector<Bend> around(own.size());
+        for (std::uint32_t v = 0; v < own.size(); ++v) {
+            around[v].inwards += 0.5 * own[v].inwards;
+            around[v].area += 0.5 * own[v].area;
+            const std::span<const std::uint32_t> leaving = edges.leaving(v);
+            const double share = leaving.empty() ? 0 : 0.5 / static_cast<double>(leaving.size());
+            for (const std::uint32_t edge : leaving) {
+                Bend& neighbor = around[endsOf(edge).second];
+                neighbor.inwards += share * own[v].inwards;
+                neighbor.area += share * own[v].area;
+            }
         }
         own = std::move(around);
     }
-    for (std::size_t v = 0; v < surfaces.size(); ++v)
-        if (isFace(static_cast<std::uint32_t>(v)) && own[v].area > 0) {
-            const Eigen::SelfAdjointEigenSolver<Mat3> curvature(own[v].inwards / own[v].area, Eigen::EigenvaluesOnly);
-            surfaces[v].hollow = std::max(0.0, curvature.eigenvalues()[2]);
+    for (std::uint32_t v = 0; v < own.size(); ++v)
+        if (isFace(v) && own[v].area > 0) {
+            const Eigen::SelfAdjointEigenSolver<Mat3> bend(own[v].inwards / own[v].area, Eigen::EigenvaluesOnly);
+            surfaces[v].hollow = std::max(0.0, bend.eigenvalues()[2]);
         }
 }
 

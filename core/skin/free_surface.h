@@ -17,7 +17,8 @@ struct FreeSurface {
     Kind kind = Kind::none;
     Vec3 direction = Vec3::Zero(); ///< outward normal of a face, direction of an edge; unit
 
-    /// Largest curvature inwards, as of a hole or a fillet [1/m]; 0: none. Infinite at an edge that goes inwards.
+    /// Largest curvature inwards, as of a hole or a fillet [1/m]; 0: none. Infinite at an edge that goes inwards. A mean over a few
+    /// triangles: where they are much smaller than the facets of a hole, more on the lines between these and less on them.
     double hollow = 0;
 };
 
