@@ -80,11 +80,11 @@ private slots:
         QTRY_VERIFY(snapshot().ratio > 0);
         QVERIFY(find<QLabel>("ratio")->text().contains('x'));
 
-        // Released, the block holds still.
+        // Released, the block holds still while time goes on. QTRY_VERIFY asks once more after it has held, so this
+        // waits for a step of its own, however long one takes.
         const auto isStill = [&] {
             const FramePointer before = document().frame();
-            QTest::qWait(100);
-            return snapshot().step > before->snapshot->step &&
+            return QTest::qWaitFor([&] { return snapshot().step > before->snapshot->step + 1; }, patience) &&
                    snapshot().tools[0].pose.position == before->snapshot->tools[0].pose.position;
         };
         QTRY_VERIFY_WITH_TIMEOUT(isStill(), patience);
