@@ -24,11 +24,11 @@ namespace knead {
 ///
 /// Measured on square bars of material that does not yield (nu = 1/4) in steps of a twentieth of a cell, stiffness by beam theory's,
 /// along the lattice, at 29 degrees across it, and tilted in three axes: bending .90 to 1.10 from 1.75 cells on, up to 1.20 from 1.3,
-/// and from one cell on up to 1.24, tilted in three axes 1.49. Torsion from two cells on up to 1.15 along the lattice, 1.19 at 29
-/// degrees, 1.13 tilted; from three on up to 1.11, but for bars of three and four whole cells along the lattice (1.38, 1.22; see
-/// findThinCells()). Material that yields has another law for its objects: with a former fit it bent by .91 to 1.10 from 1.75 cells on.
-/// Uniform strain, exact before along the lattice, is up to 2 % too soft in walls of two cells there, .3 % in those of four:
-/// families are fitted one by one, which leaves small forces at the skin.
+/// and from one cell on up to 1.23, tilted in three axes 1.48. Torsion from two cells on up to 1.15 along the lattice, 1.19 at 29
+/// degrees, 1.13 tilted; from three on up to 1.15, 1.11 and 1.07. Material that yields has another law for its objects: with a former
+/// fit it bent by .91 to 1.10 from 1.75 cells on.
+/// Uniform strain, exact before along the lattice, is up to 3 % too soft in cut walls there, .3 % in bars of four whole cells:
+/// families are fitted one by one, which leaves small forces at the skin. Sheets of whole cells stay exact: see ThinBlock.
 /// The result does not depend on the number of threads.
 /// @param aggregate with the weights of joinCells() from the same cells
 /// @throws Cancelled

@@ -16,9 +16,17 @@ double harmonicMean(double a, double b)
 // the largest pressures: a sound step stays below.
 constexpr double mostTurned = 1.5;
 
+// Friction forgets the pressure of ends that parted so many times later than it follows it.
+constexpr double keptFor = 20;
+
+bool followsLate(const ContactParameters& parameters, const ContactStep& step)
+{
+    return !step.isImplicit() && parameters.frictionDelay > 0;
+}
+
 double frictionPressure(double before, double normalForce, const ContactParameters& parameters, const ContactStep& step)
 {
-    if (step.isImplicit() || parameters.frictionDelay <= 0)
+    if (!followsLate(parameters, step))
         return normalForce;
     return normalForce + (before - normalForce) * std::exp(-step.duration / parameters.frictionDelay);
 }
@@ -46,11 +54,20 @@ ContactSpring contactSpring(double overlap, const ContactParameters& parameters)
     return spring;
 }
 
+FrictionMemory parted(const FrictionMemory& memory, const ContactParameters& parameters, const ContactStep& step)
+{
+    if (!followsLate(parameters, step) || memory.pressure == 0)
+        return {};
+    return {.pressure = memory.pressure * std::exp(-step.duration / (keptFor * parameters.frictionDelay))};
+}
+
 ContactResult contactForce(const ContactState& state, const ContactParameters& parameters, const ContactStep& step)
 {
     ContactResult result;
-    if (state.overlap <= 0)
+    if (state.overlap <= 0) {
+        result.memory = parted(state.memory, parameters, step);
         return result;
+    }
     const ContactSpring spring = contactSpring(state.overlap, parameters);
     const double normalSpeed = state.relativeVelocity.dot(state.normal);
     double normalForce = std::max(0.0, spring.force - parameters.damping * normalSpeed);

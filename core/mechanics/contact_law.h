@@ -97,6 +97,11 @@ struct ContactResult {
 /// stay. Implicit steps are long and damp that away: there F_P = F_N.
 ContactResult contactForce(const ContactState& state, const ContactParameters& parameters, const ContactStep& step);
 
+/// What friction remembers of ends that are apart: the pressure, nearly as it was. An elastic body that slides rattles; as F_P stands
+/// still while it is in the air, the friction of many short touches is u times their mean normal force. With a pressure that begins at
+/// 0 in each touch it would be less, by a fifth for a block of soft rubber.
+FrictionMemory parted(const FrictionMemory& memory, const ContactParameters& parameters, const ContactStep& step);
+
 /// Parameters of a contact between two objects, so that two alike give their own: springs and dampers in series (harmonic
 /// mean), the geometric mean of the frictions, the lesser overlap cap.
 ContactParameters combine(const ContactParameters& a, const ContactParameters& b);

@@ -267,7 +267,7 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
         if (!step.isTrial)
             pair.pressed = 0;
         if (step.remembers())
-            pair.friction = {};
+            pair.friction = parted(pair.friction, pair.parameters, step);
         if (!step.keepsSlip)
             pair.grip = 0;
         return;

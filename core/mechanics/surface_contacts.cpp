@@ -26,7 +26,7 @@ constexpr double mostOfWaves = 0.7;
 
 // Overlap at which the force is twice that of a linear spring, and beyond which the spring gets no stiffer [spacings]. A tenth of a
 // spacing bears 4 k a = 64 mu. More would take more iterations of the implicit scheme.
-constexpr double stiffeningShare = 0.036;
+constexpr double stiffeningShare = 0.034;
 constexpr double steepestShare = 0.1;
 
 // All points of a rigid body together are so stiff by what the deformable ones' time step allows its mass, and each of them
@@ -394,7 +394,7 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
         if (!step.keepsSlip)
             near.grip = 0;
         if (step.remembers())
-            near.friction = {};
+            near.friction = parted(near.friction, point.parameters, step);
         return;
     }
     const Vec3 surfaceVelocity = surface.velocityAt(place);

@@ -69,10 +69,11 @@ private slots:
 
     void bendingAndTorsionApproachTheoryWithTheSquareOfTheCells()
     {
-        // V11: no more than 1.1 / n^2 and 3.6 / n^2 too stiff, for bars along the lattice.
+        // V11: no more than 1.1 / n^2 and 3.6 / n^2 too stiff, for bars along the lattice from five cells on. Thinner ones have
+        // fitted weights (wall_bending_test).
         double bendingErrorBefore = 1;
         double torsionErrorBefore = 1;
-        for (const int cells : {3, 4, 6, 8}) {
+        for (const int cells : {5, 6, 8, 10}) {
             Bar bent(Section::Square, cells, Quaternion::Identity());
             Bar twisted(Section::Square, cells, Quaternion::Identity());
             const double bendingError = bending(bent) - 1;
@@ -140,11 +141,12 @@ private slots:
 
     void uniformStrainIsExactAlongTheLatticeAndWithinThreePercentAcross() // V10
     {
+        // Thinner bars along the lattice have fitted weights (wall_bending_test).
         for (const bool tilted : {false, true}) {
             const Quaternion turn = tilted
                                         ? about(17, Vec3::UnitX()) * about(23, Vec3::UnitY()) * about(31, Vec3::UnitZ())
                                         : Quaternion::Identity();
-            Bar bar(Section::Square, 4, turn);
+            Bar bar(Section::Square, 5, turn);
             const Tension measured = tension(bar);
             QVERIFY(within(measured.youngsModulus, 1, tilted ? 0.03 : 1e-6, "tension"));
             QVERIFY(within(measured.poissonRatio, 0.25, tilted ? 0.03 : 1e-5, "Poisson's ratio"));

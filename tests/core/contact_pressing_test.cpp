@@ -113,7 +113,7 @@ private slots:
             const RigidSurface floor = floorInto(depth);
             return sumOf(contacts.pressingForces({&floor, 1}, step)[0]).z();
         };
-        const double d0 = 0.036 * spacing;
+        const double d0 = 0.034 * spacing;
         press(d0);
         const double section = std::pow(cells * spacing, 2);
         const double k = sum(1e-3 * d0) / (1e-3 * d0);

@@ -544,7 +544,9 @@ private slots:
         const double cell = std::pow(spacing, 3);
         double sum = 0;
         double farthest = 0;
+        bool hasDust = false;
         for (std::size_t i = 0; i < fragments.size(); ++i) {
+            hasDust |= !fragments[i].dust.empty();
             QVERIFY(isWatertight(fragments[i].mesh));
             TriangleMesh moved = fragments[i].mesh;
             moved.vertices = places[i].places;
@@ -561,7 +563,7 @@ private slots:
             }
         }
         qInfo("no vertex is more than %.2f spacings from an object", farthest / spacing);
-        QVERIFY(farthest < 1.5 * spacing);
+        QVERIFY(farthest < (hasDust ? 3 : 1.5) * spacing); // the material of dust goes with what it broke off
         QVERIFY(std::abs(sum / (384 * cell) - 1) < 0.05);
     }
 };

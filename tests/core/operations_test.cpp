@@ -322,8 +322,8 @@ private slots:
             Scene scene;
             Material sticky = rubber();
             sticky.adhesion = adhesion;
-            scene.bodies.push_back(boxAt({4, 4, 4}, Vec3(-2.1 * spacing, 0, 0), sticky, "left"));
-            scene.bodies.push_back(boxAt({4, 4, 4}, Vec3(2.1 * spacing, 0, 0), sticky, "right"));
+            scene.bodies.push_back(boxAt({5, 5, 5}, Vec3(-2.6 * spacing, 0, 0), sticky, "left"));
+            scene.bodies.push_back(boxAt({5, 5, 5}, Vec3(2.6 * spacing, 0, 0), sticky, "right"));
             scene.bodies[0].velocity = Vec3(0.1, 0, 0);
             Simulation simulation(scene);
             runUntil(simulation, 0.1);

@@ -132,8 +132,9 @@ protected:
     {
         QTRY_VERIFY2_WITH_TIMEOUT(find<QMessageBox>(name) != nullptr && find<QMessageBox>(name)->isVisible(), name,
                                   patience);
+        QVERIFY(QTest::qWaitForWindowExposed(find<QMessageBox>(name), patience));
         QTest::mouseClick(find<QMessageBox>(name)->button(button), Qt::LeftButton);
-        QTRY_VERIFY(find<QMessageBox>(name) == nullptr);
+        QTRY_VERIFY2_WITH_TIMEOUT(find<QMessageBox>(name) == nullptr, name, patience);
         m_window->activateWindow(); // there may be no window manager that does it
     }
 
