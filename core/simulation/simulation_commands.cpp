@@ -269,19 +269,25 @@ private:
     Simulation::State& m_state;
 };
 
-/// Words for people, of which the run takes no notice.
-bool isOfWords(const Command& command)
+template <typename... Kinds>
+bool isOneOf(const Command& command)
 {
-    return std::holds_alternative<SetPartLook>(command) || std::holds_alternative<RenameManipulator>(command) ||
-           std::holds_alternative<RenameFixture>(command);
+    return (std::holds_alternative<Kinds>(command) || ...);
+}
+
+/// Objects, what they are made of and which of them are held stay what they are, so that the implicit scheme goes on with its
+/// system and its factor: what a hand does sixty times a second must not cost a factor each time.
+bool leavesBodies(const Command& command)
+{
+    return isOneOf<SetPartLook, RenameManipulator, RenameFixture, SetGravity, SetFloor, AddManipulator,
+                   RemoveManipulator, SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, MoveFixture, SetLoad>(
+        command);
 }
 
 /// At once and without pushing, be there material or not.
 bool placesTool(const Command& command)
 {
-    return std::holds_alternative<AddManipulator>(command) || std::holds_alternative<PlaceManipulator>(command) ||
-           std::holds_alternative<ReshapeManipulator>(command) || std::holds_alternative<SetFloor>(command) ||
-           std::holds_alternative<Reset>(command);
+    return isOneOf<AddManipulator, PlaceManipulator, ReshapeManipulator, SetFloor, Reset>(command);
 }
 
 } // namespace
@@ -305,8 +311,8 @@ void Simulation::State::carryOut(const Command& command)
 {
     const std::uint64_t before = step;
     std::visit(Executor(*this), command);
-    if (!isOfWords(command))
-        implicit.reset(); // bodies may be others
+    if (!leavesBodies(command))
+        implicit.reset();
     recording.push_back({before, command});
 }
 

@@ -139,7 +139,7 @@ struct Simulation::State {
     Integrator wantedIntegrator = Integrator::semiImplicitEuler;
     Integrator integrator = Integrator::semiImplicitEuler; ///< in use; never automatic
     std::string integratorReason;
-    std::unique_ptr<ImplicitEuler> implicit; ///< made anew whenever bodies change by command
+    std::unique_ptr<ImplicitEuler> implicit; ///< made anew when bodies or grips change by command
     int solverIterations = 0;                ///< of the last implicit step
     VicinityMethod vicinity = VicinityMethod::uniformGrid;
     std::optional<double> wantedTimeStep;

@@ -364,6 +364,33 @@ private slots:
         QCOMPARE(hash(4), expected);
     }
 
+    /// Commands of a hand that come with every frame and change nothing: no factor is made anew, or rounding would differ.
+    void handsDoNotDisturbTheSolver()
+    {
+        const auto run = [&](bool isDisturbed) {
+            Scene scene = implicit(scenes::cantilever({16, 4, 4}, spacing, rubber(0.3), Vec3(0, 0, -9.81)));
+            Manipulator press{.name = "press", .size = Vec3::Constant(4 * spacing)};
+            press.pose.position = Vec3(6 * spacing, 0, 4.1 * spacing);
+            press.motion = DriveAt{Vec3(0, 0, -0.02), Vec3::Zero()};
+            scene.manipulators.push_back(press);
+            Simulation simulation(scene);
+            for (int frame = 0; frame < 40; ++frame) {
+                if (isDisturbed) {
+                    simulation.post(SetManipulatorMotion{0, press.motion});
+                    simulation.post(SetGravity{scene.gravity});
+                    simulation.post(MoveFixture{0, Vec3::Zero()});
+                }
+                simulation.step();
+            }
+            return simulation.snapshot();
+        };
+        const auto alone = run(false);
+        const auto disturbed = run(true);
+        QVERIFY(alone->tools[0].force.norm() > 0);
+        QCOMPARE(disturbed->tools[0].force, alone->tools[0].force);
+        QVERIFY(disturbed->bodies[0].positions == alone->bodies[0].positions);
+    }
+
     void integratorChangesWhileRunning()
     {
         Scene scene = scenes::cantilever({10, 4, 4}, spacing, rubber(), Vec3(0, 0, -9.81));
