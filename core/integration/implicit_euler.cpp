@@ -15,7 +15,7 @@ constexpr std::size_t blockSize = 4096;
 
 // Shares of the residual at the start of a step, by the preconditioned norm. What a step leaves is in the forces at the start
 // of the next, so that a body at rest gets as near to balance as rounding allows, whatever these are.
-constexpr double linearTolerance = 1e-3; // to which a linear system is solved
+constexpr double linearTolerance = 5e-3; // to which a linear system is solved
 constexpr double newtonTolerance = 1e-2; // at which a step is done
 constexpr double failedTolerance = 0.3;  // above which a step has failed
 // Of what was there before the first solution, so much is always enough to compare with: a body that is just let go of by

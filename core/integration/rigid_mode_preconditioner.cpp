@@ -24,7 +24,7 @@ const std::array<Vec3, 3> worldAxes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}
 // Objects along the edge of a block. Smaller blocks take fewer iterations, but their factor grows with the square of their
 // number; larger bodies get larger blocks, so that there are about so many of them.
 constexpr double leastBlockEdge = 4;
-constexpr double mostBlocks = 320;
+constexpr double mostBlocks = 250;
 
 // Clusters of one object, or of objects in a row, have rotations that do nothing; so much of the diagonal keeps the
 // factor of the coarse matrix finite.

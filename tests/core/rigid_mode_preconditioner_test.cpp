@@ -117,7 +117,7 @@ private slots:
             for (const double poisson : {0.25, 0.3, 0.45, 0.49})
                 for (const bool cracked : {false, true}) {
                     // Nearly incompressible material answers over twice the reach, which blocks do not see.
-                    const int most = cracked ? 80 : poisson < 0.48 ? 30 : 60;
+                    const int most = cracked ? 80 : poisson < 0.48 ? 30 : 65;
                     QTest::addRow("%d objects, Poisson's ratio %.2f%s", 425 * scale * scale * scale, poisson,
                                   cracked ? ", cracked" : "")
                         << scale << poisson << cracked << most;
