@@ -146,8 +146,7 @@ void addTurnedBars(std::vector<Case>& cases)
          .title = "Square bar bent to four times its yield curvature and let go",
          .source =
              "M = s h^3 / 4 (1 - (k_y / k)^2 / 3) at the curvature k of the middle; it springs back by M / (E I).",
-         .quantities = {{"moment / formula", "", 1, 0.06},
-                        {"left / formula", "", 1, 0.06}},
+         .quantities = {{"moment / formula", "", 1, 0.06}, {"left / formula", "", 1, 0.06}},
          .across = "the bar",
          .run = {}},
         bent, h, [=](const std::vector<Finding>& findings) {
