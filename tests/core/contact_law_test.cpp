@@ -39,6 +39,20 @@ class ContactLawTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// The friction of short touches is u times the mean of their normal force: the pressure that it follows waits while ends are apart.
+    void pressureWaitsWhileEndsAreApart()
+    {
+        const ContactParameters parameters{.stiffness = 1e3, .friction = 0.4, .frictionDelay = 1e-3};
+        const FrictionMemory memory{.hold = Vec3(1, 2, 0), .pressure = 5};
+        const ContactStep step{.duration = 1e-4};
+        const FrictionMemory after = parted(memory, parameters, step);
+        QVERIFY(after.hold.isZero(0));
+        QVERIFY(after.pressure < 5 && after.pressure > 0.99 * 5);
+        QVERIFY(contactForce({.overlap = -1e-6, .memory = memory}, parameters, step).memory.pressure == after.pressure);
+        const ContactStep implicitStep{.duration = 1e-4, .stickSpeed = 1e-3};
+        QVERIFY(parted(memory, parameters, implicitStep).isEmpty());
+    }
+
     void nothingHappensWithoutTouch()
     {
         const ContactResult result =

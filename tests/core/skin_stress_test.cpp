@@ -276,7 +276,7 @@ private slots:
         material.shapeDamping = 300;
         material.dampingRatio = 0.3;
         Scene scene;
-        scene.bodies.push_back(scenes::box({cells, 4, 4}, spacing, material));
+        scene.bodies.push_back(scenes::box({cells, 5, 5}, spacing, material));
         const Aggregate& aggregate = *scene.bodies[0].aggregate;
         const double end = 0.5 * cells * spacing;
         constexpr double duration = 0.2;
@@ -290,7 +290,7 @@ private slots:
             simulation.step();
         const auto shot = simulation.snapshot();
         const std::vector<Vec3> moved = shot->bodies[0].displacements();
-        const TriangleMesh mesh = refine(shapes::box(spacing * Vec3(cells, 4, 4)), spacing);
+        const TriangleMesh mesh = refine(shapes::box(spacing * Vec3(cells, 5, 5)), spacing);
         const ObjectStrains objects(aggregate, moved, *shot->bodies[0].relaxed);
         const StrainedSurface surface = strainedSurface(mesh, aggregate, objects, loadedObjects(*shot, 0));
         double width = 0; // of the middle now
@@ -299,13 +299,13 @@ private slots:
         for (const Vec3& place : surface.mesh.vertices)
             if (std::abs(place.x()) < 0.1 * spacing)
                 width = std::max(width, 2 * place.z());
-        QVERIFY(width > 3 * spacing && width < 4 * spacing);
+        QVERIFY(width > 4 * spacing && width < 5 * spacing);
         for (std::size_t v = 0; v < surface.mesh.vertices.size(); ++v)
             if (std::abs(surface.mesh.vertices[v].x()) < 2.5 * spacing)
                 comparison.add(static_cast<double>(surface.fields.vonMisesStress[v]), force / (width * width), 0);
         qInfo("stretch about %.3g, force by section %.4g Pa: %+.2g to %+.2g %%", 1.3, force / (width * width),
               100 * comparison.least, 100 * comparison.most);
-        QVERIFY(comparison.worst() < 0.04); // its weights are fitted to bending: even ones give .03
+        QVERIFY(comparison.worst() < 0.03);
     }
 
     /// A block of material that flows while a hard plate bends it: whatever was extrapolated, no more than it can bear.
