@@ -11,6 +11,7 @@ namespace knead {
 namespace {
 
 constexpr std::size_t blockSize = 4096;
+constexpr std::size_t slotsAtATime = 2048;
 
 } // namespace
 
@@ -27,31 +28,32 @@ double dotProduct(const VectorArray& a, const VectorArray& b)
 }
 
 ConjugateGradients::Report ConjugateGradients::solve(ImplicitSystem& system, RigidModePreconditioner& preconditioner,
-                                                     VectorArray& residual, VectorArray& solution, double goal,
+                                                     const VectorArray& residual, VectorArray& solution, double goal,
                                                      int most, const std::function<bool()>& isStopped)
 {
-    for (VectorArray* vectors : {&m_direction, &m_preconditioned, &m_product})
-        vectors->resize(system.rows());
-    preconditioner.apply(residual, m_preconditioned);
-    m_direction = m_preconditioned;
+    for (FloatArray* vectors : {&m_solution, &m_direction, &m_preconditioned, &m_product})
+        vectors->resize(system.slotCount());
+    const double scale = scaleOf(residual);
+    system.gather(residual, scale, m_residual);
+    goal *= scale * scale;
     Report report;
-    report.start = report.end = dotProduct(residual, m_preconditioned);
+    report.start = report.end = preconditioner.apply(m_residual, m_preconditioned);
+    m_direction = m_preconditioned;
     while (report.end > goal && report.iterations < most && !(isStopped && isStopped())) {
-        system.multiply(m_direction, m_product);
-        const double curvature = dotProduct(m_direction, m_product);
+        const double curvature = system.multiply(m_direction, m_product);
         if (!(curvature > 0)) // rounding is all that is left
             break;
-        const double length = report.end / curvature;
-        forEachBlock(system.rows(), blockSize, [&](std::size_t begin, std::size_t end) {
+        const auto length = static_cast<float>(report.end / curvature);
+        forEachBlock(system.slotCount(), slotsAtATime, [&](std::size_t begin, std::size_t end) {
             for (std::size_t c = 0; c < 3; ++c)
                 kernels::bestTangents().descend(end - begin, length, m_direction.component(c) + begin,
-                                                m_product.component(c) + begin, solution.component(c) + begin,
-                                                residual.component(c) + begin);
+                                                m_product.component(c) + begin, m_solution.component(c) + begin,
+                                                m_residual.component(c) + begin);
+            preconditioner.begin(m_residual, m_preconditioned, begin, end);
         });
-        preconditioner.apply(residual, m_preconditioned);
-        const double next = dotProduct(residual, m_preconditioned);
-        const double share = next / report.end;
-        forEachBlock(system.rows(), blockSize, [&](std::size_t begin, std::size_t end) {
+        const double next = preconditioner.finish(m_residual, m_preconditioned);
+        const auto share = static_cast<float>(next / report.end);
+        forEachBlock(system.slotCount(), slotsAtATime, [&](std::size_t begin, std::size_t end) {
             for (std::size_t c = 0; c < 3; ++c)
                 kernels::bestTangents().turn(end - begin, share, m_preconditioned.component(c) + begin,
                                              m_direction.component(c) + begin);
@@ -59,6 +61,9 @@ ConjugateGradients::Report ConjugateGradients::solve(ImplicitSystem& system, Rig
         report.end = next;
         ++report.iterations;
     }
+    system.addTo(solution, 1 / scale, m_solution);
+    report.start /= scale * scale;
+    report.end /= scale * scale;
     return report;
 }
 

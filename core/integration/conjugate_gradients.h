@@ -9,7 +9,8 @@ namespace knead {
 /// a . b over all rows, summed in an order that does not depend on the number of threads.
 double dotProduct(const VectorArray& a, const VectorArray& b);
 
-/// Preconditioned conjugate gradients for A dv = r.
+/// Preconditioned conjugate gradients for A dv = r, in single precision: what the solution lacks is found by whoever has the
+/// forces, in double. Several threads; same bits for any number.
 class ConjugateGradients {
 public:
     struct Report {
@@ -18,16 +19,18 @@ public:
         double end = 0;   ///< and at the end
     };
 
-    /// Adds dv to `solution` and makes `residual` what is left of it, until r . P r is at most `goal` [J], or for `most`
-    /// iterations.
+    /// Adds dv to `solution`, until r . P r is at most `goal` [J], or for `most` iterations.
+    /// @param residual r, by rows [kg m/s]
     /// @param isStopped asked before each iteration, which is then the last; none: never
-    Report solve(ImplicitSystem& system, RigidModePreconditioner& preconditioner, VectorArray& residual,
+    Report solve(ImplicitSystem& system, RigidModePreconditioner& preconditioner, const VectorArray& residual,
                  VectorArray& solution, double goal, int most, const std::function<bool()>& isStopped = {});
 
 private:
-    VectorArray m_direction;
-    VectorArray m_preconditioned;
-    VectorArray m_product;
+    FloatArray m_residual;
+    FloatArray m_solution;
+    FloatArray m_direction;
+    FloatArray m_preconditioned;
+    FloatArray m_product;
 };
 
 } // namespace knead

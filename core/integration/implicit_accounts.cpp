@@ -11,9 +11,7 @@ double ImplicitEuler::sizeOf(const VectorArray& momenta)
 {
     if (m_system.rows() == 0)
         return 0;
-    m_scratch.resize(m_system.rows());
-    m_preconditioner.apply(momenta, m_scratch);
-    return dotProduct(momenta, m_scratch);
+    return m_preconditioner.sizeOf(m_system, momenta);
 }
 
 /// Size of the residual less what contacts do: what has gone far into a stiff surface within the step would say nothing about the

@@ -44,18 +44,21 @@ struct Link {
 /// definite; never assembled.
 ///
 /// It has one row of three numbers per object of the deformable bodies, body after body, and then two per rigid body that
-/// moves: its velocity, and its angular velocity times its size. Rows of held objects are 0 in every vector.
+/// moves: its velocity, and its angular velocity times its size. The linear solver has them in single precision by slots
+/// instead (RunSlots), in the same order. What it gives for held objects means nothing.
 class ImplicitSystem {
 public:
     struct DeformableBody {
         TangentOperator tangent;
         const ObjectState* state;
         std::size_t first; ///< row of its first object
+        std::size_t slot;  ///< where its slots begin
     };
     struct RigidBody {
         double mass;       ///< [kg]
         Mat3 inertia;      ///< in the world, by size squared [kg]
         std::size_t first; ///< row of its velocity
+        std::size_t slot;  ///< of its velocity
     };
 
     /// Adds a body; the state and the connections must outlive the system. @return its first row
@@ -67,10 +70,19 @@ public:
     void setRigid(std::size_t index, double mass, const Mat3& inertia);
     void setLinks(std::vector<Link> links) { m_links = std::move(links); }
 
-    void multiply(const VectorArray& u, VectorArray& product);
+    /// By slots. @return u A u [J]
+    double multiply(const FloatArray& u, FloatArray& product);
+
+    /// Rows by slots, times a factor; and the other way round, added.
+    void gather(const VectorArray& rows, double factor, FloatArray& bySlots) const;
+    void addTo(VectorArray& rows, double factor, const FloatArray& bySlots) const;
+
     void clearHeld(VectorArray& u) const; ///< sets the rows of held objects to 0
 
     std::size_t rows() const { return m_rows; }
+    std::size_t slotCount() const { return m_slots; } ///< with those that stand for nothing; a multiple of eight
+    std::uint32_t slotOf(std::size_t row) const { return m_slot[row]; }
+    const std::vector<std::uint32_t>& heldRows() const { return m_held; }
     double massOf(std::size_t row) const { return m_mass[row]; } ///< [kg]; of rigid bodies 0
     bool isHeld(std::size_t row) const { return m_isHeld[row] != 0; }
     const std::vector<DeformableBody>& deformables() const { return m_deformables; }
@@ -84,7 +96,9 @@ private:
     std::vector<double> m_mass;
     std::vector<std::uint8_t> m_isHeld;
     std::vector<std::uint32_t> m_held;
+    std::vector<std::uint32_t> m_slot; ///< per row
     std::size_t m_rows = 0;
+    std::size_t m_slots = 0;
 };
 
 } // namespace knead

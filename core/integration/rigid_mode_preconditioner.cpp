@@ -1,10 +1,10 @@
 #include "core/integration/rigid_mode_preconditioner.h"
 
+#include "core/geometry/disjoint_sets.h"
 #include "core/mechanics/tangent_kernels.h"
 #include "core/task/parallel.h"
 
 #include <Eigen/Dense>
-#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -15,66 +15,51 @@ namespace knead {
 
 namespace {
 
-using Vec6 = Eigen::Matrix<double, 6, 1>;
-using Mat6 = Eigen::Matrix<double, 6, 6>;
+using Vec6 = RigidModeLevels::Vec6;
+using Mat6 = RigidModeLevels::Mat6;
 
-constexpr std::size_t blockSize = 4096;
+constexpr std::size_t slotsAtATime = 2048; // whole lanes of every kind
+constexpr std::size_t clustersAtATime = 64;
+
+// Weight of what clusters do: regions that are rigid are stiffer than the material. At 2, bars take .5 (Poisson's ratio .49) to 1
+// times the iterations of 1; from 1.5 to 3 it makes little difference.
+constexpr float clusterWeight = 2;
+
 const std::array<Vec3, 3> worldAxes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
 
-// Objects along the edge of a block. Smaller blocks take fewer iterations, but their factor grows with the square of their
-// number; larger bodies get larger blocks, so that there are about so many of them.
-constexpr double leastBlockEdge = 4;
-constexpr double mostBlocks = 250;
-
-// Clusters of one object, or of objects in a row, have rotations that do nothing; so much of the diagonal keeps the
-// factor of the coarse matrix finite.
-constexpr double coarseShift = 1e-10;
-
-/// Sets of connected rows.
-class DisjointRows {
+/// Which block of the lattice an object of a body lies in: about `edge` objects long, as even as can be along u and v; along w
+/// blocks begin where `edge` slots do, and one of a single layer at an end belongs to its neighbor.
+class Blocks {
 public:
-    explicit DisjointRows(std::size_t count)
-        : m_parent(count)
+    Blocks(const Lattice& lattice, std::int32_t edge)
+        : m_edge(edge)
     {
-        std::iota(m_parent.begin(), m_parent.end(), 0U);
+        for (const Lattice::Node& node : lattice.nodes)
+            m_bounds.extend(Eigen::Vector3i(node[0], node[1], node[2]));
+        m_extent = m_bounds.sizes() + Eigen::Vector3i::Ones();
+        m_blocks = ((2 * m_extent.array() + edge) / (2 * edge)).max(1);
+        m_first = rowBlock(m_bounds.min()[2] + 1);
+        m_last = std::max(m_first, rowBlock(m_bounds.max()[2] - 1));
     }
-    std::uint32_t find(std::uint32_t row)
+
+    std::array<std::int32_t, 3> of(const Lattice::Node& node) const
     {
-        while (m_parent[row] != row)
-            row = m_parent[row] = m_parent[m_parent[row]];
-        return row;
-    }
-    void join(std::uint32_t a, std::uint32_t b) // the lower one names the set
-    {
-        a = find(a);
-        b = find(b);
-        m_parent[std::max(a, b)] = std::min(a, b);
+        const auto even = [&](int axis) {
+            return (node[static_cast<std::size_t>(axis)] - m_bounds.min()[axis]) * m_blocks[axis] / m_extent[axis];
+        };
+        return {even(0), even(1), std::clamp(rowBlock(node[2]), m_first, m_last)};
     }
 
 private:
-    std::vector<std::uint32_t> m_parent;
-};
+    std::int32_t rowBlock(std::int32_t w) const { return w >= 0 ? w / m_edge : -((m_edge - 1 - w) / m_edge); }
 
-/// Which block of the lattice each object of a body lies in: blocks as even as can be, about `edge` objects long.
-std::vector<std::uint32_t> blocksOf(const Lattice& lattice, double edge)
-{
-    Eigen::AlignedBox3i bounds;
-    for (const Lattice::Node& node : lattice.nodes)
-        bounds.extend(Eigen::Vector3i(node[0], node[1], node[2]));
-    const Eigen::Vector3i extent = bounds.sizes() + Eigen::Vector3i::Ones();
-    const Eigen::Vector3i blocks =
-        (extent.cast<double>() / edge).array().round().cast<int>().max(1); // at least one along each axis
-    std::vector<std::uint32_t> block(lattice.size());
-    for (std::size_t i = 0; i < block.size(); ++i) {
-        Eigen::Vector3i place;
-        for (int axis = 0; axis < 3; ++axis)
-            place[axis] = static_cast<int>(
-                static_cast<std::int64_t>(lattice.nodes[i][static_cast<std::size_t>(axis)] - bounds.min()[axis]) *
-                blocks[axis] / extent[axis]);
-        block[i] = static_cast<std::uint32_t>((place[0] * blocks[1] + place[1]) * blocks[2] + place[2]);
-    }
-    return block;
-}
+    std::int32_t m_edge;
+    Eigen::AlignedBox3i m_bounds;
+    Eigen::Vector3i m_extent;
+    Eigen::Vector3i m_blocks;
+    std::int32_t m_first;
+    std::int32_t m_last;
+};
 
 /// P^T of a momentum on a member: force and torque in the cluster's units.
 Vec6 restricted(const Vec3& momentum, const Vec3& arm)
@@ -84,215 +69,222 @@ Vec6 restricted(const Vec3& momentum, const Vec3& arm)
     return mode;
 }
 
-} // namespace
-
-/// P^T A P by 6x6 blocks, and its factor.
-class RigidModePreconditioner::Coarse {
-public:
-    explicit Coarse(std::size_t clusters)
-        : m_size(static_cast<Eigen::Index>(6 * clusters))
-    {
-    }
-
-    /// Adds mode mode^T, where the mode reaches over a few clusters.
-    struct Reach {
-        std::uint32_t cluster;
-        Vec6 mode;
-    };
-    template <typename Reaches>
-    void addDyad(const Reaches& reaches, double weight = 1)
-    {
-        for (const Reach& a : reaches)
-            for (const Reach& b : reaches)
-                if (a.cluster != none && b.cluster != none && a.cluster >= b.cluster)
-                    block(a.cluster, b.cluster) += weight * a.mode * b.mode.transpose();
-    }
-    Mat6& block(std::uint32_t row, std::uint32_t column)
-    {
-        const std::pair key(row, column);
-        if (m_last == m_blocks.end() || m_last->first != key)
-            m_last = m_blocks.try_emplace(key, Mat6::Zero()).first;
-        return m_last->second;
-    }
-
-    void factor()
-    {
-        if (m_size == 0)
-            return;
-        std::vector<Eigen::Triplet<double>> entries;
-        entries.reserve(36 * m_blocks.size());
-        for (auto& [key, values] : m_blocks)
-            for (int r = 0; r < 6; ++r)
-                for (int c = 0; c < 6; ++c) {
-                    const auto row = static_cast<int>(6 * key.first) + r;
-                    const auto column = static_cast<int>(6 * key.second) + c;
-                    if (row < column)
-                        continue;
-                    double value = values(r, c);
-                    if (row == column) {
-                        const double scale = values.diagonal().maxCoeff();
-                        value = value > coarseShift * scale ? value * (1 + coarseShift) : std::max(scale, 1e-300);
-                    }
-                    entries.emplace_back(row, column, value);
-                }
-        Eigen::SparseMatrix<double> matrix(m_size, m_size);
-        matrix.setFromTriplets(entries.begin(), entries.end());
-        m_factor.compute(matrix);
-        m_blocks.clear();
-        m_last = m_blocks.end();
-    }
-    bool isUsable() const { return m_size > 0 && m_factor.info() == Eigen::Success; }
-    Eigen::VectorXd solve(const Eigen::VectorXd& load) const { return m_factor.solve(load); }
-    Eigen::Index size() const { return m_size; }
-
-private:
-    using Blocks = std::map<std::pair<std::uint32_t, std::uint32_t>, Mat6>;
-    Eigen::Index m_size;
-    Blocks m_blocks; ///< of the lower triangle
-    Blocks::iterator m_last = m_blocks.end();
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factor;
+/// A mode that reaches over a few clusters.
+struct Reach {
+    std::uint32_t cluster;
+    Vec6 mode;
 };
 
-RigidModePreconditioner::RigidModePreconditioner() = default;
-RigidModePreconditioner::~RigidModePreconditioner() = default;
-RigidModePreconditioner::RigidModePreconditioner(RigidModePreconditioner&&) noexcept = default;
-RigidModePreconditioner& RigidModePreconditioner::operator=(RigidModePreconditioner&&) noexcept = default;
+/// Adds weight mode mode^T. @param none the cluster of what is held
+template <typename Reaches>
+void addDyad(RigidModeLevels& levels, const Reaches& reaches, double weight)
+{
+    const auto isFree = [&](const Reach& reach) { return reach.cluster < levels.clusters(); };
+    for (const Reach& a : reaches)
+        for (const Reach& b : reaches)
+            if (isFree(a) && isFree(b) && a.cluster >= b.cluster)
+                levels.block(a.cluster, b.cluster) += weight * a.mode * b.mode.transpose();
+}
+
+} // namespace
+
+double scaleOf(const VectorArray& rows)
+{
+    double largest = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            largest = std::max(largest, std::abs(rows.component(c)[i]));
+    if (!(largest > 0) || !std::isfinite(largest))
+        return 1;
+    return std::ldexp(1.0, -std::ilogb(largest));
+}
 
 void RigidModePreconditioner::updateBlocks(const ImplicitSystem& system)
 {
-    const std::size_t rows = system.rows();
-    std::array<std::vector<double>, 6> blocks;
+    const std::size_t slots = system.slotCount();
     for (std::size_t c = 0; c < 6; ++c) {
-        blocks[c].assign(rows, 0);
-        m_inverse[c].resize(rows);
+        m_diagonal[c].assign(slots, 0);
+        m_inverse[c].resize(slots);
     }
-    for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t row = 0; row < rows; ++row)
-            blocks[c][row] = system.massOf(row);
     for (const ImplicitSystem::DeformableBody& body : system.deformables()) {
         std::array<double*, 6> own{};
         for (std::size_t c = 0; c < 6; ++c)
-            own[c] = &blocks[c][body.first];
-        body.tangent.addBlocks(own);
+            own[c] = &m_diagonal[c][body.slot];
+        body.tangent.findDiagonal(own);
     }
-    const auto add = [&](std::size_t row, const Mat3& matrix) {
+    const auto add = [&](std::size_t slot, const Mat3& matrix) {
         const double entries[] = {matrix(0, 0), matrix(1, 1), matrix(2, 2), matrix(0, 1), matrix(0, 2), matrix(1, 2)};
         for (std::size_t c = 0; c < 6; ++c)
-            blocks[c][row] += entries[c];
+            m_diagonal[c][slot] += entries[c];
     };
     for (const ImplicitSystem::RigidBody& body : system.rigids()) {
-        add(body.first, body.mass * Mat3::Identity());
-        add(body.first + 1, body.inertia);
+        add(body.slot, body.mass * Mat3::Identity());
+        add(body.slot + 1, body.inertia);
     }
     for (const Link& link : system.links())
         for (const LinkEnd& end : {link.first, link.second}) {
             if (end.row == LinkEnd::immovable)
                 continue;
             if (!end.isRigid) {
-                end.forEachRow([&](std::uint32_t row, double weight) { add(row, weight * weight * link.matrix); });
+                end.forEachRow(
+                    [&](std::uint32_t row, double weight) { add(system.slotOf(row), weight * weight * link.matrix); });
                 continue;
             }
-            add(end.row, link.matrix);
+            add(system.slotOf(end.row), link.matrix);
             Mat3 cross;
             cross << 0, -end.arm.z(), end.arm.y(), end.arm.z(), 0, -end.arm.x(), -end.arm.y(), end.arm.x(), 0;
-            add(end.row + 1, cross * link.matrix * cross.transpose());
+            add(system.slotOf(end.row) + 1, cross * link.matrix * cross.transpose());
         }
-    forEachBlock(rows, blockSize, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            Mat3 block;
-            block << blocks[0][i], blocks[3][i], blocks[4][i], blocks[3][i], blocks[1][i], blocks[5][i], blocks[4][i],
-                blocks[5][i], blocks[2][i];
-            const Mat3 inverse = system.isHeld(i) ? Mat3(Mat3::Zero()) : Mat3(block.inverse());
-            m_inverse[0][i] = inverse(0, 0);
-            m_inverse[1][i] = inverse(1, 1);
-            m_inverse[2][i] = inverse(2, 2);
-            m_inverse[3][i] = inverse(0, 1);
-            m_inverse[4][i] = inverse(0, 2);
-            m_inverse[5][i] = inverse(1, 2);
+    forEachBlock(slots, slotsAtATime, [&](std::size_t begin, std::size_t end) {
+        const double* blocks[6];
+        float* inverse[6];
+        for (std::size_t c = 0; c < 6; ++c) {
+            blocks[c] = &m_diagonal[c][begin];
+            inverse[c] = &m_inverse[c][begin];
         }
+        kernels::bestTangents().invertBlocks(end - begin, blocks, inverse);
     });
+    for (const std::uint32_t row : system.heldRows())
+        for (std::size_t c = 0; c < 6; ++c)
+            m_inverse[c][system.slotOf(row)] = 0;
 }
 
 void RigidModePreconditioner::updateClusters(const ImplicitSystem& system)
 {
     findClusters(system);
     measureClusters(system);
+    listSlots(system);
     assemble(system);
 }
 
 void RigidModePreconditioner::findClusters(const ImplicitSystem& system)
 {
-    const double edge = std::max(leastBlockEdge, std::cbrt(static_cast<double>(system.rows()) / mostBlocks));
-    DisjointRows sets(system.rows());
+    std::vector<std::array<std::int32_t, 3>> blocks(system.rows());
+    DisjointSets sets(system.rows());
     for (const ImplicitSystem::DeformableBody& body : system.deformables()) {
-        const std::vector<std::uint32_t> block = blocksOf(body.tangent.connections().aggregate().lattice, edge);
+        const Lattice& lattice = body.tangent.connections().aggregate().lattice;
+        const Blocks blocksOf(lattice, static_cast<std::int32_t>(lanes));
+        for (std::size_t i = 0; i < lattice.size(); ++i)
+            blocks[body.first + i] = blocksOf.of(lattice.nodes[i]);
         body.tangent.forEachConnection([&](ObjectIndex i, ObjectIndex j, const Vec3&, double) {
-            if (block[i] == block[j] && !system.isHeld(body.first + i) && !system.isHeld(body.first + j))
-                sets.join(static_cast<std::uint32_t>(body.first + i), static_cast<std::uint32_t>(body.first + j));
+            if (!system.isHeld(body.first + i) && !system.isHeld(body.first + j) &&
+                blocks[body.first + i] == blocks[body.first + j])
+                sets.join(body.first + i, body.first + j);
         });
     }
-    m_turnsOnly.assign(system.rows(), 0);
-    for (const ImplicitSystem::RigidBody& body : system.rigids()) {
-        sets.join(static_cast<std::uint32_t>(body.first), static_cast<std::uint32_t>(body.first + 1));
-        m_turnsOnly[body.first + 1] = 1;
-    }
+    for (const ImplicitSystem::RigidBody& body : system.rigids())
+        sets.join(body.first, body.first + 1);
     // Numbered by their lowest rows.
-    std::uint32_t count = 0;
     m_clusterOf.assign(system.rows(), none);
-    for (std::uint32_t row = 0; row < system.rows(); ++row) {
+    m_clusters.clear();
+    std::vector<std::uint32_t> numbers(system.rows(), none);
+    const auto number = [&](std::size_t row, const RigidModeLevels::Cluster& cluster) {
         if (system.isHeld(row))
-            continue;
-        const std::uint32_t root = sets.find(row);
-        m_clusterOf[row] = root == row ? count++ : m_clusterOf[root];
+            return;
+        std::uint32_t& own = numbers[sets.find(row)];
+        if (own == none) {
+            own = static_cast<std::uint32_t>(m_clusters.size());
+            m_clusters.push_back(cluster);
+        }
+        m_clusterOf[row] = own;
+    };
+    std::uint32_t bodies = 0;
+    for (const ImplicitSystem::DeformableBody& body : system.deformables()) {
+        for (std::size_t i = 0; i < body.state->size(); ++i)
+            number(body.first + i, {.body = bodies, .block = blocks[body.first + i]});
+        ++bodies;
     }
-    m_membersBegin.assign(count + 1, 0);
-    for (const std::uint32_t cluster : m_clusterOf)
-        if (cluster != none)
-            ++m_membersBegin[cluster + 1];
-    std::partial_sum(m_membersBegin.begin(), m_membersBegin.end(), m_membersBegin.begin());
-    m_members.resize(m_membersBegin.back());
-    std::vector<std::size_t> next(m_membersBegin.begin(), m_membersBegin.end() - 1);
-    for (std::uint32_t row = 0; row < system.rows(); ++row)
-        if (m_clusterOf[row] != none)
-            m_members[next[m_clusterOf[row]]++] = row;
+    for (const ImplicitSystem::RigidBody& body : system.rigids())
+        for (const std::size_t row : {body.first, body.first + 1})
+            number(row, {.body = bodies, .isAlone = true});
 }
 
+/// Centers, sizes and arms; a rigid body's rows are in units of its own.
 void RigidModePreconditioner::measureClusters(const ImplicitSystem& system)
 {
-    const std::size_t count = m_membersBegin.size() - 1;
-    m_center.assign(count, Vec3::Zero());
-    m_size.assign(count, 1);
     m_arm = {};
     m_arm.resize(system.rows());
+    std::vector<double> members(m_clusters.size(), 0);
+    std::vector<double> farthest(m_clusters.size(), 0);
+    const auto forEachMember = [&](auto&& visit) {
+        for (const ImplicitSystem::DeformableBody& body : system.deformables())
+            for (std::size_t i = 0; i < body.state->size(); ++i)
+                if (const std::size_t row = body.first + i; m_clusterOf[row] != none)
+                    visit(row, m_clusterOf[row], body.state->position.at(i));
+    };
+    forEachMember([&](std::size_t, std::uint32_t cluster, const Vec3& place) {
+        m_clusters[cluster].center += place;
+        members[cluster] += 1;
+    });
+    for (std::size_t cluster = 0; cluster < m_clusters.size(); ++cluster)
+        if (members[cluster] > 0)
+            m_clusters[cluster].center /= members[cluster];
+    forEachMember([&](std::size_t, std::uint32_t cluster, const Vec3& place) {
+        farthest[cluster] = std::max(farthest[cluster], (place - m_clusters[cluster].center).norm());
+    });
+    for (std::size_t cluster = 0; cluster < m_clusters.size(); ++cluster)
+        if (farthest[cluster] > 0)
+            m_clusters[cluster].size = farthest[cluster];
+    forEachMember([&](std::size_t row, std::uint32_t cluster, const Vec3& place) {
+        m_arm.set(row, (place - m_clusters[cluster].center) / m_clusters[cluster].size);
+    });
+}
+
+/// Which slots move with which cluster: four at a time where all of them do.
+void RigidModePreconditioner::listSlots(const ImplicitSystem& system)
+{
+    system.gather(m_arm, 1, m_slotArm);
+    std::vector<std::uint32_t> clusterOf(system.slotCount(), none);
+    std::vector<std::uint8_t> isTaken(system.slotCount(), 0); // by a row, held or not
     for (const ImplicitSystem::DeformableBody& body : system.deformables())
-        for (std::size_t i = 0; i < body.state->size(); ++i)
-            m_arm.set(body.first + i, body.state->position.at(i));
-    for (std::size_t cluster = 0; cluster < count; ++cluster) {
-        const std::size_t begin = m_membersBegin[cluster];
-        const std::size_t end = m_membersBegin[cluster + 1];
-        for (std::size_t m = begin; m < end; ++m)
-            m_center[cluster] += m_arm.at(m_members[m]) / static_cast<double>(end - begin);
-        double farthest = 0;
-        for (std::size_t m = begin; m < end; ++m)
-            farthest = std::max(farthest, (m_arm.at(m_members[m]) - m_center[cluster]).norm());
-        if (farthest > 0)
-            m_size[cluster] = farthest;
-        for (std::size_t m = begin; m < end; ++m)
-            m_arm.set(m_members[m], (m_arm.at(m_members[m]) - m_center[cluster]) / m_size[cluster]);
+        for (std::size_t i = 0; i < body.state->size(); ++i) {
+            clusterOf[system.slotOf(body.first + i)] = m_clusterOf[body.first + i];
+            isTaken[system.slotOf(body.first + i)] = 1;
+        }
+    m_odd.clear();
+    m_motionOf.assign(system.slotCount() / lanes, -1);
+    std::vector<std::size_t> counts(m_clusters.size() + 1, 0);
+    for (std::size_t four = 0; four < m_motionOf.size(); ++four) {
+        std::uint32_t first = none;
+        bool isOdd = false;
+        for (std::size_t slot = lanes * four; slot < lanes * (four + 1); ++slot) {
+            if (isTaken[slot] == 0)
+                continue;
+            isOdd = isOdd || clusterOf[slot] == none || (first != none && clusterOf[slot] != first);
+            first = first == none ? clusterOf[slot] : first;
+        }
+        if (first == none)
+            continue;
+        if (!isOdd) {
+            m_motionOf[four] = static_cast<std::int32_t>(first);
+            ++counts[first + 1];
+            continue;
+        }
+        for (std::size_t slot = lanes * four; slot < lanes * (four + 1); ++slot)
+            if (clusterOf[slot] != none)
+                m_odd.push_back({static_cast<std::uint32_t>(slot), clusterOf[slot]});
     }
+    std::partial_sum(counts.begin(), counts.end(), counts.begin());
+    m_foursBegin = counts;
+    m_fours.resize(counts.back());
+    for (std::size_t four = 0; four < m_motionOf.size(); ++four)
+        if (m_motionOf[four] >= 0)
+            m_fours[counts[static_cast<std::size_t>(m_motionOf[four])]++] = static_cast<std::uint32_t>(lanes * four);
+    m_rigid.clear();
+    for (const ImplicitSystem::RigidBody& body : system.rigids())
+        m_rigid.push_back({static_cast<std::uint32_t>(body.slot), m_clusterOf[body.first]});
 }
 
 void RigidModePreconditioner::assemble(const ImplicitSystem& system)
 {
-    using Reach = Coarse::Reach;
-    m_coarse = std::make_unique<Coarse>(clusters());
+    m_levels = std::make_unique<RigidModeLevels>(m_clusters);
     for (std::size_t row = 0; row < system.rows(); ++row) {
         const std::uint32_t cluster = m_clusterOf[row];
         if (cluster == none)
             continue;
         const double mass = system.massOf(row);
         const Vec3 arm = m_arm.at(row);
-        Mat6& block = m_coarse->block(cluster, cluster);
+        Mat6& block = m_levels->block(cluster, cluster);
         for (const Vec3& axis : worldAxes) {
             const Vec6 mode = restricted(axis, arm);
             block += mass * mode * mode.transpose();
@@ -300,8 +292,8 @@ void RigidModePreconditioner::assemble(const ImplicitSystem& system)
     }
     for (const ImplicitSystem::RigidBody& body : system.rigids()) {
         const std::uint32_t cluster = m_clusterOf[body.first];
-        m_coarse->block(cluster, cluster).topLeftCorner<3, 3>() += body.mass * Mat3::Identity();
-        m_coarse->block(cluster, cluster).bottomRightCorner<3, 3>() += body.inertia;
+        m_levels->block(cluster, cluster).topLeftCorner<3, 3>() += body.mass * Mat3::Identity();
+        m_levels->block(cluster, cluster).bottomRightCorner<3, 3>() += body.inertia;
     }
     for (const ImplicitSystem::DeformableBody& body : system.deformables()) {
         std::vector<std::uint8_t> isInside(body.state->size(), 1); // all connections stay within its cluster
@@ -313,15 +305,16 @@ void RigidModePreconditioner::assemble(const ImplicitSystem& system)
             if (m_clusterOf[row] == m_clusterOf[other]) { // a rigid motion does not change its length
                 const Vec3 between = m_arm.at(row) - m_arm.at(other);
                 if (across > 0)
-                    m_coarse->block(m_clusterOf[row], m_clusterOf[row]).bottomRightCorner<3, 3>() +=
+                    m_levels->block(m_clusterOf[row], m_clusterOf[row]).bottomRightCorner<3, 3>() +=
                         across * (between.squaredNorm() * Mat3::Identity() - between * between.transpose());
                 return;
             }
             isInside[i] = isInside[j] = 0;
             const auto add = [&](const Vec3& direction, double weight) {
-                m_coarse->addDyad(std::array<Reach, 2>{{{m_clusterOf[row], restricted(direction, m_arm.at(row))},
-                                                        {m_clusterOf[other], restricted(-direction, m_arm.at(other))}}},
-                                  weight);
+                addDyad(*m_levels,
+                        std::array<Reach, 2>{{{m_clusterOf[row], restricted(direction, m_arm.at(row))},
+                                              {m_clusterOf[other], restricted(-direction, m_arm.at(other))}}},
+                        weight);
             };
             add(root, 1);
             if (across > 0)
@@ -345,7 +338,7 @@ void RigidModePreconditioner::assemble(const ImplicitSystem& system)
                     reach = reaches.insert(reaches.end(), {m_clusterOf[row], Vec6::Zero()});
                 reach->mode += restricted(slope.gradient, m_arm.at(row));
             }
-            m_coarse->addDyad(reaches, body.tangent.weightOf(i));
+            addDyad(*m_levels, reaches, 1);
         }
     }
     for (const Link& link : system.links()) {
@@ -373,47 +366,81 @@ void RigidModePreconditioner::assemble(const ImplicitSystem& system)
             };
             addEnd(link.first, 1);
             addEnd(link.second, -1);
-            m_coarse->addDyad(reaches, std::max(0.0, roots.eigenvalues()[axis]));
+            addDyad(*m_levels, reaches, std::max(0.0, roots.eigenvalues()[axis]));
         }
     }
-    m_coarse->factor();
+    m_levels->finish();
 }
 
-void RigidModePreconditioner::apply(const VectorArray& r, VectorArray& z)
+void RigidModePreconditioner::begin(const FloatArray& r, FloatArray& z, std::size_t begin, std::size_t end) const
 {
-    Eigen::VectorXd load(m_coarse->size());
-    forEachBlock(clusters(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t cluster = begin; cluster < end; ++cluster) {
-            Vec3 force = Vec3::Zero();
-            Vec3 torque = Vec3::Zero();
-            for (std::size_t m = m_membersBegin[cluster]; m < m_membersBegin[cluster + 1]; ++m) {
-                const std::uint32_t row = m_members[m];
-                const Vec3 momentum = r.at(row);
-                if (m_turnsOnly[row] != 0) {
-                    torque += momentum;
-                } else {
-                    force += momentum;
-                    torque += m_arm.at(row).cross(momentum);
-                }
-            }
-            load.segment<6>(static_cast<Eigen::Index>(6 * cluster)) << force, torque;
-        }
+    const float* blocks[6];
+    for (std::size_t c = 0; c < 6; ++c)
+        blocks[c] = &m_inverse[c][begin];
+    kernels::bestTangents().multiplyBlocks(end - begin, blocks, r.data() + begin, z.data() + begin,
+                                           static_cast<std::ptrdiff_t>(r.stride()));
+}
+
+double RigidModePreconditioner::finish(const FloatArray& r, FloatArray& z)
+{
+    const auto stride = static_cast<std::ptrdiff_t>(r.stride());
+    const kernels::TangentKernels& kernel = kernels::bestTangents();
+    m_load.resize(8 * clusters());
+    forEachBlock(clusters(), clustersAtATime, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t cluster = begin; cluster < end; ++cluster)
+            kernel.restrictFours(m_foursBegin[cluster + 1] - m_foursBegin[cluster],
+                                 m_fours.data() + m_foursBegin[cluster], r.data(), m_slotArm.data(), stride,
+                                 &m_load[8 * cluster]);
     });
-    const Eigen::VectorXd motion = m_coarse->isUsable() ? m_coarse->solve(load) : Eigen::VectorXd::Zero(load.size());
-    forEachBlock(r.size(), blockSize, [&](std::size_t begin, std::size_t end) {
-        const double* blocks[6];
-        for (std::size_t c = 0; c < 6; ++c)
-            blocks[c] = &m_inverse[c][begin];
-        kernels::bestTangents().multiplyBlocks(end - begin, blocks, kernels::from(r, begin), kernels::into(z, begin));
-        for (std::size_t row = begin; row < end; ++row) {
-            if (m_clusterOf[row] == none)
-                continue;
-            const double* mode = &motion[static_cast<Eigen::Index>(6 * m_clusterOf[row])];
-            const Vec3 turn(mode[3], mode[4], mode[5]);
-            z.add(row,
-                  m_turnsOnly[row] != 0 ? turn : Vec3(Vec3(mode[0], mode[1], mode[2]) + turn.cross(m_arm.at(row))));
+    const auto motionOf = [&](std::uint32_t cluster, std::size_t first) {
+        const float* own = &m_motion[8 * static_cast<std::size_t>(cluster) + first];
+        return Vec3(own[0], own[1], own[2]);
+    };
+    const auto addLoad = [&](std::uint32_t cluster, const Vec6& load) {
+        for (int c = 0; c < 6; ++c)
+            m_load[8 * static_cast<std::size_t>(cluster) + static_cast<std::size_t>(c)] += static_cast<float>(load[c]);
+    };
+    for (const OddSlot& odd : m_odd)
+        addLoad(odd.cluster, restricted(r.at(odd.slot), m_slotArm.at(odd.slot)));
+    for (const RigidSlots& body : m_rigid)
+        addLoad(body.cluster, (Vec6() << r.at(body.slot), r.at(body.slot + 1)).finished());
+    m_levels->solve(m_load, m_motion);
+    for (float& value : m_motion)
+        value *= clusterWeight;
+    for (const RigidSlots& body : m_rigid) {
+        z.add(body.slot, motionOf(body.cluster, 0));
+        z.add(body.slot + 1, motionOf(body.cluster, 3));
+    }
+    std::vector<double> sums((r.size() + slotsAtATime - 1) / slotsAtATime);
+    forEachBlock(r.size(), slotsAtATime, [&](std::size_t begin, std::size_t end) {
+        kernel.prolongFours((end - begin) / lanes, &m_motionOf[begin / lanes], m_motion.data(),
+                            m_slotArm.data() + begin, z.data() + begin, stride);
+        auto odd = std::partition_point(m_odd.begin(), m_odd.end(), [&](const OddSlot& o) { return o.slot < begin; });
+        for (; odd != m_odd.end() && odd->slot < end; ++odd) {
+            const Vec3 turn = motionOf(odd->cluster, 3);
+            z.add(odd->slot, motionOf(odd->cluster, 0) + turn.cross(m_slotArm.at(odd->slot)));
         }
+        double sum = 0;
+        for (std::size_t c = 0; c < 3; ++c)
+            sum += kernel.floatDot(end - begin, r.component(c) + begin, z.component(c) + begin);
+        sums[begin / slotsAtATime] = sum;
     });
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+double RigidModePreconditioner::apply(const FloatArray& r, FloatArray& z)
+{
+    forEachBlock(r.size(), slotsAtATime, [&](std::size_t begin, std::size_t end) { this->begin(r, z, begin, end); });
+    return finish(r, z);
+}
+
+double RigidModePreconditioner::sizeOf(const ImplicitSystem& system, const VectorArray& momenta)
+{
+    const double scale = scaleOf(momenta);
+    system.gather(momenta, scale, m_r);
+    if (m_z.size() != m_r.size())
+        m_z.resize(m_r.size());
+    return apply(m_r, m_z) / (scale * scale);
 }
 
 } // namespace knead

@@ -108,12 +108,12 @@ Contacts::Report StaticEquilibrium::findForces(const Loads& loads, const std::ve
         }
         state.damping.setZero(); // nothing moves
     }
-    Contacts::Report report = loads.contacts->computeForces(
-        loads.surfaces, {.duration = m_step,
-                         .stickSpeed = stickShare * m_spacing / m_step,
-                         .isTrial = true,
-                         .isStatic = true,
-                         .isBalance = isBalance});
+    Contacts::Report report =
+        loads.contacts->computeForces(loads.surfaces, {.duration = m_step,
+                                                       .stickSpeed = stickShare * m_spacing / m_step,
+                                                       .isTrial = true,
+                                                       .isStatic = true,
+                                                       .isBalance = isBalance});
     if (loads.add)
         loads.add();
     return report;
@@ -224,9 +224,7 @@ VectorArray StaticEquilibrium::newtonStep(const std::vector<ContactTangent>& tan
     VectorArray rest(m_system.rows());
     for (std::size_t i = 0; i < m_system.rows(); ++i)
         rest.set(i, m_step * m_residual.at(i));
-    VectorArray preconditioned(m_system.rows());
-    m_preconditioner.apply(rest, preconditioned);
-    const double size = dotProduct(rest, preconditioned);
+    const double size = m_preconditioner.sizeOf(m_system, rest);
     VectorArray way(m_system.rows());
     const ConjugateGradients::Report solved =
         m_solver.solve(m_system, m_preconditioner, rest, way, linearTolerance * linearTolerance * size, mostIterations,

@@ -2,103 +2,112 @@
 
 #include "core/mechanics/kernel_views.h"
 #include "core/mechanics/lattice_stretches.h"
-#include "core/mechanics/tangent_kernels.h"
 #include "core/task/parallel.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace knead {
 
 namespace {
 
-// Connections worked on at a time: what they give stays in the first-level cache until both ends have taken it.
+// Connections worked on at a time: what they are made of stays in the first-level cache.
 constexpr std::size_t chunkSize = 256;
 
-kernels::ConstVectors from(const kernels::ConstVectors& v, std::size_t i)
-{
-    return {v.x + i, v.y + i, v.z + i};
-}
-kernels::Vectors into(const kernels::Vectors& v, std::size_t i)
-{
-    return {v.x + i, v.y + i, v.z + i};
-}
+// Blocks of slots, and runs of objects, that a thread takes at a time.
+constexpr std::size_t slotBlocks = 64;
+constexpr std::size_t runsAtATime = 32;
 
 using kernels::from;
 using kernels::into;
 
-bool isAxis(const Lattice::Node& step, std::size_t axis)
+/// Arrays begin on cache lines, and not all at the same place of a page.
+std::size_t strideFor(std::size_t slots)
 {
-    return step[axis] == 1 && step[(axis + 1) % 3] == 0 && step[(axis + 2) % 3] == 0;
-}
-
-/// The part of `count` objects from `first` on that lies in [begin, end); `skip` of them come before it.
-struct Part {
-    std::size_t first;
-    std::size_t skip;
-    std::size_t count;
-};
-Part partWithin(std::size_t first, std::size_t count, std::size_t begin, std::size_t end)
-{
-    const std::size_t low = std::max(first, begin);
-    const std::size_t high = std::min(first + count, end);
-    return {low, low - first, low < high ? high - low : 0};
+    constexpr std::size_t line = 16;
+    constexpr std::size_t linesPerPage = 64;
+    constexpr std::size_t apart = 5;
+    const std::size_t lines = (slots + line - 1) / line + 1;
+    return line * (lines + (apart + linesPerPage - lines % linesPerPage) % linesPerPage);
 }
 
 } // namespace
 
-TangentOperator::TangentOperator(const StructuralConnections& connections)
+TangentOperator::TangentOperator(const StructuralConnections& connections, const LaneVector<double>& mass)
     : m_connections(&connections)
+    , m_mass(&mass)
+    , m_places(connections.aggregate().lattice)
+    , m_directions(Lattice::isotropicCount)
+    , m_stride(strideFor(m_places.size()))
 {
+    const Lattice& lattice = connections.aggregate().lattice;
+    for (std::size_t d = Lattice::isotropicCount; d < Lattice::directionCount; ++d)
+        if (!lattice.segments[d].empty())
+            m_directions = Lattice::directionCount;
+    m_massArray = 5 * m_directions;
+    m_gradient = m_massArray + 1;
+    m_pressure = m_gradient + 9;
+    m_values.resize((connections.hasBulk() ? m_pressure + 9 : m_gradient) * m_stride);
 }
 
 void TangentOperator::update(const VectorArray& position, double step)
 {
-    const Lattice& lattice = m_connections->aggregate().lattice;
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
-        m_root[d].resize(m_connections->stiffness()[d].size());
-        m_across[d].resize(m_connections->stiffness()[d].size());
-    }
-    forEachBlock(position.size(), m_connections->blockSize(), [&](std::size_t begin, std::size_t end) {
-        double length[chunkSize];
-        double time[chunkSize];
-        for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-            forEachForward(lattice, d, begin, end, [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {
-                for (std::size_t s = 0; s < n; s += chunkSize) {
-                    const std::size_t count = std::min(chunkSize, n - s);
-                    const std::size_t lower = i + s;
-                    m_connections->laws().fill(&ConnectionLaw::dampingTime, lower, j + s, count, time);
-                    kernels::bestTangents().connectionTangent(count, from(position, lower), from(position, j + s),
-                                                              &m_connections->stiffness()[d][lower],
-                                                              m_connections->nominalLengths(d, lower, count, length),
-                                                              time, step, into(m_root[d], lower), &m_across[d][lower]);
-                }
-            });
-    });
     const LaneVector<double>& bulk = m_connections->bulk();
     m_hasBulk =
         m_connections->hasBulk() && std::any_of(bulk.begin(), bulk.end(), [](double value) { return value > 0; });
     if (m_hasBulk)
+        m_values.resize((m_pressure + 9) * m_stride);
+    findConnections(position, step);
+    if (m_hasBulk)
         findGradients(position, step);
+}
+
+void TangentOperator::findConnections(const VectorArray& position, double step)
+{
+    const Lattice& lattice = m_connections->aggregate().lattice;
+    forEachBlock(m_places.runs().size(), runsAtATime, [&](std::size_t begin, std::size_t end) {
+        double length[chunkSize];
+        double time[chunkSize];
+        for (std::size_t r = begin; r < end; ++r) {
+            const RunSlots::Run& run = m_places.runs()[r];
+            const std::size_t slot = m_places.of(run.begin);
+            for (std::size_t i = run.begin; i < run.end; ++i)
+                array(m_massArray)[slot + i - run.begin] = static_cast<float>((*m_mass)[i]);
+            for (std::size_t d = 0; d < m_directions; ++d) {
+                if (d >= Lattice::isotropicCount && lattice.segments[d].empty())
+                    continue;
+                forEachForward(
+                    lattice, d, run.begin, run.end, [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {
+                        for (std::size_t s = 0; s < n; s += chunkSize) {
+                            const std::size_t count = std::min(chunkSize, n - s);
+                            const std::size_t lower = i + s;
+                            const std::size_t at = slot + lower - run.begin;
+                            const double* stiffness = &m_connections->stiffness()[d][lower];
+                            m_connections->laws().fill(&ConnectionLaw::dampingTime, lower, j + s, count, time);
+                            kernels::bestTangents().connectionTangent(
+                                count, from(position, lower), from(position, j + s), stiffness,
+                                m_connections->nominalLengths(d, lower, count, length), time, step,
+                                {array(rootOf(d)) + at, array(rootOf(d) + 1) + at, array(rootOf(d) + 2) + at},
+                                array(acrossOf(d)) + at);
+                            for (std::size_t c = 0; m_hasBulk && c < count; ++c)
+                                array(stiffnessOf(d))[at + c] = static_cast<float>(stiffness[c]);
+                        }
+                    });
+            }
+        }
+    });
 }
 
 void TangentOperator::findGradients(const VectorArray& position, double step)
 {
     const Lattice& lattice = m_connections->aggregate().lattice;
-    for (auto& component : m_gradient)
-        component.resize(position.size());
-    for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
-        const Lattice::Node& node = Lattice::directions[d];
-        const bool isDiagonal = !isAxis(node, 0) && !isAxis(node, 1) && !isAxis(node, 2);
-        if (isDiagonal && !lattice.segments[d].empty())
-            m_diagonal[d].resize(position.size());
-    }
-    m_weight.resize(position.size());
-    m_pressure.resize(position.size());
-    forEachBlock(position.size(), m_connections->blockSize(), [&](std::size_t begin, std::size_t end) {
+    forEachBlock(m_places.runs().size(), runsAtATime, [&](std::size_t firstRun, std::size_t lastRun) {
+        const std::size_t begin = m_places.runs()[firstRun].begin;
+        const std::size_t end = m_places.runs()[lastRun - 1].end;
         std::array<VectorArray, 3> columns;
         for (VectorArray& column : columns)
             column.resize(end - begin);
-        for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+        for (std::size_t d = 0; d < m_directions; ++d)
             for (std::size_t c = 0; c < 3; ++c) {
                 const int component = Lattice::directions[d][c];
                 if (component == 0)
@@ -113,154 +122,78 @@ void TangentOperator::findGradients(const VectorArray& position, double step)
                 forEachForward(lattice, d, begin, end, add(1));
                 forEachBackward(lattice, d, begin, end, add(-1));
             }
-        const double* shape[9];
-        double* gradient[9];
-        const double* inverseShape[6];
-        for (std::size_t c = 0; c < 3; ++c) {
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                shape[3 * c + axis] = columns[c].component(axis);
-        }
-        for (std::size_t c = 0; c < 9; ++c)
-            gradient[c] = &m_gradient[c][begin];
-        for (std::size_t c = 0; c < 6; ++c)
-            inverseShape[c] = &m_connections->inverseShape()[c][begin];
-        kernels::bestTangents().dilatationGradient(end - begin, {shape, inverseShape, &m_connections->bulk()[begin],
-                                                                 lattice.spacing, step, gradient, &m_weight[begin]});
-        for (std::size_t d = 0; d < Lattice::directionCount; ++d) {
-            if (m_diagonal[d].size() == 0)
-                continue;
-            const Lattice::Node& node = Lattice::directions[d];
-            const double steps[3] = {static_cast<double>(node[0]), static_cast<double>(node[1]),
-                                     static_cast<double>(node[2])};
-            kernels::bestTangents().combineColumns(end - begin, gradient, steps, into(m_diagonal[d], begin));
+        for (std::size_t r = firstRun; r < lastRun; ++r) {
+            const RunSlots::Run& run = m_places.runs()[r];
+            const double* shape[9];
+            float* gradient[9];
+            const double* inverseShape[6];
+            for (std::size_t c = 0; c < 9; ++c) {
+                shape[c] = columns[c / 3].component(c % 3) + (run.begin - begin);
+                gradient[c] = array(m_gradient + c) + m_places.of(run.begin);
+            }
+            for (std::size_t c = 0; c < 6; ++c)
+                inverseShape[c] = &m_connections->inverseShape()[c][run.begin];
+            kernels::bestTangents().dilatationGradient(
+                run.end - run.begin,
+                {shape, inverseShape, &m_connections->bulk()[run.begin], lattice.spacing, step, gradient});
         }
     });
 }
 
-/// Gradients of the dilatation of the objects from `first` on towards direction `d`, per stiffness.
-kernels::ConstVectors TangentOperator::gradientsTowards(std::size_t d, std::size_t first) const
+kernels::SlotTangent TangentOperator::view(std::size_t vectorStride) const
 {
-    const Lattice::Node& step = Lattice::directions[d];
-    for (std::size_t c = 0; c < 3; ++c)
-        if (isAxis(step, c))
-            return {&m_gradient[3 * c][first], &m_gradient[3 * c + 1][first], &m_gradient[3 * c + 2][first]};
-    return from(m_diagonal[d], first);
-}
-
-void TangentOperator::findPressures(const kernels::ConstVectors& u)
-{
-    const Lattice& lattice = m_connections->aggregate().lattice;
-    forEachBlock(m_pressure.size(), m_connections->blockSize(), [&](std::size_t begin, std::size_t end) {
-        std::fill_n(&m_pressure[begin], end - begin, 0.0);
-        for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-            forEachTouching(lattice, d, begin, end, chunkSize,
-                            [&](std::size_t lower, std::size_t upper, std::size_t count) {
-                                for (const std::size_t first : {lower, upper}) {
-                                    const Part part = partWithin(first, count, begin, end);
-                                    if (part.count == 0)
-                                        continue;
-                                    kernels::bestTangents().addDilatationRate(
-                                        part.count, from(u, lower + part.skip), from(u, upper + part.skip),
-                                        &m_connections->stiffness()[d][lower + part.skip],
-                                        gradientsTowards(d, part.first), &m_pressure[part.first]);
-                                }
-                            });
-        for (std::size_t i = begin; i < end; ++i)
-            m_pressure[i] *= m_weight[i];
-    });
-}
-
-void TangentOperator::addProduct(const kernels::ConstVectors& u, const kernels::Vectors& product)
-{
-    const Lattice& lattice = m_connections->aggregate().lattice;
-    const kernels::TangentKernels& kernel = kernels::bestTangents();
+    kernels::SlotTangent tangent{};
+    tangent.stride = static_cast<std::ptrdiff_t>(m_stride);
+    tangent.vectorStride = static_cast<std::ptrdiff_t>(vectorStride);
+    for (std::size_t d = 0; d < m_directions; ++d) {
+        tangent.root[d] = array(rootOf(d));
+        tangent.across[d] = array(acrossOf(d));
+        tangent.stiffness[d] = array(stiffnessOf(d));
+    }
+    tangent.mass = array(m_massArray);
     if (m_hasBulk)
-        findPressures(u);
-    forEachBlock(lattice.size(), m_connections->blockSize(), [&](std::size_t begin, std::size_t end) {
-        double buffer[3 * chunkSize];
-        const kernels::Vectors pull{buffer, buffer + chunkSize, buffer + 2 * chunkSize};
-        for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-            forEachTouching(
-                lattice, d, begin, end, chunkSize, [&](std::size_t lower, std::size_t upper, std::size_t count) {
-                    kernel.connectionPull(count, from(u, lower), from(u, upper), roots(d, lower), &m_across[d][lower],
-                                          pull);
-                    if (m_hasBulk)
-                        kernel.addPressurePull(count, &m_connections->stiffness()[d][lower],
-                                               {&m_pressure[lower], &m_pressure[upper]},
-                                               {gradientsTowards(d, lower), gradientsTowards(d, upper)}, pull);
-                    const auto take = [&](double sign, std::size_t first) {
-                        const Part part = partWithin(first, count, begin, end);
-                        if (part.count > 0)
-                            kernel.addScaled(part.count, sign,
-                                             {pull.x + part.skip, pull.y + part.skip, pull.z + part.skip},
-                                             into(product, part.first));
-                    };
-                    take(-1, lower);
-                    take(1, upper);
-                });
-    });
+        tangent.gradient = array(m_gradient);
+    return tangent;
 }
 
-void TangentOperator::addBlocks(const std::array<double*, 6>& blocks) const
+double TangentOperator::multiply(const float* u, float* product, std::size_t stride)
 {
-    const Lattice& lattice = m_connections->aggregate().lattice;
-    forEachBlock(lattice.size(), m_connections->blockSize(), [&](std::size_t begin, std::size_t end) {
-        VectorArray own; // the gradient of an object's dilatation with its own place
-        if (m_hasBulk)
-            own.resize(end - begin);
-        const auto add = [&](std::size_t i, const Vec3& gradient, double weight) {
-            *(blocks[0] + i) += weight * gradient.x() * gradient.x();
-            *(blocks[1] + i) += weight * gradient.y() * gradient.y();
-            *(blocks[2] + i) += weight * gradient.z() * gradient.z();
-            *(blocks[3] + i) += weight * gradient.x() * gradient.y();
-            *(blocks[4] + i) += weight * gradient.x() * gradient.z();
-            *(blocks[5] + i) += weight * gradient.y() * gradient.z();
-        };
-        for (std::size_t d = 0; d < Lattice::directionCount; ++d)
-            forEachTouching(
-                lattice, d, begin, end, chunkSize, [&](std::size_t lower, std::size_t upper, std::size_t count) {
-                    for (const std::size_t first : {lower, upper}) {
-                        const Part part = partWithin(first, count, begin, end);
-                        if (part.count == 0)
-                            continue;
-                        double* target[6];
-                        for (std::size_t c = 0; c < 6; ++c)
-                            target[c] = blocks[c] + part.first;
-                        kernels::bestTangents().addConnectionBlocks(part.count, roots(d, lower + part.skip),
-                                                                    &m_across[d][lower + part.skip], target);
-                    }
-                    if (!m_hasBulk)
-                        return;
-                    const double* stiffness = &m_connections->stiffness()[d][lower];
-                    const auto below = gradientsTowards(d, lower);
-                    const auto above = gradientsTowards(d, upper);
-                    for (std::size_t s = 0; s < count; ++s) {
-                        const Vec3 low = stiffness[s] * Vec3(below.x[s], below.y[s], below.z[s]);
-                        const Vec3 high = stiffness[s] * Vec3(above.x[s], above.y[s], above.z[s]);
-                        if (lower + s >= begin && lower + s < end) {
-                            own.add(lower + s - begin, -low);
-                            add(lower + s, high, m_weight[upper + s]);
-                        }
-                        if (upper + s >= begin && upper + s < end) {
-                            own.add(upper + s - begin, high);
-                            add(upper + s, low, m_weight[lower + s]);
-                        }
-                    }
-                });
-        if (m_hasBulk)
-            for (std::size_t i = begin; i < end; ++i)
-                add(i, own.at(i - begin), m_weight[i]);
+    kernels::SlotTangent tangent = view(stride);
+    if (m_hasBulk)
+        tangent.pressure = array(m_pressure);
+    const std::vector<SlotBlock>& blocks = m_places.blocks();
+    if (m_hasBulk)
+        forEachBlock(blocks.size(), slotBlocks, [&](std::size_t begin, std::size_t end) {
+            kernels::bestTangents().slotPressures(end - begin, &blocks[begin], tangent, u);
+        });
+    std::vector<double> energies((blocks.size() + slotBlocks - 1) / slotBlocks);
+    forEachBlock(blocks.size(), slotBlocks, [&](std::size_t begin, std::size_t end) {
+        energies[begin / slotBlocks] =
+            kernels::bestTangents().slotProduct(end - begin, &blocks[begin], tangent, u, product);
+    });
+    return std::accumulate(energies.begin(), energies.end(), 0.0);
+}
+
+void TangentOperator::findDiagonal(const std::array<double*, 6>& diagonal) const
+{
+    const kernels::SlotTangent tangent = view(m_stride);
+    const std::vector<SlotBlock>& blocks = m_places.blocks();
+    forEachBlock(blocks.size(), slotBlocks, [&](std::size_t begin, std::size_t end) {
+        kernels::bestTangents().slotDiagonal(end - begin, &blocks[begin], tangent, diagonal.data());
     });
 }
 
 std::vector<TangentOperator::Slope> TangentOperator::slopesOf(ObjectIndex object) const
 {
     std::vector<Slope> slopes;
-    if (!m_hasBulk || m_weight[object] == 0)
+    if (!m_hasBulk)
         return slopes;
     Mat3 columns;
     for (int c = 0; c < 9; ++c)
-        columns(c % 3, c / 3) = m_gradient[static_cast<std::size_t>(c)][object];
+        columns(c % 3, c / 3) =
+            static_cast<double>(array(m_gradient + static_cast<std::size_t>(c))[m_places.of(object)]);
+    if (columns.isZero(0))
+        return slopes;
     Slope own{object, Vec3::Zero()};
     m_connections->forEachConnection(object, [&](ObjectIndex neighbor, const ConnectionId& connection) {
         const Lattice::Node& step = Lattice::directions[connection.direction];

@@ -45,10 +45,11 @@ using LaneVector = std::vector<T, LaneAllocator<T>>;
 
 /// A vector per object, stored by component so that loops over objects vectorize. Component c of object i is
 /// data()[c * stride() + i]; each component begins on a cache line and has slack around it (see LaneAllocator).
-class VectorArray {
+template <typename T>
+class VectorArrayOf {
 public:
-    VectorArray() = default;
-    explicit VectorArray(std::size_t size) { resize(size); }
+    VectorArrayOf() = default;
+    explicit VectorArrayOf(std::size_t size) { resize(size); }
 
     /// All vectors are zero afterwards.
     void resize(std::size_t size)
@@ -57,33 +58,33 @@ public:
         m_stride = strideFor(size);
         m_values.assign(3 * m_stride, 0);
     }
-    void setZero() { std::fill(m_values.begin(), m_values.end(), 0.0); }
+    void setZero() { std::fill(m_values.begin(), m_values.end(), T(0)); }
 
     std::size_t size() const { return m_size; }
     std::size_t stride() const { return m_stride; }
-    double* data() { return m_values.data(); }
-    const double* data() const { return m_values.data(); }
-    double* component(std::size_t c) { return data() + c * m_stride; }
-    const double* component(std::size_t c) const { return data() + c * m_stride; }
+    T* data() { return m_values.data(); }
+    const T* data() const { return m_values.data(); }
+    T* component(std::size_t c) { return data() + c * m_stride; }
+    const T* component(std::size_t c) const { return data() + c * m_stride; }
 
     Vec3 at(std::size_t i) const
     {
-        const double* v = data() + i;
+        const T* v = data() + i;
         return {v[0], v[m_stride], v[2 * m_stride]};
     }
     void set(std::size_t i, const Vec3& value)
     {
-        double* v = data() + i;
-        v[0] = value.x();
-        v[m_stride] = value.y();
-        v[2 * m_stride] = value.z();
+        T* v = data() + i;
+        v[0] = static_cast<T>(value.x());
+        v[m_stride] = static_cast<T>(value.y());
+        v[2 * m_stride] = static_cast<T>(value.z());
     }
     void add(std::size_t i, const Vec3& value)
     {
-        double* v = data() + i;
-        v[0] += value.x();
-        v[m_stride] += value.y();
-        v[2 * m_stride] += value.z();
+        T* v = data() + i;
+        v[0] += static_cast<T>(value.x());
+        v[m_stride] += static_cast<T>(value.y());
+        v[2 * m_stride] += static_cast<T>(value.z());
     }
 
 private:
@@ -91,7 +92,7 @@ private:
     /// to the same place in another page is taken for dependent on it.
     static std::size_t strideFor(std::size_t size)
     {
-        constexpr std::size_t line = 8;
+        constexpr std::size_t line = 64 / sizeof(T);
         constexpr std::size_t linesPerPage = 64;
         constexpr std::size_t third = 21;
         const std::size_t lines = (size + line - 1) / line + 1;
@@ -99,9 +100,12 @@ private:
         return line * (lines < 4 * linesPerPage ? lines : wanted);
     }
 
-    LaneVector<double> m_values;
+    LaneVector<T> m_values;
     std::size_t m_size = 0;
     std::size_t m_stride = 0;
 };
+
+using VectorArray = VectorArrayOf<double>;
+using FloatArray = VectorArrayOf<float>; ///< of the linear solver
 
 } // namespace knead

@@ -74,11 +74,69 @@ struct Bar {
         VectorArray residual = loads;
         system.clearHeld(residual);
         solution.resize(system.rows());
-        VectorArray preconditioned = residual;
-        preconditioner.apply(residual, preconditioned);
-        const double start = dotProduct(residual, preconditioned);
+        const double start = preconditioner.sizeOf(system, residual);
         return ConjugateGradients().solve(system, preconditioner, residual, solution, tolerance * tolerance * start,
                                           5000);
+    }
+
+    /// In double, from connections and slopes one by one.
+    VectorArray product(const VectorArray& u) const
+    {
+        VectorArray result(system.rows());
+        for (const ImplicitSystem::DeformableBody& body : system.deformables()) {
+            for (std::size_t i = 0; i < state.size(); ++i)
+                result.add(i, state.mass[i] * u.at(i));
+            body.tangent.forEachConnection([&](ObjectIndex i, ObjectIndex j, const Vec3& root, double across) {
+                const Vec3 between = u.at(i) - u.at(j);
+                const Vec3 momentum = root.dot(between) * root + across * between;
+                result.add(i, momentum);
+                result.add(j, -momentum);
+            });
+            for (ObjectIndex i = 0; i < state.size(); ++i) {
+                const auto slopes = body.tangent.slopesOf(i);
+                double rate = 0;
+                for (const auto& slope : slopes)
+                    rate += slope.gradient.dot(u.at(slope.object));
+                for (const auto& slope : slopes)
+                    result.add(slope.object, rate * slope.gradient);
+            }
+        }
+        for (const ImplicitSystem::RigidBody& body : system.rigids()) {
+            result.add(body.first, body.mass * u.at(body.first));
+            result.add(body.first + 1, body.inertia * u.at(body.first + 1));
+        }
+        for (const Link& link : system.links()) {
+            const auto velocityOf = [&](const LinkEnd& end) -> Vec3 {
+                if (end.row == LinkEnd::immovable)
+                    return Vec3::Zero();
+                return end.isRigid ? Vec3(u.at(end.row) + u.at(end.row + 1).cross(end.arm)) : u.at(end.row);
+            };
+            const Vec3 momentum = link.matrix * (velocityOf(link.first) - velocityOf(link.second));
+            push(link.first, momentum, result);
+            push(link.second, -momentum, result);
+        }
+        system.clearHeld(result);
+        return result;
+    }
+
+    /// Solved again for what is left, until that is nothing: single precision takes off some digits each time.
+    int solveAll()
+    {
+        solution.resize(system.rows());
+        int iterations = 0;
+        for (int round = 0; round < 8; ++round) {
+            VectorArray left = product(solution);
+            for (std::size_t i = 0; i < left.size(); ++i)
+                left.set(i, loads.at(i) - left.at(i));
+            system.clearHeld(left);
+            const double size = preconditioner.sizeOf(system, left);
+            iterations +=
+                ConjugateGradients().solve(system, preconditioner, left, solution, 1e-6 * size, 5000).iterations;
+            for (std::size_t i = 0; i < solution.size(); ++i)
+                if (system.isHeld(i))
+                    solution.set(i, Vec3::Zero());
+        }
+        return iterations;
     }
 
     Eigen::Vector3i cells;
@@ -141,14 +199,40 @@ private slots:
 
     void solutionBalancesTheLoad()
     {
-        Bar bar({17, 5, 5}, steel(0.3));
-        bar.solve(1e-10);
-        VectorArray product = bar.solution;
-        bar.system.multiply(bar.solution, product);
-        for (std::size_t i = 0; i < product.size(); ++i) {
-            const Vec3 expected = bar.system.isHeld(i) ? Vec3(Vec3::Zero()) : bar.loads.at(i);
-            QVERIFY((product.at(i) - expected).norm() < 1e-6);
+        for (const Material& material : {rubber(0.45), steel(0.3)}) {
+            Bar bar({17, 5, 5}, material);
+            bar.solveAll();
+            const VectorArray product = bar.product(bar.solution);
+            for (std::size_t i = 0; i < product.size(); ++i) {
+                const Vec3 expected = bar.system.isHeld(i) ? Vec3(Vec3::Zero()) : bar.loads.at(i);
+                QVERIFY2((product.at(i) - expected).norm() < 1e-6,
+                         qPrintable(QString::number((product.at(i) - expected).norm())));
+            }
         }
+    }
+
+    void productBySlotsIsThatOfRows()
+    {
+        Bar bar({17, 5, 5}, rubber(0.45));
+        VectorArray u(bar.system.rows());
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> value(-1, 1);
+        for (std::size_t i = 0; i < u.size(); ++i)
+            u.set(i, {value(random), value(random), value(random)});
+        bar.system.clearHeld(u);
+        FloatArray bySlots;
+        bar.system.gather(u, 2, bySlots);
+        FloatArray product(bar.system.slotCount());
+        bar.system.multiply(bySlots, product);
+        VectorArray rows(bar.system.rows());
+        bar.system.addTo(rows, 0.5, product);
+        bar.system.clearHeld(rows);
+        const VectorArray expected = bar.product(u);
+        double largest = 0;
+        for (std::size_t i = 0; i < u.size(); ++i)
+            largest = std::max(largest, expected.at(i).norm());
+        for (std::size_t i = 0; i < u.size(); ++i)
+            QVERIFY((rows.at(i) - expected.at(i)).norm() < 1e-6 * largest);
     }
 
     void piecesOfABlockThatHangApartMoveApart()
@@ -194,10 +278,10 @@ private slots:
         bar.loads.resize(bar.system.rows());
         bar.loads.set(first, {1, 2, 3});
         bar.loads.set(first + 1, {-1, 0, 2});
-        const auto report = bar.solve(1e-10);
-        QVERIFY2(report.iterations < 80, qPrintable(QString::number(report.iterations)));
-        VectorArray product = bar.solution;
-        bar.system.multiply(bar.solution, product);
+        const int iterations = bar.solve(1e-3).iterations;
+        QVERIFY2(iterations < 30, qPrintable(QString::number(iterations)));
+        bar.solveAll();
+        const VectorArray product = bar.product(bar.solution);
         for (std::size_t i = 0; i < product.size(); ++i)
             if (!bar.system.isHeld(i))
                 QVERIFY((product.at(i) - bar.loads.at(i)).norm() < 1e-6);
