@@ -15,7 +15,12 @@ constexpr std::size_t blockSize = 4096;
 // Shares of the residual at the start of a step, by the preconditioned norm. What a step leaves is in the forces at the start
 // of the next, so that a body at rest gets as near to balance as rounding allows, whatever these are.
 constexpr double linearTolerance = 5e-3; // to which a linear system is solved
+// The first ones only so far, by what is there: where they lead, contacts and turns are others anyway.
+constexpr double looseTolerance = 0.1;
+constexpr int looseIterations = 2;
 constexpr double newtonTolerance = 1e-2; // at which a step is done
+// Share of what acts in the step, at which it is done as well: what is near balance as it is costs no solution.
+constexpr double loadTolerance = 1e-3;
 constexpr double failedTolerance = 0.3;  // above which a step has failed
 // Of what was there before the first solution, so much is always enough to compare with: a body that is just let go of by
 // all it touched has loads of nothing.
@@ -26,6 +31,10 @@ constexpr int mostIterations = 400; // of conjugate gradients for one linear sys
 
 // Bodies that would move slower than this, in spacings per step, are at rest: no system is solved for less.
 constexpr double restShare = 1e-8;
+
+// Contacts are taken to be as steep at most as so much more than the deepest one of the last step makes them, and twice that with
+// each iteration.
+constexpr double steeperShare = 1.2;
 
 // Slides slower than this stick, in spacings per step.
 constexpr double stickShare = 3e-4;
@@ -183,7 +192,7 @@ LinkEnd ImplicitEuler::endOf(const ObjectRef& object, const PointSpread* spread)
 }
 
 /// The system at the places tried last.
-void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, double h)
+void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, double h, bool isFirst)
 {
     m_system.update(h);
     for (std::size_t b = 0; b < m_bodies.size(); ++b)
@@ -198,7 +207,10 @@ void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, do
     m_system.setLinks(std::move(links));
     if (m_system.rows() == 0)
         return;
-    m_preconditioner.updateBlocks(m_system);
+    if (isFirst)
+        m_preconditioner.updateBlocks(m_system);
+    else
+        m_preconditioner.updateLinks(m_system);
     const bool isStale = m_presentRate > staleFactor * m_freshRate + staleMore;
     if (m_factoredStep != h || isStale) {
         m_preconditioner.updateClusters(m_system);
@@ -223,11 +235,13 @@ int ImplicitEuler::solve(double goal)
 
 Contacts::Report ImplicitEuler::settle(Contacts& contacts, std::span<const RigidSurface> surfaces, double h)
 {
-    return findForces(contacts, surfaces,
-                      {.duration = h,
-                       .stickSpeed = stickShare * m_spacing / h,
-                       .keepsSlip = m_keepsSlip,
-                       .limitsSlip = m_limitsSlip});
+    const Contacts::Report report = findForces(contacts, surfaces,
+                                               {.duration = h,
+                                                .stickSpeed = stickShare * m_spacing / h,
+                                                .keepsSlip = m_keepsSlip,
+                                                .limitsSlip = m_limitsSlip});
+    m_steepness = report.steepness;
+    return report;
 }
 
 void ImplicitEuler::undo()
@@ -270,9 +284,11 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const
     double reference = 0;
     double lastSize = std::numeric_limits<double>::infinity();
     bool isOverBraked = false;
+    bool keptSlip = false;
     double relaxation = 1;
     for (;; ++report.newtonIterations) {
         tryVelocities(h);
+        step.steepest = std::ldexp(std::max(1.0, steeperShare * m_steepness), report.newtonIterations);
         m_keepsSlip = step.keepsSlip = report.newtonIterations > slipIterations && !isOverBraked;
         m_limitsSlip = step.limitsSlip = report.newtonIterations > limitIterations;
         report.contacts = findForces(contacts, surfaces, step);
@@ -285,20 +301,24 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const
         }
         findResidual(gravity, h);
         if (report.newtonIterations == 0)
-            updateSystem(report.contacts.tangents, h);
+            updateSystem(report.contacts.tangents, h, true);
         const double size = sizeOf(m_residual);
         if (report.newtonIterations == 0) {
             first = std::min(size, sizeWithoutContacts(report.contacts.tangents, h));
             reference = size;
-        } else {
-            reference = std::min(reference, std::max((m_touched.empty() ? leastFreeReference : leastReference) * first,
-                                                     sizeOfLoads(report.contacts.tangents, h)));
         }
-        const bool isBalanced = size <= std::max(newtonTolerance * newtonTolerance * reference, floor);
+        const double loads = sizeOfLoads(report.contacts.tangents, h);
+        if (report.newtonIterations > 0)
+            reference =
+                std::min(reference, std::max((m_touched.empty() ? leastFreeReference : leastReference) * first, loads));
+        const bool isBalanced = size <= std::max({newtonTolerance * newtonTolerance * reference, floor,
+                                                  loadTolerance * loadTolerance * loads});
         isOverBraked = isBalanced && m_keepsSlip && report.newtonIterations < mostNewtonIterations &&
                        report.contacts.frictionExcess > frictionTolerance * report.contacts.frictionLimit;
-        if (isOverBraked)
-            continue; // with friction as it must be at these forces
+        const bool isTooSoft = isBalanced && report.contacts.steepness > step.steepest &&
+                               report.newtonIterations < mostNewtonIterations;
+        if (isOverBraked || isTooSoft)
+            continue; // with friction and contacts as they must be at these forces
         if (isBalanced) {
             keepMomenta(gravity, h);
             if (surfaces.empty() && m_bodies.size() == 1)
@@ -317,16 +337,19 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const
             break;
         }
         if (report.newtonIterations > 0)
-            updateSystem(report.contacts.tangents, h);
+            updateSystem(report.contacts.tangents, h, false);
         // The first solution brings contacts about; from then on the tangent, which is elastic, is what is wrong where it flows.
         const bool flows = report.newtonIterations > 0 && flowedEnergy() > 0;
         if (size > mixingLost * lastSize)
             m_mixing.restart();
-        if (report.newtonIterations > 1 && size > lastSize)
+        const bool isComparable = (step.keepsSlip && keptSlip) || report.contacts.tangents.empty();
+        keptSlip = step.keepsSlip; // where friction was fitted, that may be what is left
+        if (report.newtonIterations > 1 && size > lastSize && isComparable)
             relaxation = std::max(0.5 * relaxation, leastRelaxation);
         lastSize = size;
         m_scratch = m_velocity;
-        report.iterations += solve(std::max(linearTolerance * linearTolerance * reference, 0.25 * floor));
+        const double loose = report.newtonIterations < looseIterations ? looseTolerance * looseTolerance * size : 0;
+        report.iterations += solve(std::max({linearTolerance * linearTolerance * reference, 0.25 * floor, loose}));
         if (relaxation < 1)
             for (std::size_t i = 0; i < m_system.rows(); ++i)
                 m_velocity.set(i, m_scratch.at(i) + relaxation * (m_velocity.at(i) - m_scratch.at(i)));

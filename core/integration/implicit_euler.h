@@ -84,7 +84,7 @@ private:
     {
         return m_bodies[body].pieces != nullptr ? *m_bodies[body].pieces : m_whole[body];
     }
-    void updateSystem(const std::vector<ContactTangent>& tangents, double h);
+    void updateSystem(const std::vector<ContactTangent>& tangents, double h, bool isFirst);
     int solve(double goal);
     double flowedEnergy() const;
     double sizeOf(const VectorArray& momenta);
@@ -117,6 +117,7 @@ private:
     std::vector<ObjectRef> m_touched; ///< in any trial of this step
     bool m_keepsSlip = false;         ///< friction in the last trial was in proportion to the slide
     bool m_limitsSlip = false;        ///< and may only get less
+    double m_steepness = 0;           ///< of contacts at the end of the last step
     double m_factoredStep = 0;        ///< h of the factor in use [s]; 0: none
     double m_freshRate = 0;           ///< iterations per decade when the factor was new; 0: not known
     double m_presentRate = 0;

@@ -50,17 +50,34 @@ std::int32_t half(std::int32_t block)
 
 } // namespace
 
-RigidModeLevels::RigidModeLevels(std::vector<Cluster> clusters)
-    : m_clusters(std::move(clusters))
+RigidModeLevels::Mat6& RigidModeLevels::Blocks::at(std::uint32_t row, std::uint32_t column)
 {
+    std::vector<Entry>& entries = m_rows[row];
+    for (const Entry& entry : entries)
+        if (entry.column == column)
+            return m_values[entry.index];
+    entries.push_back({column, static_cast<std::uint32_t>(m_values.size())});
+    return m_values.emplace_back(Mat6::Zero());
 }
 
-RigidModeLevels::Mat6& RigidModeLevels::block(std::uint32_t row, std::uint32_t column)
+void RigidModeLevels::Blocks::sort()
 {
-    const std::pair key(row, column);
-    if (m_last == m_blocks.end() || m_last->first != key)
-        m_last = m_blocks.try_emplace(key, Mat6::Zero()).first;
-    return m_last->second;
+    for (std::vector<Entry>& entries : m_rows)
+        std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.column < b.column; });
+}
+
+template <typename Visit>
+void RigidModeLevels::Blocks::forEach(Visit&& visit) const
+{
+    for (std::uint32_t row = 0; row < m_rows.size(); ++row)
+        for (const Entry& entry : m_rows[row])
+            visit(row, entry.column, m_values[entry.index]);
+}
+
+RigidModeLevels::RigidModeLevels(std::vector<Cluster> clusters)
+    : m_clusters(std::move(clusters))
+    , m_blocks(m_clusters.size())
+{
 }
 
 kernels::BlockRows RigidModeLevels::Level::view() const
@@ -73,11 +90,12 @@ void RigidModeLevels::Level::setRows(const Blocks& lower)
 {
     const std::size_t rows = parent.size();
     begin.assign(rows + 1, 0);
-    for (const auto& [key, matrix] : lower)
-        if (key.first != key.second) {
-            ++begin[key.first + 1];
-            ++begin[key.second + 1];
+    lower.forEach([&](std::uint32_t row, std::uint32_t column, const Mat6&) {
+        if (row != column) {
+            ++begin[row + 1];
+            ++begin[column + 1];
         }
+    });
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     columns.resize(begin.back());
     blocks.assign(blockSize * columns.size(), 0);
@@ -93,18 +111,18 @@ void RigidModeLevels::Level::setRows(const Blocks& lower)
         write(matrix, &blocks[blockSize * next[row]++]);
     };
     // Sorted by row and column: first what is before the diagonal of each row, then what is behind it, in ascending order.
-    for (const auto& [key, matrix] : lower)
-        if (key.first != key.second)
-            place(key.first, key.second, matrix);
+    lower.forEach([&](std::uint32_t row, std::uint32_t column, const Mat6& matrix) {
+        if (row != column)
+            place(row, column, matrix);
+    });
     behind = next;
-    for (const auto& [key, matrix] : lower)
-        if (key.first != key.second) {
-            place(key.second, key.first, matrix.transpose());
-        } else {
-            Mat6 own = matrix;
-            addShift(own);
-            write(own.ldlt().solve(Mat6::Identity()), &inverse[blockSize * key.first]);
-        }
+    lower.forEach([&](std::uint32_t row, std::uint32_t column, const Mat6& matrix) {
+        if (row != column)
+            return place(column, row, matrix.transpose());
+        Mat6 own = matrix;
+        addShift(own);
+        write(own.ldlt().solve(Mat6::Identity()), &inverse[blockSize * row]);
+    });
 }
 
 RigidModeLevels::Mat6 RigidModeLevels::Level::prolongation(std::size_t child) const
@@ -122,12 +140,12 @@ RigidModeLevels::Level RigidModeLevels::nextLevel(std::vector<Cluster>& clusters
         return std::tuple(cluster.body, half(cluster.block[0]), half(cluster.block[1]), half(cluster.block[2]));
     };
     DisjointSets sets(clusters.size());
-    for (const auto& [key, matrix] : blocks) {
-        const Cluster& a = clusters[key.first];
-        const Cluster& b = clusters[key.second];
+    blocks.forEach([&](std::uint32_t row, std::uint32_t column, const Mat6&) {
+        const Cluster& a = clusters[row];
+        const Cluster& b = clusters[column];
         if (!a.isAlone && !b.isAlone && placeOf(a) == placeOf(b))
-            sets.join(key.first, key.second);
-    }
+            sets.join(row, column);
+    });
     Level level;
     std::map<std::size_t, std::uint32_t> numbers; ///< by set
     std::vector<Cluster> parents;
@@ -166,6 +184,7 @@ RigidModeLevels::Level RigidModeLevels::nextLevel(std::vector<Cluster>& clusters
 
 void RigidModeLevels::finish()
 {
+    m_blocks.sort();
     std::vector<Cluster> clusters = m_clusters;
     while (clusters.size() > mostAtTop) {
         std::vector<Cluster> next = clusters;
@@ -173,9 +192,8 @@ void RigidModeLevels::finish()
         if (static_cast<double>(next.size()) > leastGain * static_cast<double>(clusters.size()))
             break;
         level.setRows(m_blocks);
-        Blocks above;
-        for (const auto& [key, matrix] : m_blocks) {
-            const auto [i, j] = key;
+        Blocks above(level.parents);
+        m_blocks.forEach([&](std::uint32_t i, std::uint32_t j, const Mat6& matrix) {
             const std::uint32_t row = level.parent[i];
             const std::uint32_t column = level.parent[j];
             Mat6 whole = level.prolongation(i).transpose() * matrix * level.prolongation(j);
@@ -183,26 +201,27 @@ void RigidModeLevels::finish()
                 whole = (whole + whole.transpose()).eval();
             if (row < column)
                 whole.transposeInPlace();
-            above.try_emplace({std::max(row, column), std::min(row, column)}, Mat6::Zero()).first->second += whole;
-        }
+            above.at(std::max(row, column), std::min(row, column)) += whole;
+        });
+        above.sort();
         m_blocks = std::move(above);
         m_levels.push_back(std::move(level));
         clusters = std::move(next);
     }
     const auto unknowns = static_cast<Eigen::Index>(6 * clusters.size());
     Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(unknowns, unknowns);
-    for (auto& [key, matrix] : m_blocks) {
-        if (key.first == key.second)
-            addShift(matrix);
-        whole.block<6, 6>(6 * key.first, 6 * key.second) = matrix;
-        whole.block<6, 6>(6 * key.second, 6 * key.first) = matrix.transpose();
-    }
+    m_blocks.forEach([&](std::uint32_t row, std::uint32_t column, const Mat6& matrix) {
+        Mat6 own = matrix;
+        if (row == column)
+            addShift(own);
+        whole.block<6, 6>(6 * row, 6 * column) = own;
+        whole.block<6, 6>(6 * column, 6 * row) = own.transpose();
+    });
     const Eigen::LLT<Eigen::MatrixXd> factor(whole);
     m_top = factor.info() == Eigen::Success
                 ? Eigen::MatrixXd(factor.solve(Eigen::MatrixXd::Identity(unknowns, unknowns)))
                 : Eigen::MatrixXd::Zero(unknowns, unknowns);
-    m_blocks.clear();
-    m_last = m_blocks.end();
+    m_blocks = Blocks(0);
 }
 
 void RigidModeLevels::solve(const std::vector<float>& load, std::vector<float>& motion)

@@ -8,8 +8,6 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
-#include <utility>
 #include <vector>
 
 namespace knead {
@@ -35,7 +33,7 @@ public:
     explicit RigidModeLevels(std::vector<Cluster> clusters);
 
     /// Block of A, at the start 0. @pre row >= column
-    Mat6& block(std::uint32_t row, std::uint32_t column);
+    Mat6& block(std::uint32_t row, std::uint32_t column) { return m_blocks.at(row, column); }
 
     /// Finds levels and inverses from the blocks, which are gone then.
     void finish();
@@ -47,7 +45,26 @@ public:
     std::size_t levels() const { return m_levels.size() + 1; }
 
 private:
-    using Blocks = std::map<std::pair<std::uint32_t, std::uint32_t>, Mat6>; ///< of the lower triangle
+    /// Blocks of the lower triangle, by rows of few.
+    class Blocks {
+    public:
+        explicit Blocks(std::size_t rows)
+            : m_rows(rows)
+        {
+        }
+        Mat6& at(std::uint32_t row, std::uint32_t column); ///< at the start 0
+        template <typename Visit>
+        void forEach(Visit&& visit) const; ///< visit(row, column, matrix), ascending
+        void sort();                       ///< before forEach()
+
+    private:
+        struct Entry {
+            std::uint32_t column;
+            std::uint32_t index;
+        };
+        std::vector<std::vector<Entry>> m_rows;
+        std::vector<Mat6> m_values;
+    };
 
     struct Level {
         std::vector<std::uint32_t> parent; ///< per cluster
@@ -77,7 +94,6 @@ private:
 
     std::vector<Cluster> m_clusters;
     Blocks m_blocks;
-    Blocks::iterator m_last = m_blocks.end();
     std::vector<Level> m_levels;
     Eigen::MatrixXd m_top; ///< inverse on the last level
 };

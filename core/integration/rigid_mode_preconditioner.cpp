@@ -69,6 +69,13 @@ Vec6 restricted(const Vec3& momentum, const Vec3& arm)
     return mode;
 }
 
+void addBlock(std::array<LaneVector<double>, 6>& blocks, std::size_t slot, const Mat3& matrix)
+{
+    const double entries[] = {matrix(0, 0), matrix(1, 1), matrix(2, 2), matrix(0, 1), matrix(0, 2), matrix(1, 2)};
+    for (std::size_t c = 0; c < 6; ++c)
+        blocks[c][slot] += entries[c];
+}
+
 /// A mode that reaches over a few clusters.
 struct Reach {
     std::uint32_t cluster;
@@ -105,6 +112,7 @@ void RigidModePreconditioner::updateBlocks(const ImplicitSystem& system)
     for (std::size_t c = 0; c < 6; ++c) {
         m_diagonal[c].assign(slots, 0);
         m_inverse[c].resize(slots);
+        m_linked[c].resize(slots);
     }
     for (const ImplicitSystem::DeformableBody& body : system.deformables()) {
         std::array<double*, 6> own{};
@@ -112,41 +120,73 @@ void RigidModePreconditioner::updateBlocks(const ImplicitSystem& system)
             own[c] = &m_diagonal[c][body.slot];
         body.tangent.findDiagonal(own);
     }
-    const auto add = [&](std::size_t slot, const Mat3& matrix) {
-        const double entries[] = {matrix(0, 0), matrix(1, 1), matrix(2, 2), matrix(0, 1), matrix(0, 2), matrix(1, 2)};
-        for (std::size_t c = 0; c < 6; ++c)
-            m_diagonal[c][slot] += entries[c];
-    };
     for (const ImplicitSystem::RigidBody& body : system.rigids()) {
-        add(body.slot, body.mass * Mat3::Identity());
-        add(body.slot + 1, body.inertia);
+        addBlock(m_diagonal, body.slot, body.mass * Mat3::Identity());
+        addBlock(m_diagonal, body.slot + 1, body.inertia);
     }
+    forEachBlock(slots, slotsAtATime, [&](std::size_t begin, std::size_t end) { invert(m_diagonal, begin, end); });
+    for (const std::uint32_t row : system.heldRows())
+        for (std::size_t c = 0; c < 6; ++c)
+            m_inverse[c][system.slotOf(row)] = 0;
+    updateLinks(system);
+}
+
+/// What links add lies beside the diagonal, so that the next ones can take their place.
+void RigidModePreconditioner::updateLinks(const ImplicitSystem& system)
+{
+    const auto refresh = [&] {
+        for (const std::uint32_t row : m_linkedRows) {
+            const std::size_t slot = system.slotOf(row);
+            double sum[6];
+            const double* blocks[6];
+            float* inverse[6];
+            for (std::size_t c = 0; c < 6; ++c) {
+                sum[c] = m_diagonal[c][slot] + m_linked[c][slot];
+                blocks[c] = &sum[c];
+                inverse[c] = &m_inverse[c][slot];
+            }
+            kernels::bestTangents().invertBlocks(1, blocks, inverse);
+        }
+    };
+    for (const std::uint32_t row : m_linkedRows)
+        for (std::size_t c = 0; c < 6; ++c)
+            m_linked[c][system.slotOf(row)] = 0;
+    refresh();
+    m_linkedRows.clear();
+    const auto add = [&](std::uint32_t row, const Mat3& matrix) {
+        if (system.isHeld(row))
+            return;
+        addBlock(m_linked, system.slotOf(row), matrix);
+        m_linkedRows.push_back(row);
+    };
     for (const Link& link : system.links())
         for (const LinkEnd& end : {link.first, link.second}) {
             if (end.row == LinkEnd::immovable)
                 continue;
             if (!end.isRigid) {
-                end.forEachRow(
-                    [&](std::uint32_t row, double weight) { add(system.slotOf(row), weight * weight * link.matrix); });
+                end.forEachRow([&](std::uint32_t row, double weight) { add(row, weight * weight * link.matrix); });
                 continue;
             }
-            add(system.slotOf(end.row), link.matrix);
+            add(end.row, link.matrix);
             Mat3 cross;
             cross << 0, -end.arm.z(), end.arm.y(), end.arm.z(), 0, -end.arm.x(), -end.arm.y(), end.arm.x(), 0;
-            add(system.slotOf(end.row) + 1, cross * link.matrix * cross.transpose());
+            add(end.row + 1, cross * link.matrix * cross.transpose());
         }
-    forEachBlock(slots, slotsAtATime, [&](std::size_t begin, std::size_t end) {
-        const double* blocks[6];
-        float* inverse[6];
-        for (std::size_t c = 0; c < 6; ++c) {
-            blocks[c] = &m_diagonal[c][begin];
-            inverse[c] = &m_inverse[c][begin];
-        }
-        kernels::bestTangents().invertBlocks(end - begin, blocks, inverse);
-    });
-    for (const std::uint32_t row : system.heldRows())
-        for (std::size_t c = 0; c < 6; ++c)
-            m_inverse[c][system.slotOf(row)] = 0;
+    std::sort(m_linkedRows.begin(), m_linkedRows.end());
+    m_linkedRows.erase(std::unique(m_linkedRows.begin(), m_linkedRows.end()), m_linkedRows.end());
+    refresh();
+}
+
+void RigidModePreconditioner::invert(const std::array<LaneVector<double>, 6>& diagonal, std::size_t begin,
+                                     std::size_t end)
+{
+    const double* blocks[6];
+    float* inverse[6];
+    for (std::size_t c = 0; c < 6; ++c) {
+        blocks[c] = &diagonal[c][begin];
+        inverse[c] = &m_inverse[c][begin];
+    }
+    kernels::bestTangents().invertBlocks(end - begin, blocks, inverse);
 }
 
 void RigidModePreconditioner::updateClusters(const ImplicitSystem& system)
@@ -324,11 +364,13 @@ void RigidModePreconditioner::assemble(const ImplicitSystem& system)
         if (!body.tangent.hasBulk())
             continue;
         std::vector<Reach> reaches;
+        std::vector<TangentOperator::Slope> slopes;
         for (ObjectIndex i = 0; i < isInside.size(); ++i) {
             if (isInside[i] != 0)
                 continue;
             reaches.clear();
-            for (const TangentOperator::Slope& slope : body.tangent.slopesOf(i)) {
+            body.tangent.slopesOf(i, slopes);
+            for (const TangentOperator::Slope& slope : slopes) {
                 const std::size_t row = body.first + slope.object;
                 if (m_clusterOf[row] == none)
                     continue;

@@ -20,8 +20,11 @@ namespace knead {
 /// solution, more slowly the older it is.
 class RigidModePreconditioner {
 public:
-    /// Takes over the diagonal blocks of A: cheap, with every change.
+    /// Takes over the diagonal blocks of A: with every step.
     void updateBlocks(const ImplicitSystem& system);
+
+    /// Takes over what its links add to them: cheap, with every change.
+    void updateLinks(const ImplicitSystem& system);
 
     /// Finds clusters from the live connections, and M at the present places.
     void updateClusters(const ImplicitSystem& system);
@@ -53,13 +56,16 @@ private:
         std::uint32_t cluster;
     };
 
+    void invert(const std::array<LaneVector<double>, 6>& diagonal, std::size_t begin, std::size_t end);
     void findClusters(const ImplicitSystem& system);
     void measureClusters(const ImplicitSystem& system);
     void listSlots(const ImplicitSystem& system);
     void assemble(const ImplicitSystem& system);
 
-    std::array<LaneVector<double>, 6> m_diagonal; ///< blocks by slots: xx yy zz xy xz yz
-    std::array<LaneVector<float>, 6> m_inverse;   ///< the same, inverted; 0 for held objects
+    std::array<LaneVector<double>, 6> m_diagonal; ///< blocks by slots, without links: xx yy zz xy xz yz
+    std::array<LaneVector<double>, 6> m_linked;   ///< what links add
+    std::vector<std::uint32_t> m_linkedRows;      ///< where they do
+    std::array<LaneVector<float>, 6> m_inverse;   ///< both together, inverted; 0 for held objects
     std::vector<std::uint32_t> m_clusterOf;       ///< per row; none for held objects
     std::vector<RigidModeLevels::Cluster> m_clusters;
     VectorArray m_arm;                     ///< per row, from the center of its cluster, by the cluster's size

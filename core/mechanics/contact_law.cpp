@@ -68,7 +68,10 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
         result.memory = parted(state.memory, parameters, step);
         return result;
     }
-    const ContactSpring spring = contactSpring(state.overlap, parameters);
+    ContactParameters tried = parameters;
+    tried.steepest = std::min(parameters.steepest, step.steepest * parameters.stiffening);
+    const ContactSpring spring = contactSpring(state.overlap, tried);
+    result.steepness = std::min(state.overlap, parameters.steepest) / parameters.stiffening;
     const double normalSpeed = state.relativeVelocity.dot(state.normal);
     double normalForce = std::max(0.0, spring.force - parameters.damping * normalSpeed);
     if (!step.isImplicit() && parameters.mass > 0) {

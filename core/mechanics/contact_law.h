@@ -60,6 +60,9 @@ struct ContactStep {
     /// Friction goes on as it did in the trial before: in proportion to the slide.
     bool keepsSlip = false;
     bool limitsSlip = false; ///< what is kept is no more than Coulomb's friction
+    /// Springs keep the slope that they have at so many d0, where theirs would be steeper: Newton's method on the fifth power takes
+    /// a fifth of what is too deep at a time, and on this goes straight to where it is bearable.
+    double steepest = std::numeric_limits<double>::infinity();
     /// A trial without time: what was placed inside is pushed out at once.
     bool isStatic = false;
     bool isBalance = false; ///< of such a trial: it is the one that friction remembers
@@ -75,6 +78,7 @@ struct ContactResult {
     Vec3 friction = Vec3::Zero(); ///< the part of damping that is friction [N]
     double energy = 0;            ///< stored in the spring [J]
     double slope = 0;             ///< of the spring [N/m]
+    double steepness = 0;         ///< d / d0, of no more than d1
 
     FrictionMemory memory;    ///< for the next step
     double grip = 0;          ///< share of what would stick that friction gives: 1 sticks, less slips

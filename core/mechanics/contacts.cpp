@@ -302,6 +302,7 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
         report.frictions.push_back({second.ref, -result.friction, Vec3::Zero()});
     }
     ++report.count;
+    report.steepness = std::max(report.steepness, result.steepness);
     report.frictionLimit += result.frictionLimit;
     report.frictionExcess += std::max(0.0, result.friction.norm() - result.frictionLimit);
     for (const ObjectRef& object : {first.ref, second.ref})

@@ -315,6 +315,7 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
             report.frictions.push_back(
                 {{point.body, point.spread.objects[n]}, point.spread.weights[n] * result.friction, surfaceVelocity});
     ++report.count;
+    report.steepness = std::max(report.steepness, result.steepness);
     report.frictionLimit += result.frictionLimit;
     report.frictionExcess += std::max(0.0, result.friction.norm() - result.frictionLimit);
     crowd.add(body, point.body, point.spread, result.slope);

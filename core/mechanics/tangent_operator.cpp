@@ -183,17 +183,17 @@ void TangentOperator::findDiagonal(const std::array<double*, 6>& diagonal) const
     });
 }
 
-std::vector<TangentOperator::Slope> TangentOperator::slopesOf(ObjectIndex object) const
+void TangentOperator::slopesOf(ObjectIndex object, std::vector<Slope>& slopes) const
 {
-    std::vector<Slope> slopes;
+    slopes.clear();
     if (!m_hasBulk)
-        return slopes;
+        return;
     Mat3 columns;
     for (int c = 0; c < 9; ++c)
         columns(c % 3, c / 3) =
             static_cast<double>(array(m_gradient + static_cast<std::size_t>(c))[m_places.of(object)]);
     if (columns.isZero(0))
-        return slopes;
+        return;
     Slope own{object, Vec3::Zero()};
     m_connections->forEachConnection(object, [&](ObjectIndex neighbor, const ConnectionId& connection) {
         const Lattice::Node& step = Lattice::directions[connection.direction];
@@ -204,7 +204,6 @@ std::vector<TangentOperator::Slope> TangentOperator::slopesOf(ObjectIndex object
         own.gradient -= gradient;
     });
     slopes.push_back(own);
-    return slopes;
 }
 
 } // namespace knead

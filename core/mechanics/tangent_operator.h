@@ -46,8 +46,8 @@ public:
         ObjectIndex object;
         Vec3 gradient; ///< [sqrt(kg)]
     };
-    /// Slopes of an object's dilatation, its own last; empty when that has no weight.
-    std::vector<Slope> slopesOf(ObjectIndex object) const;
+    /// Writes slopes of an object's dilatation, its own last; none when that has no weight.
+    void slopesOf(ObjectIndex object, std::vector<Slope>& slopes) const;
 
     bool hasBulk() const { return m_hasBulk; }
     const StructuralConnections& connections() const { return *m_connections; }

@@ -92,8 +92,9 @@ struct Bar {
                 result.add(i, momentum);
                 result.add(j, -momentum);
             });
+            std::vector<TangentOperator::Slope> slopes;
             for (ObjectIndex i = 0; i < state.size(); ++i) {
-                const auto slopes = body.tangent.slopesOf(i);
+                body.tangent.slopesOf(i, slopes);
                 double rate = 0;
                 for (const auto& slope : slopes)
                     rate += slope.gradient.dot(u.at(slope.object));

@@ -199,9 +199,11 @@ private slots:
             const Vec3 between = u.at(j) - u.at(i);
             sum += std::pow(root.dot(between), 2) + across * between.squaredNorm();
         });
+        std::vector<TangentOperator::Slope> slopes;
         for (ObjectIndex i = 0; i < u.size(); ++i) {
             double rate = 0;
-            for (const auto& slope : lump.tangent.slopesOf(i))
+            lump.tangent.slopesOf(i, slopes);
+            for (const auto& slope : slopes)
                 rate += slope.gradient.dot(u.at(slope.object));
             sum += rate * rate;
         }
