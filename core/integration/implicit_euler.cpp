@@ -304,7 +304,9 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const
             updateSystem(report.contacts.tangents, h, true);
         const double size = sizeOf(m_residual);
         if (report.newtonIterations == 0) {
-            first = std::min(size, sizeWithoutContacts(report.contacts.tangents, h));
+            first = report.contacts.tangents.empty()
+                        ? size
+                        : std::min(size, sizeWithoutContacts(report.contacts.tangents, h));
             reference = size;
         }
         const double loads = sizeOfLoads(report.contacts.tangents, h);

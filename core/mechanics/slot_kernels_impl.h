@@ -188,84 +188,95 @@ double slotProduct(std::size_t count, const SlotBlock* blocks, const SlotTangent
     return sumOf(sums);
 }
 
-/// Adds dyads of eight vectors to their blocks; in double, since blocks of few connections are nearly singular.
-[[gnu::always_inline]] inline void addDyads(std::ptrdiff_t slot, const double (&v)[3][8], double* const* diagonal)
+using FourDouble = double __attribute__((vector_size(32)));
+using FourDoubleAnywhere = double __attribute__((vector_size(32), aligned(8), may_alias));
+
+[[gnu::always_inline]] inline FourDouble wide4(const float* from)
 {
-    for (int lane = 0; lane < 8; ++lane) {
-        const std::ptrdiff_t i = slot + lane;
-        diagonal[0][i] += v[0][lane] * v[0][lane];
-        diagonal[1][i] += v[1][lane] * v[1][lane];
-        diagonal[2][i] += v[2][lane] * v[2][lane];
-        diagonal[3][i] += v[0][lane] * v[1][lane];
-        diagonal[4][i] += v[0][lane] * v[2][lane];
-        diagonal[5][i] += v[1][lane] * v[2][lane];
-    }
+    return __builtin_convertvector(load4(from), FourDouble);
 }
 
-/// What one connection of eight objects, to `neighbor`, adds to their blocks, and to sum k o.
+/// Blocks of four objects, in double, since those of few connections are nearly singular.
+struct FourBlocks {
+    FourDouble xx, yy, zz, xy, xz, yz;
+};
+struct FourVectors {
+    FourDouble x, y, z;
+};
+[[gnu::always_inline]] inline FourVectors wide4(const float* from, std::ptrdiff_t stride)
+{
+    return {wide4(from), wide4(from + stride), wide4(from + 2 * stride)};
+}
+[[gnu::always_inline]] inline void addDyads(const FourVectors& v, FourBlocks& blocks)
+{
+    blocks.xx += v.x * v.x;
+    blocks.yy += v.y * v.y;
+    blocks.zz += v.z * v.z;
+    blocks.xy += v.x * v.y;
+    blocks.xz += v.x * v.z;
+    blocks.yz += v.y * v.z;
+}
+
+/// The four gradients from `slot` on times a vector each.
+[[gnu::always_inline]] inline FourVectors gradientsTimes(const SlotTangent& t, std::ptrdiff_t slot, const FourVectors& v)
+{
+    const float* g = t.gradient + slot;
+    const FourVectors a = wide4(g, t.stride);
+    const FourVectors b = wide4(g + 3 * t.stride, t.stride);
+    const FourVectors c = wide4(g + 6 * t.stride, t.stride);
+    return {v.x * a.x + v.y * b.x + v.z * c.x, v.x * a.y + v.y * b.y + v.z * c.y, v.x * a.z + v.y * b.z + v.z * c.z};
+}
+
+/// What one connection of four objects adds to their blocks, and to sum k o. `half` of the block: 0 or 4.
 template <int d, int sign>
-[[gnu::always_inline]] inline void addBlocks(const SlotBlock& block, const SlotTangent& t, double (&balance)[3][8],
-                                             double* const* diagonal)
+[[gnu::always_inline]] inline void addBlocks(const SlotBlock& block, int half, const SlotTangent& t,
+                                             FourVectors& balance, FourBlocks& blocks)
 {
     constexpr auto step = latticeDirections[d];
-    constexpr int along[3] = {step[0], step[1], step[2]};
-    const auto self = static_cast<std::ptrdiff_t>(block.first);
-    const std::ptrdiff_t neighbor = besideOf<d, sign>(block);
-    const std::ptrdiff_t lower = sign > 0 ? self : neighbor;
-    double v[3][8];
-    for (int c = 0; c < 3; ++c)
-        for (int lane = 0; lane < 8; ++lane) {
-            v[c][lane] = static_cast<double>(t.root[d][c * t.stride + lower + lane]);
-            diagonal[c][self + lane] += static_cast<double>(t.across[d][lower + lane]);
-        }
-    addDyads(self, v, diagonal);
+    const std::ptrdiff_t neighbor = besideOf<d, sign>(block) + half;
+    const std::ptrdiff_t lower = sign > 0 ? static_cast<std::ptrdiff_t>(block.first) + half : neighbor;
+    addDyads(wide4(t.root[d] + lower, t.stride), blocks);
+    const FourDouble across = wide4(t.across[d] + lower);
+    blocks.xx += across;
+    blocks.yy += across;
+    blocks.zz += across;
     if (t.gradient == nullptr)
         return;
-    const float* g = t.gradient + neighbor;
-    for (int c = 0; c < 3; ++c)
-        for (int lane = 0; lane < 8; ++lane) {
-            const auto k = static_cast<double>(t.stiffness[d][lower + lane]);
-            balance[c][lane] += sign * along[c] * k;
-            v[c][lane] = k * (step[0] * static_cast<double>(g[c * t.stride + lane]) +
-                              step[1] * static_cast<double>(g[(3 + c) * t.stride + lane]) +
-                              step[2] * static_cast<double>(g[(6 + c) * t.stride + lane]));
-        }
-    addDyads(self, v, diagonal);
+    const FourDouble k = wide4(t.stiffness[d] + lower);
+    const FourVectors way{sign * step[0] * k, sign * step[1] * k, sign * step[2] * k};
+    balance.x += way.x;
+    balance.y += way.y;
+    balance.z += way.z;
+    addDyads(gradientsTimes(t, neighbor, way), blocks);
 }
 
 template <int d>
-[[gnu::always_inline]] inline void addAllBlocks(const SlotBlock& block, const SlotTangent& t, double (&balance)[3][8],
-                                                double* const* diagonal)
+[[gnu::always_inline]] inline void addAllBlocks(const SlotBlock& block, int half, const SlotTangent& t,
+                                                FourVectors& balance, FourBlocks& blocks)
 {
     if (t.root[d] == nullptr)
         return;
-    addBlocks<d, 1>(block, t, balance, diagonal);
-    addBlocks<d, -1>(block, t, balance, diagonal);
+    addBlocks<d, 1>(block, half, t, balance, blocks);
+    addBlocks<d, -1>(block, half, t, balance, blocks);
     if constexpr (d + 1 < latticeDirectionCount)
-        addAllBlocks<d + 1>(block, t, balance, diagonal);
+        addAllBlocks<d + 1>(block, half, t, balance, blocks);
 }
 
 void slotDiagonal(std::size_t count, const SlotBlock* blocks, const SlotTangent& t, double* const* diagonal)
 {
-    for (std::size_t b = 0; b < count; ++b) {
-        const SlotBlock& block = blocks[b];
-        const auto self = static_cast<std::ptrdiff_t>(block.first);
-        for (int c = 0; c < 6; ++c)
-            for (int lane = 0; lane < 8; ++lane)
-                diagonal[c][self + lane] = c < 3 ? static_cast<double>(t.mass[self + lane]) : 0;
-        double balance[3][8]{};
-        addAllBlocks<0>(block, t, balance, diagonal);
-        if (t.gradient == nullptr)
-            continue;
-        double v[3][8];
-        const float* g = t.gradient + self;
-        for (int c = 0; c < 3; ++c)
-            for (int lane = 0; lane < 8; ++lane)
-                v[c][lane] = balance[0][lane] * static_cast<double>(g[c * t.stride + lane]) +
-                             balance[1][lane] * static_cast<double>(g[(3 + c) * t.stride + lane]) +
-                             balance[2][lane] * static_cast<double>(g[(6 + c) * t.stride + lane]);
-        addDyads(self, v, diagonal);
-    }
+    for (std::size_t b = 0; b < count; ++b)
+        for (int half = 0; half < 8; half += 4) {
+            const auto self = static_cast<std::ptrdiff_t>(blocks[b].first) + half;
+            const FourDouble mass = wide4(t.mass + self);
+            FourBlocks sum{mass, mass, mass, {}, {}, {}};
+            FourVectors balance{};
+            addAllBlocks<0>(blocks[b], half, t, balance, sum);
+            if (t.gradient != nullptr)
+                addDyads(gradientsTimes(t, self, balance), sum);
+            const FourDouble entries[] = {sum.xx, sum.yy, sum.zz, sum.xy, sum.xz, sum.yz};
+            for (int c = 0; c < 6; ++c)
+                *reinterpret_cast<FourDoubleAnywhere*>(diagonal[c] + self) = entries[c];
+        }
 }
 
 void invertBlocks(std::size_t count, const double* const* blocks, float* const* inverse)
