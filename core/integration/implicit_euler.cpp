@@ -15,9 +15,11 @@ constexpr std::size_t blockSize = 4096;
 // Shares of the residual at the start of a step, by the preconditioned norm. What a step leaves is in the forces at the start
 // of the next, so that a body at rest gets as near to balance as rounding allows, whatever these are.
 constexpr double linearTolerance = 5e-3; // to which a linear system is solved
-// The first ones only so far, by what is there: where they lead, contacts and turns are others anyway.
+// The first one only so far, by what is there: where it leads, contacts and turns are others anyway. Friction is fitted to what the
+// next ones give.
 constexpr double looseTolerance = 0.1;
-constexpr int looseIterations = 2;
+constexpr int looseIterations = 1;
+constexpr double singleTolerance = 1e-3; // and no solution goes further in single precision
 constexpr double newtonTolerance = 1e-2; // at which a step is done
 // Share of what acts in the step, at which it is done as well: what is near balance as it is costs no solution.
 constexpr double loadTolerance = 1e-3;
@@ -350,8 +352,9 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const
             relaxation = std::max(0.5 * relaxation, leastRelaxation);
         lastSize = size;
         m_scratch = m_velocity;
-        const double loose = report.newtonIterations < looseIterations ? looseTolerance * looseTolerance * size : 0;
-        report.iterations += solve(std::max({linearTolerance * linearTolerance * reference, 0.25 * floor, loose}));
+        const double loose = report.newtonIterations < looseIterations ? looseTolerance : singleTolerance;
+        report.iterations +=
+            solve(std::max({linearTolerance * linearTolerance * reference, 0.25 * floor, loose * loose * size}));
         if (relaxation < 1)
             for (std::size_t i = 0; i < m_system.rows(); ++i)
                 m_velocity.set(i, m_scratch.at(i) + relaxation * (m_velocity.at(i) - m_scratch.at(i)));

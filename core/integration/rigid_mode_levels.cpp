@@ -26,10 +26,12 @@ constexpr float overCorrection = 1.5F;
 // A level has at most so many of the clusters below it, or it is the last one.
 constexpr double leastGain = 0.8;
 
-// Clusters of one object, or of objects in a row, have rotations that do nothing; so much of the diagonal keeps inverses finite.
-constexpr double shift = 1e-8;
+// Clusters of one object, or of objects in a row, have rotations that do nothing; so much of the diagonal keeps inverses finite:
+// in single precision enough for rounding of what does nothing to leave the rest positive definite.
+constexpr double singleShift = 1e-4;
+constexpr double doubleShift = 1e-8;
 
-void addShift(Eigen::Ref<Mat6> block)
+void addShift(Eigen::Ref<Mat6> block, double shift)
 {
     const double scale = block.diagonal().maxCoeff();
     for (int i = 0; i < 6; ++i)
@@ -120,7 +122,7 @@ void RigidModeLevels::Level::setRows(const Blocks& lower)
         if (row != column)
             return place(column, row, matrix.transpose());
         Mat6 own = matrix;
-        addShift(own);
+        addShift(own, singleShift);
         write(own.ldlt().solve(Mat6::Identity()), &inverse[blockSize * row]);
     });
 }
@@ -213,7 +215,7 @@ void RigidModeLevels::finish()
     m_blocks.forEach([&](std::uint32_t row, std::uint32_t column, const Mat6& matrix) {
         Mat6 own = matrix;
         if (row == column)
-            addShift(own);
+            addShift(own, doubleShift);
         whole.block<6, 6>(6 * row, 6 * column) = own;
         whole.block<6, 6>(6 * column, 6 * row) = own.transpose();
     });
