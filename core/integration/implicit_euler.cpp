@@ -23,7 +23,7 @@ constexpr double singleTolerance = 1e-3; // and no solution goes further in sing
 constexpr double newtonTolerance = 1e-2; // at which a step is done
 // Share of what acts in the step, at which it is done as well: what is near balance as it is costs no solution.
 constexpr double loadTolerance = 1e-3;
-constexpr double failedTolerance = 0.3;  // above which a step has failed
+constexpr double failedTolerance = 0.3; // above which a step has failed
 // Of what was there before the first solution, so much is always enough to compare with: a body that is just let go of by
 // all it touched has loads of nothing.
 constexpr double leastReference = 1e-6;
@@ -306,9 +306,8 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const
             updateSystem(report.contacts.tangents, h, true);
         const double size = sizeOf(m_residual);
         if (report.newtonIterations == 0) {
-            first = report.contacts.tangents.empty()
-                        ? size
-                        : std::min(size, sizeWithoutContacts(report.contacts.tangents, h));
+            first = report.contacts.tangents.empty() ? size
+                                                     : std::min(size, sizeWithoutContacts(report.contacts.tangents, h));
             reference = size;
         }
         const double loads = sizeOfLoads(report.contacts.tangents, h);
@@ -319,8 +318,8 @@ ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const
                                                   loadTolerance * loadTolerance * loads});
         isOverBraked = isBalanced && m_keepsSlip && report.newtonIterations < mostNewtonIterations &&
                        report.contacts.frictionExcess > frictionTolerance * report.contacts.frictionLimit;
-        const bool isTooSoft = isBalanced && report.contacts.steepness > step.steepest &&
-                               report.newtonIterations < mostNewtonIterations;
+        const bool isTooSoft =
+            isBalanced && report.contacts.steepness > step.steepest && report.newtonIterations < mostNewtonIterations;
         if (isOverBraked || isTooSoft)
             continue; // with friction and contacts as they must be at these forces
         if (isBalanced) {

@@ -218,7 +218,8 @@ struct FourVectors {
 }
 
 /// The four gradients from `slot` on times a vector each.
-[[gnu::always_inline]] inline FourVectors gradientsTimes(const SlotTangent& t, std::ptrdiff_t slot, const FourVectors& v)
+[[gnu::always_inline]] inline FourVectors gradientsTimes(const SlotTangent& t, std::ptrdiff_t slot,
+                                                         const FourVectors& v)
 {
     const float* g = t.gradient + slot;
     const FourVectors a = wide4(g, t.stride);

@@ -122,6 +122,44 @@ private slots:
         QVERIFY2(spectrum.maxCoeff() < 1.05 * most, qPrintable(QString::number(spectrum.maxCoeff())));
     }
 
+    /// As clusters of objects in a row have them: single precision must not make what else they do negative.
+    void turnsThatDoNothingLeaveTheRestPositive()
+    {
+        constexpr int count = 64;
+        std::vector<RigidModeLevels::Cluster> clusters;
+        for (int i = 0; i < count; ++i)
+            clusters.push_back({.center = Vec3(i, 0, 0), .size = 0.5, .block = {i, 0, 0}});
+        RigidModeLevels levels(clusters);
+        const Vec3 row = Vec3(1, 2, 3).normalized();
+        for (std::uint32_t i = 0; i < count; ++i) {
+            levels.block(i, i).topLeftCorner<3, 3>() = 2.1 * Mat3::Identity();
+            levels.block(i, i).bottomRightCorner<3, 3>() = Mat3::Identity() - row * row.transpose();
+            if (i > 0)
+                levels.block(i, i - 1).topLeftCorner<3, 3>() = -Mat3::Identity();
+        }
+        levels.finish();
+        QVERIFY(levels.levels() >= 2);
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> value(-1, 1);
+        for (int trial = 0; trial < 100; ++trial) {
+            std::vector<float> load(8 * count, 0);
+            for (std::size_t i = 0; i < count; ++i) {
+                const Vec3 turn = row.cross(Vec3(value(random), value(random), value(random)));
+                for (std::size_t c = 0; c < 3; ++c)
+                    load[8 * i + 3 + c] = static_cast<float>(turn[static_cast<Eigen::Index>(c)]);
+            }
+            std::vector<float> motion;
+            levels.solve(load, motion);
+            double work = 0;
+            double size = 0;
+            for (std::size_t i = 0; i < load.size(); ++i) {
+                work += static_cast<double>(load[i]) * static_cast<double>(motion[i]);
+                size += static_cast<double>(load[i]) * static_cast<double>(load[i]);
+            }
+            QVERIFY2(work > 0.9 * size, qPrintable(QString::number(work / size)));
+        }
+    }
+
     void partsThatHangApartMoveApart()
     {
         Chain chain({3, 3, 8}, 1e-4, true);

@@ -262,50 +262,6 @@ private slots:
         QVERIFY2(report.iterations <= 30, qPrintable(QString::number(report.iterations)));
     }
 
-    /// At a round surface some clusters are one object, two, or a few in a row, whose turns do nothing.
-    void itIsPositiveWhereClustersAreSmall()
-    {
-        const Material material = rubber(0.25);
-        const auto aggregate =
-            std::make_shared<const Aggregate>(fill(shapes::sphere(9 * spacing, 48), {.spacing = spacing}));
-        const MaterialMap materials(material, aggregate->size());
-        const StructuralConnections connections(aggregate, materials);
-        ObjectState state = objectsAtRest(*aggregate);
-        for (std::size_t i = 0; i < state.size(); ++i) {
-            state.mass[i] = material.density * aggregate->volume[i];
-            state.inverseMass[i] = 1 / state.mass[i];
-            state.position.set(i, shapes::tilt(0.4).rotation * state.position.at(i));
-        }
-        ImplicitSystem system;
-        system.addDeformable(connections, state);
-        system.update(step);
-        RigidModePreconditioner preconditioner;
-        preconditioner.updateBlocks(system);
-        preconditioner.updateClusters(system);
-        std::mt19937 random(11);
-        std::uniform_real_distribution<double> value(-1, 1);
-        VectorArray r(system.rows());
-        for (std::size_t i = 0; i < r.size(); ++i)
-            r.set(i, {value(random), value(random), value(random)});
-        // Powers of the inverse favor what it makes largest, where rounding is; of the matrix, what it makes least.
-        FloatArray stiff;
-        FloatArray other(system.slotCount());
-        for (const bool isSoft : {false, true}) {
-            system.gather(r, 1, stiff);
-            for (int n = 0; n < 12; ++n) {
-                QVERIFY(preconditioner.apply(stiff, other) > 0);
-                if (!isSoft)
-                    system.multiply(stiff, other);
-                double largest = 0;
-                for (std::size_t c = 0; c < 3; ++c)
-                    for (std::size_t i = 0; i < other.size(); ++i)
-                        largest = std::max(largest, std::abs(static_cast<double>(other.component(c)[i])));
-                for (std::size_t i = 0; i < other.size(); ++i)
-                    stiff.set(i, other.at(i) / largest);
-            }
-        }
-    }
-
     void rigidBodiesTakePartWithSixUnknowns()
     {
         // A rigid body hangs on an elastic bar by three links; every equation must hold.

@@ -161,14 +161,15 @@ int main(int argc, char** argv)
                                {"steel", "steel", 0},
                                {"clay", "modeling-clay", 0}};
     const std::vector<MaterialPreset> presets = readMaterials(KNEAD_RESOURCES "/materials/materials.json");
-    std::printf("scene       material        objects   unit   median     95 %%    99 %%   median   95 %%  ratio    CG/frame "
-                "steps\n                                        ms       ms       ms      ms    units  units\n");
+    std::printf(
+        "scene       material        objects   unit   median     95 %%    99 %%   median   95 %%  ratio    CG/frame "
+        "steps\n                                        ms       ms       ms      ms    units  units\n");
     nlohmann::json rows = nlohmann::json::array();
     for (const Named& named : materials) {
         if (!onlyMaterial.empty() && onlyMaterial != named.name)
             continue;
-        const auto preset = std::find_if(presets.begin(), presets.end(),
-                                         [&](const MaterialPreset& p) { return p.id == named.preset; });
+        const auto preset =
+            std::find_if(presets.begin(), presets.end(), [&](const MaterialPreset& p) { return p.id == named.preset; });
         if (preset == presets.end()) {
             std::fprintf(stderr, "there is no material %s\n", named.preset);
             return 1;

@@ -79,8 +79,8 @@ std::vector<RealtimeScene> realtimeScenes(const Material& material, double objec
     addTool(thin, ToolKind::ball, Vec3(tool, tool, tool), Vec3(0, 0, 0.5 * box.z()), material);
     scenes.push_back(thin);
 
-    RealtimeScene rubbing =
-        pressed("two bodies", shapes::box(Vec3(side, side, 0.5 * side)), material, 0.5 * side * side * side, objects / 2);
+    RealtimeScene rubbing = pressed("two bodies", shapes::box(Vec3(side, side, 0.5 * side)), material,
+                                    0.5 * side * side * side, objects / 2);
     Body upper = rubbing.scene.bodies[0];
     upper.name = "upper";
     upper.aggregate = std::make_shared<const Aggregate>(
@@ -102,8 +102,11 @@ Vec3 handAt(const RealtimeScene& scene, double time)
 {
     // Comes, presses, stays, slides, stays, lifts.
     const double down = scene.height + scene.depth;
-    const auto share = [time](double begin, double end) { return std::clamp((time - begin) / (end - begin), 0.0, 1.0); };
-    const double z = -scene.height * share(0, 0.1) - scene.depth * share(0.1, 0.5) + (down + scene.height) * share(1, 1.2);
+    const auto share = [time](double begin, double end) {
+        return std::clamp((time - begin) / (end - begin), 0.0, 1.0);
+    };
+    const double z =
+        -scene.height * share(0, 0.1) - scene.depth * share(0.1, 0.5) + (down + scene.height) * share(1, 1.2);
     return Vec3(0, 0, z) + share(0.65, 0.9) * scene.slide;
 }
 
