@@ -98,4 +98,13 @@ private:
     Eigen::MatrixXd m_top; ///< inverse on the last level
 };
 
+/// P^T of a momentum on a member of a cluster: force and torque in the cluster's units.
+/// @param arm from the cluster's center, by its size
+inline RigidModeLevels::Vec6 restrictedTo(const Vec3& momentum, const Vec3& arm)
+{
+    RigidModeLevels::Vec6 mode;
+    mode << momentum, arm.cross(momentum);
+    return mode;
+}
+
 } // namespace knead
