@@ -6,6 +6,13 @@
 
 namespace knead {
 
+namespace {
+
+// Share of what touches a piece that it may lack as a whole.
+constexpr double wholeTolerance = 3e-3;
+
+} // namespace
+
 /// In the norm of the preconditioner, squared [J].
 double ImplicitEuler::sizeOf(const VectorArray& momenta)
 {
@@ -47,6 +54,40 @@ double ImplicitEuler::sizeOfLoads(const std::vector<ContactTangent>& tangents, d
     }
     m_system.clearHeld(loads);
     return sizeOf(loads);
+}
+
+/// Whether what each piece as a whole lacks is little by all that touches it. The size of a residual hardly sees that of
+/// a stiff block that slides: its preconditioner takes what rubs for what sticks.
+bool ImplicitEuler::isBalancedAsAWhole(const std::vector<ContactTangent>& tangents, double h) const
+{
+    struct Whole {
+        Vec3 lack = Vec3::Zero();
+        double acts = 0;
+        bool isHeld = false;
+    };
+    std::vector<std::vector<Whole>> wholes;
+    for (std::size_t b = 0; b < m_bodies.size(); ++b)
+        wholes.emplace_back(piecesOf(b).count);
+    const auto touch = [&](const ObjectRef& object, double force) {
+        wholes[object.body][piecesOf(object.body).ofObject[object.object]].acts += h * force;
+    };
+    for (const ContactTangent& tangent : tangents) {
+        touch(tangent.first, tangent.force.norm());
+        if (tangent.second)
+            touch(*tangent.second, tangent.force.norm());
+    }
+    for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        const ObjectState& state = *m_bodies[b].state;
+        for (std::size_t i = 0; m_bodies[b].deforms && i < state.size(); ++i) {
+            Whole& whole = wholes[b][piecesOf(b).ofObject[i]];
+            whole.lack += m_residual.at(m_first[b] + i);
+            whole.isHeld = whole.isHeld || state.inverseMass[i] == 0;
+        }
+        for (const Whole& whole : wholes[b])
+            if (!whole.isHeld && whole.acts > 0 && whole.lack.norm() > wholeTolerance * whole.acts)
+                return false;
+    }
+    return true;
 }
 
 double ImplicitEuler::elasticEnergy() const

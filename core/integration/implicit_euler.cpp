@@ -14,13 +14,13 @@ constexpr std::size_t blockSize = 4096;
 
 // Shares of the residual at the start of a step, by the preconditioned norm. What a step leaves is in the forces at the start
 // of the next, so that a body at rest gets as near to balance as rounding allows, whatever these are.
+constexpr double newtonTolerance = 1e-2; // at which a step is done
 constexpr double linearTolerance = 5e-3; // to which a linear system is solved
 // The first one only so far, by what is there: where it leads, contacts and turns are others anyway. Friction is fitted to what the
 // next ones give.
 constexpr double looseTolerance = 0.1;
 constexpr int looseIterations = 1;
 constexpr double singleTolerance = 1e-3; // and no solution goes further in single precision
-constexpr double newtonTolerance = 1e-2; // at which a step is done
 // Share of what acts in the step, at which it is done as well: what is near balance as it is costs no solution.
 constexpr double loadTolerance = 1e-3;
 constexpr double failedTolerance = 0.3; // above which a step has failed
@@ -34,27 +34,22 @@ constexpr int mostIterations = 400; // of conjugate gradients for one linear sys
 // Bodies that would move slower than this, in spacings per step, are at rest: no system is solved for less.
 constexpr double restShare = 1e-8;
 
-// Contacts are taken to be as steep at most as so much more than the deepest one of the last step makes them, and twice that with
-// each iteration.
+// Contacts are taken to be as steep at most as so much more than the deepest one of the last step makes them, until those of the
+// solution are deeper.
 constexpr double steeperShare = 1.2;
 
 // Slides slower than this stick, in spacings per step.
 constexpr double stickShare = 3e-4;
 
-// Friction is made to fit normal forces and slides in so many iterations; then it stays in proportion to the slide, or stick
-// and slip would take turns without end. What is left to fit is fitted in the next steps.
-constexpr int slipIterations = 2;
-// From here on it may get less, but no more than Coulomb's: a step that does not settle must not hold what would slide.
-constexpr int limitIterations = 6;
-// Friction that was kept so may exceed Coulomb's by this share of it, over all contacts; else it is made to fit again.
-constexpr double frictionTolerance = 0.02;
-
 // Accelerated iterations that make the residual so much larger, squared, are forgotten and begun anew.
 constexpr double mixingLost = 4;
 
-// Where the tangent is too soft, as beside cracks, iterations go too far: each that makes things worse halves what is taken of
-// the next ones, down to this share.
-constexpr double leastRelaxation = 0.125;
+// A line is searched until the force along it is this share of what it was, in so many trials; each within these shares of where it
+// must be.
+constexpr double lineTolerance = 0.5;
+constexpr int mostTrials = 6;
+constexpr double nearestTrial = 0.1;
+constexpr double farthestTrial = 0.9;
 
 // The coarse factor is found again when iterations per decade have grown by this factor and so many since it was new.
 constexpr double staleFactor = 1.5;
@@ -237,11 +232,8 @@ int ImplicitEuler::solve(double goal)
 
 Contacts::Report ImplicitEuler::settle(Contacts& contacts, std::span<const RigidSurface> surfaces, double h)
 {
-    const Contacts::Report report = findForces(contacts, surfaces,
-                                               {.duration = h,
-                                                .stickSpeed = stickShare * m_spacing / h,
-                                                .keepsSlip = m_keepsSlip,
-                                                .limitsSlip = m_limitsSlip});
+    const Contacts::Report report =
+        findForces(contacts, surfaces, {.duration = h, .stickSpeed = stickShare * m_spacing / h});
     m_steepness = report.steepness;
     return report;
 }
@@ -274,91 +266,127 @@ ImplicitEuler::Report ImplicitEuler::goOn(Contacts& contacts, std::span<const Ri
     return findEnd(contacts, surfaces, gravity, h);
 }
 
+/// Where the work of what is lacking is at its most on the way from `start` to m_velocity, about: there its force along the way is none.
+/// Whole ways go beyond it where contacts close, and where stick turns to slip. @param look finds the residual at m_velocity
+void ImplicitEuler::searchLine(const VectorArray& start, const std::function<void()>& look)
+{
+    m_way = m_velocity;
+    for (std::size_t i = 0; i < m_system.rows(); ++i)
+        m_way.add(i, -start.at(i));
+    m_system.clearHeld(m_way);
+    const double slope = dotProduct(m_residual, m_way);
+    double low = 0; // shares before and beyond it, and the forces there
+    double atLow = slope;
+    double high = 1;
+    double atHigh = 0;
+    double share = 1;
+    for (int trial = 1;; ++trial) {
+        look();
+        const double now = dotProduct(m_residual, m_way);
+        const bool isNear = now >= -lineTolerance * slope && (share == 1 || now <= lineTolerance * slope);
+        if (isNear || trial == mostTrials || !(slope > 0))
+            return;
+        if (now < 0) {
+            high = share;
+            atHigh = now;
+        } else {
+            low = share;
+            atLow = now;
+        }
+        // In turns by the chord, and in halves, as forces of contacts are far from straight.
+        const double chord = std::clamp(atLow / (atLow - atHigh), nearestTrial, farthestTrial);
+        share = low + (high - low) * (trial % 2 == 1 ? chord : 0.5);
+        for (std::size_t i = 0; i < m_system.rows(); ++i)
+            m_velocity.set(i, start.at(i) + share * m_way.at(i));
+    }
+}
+
+/// Takes note of what touches in a trial.
+void ImplicitEuler::noteTouched(const std::vector<ContactTangent>& tangents)
+{
+    for (const ContactTangent& tangent : tangents) {
+        m_touched.push_back(tangent.first);
+        for (std::uint32_t n = 0; tangent.spread != nullptr && n < tangent.spread->count; ++n)
+            m_touched.push_back({tangent.first.body, tangent.spread->objects[n]});
+        if (tangent.second)
+            m_touched.push_back(*tangent.second);
+    }
+}
+
 /// Newton's iteration, from the velocities in m_velocity.
 ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const RigidSurface> surfaces,
                                              const Vec3& gravity, double h)
 {
     Report report;
     m_mixing.restart();
-    ContactStep step{.duration = h, .stickSpeed = stickShare * m_spacing / h, .isTrial = true};
+    ContactStep step{.duration = h,
+                     .stickSpeed = stickShare * m_spacing / h,
+                     .isTrial = true,
+                     .steepest = std::max(1.0, steeperShare * m_steepness)};
+    const auto look = [&] {
+        tryVelocities(h);
+        report.contacts = findForces(contacts, surfaces, step);
+        noteTouched(report.contacts.tangents);
+        findResidual(gravity, h);
+    };
     const double floor = m_mass * std::pow(restShare * m_spacing / h, 2);
     double first = 0;
     double reference = 0;
     double lastSize = std::numeric_limits<double>::infinity();
-    bool isOverBraked = false;
-    bool keptSlip = false;
-    double relaxation = 1;
-    for (;; ++report.newtonIterations) {
-        tryVelocities(h);
-        step.steepest = std::ldexp(std::max(1.0, steeperShare * m_steepness), report.newtonIterations);
-        m_keepsSlip = step.keepsSlip = report.newtonIterations > slipIterations && !isOverBraked;
-        m_limitsSlip = step.limitsSlip = report.newtonIterations > limitIterations;
-        report.contacts = findForces(contacts, surfaces, step);
-        for (const ContactTangent& tangent : report.contacts.tangents) {
-            m_touched.push_back(tangent.first);
-            for (std::uint32_t n = 0; tangent.spread != nullptr && n < tangent.spread->count; ++n)
-                m_touched.push_back({tangent.first.body, tangent.spread->objects[n]});
-            if (tangent.second)
-                m_touched.push_back(*tangent.second);
-        }
-        findResidual(gravity, h);
-        if (report.newtonIterations == 0)
-            updateSystem(report.contacts.tangents, h, true);
+    for (look();; ++report.newtonIterations) {
+        const std::vector<ContactTangent>& tangents = report.contacts.tangents;
+        const bool isFirst = report.newtonIterations == 0;
+        const bool isLast = report.newtonIterations == mostNewtonIterations;
+        if (isFirst)
+            updateSystem(tangents, h, true);
         const double size = sizeOf(m_residual);
-        if (report.newtonIterations == 0) {
-            first = report.contacts.tangents.empty() ? size
-                                                     : std::min(size, sizeWithoutContacts(report.contacts.tangents, h));
+        if (isFirst) {
+            first = tangents.empty() ? size : std::min(size, sizeWithoutContacts(tangents, h));
             reference = size;
         }
-        const double loads = sizeOfLoads(report.contacts.tangents, h);
-        if (report.newtonIterations > 0)
+        const double loads = sizeOfLoads(tangents, h);
+        if (!isFirst)
             reference =
                 std::min(reference, std::max((m_touched.empty() ? leastFreeReference : leastReference) * first, loads));
         const bool isBalanced = size <= std::max({newtonTolerance * newtonTolerance * reference, floor,
-                                                  loadTolerance * loadTolerance * loads});
-        isOverBraked = isBalanced && m_keepsSlip && report.newtonIterations < mostNewtonIterations &&
-                       report.contacts.frictionExcess > frictionTolerance * report.contacts.frictionLimit;
-        const bool isTooSoft =
-            isBalanced && report.contacts.steepness > step.steepest && report.newtonIterations < mostNewtonIterations;
-        if (isOverBraked || isTooSoft)
-            continue; // with friction and contacts as they must be at these forces
+                                                  loadTolerance * loadTolerance * loads}) &&
+                                (isLast || isBalancedAsAWhole(tangents, h));
+        if (isBalanced && report.contacts.steepness > step.steepest && !isLast) {
+            step.steepest = steeperShare * report.contacts.steepness;
+            look();
+            continue; // with contacts as they must be at these forces
+        }
         if (isBalanced) {
             keepMomenta(gravity, h);
             if (surfaces.empty() && m_bodies.size() == 1)
                 break;
             // What they lacked may have been all of a fall: it must not end inside of something.
             report.contacts = findForces(contacts, surfaces, step);
-            if (report.contacts.tangents.empty() || !m_touched.empty() ||
-                report.newtonIterations == mostNewtonIterations)
+            if (report.contacts.tangents.empty() || !m_touched.empty() || isLast)
                 break;
             takeOverVelocities();
+            look();
             continue;
         }
-        if (report.newtonIterations == mostNewtonIterations || !std::isfinite(size)) {
+        if (isLast || !std::isfinite(size)) {
             report.converged = size <= failedTolerance * failedTolerance * reference;
             keepMomenta(gravity, h);
             break;
         }
-        if (report.newtonIterations > 0)
-            updateSystem(report.contacts.tangents, h, false);
+        if (!isFirst)
+            updateSystem(tangents, h, false);
         // The first solution brings contacts about; from then on the tangent, which is elastic, is what is wrong where it flows.
-        const bool flows = report.newtonIterations > 0 && flowedEnergy() > 0;
+        const bool flows = !isFirst && flowedEnergy() > 0;
         if (size > mixingLost * lastSize)
             m_mixing.restart();
-        const bool isComparable = (step.keepsSlip && keptSlip) || report.contacts.tangents.empty();
-        keptSlip = step.keepsSlip; // where friction was fitted, that may be what is left
-        if (report.newtonIterations > 1 && size > lastSize && isComparable)
-            relaxation = std::max(0.5 * relaxation, leastRelaxation);
         lastSize = size;
         m_scratch = m_velocity;
         const double loose = report.newtonIterations < looseIterations ? looseTolerance : singleTolerance;
         report.iterations +=
             solve(std::max({linearTolerance * linearTolerance * reference, 0.25 * floor, loose * loose * size}));
-        if (relaxation < 1)
-            for (std::size_t i = 0; i < m_system.rows(); ++i)
-                m_velocity.set(i, m_scratch.at(i) + relaxation * (m_velocity.at(i) - m_scratch.at(i)));
         if (flows)
             m_mixing.accelerate(m_scratch, m_velocity);
+        searchLine(m_scratch, look);
     }
     for (const BodyView& body : m_bodies) {
         for (std::size_t i = 0; i < body.state->size(); ++i) {

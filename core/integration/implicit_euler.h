@@ -18,7 +18,7 @@ namespace knead {
 /// Implicit Euler: velocities v and places x + h v at the end of a step such that the forces there give the velocities,
 ///     M (v - v0) = h f(x + h v, v).
 /// Newton's method on this: one linear system (ImplicitSystem) per iteration, whose solution is good enough at once unless the
-/// step turns material far or contacts open and close. Stable for any stiffness and step; motion faster than about 2 pi h
+/// step turns material far or contacts open and close. How far it is followed is searched along its line. Stable for any stiffness and step; motion faster than about 2 pi h
 /// is damped out, and what that takes is reported.
 ///
 /// Held objects go on with their velocities. Contacts, friction and joints are inside, at the places of the end of the step, so
@@ -74,6 +74,8 @@ public:
 
 private:
     Report findEnd(Contacts& contacts, std::span<const RigidSurface> surfaces, const Vec3& gravity, double h);
+    void searchLine(const VectorArray& start, const std::function<void()>& look);
+    void noteTouched(const std::vector<ContactTangent>& tangents);
     void rememberStart();
     void takeOverVelocities();
     void tryVelocities(double h);
@@ -90,6 +92,7 @@ private:
     double sizeOf(const VectorArray& momenta);
     double sizeWithoutContacts(const std::vector<ContactTangent>& tangents, double h);
     double sizeOfLoads(const std::vector<ContactTangent>& tangents, double h);
+    bool isBalancedAsAWhole(const std::vector<ContactTangent>& tangents, double h) const;
     double elasticEnergy() const;
     void keepMomenta(const Vec3& gravity, double h);
     void keepMomenta(std::size_t body, const std::vector<std::uint8_t>& touches, const Vec3& gravity, double h);
@@ -114,9 +117,8 @@ private:
     VectorArray m_velocity;                                ///< rows: velocities at the end, as far as known
     VectorArray m_residual;
     VectorArray m_scratch;
+    VectorArray m_way;                ///< of the line that is searched
     std::vector<ObjectRef> m_touched; ///< in any trial of this step
-    bool m_keepsSlip = false;         ///< friction in the last trial was in proportion to the slide
-    bool m_limitsSlip = false;        ///< and may only get less
     double m_steepness = 0;           ///< of contacts at the end of the last step
     double m_factoredStep = 0;        ///< h of the factor in use [s]; 0: none
     double m_freshRate = 0;           ///< iterations per decade when the factor was new; 0: not known

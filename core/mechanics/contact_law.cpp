@@ -19,6 +19,10 @@ constexpr double mostTurned = 1.5;
 // Friction forgets the pressure of ends that parted so many times later than it follows it.
 constexpr double keptFor = 20;
 
+// Coulomb's friction does not answer to the speed of a slide. This much is taken of it what a stick would answer, so that Newton's
+// method does not go far beyond where a slide ends.
+constexpr double slipShare = 0.9;
+
 bool followsLate(const ContactParameters& parameters, const ContactStep& step)
 {
     return !step.isImplicit() && parameters.frictionDelay > 0;
@@ -91,17 +95,18 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
     const Vec3 sticking = held + parameters.damping * slide;
     const double wanted = sticking.norm();
     result.memory.pressure = frictionPressure(state.memory.pressure, normalForce, parameters, step);
-    result.frictionLimit = parameters.friction * result.memory.pressure;
-    const double coulomb = wanted > result.frictionLimit ? result.frictionLimit / wanted : 1;
-    const bool exceeds = state.grip > coulomb && normalForce > 0;
-    result.grip = step.keepsSlip && !(step.limitsSlip && exceeds) ? state.grip : coulomb;
-    result.friction = -result.grip * sticking;
-    result.memory.hold = result.grip * held;
+    const double limit = parameters.friction * result.memory.pressure;
+    const double grip = wanted > limit ? limit / wanted : 1; // 1 sticks, less slips
+    result.friction = -grip * sticking;
+    result.memory.hold = grip * held;
     result.damping += result.friction;
     if (step.isTrial && normalForce > 0) {
         const Mat3 dyad = state.normal * state.normal.transpose();
         result.resistance = (step.duration * spring.slope + parameters.damping) * dyad +
-                            result.grip * (sideways + parameters.damping) * (Mat3::Identity() - dyad);
+                            grip * (sideways + parameters.damping) * (Mat3::Identity() - dyad);
+        if (grip < 1)
+            result.resistance -= slipShare * grip * (sideways + parameters.damping) / (wanted * wanted) * sticking *
+                                 sticking.transpose();
     }
     return result;
 }

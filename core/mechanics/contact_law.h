@@ -45,7 +45,6 @@ struct ContactState {
     Vec3 normal = Vec3::UnitZ();          ///< unit, from the opposite object p (or the tool) to o
     Vec3 relativeVelocity = Vec3::Zero(); ///< v_o - v_p [m/s]
     FrictionMemory memory;                ///< of the last step
-    double grip = 0;                      ///< of the trial before, if it is to be kept, see ContactResult
 };
 
 /// The step that contact forces are for.
@@ -57,9 +56,6 @@ struct ContactStep {
     /// Only to see what would be: makes and ends no joints, moves no anchor of friction, and reports how the forces answer to
     /// motion.
     bool isTrial = false;
-    /// Friction goes on as it did in the trial before: in proportion to the slide.
-    bool keepsSlip = false;
-    bool limitsSlip = false; ///< what is kept is no more than Coulomb's friction
     /// Springs keep the slope that they have at so many d0, where theirs would be steeper: Newton's method on the fifth power takes
     /// a fifth of what is too deep at a time, and on this goes straight to where it is bearable.
     double steepest = std::numeric_limits<double>::infinity();
@@ -80,10 +76,9 @@ struct ContactResult {
     double slope = 0;             ///< of the spring [N/m]
     double steepness = 0;         ///< d / d0, of no more than d1
 
-    FrictionMemory memory;    ///< for the next step
-    double grip = 0;          ///< share of what would stick that friction gives: 1 sticks, less slips
-    double frictionLimit = 0; ///< u F_P [N]
-    /// Of a trial: how the force at the end of the step answers to the relative velocity; symmetric, not negative [N s/m].
+    FrictionMemory memory; ///< for the next step
+    /// Of a trial: how the force at the end of the step answers to the relative velocity, the pressure that friction goes by as it is;
+    /// symmetric, not negative [N s/m].
     Mat3 resistance = Mat3::Zero();
 
     Vec3 force() const { return spring + damping; }

@@ -1,12 +1,15 @@
 // How contacts find their candidates: which pairs of objects, and which objects at surfaces. Part of Contacts.
 #include "core/geometry/rigid_fit.h"
 #include "core/mechanics/contacts.h"
+#include "core/task/parallel.h"
 
 #include <algorithm>
 
 namespace knead {
 
 namespace {
+
+constexpr std::size_t blockSize = 1024;
 
 // A closer look at what has moved may find that so much of the margin is used up at most; else it would soon be due again.
 constexpr double usedShare = 0.5;
@@ -31,20 +34,27 @@ Vec3 Contacts::outwardOf(const ContactObject& object) const
     return outward.stableNormalized();
 }
 
-bool Contacts::faceEachOther(const ContactObject& a, const ContactObject& b) const
+/// Whether the skin of a body does not say where its surface is.
+bool Contacts::isOpen(const ContactObject& object) const
 {
-    const bool isOpen =
-        a.isCut || b.isCut || a.facesSlit || b.facesSlit; // the skin does not say where their surface is
-    if (isOpen || m_bodies[a.ref.body].kind != BodyKind::deformable)
-        return true;
-    const Vec3 way = (placeOf(b) - placeOf(a)).stableNormalized();
-    return outwardOf(a).dot(way) > leastFacing && outwardOf(b).dot(way) < -leastFacing;
+    return object.isCut || object.facesSlit || m_bodies[object.ref.body].kind != BodyKind::deformable;
 }
 
-bool Contacts::mayBeInContact(const ContactObject& a, const ContactObject& b) const
+/// Glue with glue and neighbors never are. @param outward of all contact objects that are not open
+bool Contacts::mayBeInContact(std::uint32_t first, std::uint32_t second, const std::vector<Vec3>& outward) const
 {
-    const bool bothGlue = m_bodies[a.ref.body].kind == BodyKind::glue && m_bodies[b.ref.body].kind == BodyKind::glue;
-    return !bothGlue && (a.ref.body != b.ref.body || (!areNeighbors(a, b) && faceEachOther(a, b)));
+    const ContactObject& a = m_objects[first];
+    const ContactObject& b = m_objects[second];
+    if (a.ref.body != b.ref.body)
+        return m_bodies[a.ref.body].kind != BodyKind::glue || m_bodies[b.ref.body].kind != BodyKind::glue;
+    if (m_bodies[a.ref.body].kind == BodyKind::glue)
+        return false;
+    if (!isOpen(a) && !isOpen(b)) {
+        const Vec3 way = (placeOf(b) - placeOf(a)).stableNormalized();
+        if (outward[first].dot(way) <= leastFacing || outward[second].dot(way) >= -leastFacing)
+            return false;
+    }
+    return !areNeighbors(a, b);
 }
 
 std::vector<Contacts::ContactPair> Contacts::findPairs(Vicinity& vicinity, double margin) const
@@ -64,11 +74,23 @@ std::vector<Contacts::ContactPair> Contacts::findPairs(Vicinity& vicinity, doubl
         }
         spheres.push_back(sphere);
     }
+    std::vector<Vec3> outward(m_objects.size(), Vec3::Zero());
+    forEachBlock(indices.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t n = begin; n < end; ++n)
+            if (const ContactObject& object = m_objects[indices[n]]; !isOpen(object))
+                outward[indices[n]] = outwardOf(object);
+    });
+    const PairBlocks& near = vicinity.findPairs(spheres, margin);
+    std::vector<std::vector<VicinityPair>> found(near.blocks().size());
+    forEachBlock(found.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t block = begin; block < end; ++block)
+            for (const VicinityPair& pair : near.blocks()[block].pairs())
+                if (mayBeInContact(indices[pair.first], indices[pair.second], outward))
+                    found[block].push_back({indices[pair.first], indices[pair.second]});
+    });
     std::vector<VicinityPair> objects;
-    for (const PairBlock& block : vicinity.findPairs(spheres, margin).blocks())
-        for (const VicinityPair& found : block.pairs())
-            if (mayBeInContact(m_objects[indices[found.first]], m_objects[indices[found.second]]))
-                objects.push_back({indices[found.first], indices[found.second]});
+    for (const std::vector<VicinityPair>& some : found)
+        objects.insert(objects.end(), some.begin(), some.end());
     sortPairs(objects, m_objects.size());
     std::vector<ContactPair> pairs;
     pairs.reserve(objects.size());

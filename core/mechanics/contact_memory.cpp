@@ -9,8 +9,6 @@ namespace knead {
 Contacts::Memory Contacts::memory() const
 {
     Memory memory{.joints = m_joints.all(), .frequency = m_frequency};
-    for (Joint& joint : memory.joints)
-        joint.slip = 0; // of the last trial only
     const auto remember = [this](std::vector<Memory::Pair>& list, const ContactPair& pair, double value) {
         list.push_back({m_objects[pair.objects.first].ref, m_objects[pair.objects.second].ref, value});
     };

@@ -21,15 +21,13 @@ struct ContactReport {
     double energy = 0;              ///< stored in contacts and joints [J]
     double brakingPower = 0;        ///< of dampers and friction on the rigid surfaces [W]
     std::vector<ContactFriction> frictions;
-    double jointFrictionPower = 0; ///< of friction in joints on relative motion [W]
-    double plastic = 0;            ///< flowed off in joints [J]
-    double fracture = 0;           ///< of joints that ended [J]
-    double placed = 0;             ///< came in where tools that were put into material push it out [J]
-    std::size_t count = 0;         ///< contacts that touch
-    double crowding = 0;           ///< largest stiffness of all contacts of an object by what one may have
-    double steepness = 0;          ///< largest d / d0 of contacts, see ContactParameters
-    double frictionLimit = 0;      ///< sum of u |F_N| of contacts [N]
-    double frictionExcess = 0; ///< sum of what friction is beyond that, where it was kept in proportion to slides [N]
+    double jointFrictionPower = 0;        ///< of friction in joints on relative motion [W]
+    double plastic = 0;                   ///< flowed off in joints [J]
+    double fracture = 0;                  ///< of joints that ended [J]
+    double placed = 0;                    ///< came in where tools that were put into material push it out [J]
+    std::size_t count = 0;                ///< contacts that touch
+    double crowding = 0;                  ///< largest stiffness of all contacts of an object by what one may have
+    double steepness = 0;                 ///< largest d / d0 of contacts, see ContactParameters
     std::vector<ContactTangent> tangents; ///< of contacts and joints, in a trial
 };
 

@@ -268,16 +268,13 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
             pair.pressed = 0;
         if (step.remembers())
             pair.friction = parted(pair.friction, pair.parameters, step);
-        if (!step.keepsSlip)
-            pair.grip = 0;
         return;
     }
     const double distance = std::sqrt(squared);
     const ContactState state{.overlap = pair.nominalLength - distance,
                              .normal = between / distance,
                              .relativeVelocity = a.velocity.at(first.ref.object) - b.velocity.at(second.ref.object),
-                             .memory = pair.friction,
-                             .grip = pair.grip};
+                             .memory = pair.friction};
     if (pair.joined) { // its joint pushes; pressed for long enough, it heals
         if (step.remembers())
             pair.friction = {};
@@ -289,7 +286,6 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
         return;
     }
     const ContactResult result = contactForce(state, pair.parameters, step);
-    pair.grip = result.grip;
     if (step.remembers())
         pair.friction = result.memory;
     a.force.add(first.ref.object, result.spring);
@@ -303,8 +299,6 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
     }
     ++report.count;
     report.steepness = std::max(report.steepness, result.steepness);
-    report.frictionLimit += result.frictionLimit;
-    report.frictionExcess += std::max(0.0, result.friction.norm() - result.frictionLimit);
     for (const ObjectRef& object : {first.ref, second.ref})
         m_crowd.add(m_bodies[object.body], object.body, object.object, 2 * pair.parameters.stiffness);
     if (step.isTrial) {

@@ -142,7 +142,6 @@ private:
         bool joined = false;      ///< by a joint, which then acts in its place
         bool healed = false;      ///< and that joint is a healed one
         FrictionMemory friction;
-        double grip = 0; ///< of the last trial
         ContactParameters parameters;
     };
 
@@ -157,9 +156,8 @@ private:
     void takeOverLengths(std::vector<ContactPair>& pairs) const;
     bool areNeighbors(const ContactObject& a, const ContactObject& b) const;
     Vec3 outwardOf(const ContactObject& object) const;
-    bool faceEachOther(const ContactObject& a, const ContactObject& b) const;
-    bool mayBeInContact(const ContactObject& a,
-                        const ContactObject& b) const; ///< glue with glue and neighbors never are
+    bool isOpen(const ContactObject& object) const;
+    bool mayBeInContact(std::uint32_t first, std::uint32_t second, const std::vector<Vec3>& outward) const;
     bool forgetThoseApart();
     void keepDistances();
     double lengthOf(const ContactPair& pair) const;

@@ -93,11 +93,11 @@ Joints::Report Joints::computeForces(std::span<ObjectState* const> bodies, const
         const Vec3 pull = joint.stiffness * stretch * n;
         Vec3 brake = joint.damping * normalSpeed * n;
         const Vec3 slide = velocity - normalSpeed * n;
+        double slip = 0; // friction by slide, in the implicit scheme [N s/m]
         if (const double speed = slide.norm(); step.isImplicit()) {
-            if (!step.keepsSlip)
-                joint.slip = joint.friction * (pull + brake).norm() / std::max(speed, step.stickSpeed);
-            brake += joint.slip * slide;
-            report.frictionPower -= joint.slip * slide.squaredNorm();
+            slip = joint.friction * (pull + brake).norm() / std::max(speed, step.stickSpeed);
+            brake += slip * slide;
+            report.frictionPower -= slip * slide.squaredNorm();
         } else if (speed > 0 && joint.friction > 0) {
             const double reducedMass = a.mass[joint.first.object] * b.mass[joint.second.object] /
                                        (a.mass[joint.first.object] + b.mass[joint.second.object]);
@@ -109,9 +109,8 @@ Joints::Report Joints::computeForces(std::span<ObjectState* const> bodies, const
         if (step.isTrial) {
             const double sideways = length > 0 ? std::max(0.0, stretch / length) : 1;
             const Mat3 dyad = n * n.transpose();
-            const Mat3 resistance =
-                (step.duration * joint.stiffness + joint.damping) * dyad +
-                (step.duration * joint.stiffness * sideways + joint.slip) * (Mat3::Identity() - dyad);
+            const Mat3 resistance = (step.duration * joint.stiffness + joint.damping) * dyad +
+                                    (step.duration * joint.stiffness * sideways + slip) * (Mat3::Identity() - dyad);
             report.tangents.push_back(
                 {.first = joint.first, .second = joint.second, .force = pull + brake, .resistance = resistance});
         }

@@ -43,7 +43,6 @@ struct Joint {
     double flowTime = 0;      ///< [s]
     double ductility = 0;     ///< sum of flow after which it ends when stretched; infinite: never
     double plasticStrain = 0; ///< sum of its flow
-    double slip = 0;          ///< friction by slide in the last trial of the implicit scheme [N s/m]
     bool healed = false;      ///< grown together, not only sticking
 };
 

@@ -284,8 +284,6 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
         near.kept = near.pressed = 0;
     const double kept = step.isStatic ? 0 : near.kept;
     if (!(depth > kept)) {
-        if (!step.keepsSlip)
-            near.grip = 0;
         if (step.remembers())
             near.friction = parted(near.friction, point.parameters, step);
         return;
@@ -293,15 +291,14 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
     const Vec3 surfaceVelocity = surface.velocityAt(place);
     ContactParameters parameters = point.parameters;
     parameters.friction = std::sqrt(parameters.friction * surface.friction);
-    const ContactResult result = contactForce({.overlap = depth - kept,
-                                               .normal = nearest.normal,
-                                               .relativeVelocity = point.spread.at(state.velocity) - surfaceVelocity,
-                                               .memory = {toWorld(surface, near.friction.hold), near.friction.pressure},
-                                               .grip = near.grip},
-                                              parameters, step);
+    const ContactResult result =
+        contactForce({.overlap = depth - kept,
+                      .normal = nearest.normal,
+                      .relativeVelocity = point.spread.at(state.velocity) - surfaceVelocity,
+                      .memory = {toWorld(surface, near.friction.hold), near.friction.pressure}},
+                     parameters, step);
     point.spread.add(result.spring, state.force);
     point.spread.add(result.damping, state.damping);
-    near.grip = result.grip;
     if (step.remembers())
         near.friction = {toLocal(surface, result.memory.hold), result.memory.pressure};
     const Vec3 force = result.force();
@@ -316,8 +313,6 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
                 {{point.body, point.spread.objects[n]}, point.spread.weights[n] * result.friction, surfaceVelocity});
     ++report.count;
     report.steepness = std::max(report.steepness, result.steepness);
-    report.frictionLimit += result.frictionLimit;
-    report.frictionExcess += std::max(0.0, result.friction.norm() - result.frictionLimit);
     crowd.add(body, point.body, point.spread, result.slope);
     if (step.isTrial)
         report.tangents.push_back({.first = {point.body, point.spread.main()},

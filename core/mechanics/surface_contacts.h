@@ -96,7 +96,6 @@ private:
         FrictionMemory friction;
         double kept = 0;
         double pressed = 0;
-        double grip = 0;            ///< of the last trial
         Vec3 foot = Vec3::Zero();   ///< of the surface, nearest to the point when the step began, in its frame [m]
         Vec3 normal = Vec3::Zero(); ///< there; 0 where that is not known
     };

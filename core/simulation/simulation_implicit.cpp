@@ -23,7 +23,7 @@ constexpr double travelShare = 0.5;
 constexpr double farthestShare = 1.25;
 // Before a step is made longer again, speeds must be so much below what it allows: the factor of the system would be found anew
 // with every change.
-constexpr double calmShare = 0.7;
+constexpr double calmShare = 0.9;
 // A tool may exceed its force limit by this share in a step. A step that ends above is taken again with less of the tool's way,
 // so many times at most, until it ends below, and not far below where it was stopped.
 constexpr double forceLimitShare = 0.05;
@@ -120,7 +120,21 @@ void Simulation::State::setIntegrator(Integrator chosen)
     chooseIntegrator();
 }
 
-/// Speed at which tools would move in the next frame [m/s].
+/// Share of its way in a step that the force of a tool is likely to allow: away from what it presses it goes as it likes.
+double Simulation::State::likelyShare(const ToolRun& tool, double duration) const
+{
+    const Manipulator& manipulator = tool.manipulator;
+    const Vec3 way = advance(manipulator, time, duration).position - manipulator.pose.position;
+    const double force = tool.force.norm();
+    if (!std::isfinite(manipulator.forceLimit) || !(force > 0) ||
+        way.dot(tool.force) > 0) // the material pushes it that way
+        return 1;
+    const double left = (1 - forceLimitShare) * manipulator.forceLimit - force;
+    const double needed = tool.resistance * way.norm();
+    return needed > left ? std::max(0.0, left / needed) : 1;
+}
+
+/// Speed at which tools are likely to move in the next frame [m/s].
 double Simulation::State::fastestSurface() const
 {
     double fastest = 0;
@@ -130,9 +144,8 @@ double Simulation::State::fastestSurface() const
         const Manipulator& manipulator = tool->manipulator;
         const Pose next = advance(manipulator, time, longestStep);
         const double turn = next.rotation.angularDistance(manipulator.pose.rotation);
-        fastest = std::max(fastest,
-                           ((next.position - manipulator.pose.position).norm() + turn * 0.5 * manipulator.size.norm()) /
-                               longestStep);
+        const double way = (next.position - manipulator.pose.position).norm() + turn * 0.5 * manipulator.size.norm();
+        fastest = std::max(fastest, likelyShare(*tool, longestStep) * way / longestStep);
     }
     return fastest;
 }
@@ -190,24 +203,12 @@ struct Simulation::State::WaySearch {
     int tries = 0;
 };
 
-/// Tools that are at their limit begin with as much of their way as their force is likely to allow; away from what they press
-/// they go as they like.
 std::vector<Simulation::State::WaySearch> Simulation::State::beginWays() const
 {
     std::vector<WaySearch> ways(tools.size());
-    for (std::size_t t = 0; t < tools.size(); ++t) {
-        if (!tools[t] || !std::isfinite(tools[t]->manipulator.forceLimit))
-            continue;
-        const ToolRun& tool = *tools[t];
-        ways[t].forceBelow = tool.force.norm();
-        const double left = (1 - forceLimitShare) * tool.manipulator.forceLimit - tool.force.norm();
-        const Pose next = advance(tool.manipulator, time, timeStep);
-        const Vec3 way = next.position - tool.manipulator.pose.position;
-        if (way.dot(tool.force) > 0)
-            continue; // the material pushes it that way
-        if (tool.force.norm() > 0 && tool.resistance * way.norm() > left)
-            ways[t].share = std::max(0.0, left / (tool.resistance * way.norm()));
-    }
+    for (std::size_t t = 0; t < tools.size(); ++t)
+        if (tools[t])
+            ways[t] = {.share = likelyShare(*tools[t], timeStep), .forceBelow = tools[t]->force.norm()};
     return ways;
 }
 

@@ -78,6 +78,7 @@ struct Simulation::State {
     void chooseIntegrator();
     void setIntegrator(Integrator chosen);
     double longestImplicitStep() const;
+    double likelyShare(const ToolRun& tool, double duration) const;
     double fastestSurface() const;
     void makeImplicit();
     struct WaySearch;

@@ -184,6 +184,27 @@ private slots:
         }
     }
 
+    void tangentOfASlideIsSmallAlongItAndTrueAcross()
+    {
+        ContactParameters parameters = stiff(0.5);
+        parameters.damping = 3;
+        const ContactStep step{.duration = dt, .stickSpeed = 0.1, .isTrial = true};
+        const Vec3 velocity(0.3, 0.4, 0); // far beyond what sticks
+        const Vec3 along = velocity.normalized();
+        const Vec3 across(-along.y(), along.x(), 0);
+        const auto result = contactForce({.overlap = 1e-4, .relativeVelocity = velocity}, parameters, step);
+        const auto force = [&](const Vec3& v) {
+            return contactForce({.overlap = 1e-4, .relativeVelocity = v}, parameters, step).force();
+        };
+        const double difference = 1e-6;
+        const Vec3 turned =
+            (force(velocity - difference * across) - force(velocity + difference * across)) / (2 * difference);
+        QVERIFY(std::abs(turned.dot(across) / across.dot(result.resistance * across) - 1) < 1e-6);
+        const double slid = along.dot(result.resistance * along);
+        QVERIFY(slid > 0 && slid < 0.2 * across.dot(result.resistance * across)); // Coulomb's friction has none
+        QVERIFY(std::abs(along.dot(result.resistance * across)) < 1e-12 * result.resistance.norm());
+    }
+
     void fastSlidesAreBrakedWithCoulombsForceInTheImplicitSchemeToo()
     {
         const ContactResult result = contactForce({.overlap = 1e-4, .relativeVelocity = {3, 4, 0}}, stiff(0.5),

@@ -330,6 +330,26 @@ private slots:
         }
     }
 
+    /// Where a hand would have it is far away, but it does not get there.
+    void stalledToolLeavesStepsAsLongAsTheyAre()
+    {
+        Scene scene = implicit(scenes::cantilever({12, 4, 4}, spacing, rubber(), Vec3::Zero()));
+        Manipulator press{.name = "press", .size = {0.008, 0.02, 0.008}};
+        press.speedLimit = 0.4;
+        press.pose.position = Vec3(4 * spacing, 0, 2 * spacing + 0.0041);
+        press.motion = GoTo{at(press.pose.position - Vec3(0, 0, 0.05))};
+        press.forceLimit = 2e-7 * rubber().youngsModulus;
+        scene.manipulators.push_back(press);
+        Simulation simulation(scene);
+        while (simulation.time() < 0.5) {
+            simulation.step();
+            QVERIFY(simulation.health().ok);
+        }
+        QVERIFY(simulation.snapshot()->tools[0].force.norm() > 0.4 * press.forceLimit);
+        QVERIFY(press.speedLimit / 60 > spacing); // free it would go so far in a frame
+        QCOMPARE(simulation.timeStep(), 1.0 / 60);
+    }
+
     void sameBitsForAnyNumberOfThreadsAndInEveryRun()
     {
         const auto hash = [](int threads) {
