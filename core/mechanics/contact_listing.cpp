@@ -1,15 +1,12 @@
 // How contacts find their candidates: which pairs of objects, and which objects at surfaces. Part of Contacts.
 #include "core/geometry/rigid_fit.h"
 #include "core/mechanics/contacts.h"
-#include "core/task/parallel.h"
 
 #include <algorithm>
 
 namespace knead {
 
 namespace {
-
-constexpr std::size_t blockSize = 1024;
 
 // A closer look at what has moved may find that so much of the margin is used up at most; else it would soon be due again.
 constexpr double usedShare = 0.5;
@@ -75,22 +72,15 @@ std::vector<Contacts::ContactPair> Contacts::findPairs(Vicinity& vicinity, doubl
         spheres.push_back(sphere);
     }
     std::vector<Vec3> outward(m_objects.size(), Vec3::Zero());
-    forEachBlock(indices.size(), blockSize, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t n = begin; n < end; ++n)
-            if (const ContactObject& object = m_objects[indices[n]]; !isOpen(object))
-                outward[indices[n]] = outwardOf(object);
-    });
+    for (const std::uint32_t index : indices)
+        if (!isOpen(m_objects[index]))
+            outward[index] = outwardOf(m_objects[index]);
     const PairBlocks& near = vicinity.findPairs(spheres, margin);
-    std::vector<std::vector<VicinityPair>> found(near.blocks().size());
-    forEachBlock(found.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t block = begin; block < end; ++block)
-            for (const VicinityPair& pair : near.blocks()[block].pairs())
-                if (mayBeInContact(indices[pair.first], indices[pair.second], outward))
-                    found[block].push_back({indices[pair.first], indices[pair.second]});
-    });
     std::vector<VicinityPair> objects;
-    for (const std::vector<VicinityPair>& some : found)
-        objects.insert(objects.end(), some.begin(), some.end());
+    for (const PairBlock& block : near.blocks())
+        for (const VicinityPair& pair : block.pairs())
+            if (mayBeInContact(indices[pair.first], indices[pair.second], outward))
+                objects.push_back({indices[pair.first], indices[pair.second]});
     sortPairs(objects, m_objects.size());
     std::vector<ContactPair> pairs;
     pairs.reserve(objects.size());
