@@ -203,6 +203,7 @@ struct Simulation::State::WaySearch {
     int tries = 0;
 };
 
+/// Tools that are at their limit begin with as much of their way as their force is likely to allow.
 std::vector<Simulation::State::WaySearch> Simulation::State::beginWays() const
 {
     std::vector<WaySearch> ways(tools.size());
