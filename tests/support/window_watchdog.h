@@ -5,7 +5,10 @@
 #include <QThread>
 
 #include <algorithm>
+#include <cstdint>
 #include <ctime>
+#include <map>
+#include <random>
 #include <vector>
 
 namespace knead {
@@ -16,6 +19,23 @@ inline double ownTime()
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// How many times as long as on the machine of the bounds this thread takes now for work that is always the same, 1 at least. What
+/// is to be done within a time may take that many times as long: a slower processor is no fault of the window's.
+inline double slowness()
+{
+    constexpr double there = 5e-3; // [s]
+    double best = 1;               // [s]; the first time memory is new
+    for (int trial = 0; trial < 3; ++trial) {
+        std::mt19937 random(1);
+        std::map<std::uint_fast32_t, int> numbers; // new memory and branches, as where a window is laid out
+        const double start = ownTime();
+        for (int i = 0; i < 30'000; ++i)
+            numbers[random()] = i;
+        best = std::min(best, ownTime() - start);
+    }
+    return std::max(1.0, best / there);
 }
 
 /// An application that watches how long each event keeps the window's thread from the next one. Drawing the view is told apart: on
