@@ -154,6 +154,10 @@ void setWorld(const Recipe& recipe, Scene& scene)
     scene.integrator = recipe.analysis == Analysis::equilibrium ? Integrator::implicitEuler : recipe.integrator;
     scene.vicinity = recipe.vicinity;
     scene.timeStep = recipe.timeStep;
+    // Implicit steps last so long if nothing is said [s]. A run that is shorter is a step of its own.
+    constexpr double longest = 1.0 / 60;
+    if (recipe.integrator == Integrator::implicitEuler && !recipe.durationSteps && recipe.duration < longest)
+        scene.timeStep = std::min(recipe.duration, recipe.timeStep.value_or(longest));
     scene.massScalingTimeStep = recipe.massScalingTimeStep;
 }
 

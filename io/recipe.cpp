@@ -98,11 +98,24 @@ std::optional<double> readTimeStep(const JsonNode& root, const char* key)
     return node ? std::optional(node->number(shortestTimeStep, longestTimeStep)) : std::nullopt;
 }
 
+/// Who numbers steps, or says how long they are, means those of the explicit scheme, whose they have always been. So does who wants
+/// to see less than some frames: implicit steps last a frame each, and take no note of what a blow does in between.
+Integrator readIntegrator(const JsonNode& root, const Recipe& recipe)
+{
+    constexpr double shortestOfFrames = 1.0 / 6; // [s]
+    const auto node = root.find("integrator");
+    const Integrator chosen = node ? readChoice(*node, integratorWords()) : Integrator::automatic;
+    const bool isShort = !recipe.durationSteps && recipe.duration < shortestOfFrames;
+    const bool namesSteps =
+        recipe.durationSteps || recipe.timeStep || recipe.massScalingTimeStep ||
+        std::ranges::any_of(recipe.events, [](const RecipeEvent& event) { return event.step.has_value(); });
+    const bool staysExplicit = isShort || (!node && namesSteps);
+    return chosen == Integrator::automatic && staysExplicit ? Integrator::semiImplicitEuler : chosen;
+}
+
 /// How the scene is calculated.
 void readMethod(const JsonNode& root, Recipe& recipe)
 {
-    if (const auto node = root.find("integrator"))
-        recipe.integrator = readChoice(*node, integratorWords());
     if (const auto node = root.find("vicinity"))
         recipe.vicinity = readChoice(*node, vicinityWords());
     recipe.timeStep = readTimeStep(root, "time_step_s");
@@ -340,6 +353,7 @@ Recipe readRoot(const JsonNode& root, const std::string& path, const std::vector
         recipe.events = readEvents(*node, recipe, presets);
     if (const auto node = root.find("exports"))
         recipe.exports = readExports(*node);
+    recipe.integrator = readIntegrator(root, recipe);
     return recipe;
 }
 

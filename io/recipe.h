@@ -224,7 +224,7 @@ struct Recipe {
     Vec3 gravity = Vec3::Zero(); ///< [m/s^2]
     std::optional<RecipeFloor> floor;
     Touching touching = Touching::separate;
-    Integrator integrator = Integrator::semiImplicitEuler;
+    Integrator integrator = Integrator::automatic;
     VicinityMethod vicinity = VicinityMethod::uniformGrid;
     std::optional<double> timeStep;            ///< [s]
     std::optional<double> massScalingTimeStep; ///< [s]

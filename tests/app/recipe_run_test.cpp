@@ -25,6 +25,7 @@ private slots:
     void toolsMayBePartsFromFiles();
     void partsAreBroughtTogetherAndGlued();
     void regionsAndTimeStepsReachTheSimulation();
+    void whatIsShorterThanAFrameIsSimulated();
     void publishedScenesAreRepeated();
     void commandsThatMakeNoSenseAreWarnedOf();
     void recipesThatDoNotFitThePartAreRefused_data();
@@ -271,6 +272,23 @@ void RecipeRunTest::regionsAndTimeStepsReachTheSimulation()
 
     recipe["time_step_s"] = step / 8;
     QCOMPARE(json::parse(knead({"run", shop.write(recipe), "--json"}).out).at("time_step_s").get<double>(), step / 8);
+}
+
+/// Implicit steps of a frame would step over all of it.
+void RecipeRunTest::whatIsShorterThanAFrameIsSimulated()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe.erase("exports");
+    recipe["duration_s"] = 0.005;
+    recipe["integrator"] = "implicit-euler";
+    const Outcome outcome = knead({"run", shop.write(recipe), "--json"});
+    QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+    const json report = json::parse(outcome.out);
+    QVERIFY(report.at("steps").get<int>() >= 1);
+    QVERIFY(std::abs(report.at("simulated_s").get<double>() - 0.005) < 1e-4);
+    recipe["integrator"] = "automatic";
+    QVERIFY(json::parse(knead({"run", shop.write(recipe), "--json"}).out).at("steps").get<int>() > 10);
 }
 
 void RecipeRunTest::publishedScenesAreRepeated()

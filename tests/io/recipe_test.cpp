@@ -36,6 +36,7 @@ private slots:
     void partsAreBroughtTogether();
     void calculationCanBeAsPublished();
     void stepsCanBeImplicit();
+    void theIntegratorIsChosenByWhatIsWanted();
     void eventsAreReadInOrder();
     void eventsRenormalizeAndChangeKinds();
     void picturesHaveSizeAndView();
@@ -232,9 +233,33 @@ void RecipeTest::calculationCanBeAsPublished()
 
 void RecipeTest::stepsCanBeImplicit()
 {
-    QVERIFY(parse(smallest()).integrator == Integrator::semiImplicitEuler);
     QVERIFY(parse(with("integrator", R"("implicit-euler")")).integrator == Integrator::implicitEuler);
     QVERIFY(parse(with("integrator", R"("automatic")")).integrator == Integrator::automatic);
+}
+
+void RecipeTest::theIntegratorIsChosenByWhatIsWanted()
+{
+    json recipe = smallest();
+    recipe["duration_s"] = 1;
+    const auto chosen = [&](const json& more) {
+        json changed = recipe;
+        changed.update(more);
+        return parse(changed).integrator;
+    };
+    QVERIFY(chosen(json::object()) == Integrator::automatic);
+    // A blow is over within some frames.
+    QVERIFY(chosen({{"duration_s", 0.1}}) == Integrator::semiImplicitEuler);
+    QVERIFY(chosen({{"duration_s", 0.1}, {"integrator", "automatic"}}) == Integrator::semiImplicitEuler);
+    QVERIFY(chosen({{"duration_s", 0.1}, {"integrator", "implicit-euler"}}) == Integrator::implicitEuler);
+    // Steps that are named are those of the explicit scheme, as in recipes of earlier versions.
+    QVERIFY(chosen({{"time_step_s", 1e-5}}) == Integrator::semiImplicitEuler);
+    QVERIFY(chosen({{"mass_scaling_time_step_s", 1e-4}}) == Integrator::semiImplicitEuler);
+    QVERIFY(chosen({{"events", json::parse(R"([{"step": 5, "gravity_m_s2": [0, 0, -1]}])")}}) ==
+            Integrator::semiImplicitEuler);
+    QVERIFY(chosen({{"time_step_s", 1e-5}, {"integrator", "automatic"}}) == Integrator::automatic);
+    recipe.erase("duration_s");
+    QVERIFY(chosen({{"duration_steps", 100}}) == Integrator::semiImplicitEuler);
+    QVERIFY(chosen({{"duration_steps", 100}, {"integrator", "automatic"}}) == Integrator::automatic);
 }
 
 void RecipeTest::eventsRenormalizeAndChangeKinds()

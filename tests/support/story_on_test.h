@@ -246,6 +246,9 @@ protected:
         prepare();
         if (const QString theme = qEnvironmentVariable("KNEAD_PICTURES_THEME"); !theme.isEmpty())
             QSettings().setValue("theme", theme);
+        begin(); // graphics, fonts and code are loaded once, whatever that takes of a machine
+        openByHand(example("bar.step"));
+        m_window.reset();
     }
 
     void beginStory(const char* name)
