@@ -25,7 +25,7 @@ inline double ownTime()
 /// is to be done within a time may take that many times as long: a slower processor is no fault of the window's.
 inline double slowness()
 {
-    constexpr double there = 3.5e-3; // [s] a desktop of 2023; a shared machine that builds takes 5 or more
+    constexpr double there = 3.5e-3; // [s] assumed of a desktop; two shared cores took 4.9
     double best = 1;                 // [s]; the first time memory is new
     for (int trial = 0; trial < 3; ++trial) {
         std::mt19937 random(1);
