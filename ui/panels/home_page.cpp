@@ -88,7 +88,7 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
     row->addLayout(column);
     row->addStretch();
     setWidget(page);
-    showRecent({});
+    listCards();
 }
 
 /// Where to drop a file, or to open one.
@@ -170,6 +170,12 @@ void HomePage::showRecent(const QStringList& paths)
 {
     constexpr qsizetype most = 6;
     m_recentPaths = paths.first(std::min(most, paths.size()));
+    if (isVisible()) // else when it is shown: pictures take their time to read
+        listCards();
+}
+
+void HomePage::listCards()
+{
     while (QLayoutItem* item = m_recentGrid->takeAt(0)) {
         item->widget()->hide();
         item->widget()->setObjectName({});
@@ -184,9 +190,9 @@ void HomePage::showRecent(const QStringList& paths)
         connect(card, &QPushButton::clicked, this, [this, path] { emit fileChosen(path); });
         m_recentGrid->addWidget(card, m_recentGrid->count() / cardsInRow, m_recentGrid->count() % cardsInRow);
     }
-    m_recent->setVisible(!paths.isEmpty());
+    m_recent->setVisible(!m_recentPaths.isEmpty());
     if (auto* title = findChild<QLabel*>("recentTitle"))
-        title->setVisible(!paths.isEmpty());
+        title->setVisible(!m_recentPaths.isEmpty());
 }
 
 void HomePage::showWaiting(const QStringList& names)
@@ -205,7 +211,7 @@ void HomePage::showDrop(bool isOver)
 /// Pictures may have come meanwhile.
 void HomePage::showEvent(QShowEvent* event)
 {
-    showRecent(m_recentPaths);
+    listCards();
     QScrollArea::showEvent(event);
 }
 

@@ -33,6 +33,7 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    void listCards();
     QWidget* makeZone();
     QWidget* makeWaiting();
     void addExamples(QVBoxLayout* column, const QString& folder);
