@@ -8,6 +8,7 @@
 #include "app/commands/sweep_command.h"
 #include "app/exit_status.h"
 #include "app/gui.h"
+#include "core/task/kept_memory.h"
 
 #include <CLI/CLI.hpp>
 
@@ -38,12 +39,14 @@ int explain(const CLI::App& program, const CLI::ParseError& error)
 
 int runProgram(int argc, char** argv)
 {
+    keepFreedMemory();
     CLI::App program(description, "knead");
     program.footer(footer);
     program.set_version_flag("--version", std::string("knead ") + KNEAD_VERSION, "Print the version and exit");
     program.require_subcommand(0, 1);
     std::vector<std::string> files;
-    program.add_option("FILE", files, "CAD or mesh files, a project, or a recipe, to open in the window")->type_name("");
+    program.add_option("FILE", files, "CAD or mesh files, a project, or a recipe, to open in the window")
+        ->type_name("");
 
     int status = exit_status::done;
     addInfoCommand(program, status);

@@ -27,7 +27,7 @@ std::string inWords(double seconds)
 
 } // namespace
 
-std::string slownessOf(const Pace& before, const Pace& now, double wall)
+std::string slownessOf(const RunProgress& before, const RunProgress& now, double wall)
 {
     const double simulated = now.simulated - before.simulated;
     const double share = now.done - before.done;
@@ -52,7 +52,7 @@ PaceWatch::PaceWatch(std::function<void(const std::string&)> say, std::chrono::m
 {
 }
 
-void PaceWatch::reached(const Pace& pace)
+void PaceWatch::reached(const RunProgress& pace)
 {
     const std::lock_guard lock(m_mutex);
     m_pace = pace;
@@ -60,9 +60,9 @@ void PaceWatch::reached(const Pace& pace)
 
 void PaceWatch::watch(const std::stop_token& stop)
 {
-    Pace before;
+    RunProgress before;
     for (;;) {
-        Pace now;
+        RunProgress now;
         {
             std::unique_lock lock(m_mutex);
             m_wake.wait_for(lock, stop, m_stretch, [] { return false; });

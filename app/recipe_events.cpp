@@ -79,6 +79,7 @@ struct CommandMaker {
     }
     void operator()(const ChangeGravity& change) { made.push_back(SetGravity{change.gravity}); }
     void operator()(const ChangeFloor& change) { made.push_back(SetFloor{change.height, change.friction}); }
+    void operator()(const ChangePace& change) { made.push_back(SetPace{change.pace}); }
     void operator()(const ChangeIntegrator& change) { made.push_back(SetIntegrator{change.integrator}); }
     void operator()(const AddRecipeFixture& add)
     {

@@ -6,6 +6,7 @@
 #include "core/mechanics/manipulator.h"
 #include "core/model/export_options.h"
 #include "core/model/import_options.h"
+#include "core/simulation/pace.h"
 #include "core/simulation/scene.h"
 #include "io/recipe_override.h"
 
@@ -123,6 +124,9 @@ struct ChangeFloor {
 struct ChangeIntegrator {
     Integrator integrator = Integrator::semiImplicitEuler;
 };
+struct ChangePace {
+    Pace pace = Pace::full;
+};
 struct AddRecipeFixture {
     RecipeFixture fixture;
 };
@@ -165,7 +169,7 @@ struct MarkMoment {   ///< KeepMoment, at the end of what a person did at one go
 };
 using RecipeAction =
     std::variant<ChangeMaterial, RenormalizeBodies, ChangeBodyKind, ReleaseFixture, TakeManipulatorAway, ChangeGravity,
-                 ChangeFloor, ChangeIntegrator, AddRecipeFixture, MoveRecipeFixture, AddRecipeManipulator,
+                 ChangeFloor, ChangeIntegrator, ChangePace, AddRecipeFixture, MoveRecipeFixture, AddRecipeManipulator,
                  MoveRecipeManipulator, PlaceRecipeManipulator, ReshapeRecipeManipulator, StartAgain, MarkMoment,
                  AddRecipeLoad, ChangeRecipeLoad, TakeLoadAway, SettleScene>;
 

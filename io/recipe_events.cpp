@@ -126,6 +126,7 @@ const std::vector<ActionReader>& actionReaders()
         plain("body_kind", readChangeOfKind),
         plain("floor", readChangeOfFloor),
         plain("integrator", [](Node node) { return ChangeIntegrator{readChoice(node, integratorWords())}; }),
+        plain("pace", [](Node node) { return ChangePace{readChoice(node, paceWords())}; }),
         plain("add_fixture", [](Node node) { return AddRecipeFixture{readRecipeFixture(node)}; }),
         plain("move_fixture", readMoveOfFixture),
         {"add_manipulator",

@@ -31,6 +31,13 @@ const Choices<Integrator>& integratorWords()
     return words;
 }
 
+const Choices<Pace>& paceWords()
+{
+    static const Choices<Pace> words{
+        {"full", Pace::full}, {"rough", Pace::rough}, {"wide", Pace::wide}, {"exact", Pace::exact}};
+    return words;
+}
+
 const Choices<Touching>& touchingWords()
 {
     static const Choices<Touching> words{{"separate", Touching::separate}, {"glued", Touching::glued}};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/simulation/pace.h"
 #include "core/simulation/scene.h"
 #include "io/recipe_values.h"
 
@@ -18,6 +19,7 @@ const std::string& wordFor(Choice wanted, const Choices<Choice>& words)
 // The words that recipes and projects have for the choices of a scene.
 
 const Choices<BodyKind>& bodyKindWords();     ///< "deformable", "rigid", "glue"
+const Choices<Pace>& paceWords();             ///< "full" ...
 const Choices<Integrator>& integratorWords(); ///< "automatic" ...
 const Choices<Touching>& touchingWords();
 const Choices<ToolKind>& toolKindWords();

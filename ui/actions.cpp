@@ -126,6 +126,15 @@ Actions::Actions(QWidget* window)
                             true}))
     , floor(make(window,
                  {"floor", QT_TR_NOOP("Floor"), "floor", {}, QT_TR_NOOP("Put a floor under the part"), true, true}))
+    , keepUp(make(window,
+                  {"keepUp",
+                   QT_TR_NOOP("Keep up with real time"),
+                   nullptr,
+                   {},
+                   QT_TR_NOOP("Where implicit steps are slower than real time, solve them more roughly (forces "
+                              "within 3 % of the largest), then take one per 1/30 s. Without this, time runs slower"),
+                   true,
+                   true}))
     , recordVideo(make(window, {"recordVideo",
                                 QT_TR_NOOP("Record &video..."),
                                 "record",
@@ -262,8 +271,8 @@ void Actions::setDocumentOpen(bool isOpen, bool isSimulated)
     for (QAction* action : {save, saveAs, fit, front, back, right, left, top, bottom, isometric, perspective, oneView,
                             twoViews, fourViews, edges, openEdges, grid})
         action->setEnabled(isOpen);
-    for (QAction* action : {exportMeshes, exportRecipe, play, step, findBalance, reset, gravity, floor, recordVideo,
-                            recordPictures, renormalize, fixFaces, remove, objects, allObjects, hide})
+    for (QAction* action : {exportMeshes, exportRecipe, play, step, findBalance, reset, gravity, floor, keepUp,
+                            recordVideo, recordPictures, renormalize, fixFaces, remove, objects, allObjects, hide})
         action->setEnabled(isSimulated);
     for (QAction* action : addTool)
         action->setEnabled(isSimulated);

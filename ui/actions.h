@@ -32,6 +32,7 @@ struct Actions {
     QAction* reset;
     QAction* gravity;
     QAction* floor;
+    QAction* keepUp;
     QAction* recordVideo;
     QAction* recordPictures;
 

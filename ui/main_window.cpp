@@ -116,6 +116,7 @@ void MainWindow::connectSimulationActions()
     connect(m_actions->findBalance, &QAction::triggered, &m_document, &Document::findBalance);
     connect(m_actions->reset, &QAction::triggered, &m_document, &Document::reset);
     connect(m_actions->gravity, &QAction::toggled, this, &MainWindow::setGravity);
+    connect(m_actions->keepUp, &QAction::toggled, &m_document, &Document::keepUp);
     connect(m_actions->floor, &QAction::toggled, this, &MainWindow::setFloor);
     connect(m_actions->renormalize, &QAction::triggered, &m_document, &Document::renormalize);
     for (QAction* action : m_actions->addTool)

@@ -182,6 +182,7 @@ void MainWindow::makeMenus()
     simulation->addMenu(menuOf(choice("simulationSpeed"), tr("Speed"), this));
     simulation->addMenu(menuOf(choice("gravityPreset"), tr("Gravity as on"), this));
     simulation->addMenu(menuOf(choice("integrator"), tr("Integrator"), this));
+    simulation->addAction(a.keepUp);
     simulation->addSeparator();
     QMenu* film = simulation->addMenu(tr("Timeline"));
     film->addActions(m_timeline->actions());

@@ -64,7 +64,7 @@ void MainWindow::makeMaterials()
 
 void MainWindow::makeSimulation()
 {
-    auto* panel = new SimulationPanel(m_document, m_services.limitThreads != nullptr);
+    auto* panel = new SimulationPanel(m_document, m_actions->keepUp, m_services.limitThreads != nullptr);
     auto* dock = new QDockWidget(tr("Simulation"), this);
     dock->setObjectName("simulationDock");
     dock->setWidget(scrolled(panel));

@@ -163,7 +163,7 @@ private:
     {
         return manipulatorProblems(tool.manipulator).empty() && manipulatorProblems(tool.start).empty() &&
                tool.force.allFinite() && tool.meanForce.allFinite() && tool.meanTorque.allFinite() &&
-               isAmount(tool.resistance) && isAmount(tool.peakForce);
+               isAmount(tool.peakForce);
     }
 
     bool isObject(const ObjectRef& object) const

@@ -121,13 +121,17 @@ void manipulator(Stream& bytes, Of<Stream, Manipulator>& tool, const ToolParts& 
 }
 
 template <typename Stream>
-void toolRun(Stream& bytes, Of<Stream, ToolRun>& tool, const ToolParts& parts)
+void toolRun(Stream& bytes, Of<Stream, ToolRun>& tool, const ToolParts& parts, std::uint32_t version)
 {
     manipulator(bytes, tool.manipulator, parts);
     manipulator(bytes, tool.start, parts);
     for (auto* vector : {&tool.force, &tool.meanForce, &tool.meanTorque})
         bytes(*vector);
-    bytes(tool.resistance);
+    if constexpr (Stream::isReader)
+        if (version < 5) {
+            double resistance = 0; // tools at their limit follow their hands now
+            bytes(resistance);
+        }
     bytes(tool.peakForce);
 }
 
@@ -382,7 +386,8 @@ void watched(Stream& bytes, Of<Stream, Moment>& moment)
 template <typename Stream>
 void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std::uint32_t version)
 {
-    bytes.list(moment.tools, [&](auto& tool) { bytes.optional(tool, [&](auto& run) { toolRun(bytes, run, parts); }); });
+    bytes.list(moment.tools,
+               [&](auto& tool) { bytes.optional(tool, [&](auto& run) { toolRun(bytes, run, parts, version); }); });
     bytes.list(moment.fixtures, [&](auto& each) { bytes.optional(each, [&](auto& one) { fixture(bytes, one); }); });
     bytes.plainList(moment.fixtureForces);
     bytes.list(moment.annealings, [&](auto& each) { annealing(bytes, each); });
@@ -405,6 +410,8 @@ void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std
         watched(bytes, moment);
     if (version >= 4)
         frictions(bytes, moment.contacts);
+    if (version >= 5)
+        bytes(moment.pace, Pace::exact);
     bytes(moment.wasSquashed);
     bytes(moment.health.ok);
     bytes(moment.health.message);

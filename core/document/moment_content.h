@@ -11,7 +11,7 @@ namespace knead {
 /// Of what momentContent() gives; all from 1 on can be read. 2: objects have a plastic metric, where each connection had a plastic
 /// strain, and what a run is measured by is kept, which begins anew in a moment of 1. 3: rubberlike material. 4: contacts know what
 /// friction holds against, which begins anew in older ones.
-inline constexpr std::uint32_t momentVersion = 4;
+inline constexpr std::uint32_t momentVersion = 5;
 
 /// What momentToBytes() packs: all of a moment, value after value.
 Bytes momentContent(const Moment& moment);

@@ -1,6 +1,7 @@
 // How large what a step lacks is, what it must keep, and what it took out. Part of ImplicitEuler.
 #include "core/integration/implicit_euler.h"
 #include "core/integration/piece_momenta.h"
+#include "core/task/block_sums.h"
 
 #include <algorithm>
 
@@ -8,8 +9,25 @@ namespace knead {
 
 namespace {
 
-// Share of what touches a piece that it may lack as a whole.
+// Share of what touches a piece that it may lack as a whole; and towards what it stands on, which makes up for that in the next
+// step.
 constexpr double wholeTolerance = 3e-3;
+constexpr double pushedTolerance = 3e-2;
+
+constexpr double flatShare = 0.999; // of normals that add up, where a piece stands on something flat
+
+constexpr std::size_t blockSize = 4096;
+
+/// Of state.damping [W].
+double dampingPower(const ObjectState& state)
+{
+    return sumOverBlocks(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+        double power = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            power += state.damping.at(i).dot(state.velocity.at(i));
+        return power;
+    });
+}
 
 } // namespace
 
@@ -25,14 +43,19 @@ double ImplicitEuler::sizeOf(const VectorArray& momenta)
 /// forces that there will be.
 double ImplicitEuler::sizeWithoutContacts(const std::vector<ContactTangent>& tangents, double h)
 {
-    VectorArray rest = m_residual;
+    m_momenta = m_residual;
+    addContacts(tangents, -h);
+    return sizeOf(m_momenta);
+}
+
+/// What contacts give in a time, to m_momenta.
+void ImplicitEuler::addContacts(const std::vector<ContactTangent>& tangents, double duration)
+{
     for (const ContactTangent& tangent : tangents) {
-        push(endOf(tangent.first, tangent.spread), -h * tangent.force, rest);
-        if (tangent.second)
-            push(endOf(*tangent.second), h * tangent.force, rest);
+        push(firstEnd(tangent), duration * tangent.force, m_momenta);
+        push(secondEnd(tangent), -duration * tangent.force, m_momenta);
     }
-    m_system.clearHeld(rest);
-    return sizeOf(rest);
+    m_system.clearHeld(m_momenta);
 }
 
 /// Size of what contacts do in the step, and of the change of momenta: what a residual may be compared with. What it was
@@ -40,54 +63,94 @@ double ImplicitEuler::sizeWithoutContacts(const std::vector<ContactTangent>& tan
 /// stiff body turns.
 double ImplicitEuler::sizeOfLoads(const std::vector<ContactTangent>& tangents, double h)
 {
-    VectorArray loads;
-    loads.resize(m_system.rows());
+    if (m_momenta.size() != m_system.rows())
+        m_momenta.resize(m_system.rows());
+    m_momenta.setZero();
     for (std::size_t b = 0; b < m_bodies.size(); ++b)
-        if (m_bodies[b].deforms)
-            for (std::size_t i = 0; i < m_bodies[b].state->size(); ++i)
-                loads.set(m_first[b] + i,
-                          m_bodies[b].state->mass[i] * (m_velocity.at(m_first[b] + i) - m_startVelocity[b].at(i)));
-    for (const ContactTangent& tangent : tangents) {
-        push(endOf(tangent.first, tangent.spread), h * tangent.force, loads);
-        if (tangent.second)
-            push(endOf(*tangent.second), -h * tangent.force, loads);
-    }
-    m_system.clearHeld(loads);
-    return sizeOf(loads);
+        if (m_bodies[b].deforms) {
+            const LaneVector<double>& mass = m_bodies[b].state->mass;
+            const std::size_t first = m_first[b];
+            forEachBlock(mass.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t c = 0; c < 3; ++c)
+                    for (std::size_t i = begin; i < end; ++i)
+                        m_momenta.component(c)[first + i] =
+                            mass[i] * (m_velocity.component(c)[first + i] - m_startVelocity[b].component(c)[i]);
+            });
+        }
+    addContacts(tangents, h);
+    return sizeOf(m_momenta);
 }
 
-/// Whether what each piece as a whole lacks is little by all that touches it. The size of a residual hardly sees that of
-/// a stiff block that slides: its preconditioner takes what rubs for what sticks.
-bool ImplicitEuler::isBalancedAsAWhole(const std::vector<ContactTangent>& tangents, double h) const
+/// A piece of a body as a whole.
+struct ImplicitEuler::Whole {
+    Vec3 lack = Vec3::Zero();   ///< of momentum [N s]
+    Vec3 normal = Vec3::Zero(); ///< sum of how skins push it [N s]
+    double pushed = 0;          ///< of the same without directions [N s]
+    double acts = 0;            ///< of all that touches it, without directions [N s]
+    double mass = 0;            ///< [kg]
+    bool isHeld = false;
+
+    /// Of the lack, along what it stands on; all of it where that is not flat.
+    Vec3 sliding() const
+    {
+        if (normal.norm() < flatShare * pushed)
+            return lack;
+        const Vec3 up = normal.normalized();
+        return lack - lack.dot(up) * up;
+    }
+
+    /// The lack by what it may be.
+    double share() const
+    {
+        if (isHeld || acts == 0)
+            return 0;
+        const Vec3 side = sliding();
+        return std::max(side.norm() / wholeTolerance, (lack - side).norm() / pushedTolerance) / acts;
+    }
+};
+
+/// Per body and piece.
+std::vector<std::vector<ImplicitEuler::Whole>> ImplicitEuler::wholesOf(const std::vector<ContactTangent>& tangents,
+                                                                       double h) const
 {
-    struct Whole {
-        Vec3 lack = Vec3::Zero();
-        double acts = 0;
-        bool isHeld = false;
-    };
     std::vector<std::vector<Whole>> wholes;
     for (std::size_t b = 0; b < m_bodies.size(); ++b)
         wholes.emplace_back(piecesOf(b).count);
-    const auto touch = [&](const ObjectRef& object, double force) {
-        wholes[object.body][piecesOf(object.body).ofObject[object.object]].acts += h * force;
+    const auto touch = [&](const ObjectRef& object, const Vec3& force, const Vec3& normal) {
+        Whole& whole = wholes[object.body][piecesOf(object.body).ofObject[object.object]];
+        const double push = force.dot(normal);
+        whole.acts += h * force.norm();
+        whole.normal += h * push * normal;
+        whole.pushed += h * std::abs(push);
     };
     for (const ContactTangent& tangent : tangents) {
-        touch(tangent.first, tangent.force.norm());
+        touch(tangent.first, tangent.force, tangent.normal);
         if (tangent.second)
-            touch(*tangent.second, tangent.force.norm());
+            touch(*tangent.second, -tangent.force, tangent.normal);
     }
     for (std::size_t b = 0; b < m_bodies.size(); ++b) {
         const ObjectState& state = *m_bodies[b].state;
         for (std::size_t i = 0; m_bodies[b].deforms && i < state.size(); ++i) {
             Whole& whole = wholes[b][piecesOf(b).ofObject[i]];
             whole.lack += m_residual.at(m_first[b] + i);
+            whole.mass += state.mass[i];
             whole.isHeld = whole.isHeld || state.inverseMass[i] == 0;
         }
-        for (const Whole& whole : wholes[b])
-            if (!whole.isHeld && whole.acts > 0 && whole.lack.norm() > wholeTolerance * whole.acts)
-                return false;
     }
-    return true;
+    return wholes;
+}
+
+/// What a piece as a whole lacks at most, by all that touches it; up to 1 it is balanced. The size of a residual hardly sees that
+/// of a stiff block that slides: its preconditioner takes what rubs for what sticks.
+double ImplicitEuler::lackOfWholes(const std::vector<ContactTangent>& tangents, double h) const
+{
+    double most = 0;
+    if (tangents.empty())
+        return most;
+    for (const std::vector<Whole>& ofBody : wholesOf(tangents, h))
+        for (const Whole& whole : ofBody)
+            most = std::max(most, whole.share());
+    return most;
 }
 
 double ImplicitEuler::elasticEnergy() const
@@ -164,11 +227,15 @@ double ImplicitEuler::numericalLoss(const Contacts::Report& contacts, double ene
     for (std::size_t b = 0; b < m_bodies.size(); ++b) {
         const BodyView& body = m_bodies[b];
         const ObjectState& state = *body.state;
-        for (std::size_t i = 0; i < state.size(); ++i) {
-            loss -= h * state.force.at(i).dot(state.velocity.at(i));
-            if (body.deforms && state.inverseMass[i] > 0)
-                loss += 0.5 * state.mass[i] * (state.velocity.at(i) - m_startVelocity[b].at(i)).squaredNorm();
-        }
+        loss += sumOverBlocks(state.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+            double sum = 0;
+            for (std::size_t i = begin; i < end; ++i) {
+                sum -= h * state.force.at(i).dot(state.velocity.at(i));
+                if (body.deforms && state.inverseMass[i] > 0)
+                    sum += 0.5 * state.mass[i] * (state.velocity.at(i) - m_startVelocity[b].at(i)).squaredNorm();
+            }
+            return sum;
+        });
         if (!body.deforms && body.rigid != nullptr) {
             const Vec3 change = body.rigid->velocity() - m_startMotion[b]->velocity();
             const Vec3 turn = body.rigid->angularVelocity() - m_startMotion[b]->angularVelocity();
@@ -176,6 +243,19 @@ double ImplicitEuler::numericalLoss(const Contacts::Report& contacts, double ene
         }
     }
     return loss;
+}
+
+/// What the step did, at its end.
+void ImplicitEuler::account(Report& report, double h) const
+{
+    for (const BodyView& body : m_bodies) {
+        report.largestSpeed = std::max(report.largestSpeed, largestSpeed(*body.state));
+        report.dampingWork += h * dampingPower(*body.state);
+        if (body.deforms)
+            report.plastic += body.connections->flowWork();
+    }
+    report.numerical =
+        -report.plastic + numericalLoss(report.contacts, elasticEnergy() + report.contacts.energy - m_startEnergy, h);
 }
 
 } // namespace knead

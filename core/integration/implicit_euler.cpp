@@ -12,44 +12,10 @@ namespace {
 
 constexpr std::size_t blockSize = 4096;
 
-// Shares of the residual at the start of a step, by the preconditioned norm. What a step leaves is in the forces at the start
-// of the next, so that a body at rest gets as near to balance as rounding allows, whatever these are.
-constexpr double newtonTolerance = 1e-2; // at which a step is done
-constexpr double linearTolerance = 5e-3; // to which a linear system is solved
-// The first one only so far, by what is there: where it leads, contacts and turns are others anyway. Friction is fitted to what the
-// next ones give.
-constexpr double looseTolerance = 0.1;
-constexpr int looseIterations = 1;
-constexpr double singleTolerance = 1e-3; // and no solution goes further in single precision
-// Share of what acts in the step, at which it is done as well: what is near balance as it is costs no solution.
-constexpr double loadTolerance = 1e-3;
-constexpr double failedTolerance = 0.3; // above which a step has failed
-// Of what was there before the first solution, so much is always enough to compare with: a body that is just let go of by
-// all it touched has loads of nothing.
-constexpr double leastReference = 1e-6;
-constexpr double leastFreeReference = 1e-4; // where nothing touches
-constexpr int mostNewtonIterations = 12;
 constexpr int mostIterations = 400; // of conjugate gradients for one linear system
 
-// Bodies that would move slower than this, in spacings per step, are at rest: no system is solved for less.
-constexpr double restShare = 1e-8;
-
-// Contacts are taken to be as steep at most as so much more than the deepest one of the last step makes them, until those of the
-// solution are deeper.
-constexpr double steeperShare = 1.2;
-
-// Slides slower than this stick, in spacings per step.
-constexpr double stickShare = 3e-4;
-
-// Accelerated iterations that make the residual so much larger, squared, are forgotten and begun anew.
-constexpr double mixingLost = 4;
-
-// A line is searched until the force along it is this share of what it was, in so many trials; each within these shares of where it
-// must be.
-constexpr double lineTolerance = 0.5;
-constexpr int mostTrials = 6;
-constexpr double nearestTrial = 0.1;
-constexpr double farthestTrial = 0.9;
+// Tools have no mass. In the system they have this share of what their hands do, so that it stays positive.
+constexpr double handMassShare = 1e-4;
 
 // The coarse factor is found again when iterations per decade have grown by this factor and so many since it was new.
 constexpr double staleFactor = 1.5;
@@ -57,7 +23,7 @@ constexpr double staleMore = 3;
 
 } // namespace
 
-ImplicitEuler::ImplicitEuler(std::vector<BodyView> bodies)
+ImplicitEuler::ImplicitEuler(std::vector<BodyView> bodies, std::size_t mostHands)
     : m_bodies(std::move(bodies))
     , m_first(m_bodies.size(), 0)
     , m_rigidIndex(m_bodies.size(), 0)
@@ -78,24 +44,58 @@ ImplicitEuler::ImplicitEuler(std::vector<BodyView> bodies)
         for (std::size_t i = 0; i < body.state->size(); ++i)
             m_mass += body.state->mass[i];
     }
+    for (std::size_t n = 0; n < mostHands; ++n) {
+        m_handIndex.push_back(m_system.rigids().size());
+        m_handRow.push_back(m_system.addRigid());
+    }
     m_velocity.resize(m_system.rows());
     m_residual.resize(m_system.rows());
 }
 
-void ImplicitEuler::rememberStart()
+/// Velocities to begin with: as they are, and pieces that are not held go on changing theirs as a whole as in the last step: they
+/// fall, or slide.
+void ImplicitEuler::guess(std::size_t body, double h)
+{
+    const ObjectState& state = *m_bodies[body].state;
+    const VectorArray& before = m_startVelocity[body];
+    for (std::size_t c = 0; c < 3; ++c)
+        std::copy_n(state.velocity.component(c), state.size(), m_velocity.component(c) + m_first[body]);
+    if (before.size() != state.size() || m_lastStep == 0 || m_wasBalanced)
+        return;
+    const Pieces& pieces = piecesOf(body);
+    std::vector<Vec3> gained(pieces.count, Vec3::Zero());
+    std::vector<double> mass(pieces.count, 0);
+    std::vector<std::uint8_t> isHeld(pieces.count, 0);
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        const std::uint32_t piece = pieces.ofObject[i];
+        gained[piece] += state.mass[i] * (state.velocity.at(i) - before.at(i));
+        mass[piece] += state.mass[i];
+        isHeld[piece] |= state.inverseMass[i] == 0 ? 1 : 0;
+    }
+    if (std::all_of(isHeld.begin(), isHeld.end(), [](std::uint8_t held) { return held != 0; }))
+        return;
+    for (std::size_t i = 0; i < state.size(); ++i)
+        if (const std::uint32_t piece = pieces.ofObject[i]; isHeld[piece] == 0)
+            m_velocity.add(m_first[body] + i, h / m_lastStep / mass[piece] * gained[piece]);
+}
+
+void ImplicitEuler::rememberStart(double h)
 {
     for (std::size_t b = 0; b < m_bodies.size(); ++b) {
         const BodyView& body = m_bodies[b];
         m_startPosition[b] = body.state->position;
+        if (body.deforms)
+            guess(b, h);
         m_startVelocity[b] = body.state->velocity;
-        if (body.deforms) {
-            for (std::size_t i = 0; i < body.state->size(); ++i)
-                m_velocity.set(m_first[b] + i, body.state->velocity.at(i));
-        } else if (body.rigid != nullptr) {
+        if (!body.deforms && body.rigid != nullptr) {
             m_startMotion[b] = *body.rigid;
             m_velocity.set(m_first[b], body.rigid->velocity());
             m_velocity.set(m_first[b] + 1, body.rigid->radius() * body.rigid->angularVelocity());
         }
+    }
+    for (std::size_t n = 0; n < m_handRow.size(); ++n) {
+        m_velocity.set(m_handRow[n], n < m_hands.size() ? m_surfaces[m_hands[n].surface].velocity : Vec3::Zero());
+        m_velocity.set(m_handRow[n] + 1, Vec3::Zero());
     }
 }
 
@@ -103,8 +103,9 @@ void ImplicitEuler::rememberStart()
 void ImplicitEuler::takeOverVelocities()
 {
     for (std::size_t b = 0; b < m_bodies.size(); ++b)
-        for (std::size_t i = 0; m_bodies[b].deforms && i < m_bodies[b].state->size(); ++i)
-            m_velocity.set(m_first[b] + i, m_bodies[b].state->velocity.at(i));
+        for (std::size_t c = 0; m_bodies[b].deforms && c < 3; ++c)
+            std::copy_n(m_bodies[b].state->velocity.component(c), m_bodies[b].state->size(),
+                        m_velocity.component(c) + m_first[b]);
 }
 
 /// Places and velocities of the objects as the rows of m_velocity have them.
@@ -128,10 +129,14 @@ void ImplicitEuler::tryVelocities(double h)
                                  m_velocity.at(m_first[b] + 1) / body.rigid->radius(), h);
         }
     }
+    for (std::size_t n = 0; n < m_hands.size(); ++n) {
+        RigidSurface& tool = m_surfaces[m_hands[n].surface];
+        tool.velocity = m_velocity.at(m_handRow[n]);
+        tool.pose.position = m_hands[n].from + h * tool.velocity;
+    }
 }
 
-Contacts::Report ImplicitEuler::findForces(Contacts& contacts, std::span<const RigidSurface> surfaces,
-                                           const ContactStep& step)
+Contacts::Report ImplicitEuler::findForces(Contacts& contacts, const ContactStep& step)
 {
     for (BodyView& body : m_bodies) {
         if (body.deforms) {
@@ -141,13 +146,13 @@ Contacts::Report ImplicitEuler::findForces(Contacts& contacts, std::span<const R
             body.state->damping.setZero();
         }
     }
-    Contacts::Report report = contacts.computeForces(surfaces, step);
+    Contacts::Report report = contacts.computeForces(m_surfaces, step);
     m_loadPower = m_addLoads ? m_addLoads() : 0;
     return report;
 }
 
 /// What momenta lack at the velocities tried last: h f - M (v - v0).
-void ImplicitEuler::findResidual(const Vec3& gravity, double h)
+void ImplicitEuler::findResidual(const Contacts::Report& contacts, const Vec3& gravity, double h)
 {
     for (std::size_t b = 0; b < m_bodies.size(); ++b) {
         const BodyView& body = m_bodies[b];
@@ -169,7 +174,23 @@ void ImplicitEuler::findResidual(const Vec3& gravity, double h)
                                           start.radius());
         }
     }
+    for (std::size_t n = 0; n < m_hands.size(); ++n) {
+        const ToolHand& hand = m_hands[n];
+        const Vec3 place = m_surfaces[hand.surface].pose.position;
+        m_residual.set(m_handRow[n], h * (contacts.loads[hand.surface].force + hand.forceAt(place)));
+    }
     m_system.clearHeld(m_residual);
+}
+
+/// What a contact or a joint pushes against.
+LinkEnd ImplicitEuler::secondEnd(const ContactTangent& tangent) const
+{
+    if (tangent.second)
+        return endOf(*tangent.second);
+    for (std::size_t n = 0; n < m_hands.size(); ++n)
+        if (m_hands[n].surface == tangent.surface)
+            return {.row = static_cast<std::uint32_t>(m_handRow[n]), .isRigid = true};
+    return {};
 }
 
 /// @param spread of a point between objects; null: the object itself
@@ -196,11 +217,21 @@ void ImplicitEuler::updateSystem(const std::vector<ContactTangent>& tangents, do
         if (const RigidMotion* rigid = m_bodies[b].rigid; rigid != nullptr && !m_bodies[b].deforms)
             m_system.setRigid(m_rigidIndex[b], rigid->mass(), rigid->inertia() / (rigid->radius() * rigid->radius()));
     std::vector<Link> links;
-    links.reserve(tangents.size());
+    links.reserve(tangents.size() + m_hands.size());
     for (const ContactTangent& tangent : tangents)
-        links.push_back({.first = endOf(tangent.first, tangent.spread),
-                         .second = tangent.second ? endOf(*tangent.second) : LinkEnd{},
-                         .matrix = h * tangent.resistance});
+        links.push_back({.first = firstEnd(tangent), .second = secondEnd(tangent), .matrix = h * tangent.resistance});
+    for (std::size_t n = 0; n < m_handRow.size(); ++n) {
+        if (n >= m_hands.size()) { // there is none: nothing moves it
+            m_system.setRigid(m_handIndex[n], 1, Mat3::Identity());
+            continue;
+        }
+        const ToolHand& hand = m_hands[n];
+        const double mass = handMassShare * h * h * hand.stiffness;
+        m_system.setRigid(m_handIndex[n], mass, mass * Mat3::Identity());
+        links.push_back({.first = {.row = static_cast<std::uint32_t>(m_handRow[n]), .isRigid = true},
+                         .second = {},
+                         .matrix = h * h * hand.stiffnessAt(m_surfaces[hand.surface].pose.position)});
+    }
     m_system.setLinks(std::move(links));
     if (m_system.rows() == 0)
         return;
@@ -230,10 +261,9 @@ int ImplicitEuler::solve(double goal)
     return report.iterations;
 }
 
-Contacts::Report ImplicitEuler::settle(Contacts& contacts, std::span<const RigidSurface> surfaces, double h)
+Contacts::Report ImplicitEuler::settle(Contacts& contacts, double h)
 {
-    const Contacts::Report report =
-        findForces(contacts, surfaces, {.duration = h, .stickSpeed = stickShare * m_spacing / h});
+    const Contacts::Report report = findForces(contacts, {.duration = h, .stickSpeed = stickSpeed(h)});
     m_steepness = report.steepness;
     return report;
 }
@@ -249,160 +279,24 @@ void ImplicitEuler::undo()
     }
 }
 
-ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::span<const RigidSurface> surfaces,
-                                          const Vec3& gravity, double h, double contactEnergy)
+ImplicitEuler::Report ImplicitEuler::step(Contacts& contacts, std::vector<RigidSurface> surfaces,
+                                          std::vector<ToolHand> hands, const Vec3& gravity, double h,
+                                          double contactEnergy)
 {
-    rememberStart();
-    contacts.beginStep(surfaces, h);
+    m_surfaces = std::move(surfaces);
+    m_hands = std::move(hands);
+    rememberStart(h);
+    m_lastStep = h;
+    contacts.beginStep(m_surfaces, h);
     m_touched.clear();
     m_startEnergy = elasticEnergy() + contactEnergy;
-    return findEnd(contacts, surfaces, gravity, h);
+    return findEnd(contacts, gravity, h);
 }
 
-ImplicitEuler::Report ImplicitEuler::goOn(Contacts& contacts, std::span<const RigidSurface> surfaces,
-                                          const Vec3& gravity, double h, double released)
+ImplicitEuler::Report ImplicitEuler::goOn(Contacts& contacts, const Vec3& gravity, double h, double released)
 {
     m_startEnergy -= released;
-    return findEnd(contacts, surfaces, gravity, h);
-}
-
-/// Where the work of what is lacking is at its most on the way from `start` to m_velocity, about: there its force along the way is none.
-/// Whole ways go beyond it where contacts close, and where stick turns to slip. @param look finds the residual at m_velocity
-void ImplicitEuler::searchLine(const VectorArray& start, const std::function<void()>& look)
-{
-    m_way = m_velocity;
-    for (std::size_t i = 0; i < m_system.rows(); ++i)
-        m_way.add(i, -start.at(i));
-    m_system.clearHeld(m_way);
-    const double slope = dotProduct(m_residual, m_way);
-    double low = 0; // shares before and beyond it, and the forces there
-    double atLow = slope;
-    double high = 1;
-    double atHigh = 0;
-    double share = 1;
-    for (int trial = 1;; ++trial) {
-        look();
-        const double now = dotProduct(m_residual, m_way);
-        const bool isNear = now >= -lineTolerance * slope && (share == 1 || now <= lineTolerance * slope);
-        if (isNear || trial == mostTrials || !(slope > 0))
-            return;
-        if (now < 0) {
-            high = share;
-            atHigh = now;
-        } else {
-            low = share;
-            atLow = now;
-        }
-        // In turns by the chord, and in halves, as forces of contacts are far from straight.
-        const double chord = std::clamp(atLow / (atLow - atHigh), nearestTrial, farthestTrial);
-        share = low + (high - low) * (trial % 2 == 1 ? chord : 0.5);
-        for (std::size_t i = 0; i < m_system.rows(); ++i)
-            m_velocity.set(i, start.at(i) + share * m_way.at(i));
-    }
-}
-
-/// Takes note of what touches in a trial.
-void ImplicitEuler::noteTouched(const std::vector<ContactTangent>& tangents)
-{
-    for (const ContactTangent& tangent : tangents) {
-        m_touched.push_back(tangent.first);
-        for (std::uint32_t n = 0; tangent.spread != nullptr && n < tangent.spread->count; ++n)
-            m_touched.push_back({tangent.first.body, tangent.spread->objects[n]});
-        if (tangent.second)
-            m_touched.push_back(*tangent.second);
-    }
-}
-
-/// Newton's iteration, from the velocities in m_velocity.
-ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, std::span<const RigidSurface> surfaces,
-                                             const Vec3& gravity, double h)
-{
-    Report report;
-    m_mixing.restart();
-    ContactStep step{.duration = h,
-                     .stickSpeed = stickShare * m_spacing / h,
-                     .isTrial = true,
-                     .steepest = std::max(1.0, steeperShare * m_steepness)};
-    const auto look = [&] {
-        tryVelocities(h);
-        report.contacts = findForces(contacts, surfaces, step);
-        noteTouched(report.contacts.tangents);
-        findResidual(gravity, h);
-    };
-    const double floor = m_mass * std::pow(restShare * m_spacing / h, 2);
-    double first = 0;
-    double reference = 0;
-    double lastSize = std::numeric_limits<double>::infinity();
-    for (look();; ++report.newtonIterations) {
-        const std::vector<ContactTangent>& tangents = report.contacts.tangents;
-        const bool isFirst = report.newtonIterations == 0;
-        const bool isLast = report.newtonIterations == mostNewtonIterations;
-        if (isFirst)
-            updateSystem(tangents, h, true);
-        const double size = sizeOf(m_residual);
-        if (isFirst) {
-            first = tangents.empty() ? size : std::min(size, sizeWithoutContacts(tangents, h));
-            reference = size;
-        }
-        const double loads = sizeOfLoads(tangents, h);
-        if (!isFirst)
-            reference =
-                std::min(reference, std::max((m_touched.empty() ? leastFreeReference : leastReference) * first, loads));
-        const bool isBalanced = size <= std::max({newtonTolerance * newtonTolerance * reference, floor,
-                                                  loadTolerance * loadTolerance * loads}) &&
-                                (isLast || isBalancedAsAWhole(tangents, h));
-        if (isBalanced && report.contacts.steepness > step.steepest && !isLast) {
-            step.steepest = steeperShare * report.contacts.steepness;
-            look();
-            continue; // with contacts as they must be at these forces
-        }
-        if (isBalanced) {
-            keepMomenta(gravity, h);
-            if (surfaces.empty() && m_bodies.size() == 1)
-                break;
-            // What they lacked may have been all of a fall: it must not end inside of something.
-            report.contacts = findForces(contacts, surfaces, step);
-            if (report.contacts.tangents.empty() || !m_touched.empty() || isLast)
-                break;
-            takeOverVelocities();
-            look();
-            continue;
-        }
-        if (isLast || !std::isfinite(size)) {
-            report.converged = size <= failedTolerance * failedTolerance * reference;
-            keepMomenta(gravity, h);
-            break;
-        }
-        if (!isFirst)
-            updateSystem(tangents, h, false);
-        // The first solution brings contacts about; from then on the tangent, which is elastic, is what is wrong where it flows.
-        const bool flows = !isFirst && flowedEnergy() > 0;
-        if (size > mixingLost * lastSize)
-            m_mixing.restart();
-        lastSize = size;
-        m_scratch = m_velocity;
-        const double loose = report.newtonIterations < looseIterations ? looseTolerance : singleTolerance;
-        report.iterations +=
-            solve(std::max({linearTolerance * linearTolerance * reference, 0.25 * floor, loose * loose * size}));
-        if (flows)
-            m_mixing.accelerate(m_scratch, m_velocity);
-        searchLine(m_scratch, look);
-    }
-    for (const BodyView& body : m_bodies) {
-        for (std::size_t i = 0; i < body.state->size(); ++i) {
-            const Vec3 velocity = body.state->velocity.at(i);
-            report.dampingWork += h * body.state->damping.at(i).dot(velocity);
-            const double speed = velocity.norm();
-            if (!(speed <= report.largestSpeed))
-                report.largestSpeed = std::isfinite(speed) ? speed : std::numeric_limits<double>::infinity();
-        }
-    }
-    for (const BodyView& body : m_bodies)
-        if (body.deforms)
-            report.plastic += body.connections->flowWork();
-    report.numerical =
-        -report.plastic + numericalLoss(report.contacts, elasticEnergy() + report.contacts.energy - m_startEnergy, h);
-    return report;
+    return findEnd(contacts, gravity, h);
 }
 
 } // namespace knead

@@ -3,6 +3,7 @@
 #include "core/aggregate/pieces.h"
 #include "core/integration/anderson_mixing.h"
 #include "core/integration/conjugate_gradients.h"
+#include "core/integration/tool_hand.h"
 #include "core/mechanics/contacts.h"
 #include "core/mechanics/rigid_motion.h"
 
@@ -23,7 +24,7 @@ namespace knead {
 ///
 /// Held objects go on with their velocities. Contacts, friction and joints are inside, at the places of the end of the step, so
 /// that what closes within it is met; rigid bodies that move are six unknowns each, since a contact of theirs is stiffer than
-/// their mass is heavy by far at such steps.
+/// their mass is heavy by far at such steps. So are tools whose hands push no harder than they may (ToolHand), with their centers.
 ///
 /// Several threads; same bits for any number.
 class ImplicitEuler {
@@ -37,7 +38,13 @@ public:
     };
 
     /// Bodies, held objects, materials and masses stay what they are as long as it lives.
-    explicit ImplicitEuler(std::vector<BodyView> bodies);
+    /// @param mostHands that a step may have
+    explicit ImplicitEuler(std::vector<BodyView> bodies, std::size_t mostHands = 0);
+
+    std::size_t mostHands() const { return m_handRow.size(); }
+
+    /// Share of what acts in a step that it may lack in the end, 1e-4 .. 0.3.
+    void setTolerance(double tolerance) { m_tolerance = tolerance; }
 
     /// What adds the forces of loads to state.force, at the places and velocities tried, and tells their power [W].
     void setLoads(std::function<double()> add) { m_addLoads = std::move(add); }
@@ -55,32 +62,46 @@ public:
 
     /// One step. `state.force` and `state.damping` are then those at the end, and contacts have been looked at only: whoever
     /// accepts the step lets them take place.
-    /// @param surfaces where they are at the end of the step, with their mean velocities in it
+    /// @param surfaces where they are at the end of the step, with their mean velocities in it; those that hands guide: where they
+    /// are likely to be
     /// @param contactEnergy stored in contacts and joints before it [J]
-    Report step(Contacts& contacts, std::span<const RigidSurface> surfaces, const Vec3& gravity, double h,
-                double contactEnergy);
+    Report step(Contacts& contacts, std::vector<RigidSurface> surfaces, std::vector<ToolHand> hands,
+                const Vec3& gravity, double h, double contactEnergy);
 
     /// The last step again, from where it has come to: connections have broken at its end.
     /// @param released with them [J]
-    Report goOn(Contacts& contacts, std::span<const RigidSurface> surfaces, const Vec3& gravity, double h,
-                double released);
+    Report goOn(Contacts& contacts, const Vec3& gravity, double h, double released);
 
     /// Lets contacts take place as they are at the end of the last step: joints are made and end, skins heal.
     /// @return what they store, and what went out with that
-    Contacts::Report settle(Contacts& contacts, std::span<const RigidSurface> surfaces, double h);
+    Contacts::Report settle(Contacts& contacts, double h);
+
+    /// Where they are at the end of the last step.
+    const std::vector<RigidSurface>& surfaces() const { return m_surfaces; }
 
     /// Takes the last step back.
     void undo();
 
 private:
-    Report findEnd(Contacts& contacts, std::span<const RigidSurface> surfaces, const Vec3& gravity, double h);
+    Report findEnd(Contacts& contacts, const Vec3& gravity, double h);
+    struct Lack;
+    bool isBalancedAlready(const Contacts::Report& contacts, double h, double floor);
+    void measure(Lack& lack, const std::vector<ContactTangent>& tangents, double h, bool isFirst);
+    static double goalOf(const Lack& lack);
+    void account(Report& report, double h) const;
+    double stickSpeed(double h) const { return stickShare * m_spacing / h; }
     void searchLine(const VectorArray& start, const std::function<void()>& look);
     void noteTouched(const std::vector<ContactTangent>& tangents);
-    void rememberStart();
+    void guess(std::size_t body, double h);
+    void rememberStart(double h);
+    template <typename Change>
+    void forEachNumber(Change&& change) const;
     void takeOverVelocities();
     void tryVelocities(double h);
-    Contacts::Report findForces(Contacts& contacts, std::span<const RigidSurface> surfaces, const ContactStep& step);
-    void findResidual(const Vec3& gravity, double h);
+    Contacts::Report findForces(Contacts& contacts, const ContactStep& step);
+    void findResidual(const Contacts::Report& contacts, const Vec3& gravity, double h);
+    LinkEnd firstEnd(const ContactTangent& tangent) const { return endOf(tangent.first, tangent.spread); }
+    LinkEnd secondEnd(const ContactTangent& tangent) const;
     LinkEnd endOf(const ObjectRef& object, const PointSpread* spread = nullptr) const;
     const Pieces& piecesOf(std::size_t body) const
     {
@@ -92,17 +113,27 @@ private:
     double sizeOf(const VectorArray& momenta);
     double sizeWithoutContacts(const std::vector<ContactTangent>& tangents, double h);
     double sizeOfLoads(const std::vector<ContactTangent>& tangents, double h);
-    bool isBalancedAsAWhole(const std::vector<ContactTangent>& tangents, double h) const;
+    void addContacts(const std::vector<ContactTangent>& tangents, double duration);
+    struct Whole;
+    std::vector<std::vector<Whole>> wholesOf(const std::vector<ContactTangent>& tangents, double h) const;
+    double lackOfWholes(const std::vector<ContactTangent>& tangents, double h) const;
     double elasticEnergy() const;
     void keepMomenta(const Vec3& gravity, double h);
     void keepMomenta(std::size_t body, const std::vector<std::uint8_t>& touches, const Vec3& gravity, double h);
     double numericalLoss(const Contacts::Report& contacts, double energyChange, double h) const;
 
+    static constexpr double stickShare = 3e-4; ///< slower slides stick [spacings per step]
+
     std::vector<BodyView> m_bodies;
     std::function<double()> m_addLoads;
+    double m_tolerance = 0.02;
     double m_loadPower = 0;           ///< of the last trial [W]
     std::vector<std::size_t> m_first; ///< row of each body's first object; of a rigid body, of its velocity
     std::vector<std::size_t> m_rigidIndex;
+    std::vector<std::size_t> m_handRow; ///< per hand: that of its tool's velocity
+    std::vector<std::size_t> m_handIndex;
+    std::vector<RigidSurface> m_surfaces;                       ///< of the last trial
+    std::vector<ToolHand> m_hands;                              ///< of the step
     double m_mass = 0;                                          ///< of all bodies [kg]
     double m_spacing = std::numeric_limits<double>::infinity(); ///< the smallest [m]
     ImplicitSystem m_system;
@@ -117,9 +148,12 @@ private:
     VectorArray m_velocity;                                ///< rows: velocities at the end, as far as known
     VectorArray m_residual;
     VectorArray m_scratch;
+    VectorArray m_momenta;            ///< that sizes are found of
     VectorArray m_way;                ///< of the line that is searched
     std::vector<ObjectRef> m_touched; ///< in any trial of this step
     double m_steepness = 0;           ///< of contacts at the end of the last step
+    double m_lastStep = 0;            ///< [s]
+    bool m_wasBalanced = false;       ///< the last step needed no solution
     double m_factoredStep = 0;        ///< h of the factor in use [s]; 0: none
     double m_freshRate = 0;           ///< iterations per decade when the factor was new; 0: not known
     double m_presentRate = 0;

@@ -198,8 +198,11 @@ void StructuralConnections::addMargins(ObjectState& state, std::size_t begin, st
 
 void StructuralConnections::computeForces(ObjectState& state, double dt, double flowTime)
 {
+    const bool flows = yields() && flowTime > 0;
+    if (flows || m_hasTrial)
+        forgetEnergy();
     m_hasTrial = false;
-    if (yields() && flowTime > 0)
+    if (flows)
         flow(state.position, flowTime);
     else if (m_hasBulk || m_tensors)
         computeStress(state.position, false);

@@ -19,8 +19,8 @@ constexpr double mostTurned = 1.5;
 // Friction forgets the pressure of ends that parted so many times later than it follows it.
 constexpr double keptFor = 20;
 
-// Coulomb's friction does not answer to the speed of a slide. This much is taken of it what a stick would answer, so that Newton's
-// method does not go far beyond where a slide ends.
+// Coulomb's friction does not answer to the speed of a slide. The rest of what a stick would answer stays, so that Newton's method
+// does not go far beyond where a slide ends.
 constexpr double slipShare = 0.9;
 
 bool followsLate(const ContactParameters& parameters, const ContactStep& step)
@@ -65,8 +65,22 @@ FrictionMemory parted(const FrictionMemory& memory, const ContactParameters& par
     return {.pressure = memory.pressure * std::exp(-step.duration / (keptFor * parameters.frictionDelay))};
 }
 
+/// Of ends that are apart and hold on to each other: a spring as stiff as that of the deepest contact of the last step.
+ContactResult clingingForce(const ContactState& state, const ContactParameters& parameters, const ContactStep& step)
+{
+    const double squared = step.steepest * step.steepest;
+    const double stiffness = parameters.stiffness * (std::isfinite(squared) ? 1 + squared * squared : 1);
+    ContactResult result;
+    result.spring = stiffness * state.overlap * state.normal;
+    result.slope = stiffness;
+    result.resistance = (step.duration * stiffness + parameters.damping) * state.normal * state.normal.transpose();
+    return result;
+}
+
 ContactResult contactForce(const ContactState& state, const ContactParameters& parameters, const ContactStep& step)
 {
+    if (state.overlap <= 0 && step.clings && !state.memory.isEmpty())
+        return clingingForce(state, parameters, step);
     ContactResult result;
     if (state.overlap <= 0) {
         result.memory = parted(state.memory, parameters, step);

@@ -63,6 +63,10 @@ struct ContactStep {
     bool isStatic = false;
     bool isBalance = false; ///< of such a trial: it is the one that friction remembers
 
+    /// A trial in which ends that touched at the end of the last step hold on to each other, as where a tool is lifted off most of
+    /// them go along with it: the first guess of what else would seem to come free.
+    bool clings = false;
+
     bool remembers() const { return !isTrial || isBalance; }
     bool isImplicit() const { return stickSpeed > 0; }
 };

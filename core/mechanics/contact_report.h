@@ -26,6 +26,7 @@ struct ContactReport {
     double fracture = 0;                  ///< of joints that ended [J]
     double placed = 0;                    ///< came in where tools that were put into material push it out [J]
     std::size_t count = 0;                ///< contacts that touch
+    std::size_t clinging = 0;             ///< those among them that are apart, see ContactStep::clings
     double crowding = 0;                  ///< largest stiffness of all contacts of an object by what one may have
     double steepness = 0;                 ///< largest d / d0 of contacts, see ContactParameters
     std::vector<ContactTangent> tangents; ///< of contacts and joints, in a trial

@@ -302,8 +302,11 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
     for (const ObjectRef& object : {first.ref, second.ref})
         m_crowd.add(m_bodies[object.body], object.body, object.object, 2 * pair.parameters.stiffness);
     if (step.isTrial) {
-        report.tangents.push_back(
-            {.first = first.ref, .second = second.ref, .force = result.force(), .resistance = result.resistance});
+        report.tangents.push_back({.first = first.ref,
+                                   .second = second.ref,
+                                   .force = result.force(),
+                                   .normal = state.normal,
+                                   .resistance = result.resistance});
         return;
     }
     joinIfSticky(pair, distance, result.energy);
@@ -311,6 +314,12 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
         report.energy -= result.energy;
         report.plastic += result.energy;
     }
+}
+
+bool Contacts::isWaiting() const
+{
+    return m_surfaceContacts.isWaiting() ||
+           std::any_of(m_pairs.begin(), m_pairs.end(), [](const ContactPair& pair) { return pair.pressed > 0; });
 }
 
 Contacts::Report Contacts::computeForces(std::span<const RigidSurface> surfaces, const ContactStep& step)

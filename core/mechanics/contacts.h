@@ -123,6 +123,9 @@ public:
     /// @param crowding contacts at a time that one object may have
     std::vector<double> addedStiffness(std::uint32_t body, double crowding) const;
 
+    /// Whether time alone changes something: skins that are pressed together heal, material is pushed out of a tool that was put there.
+    bool isWaiting() const;
+
     const Joints& joints() const { return m_joints; }
     const VicinityStatistics& statistics() const { return m_statistics; } ///< of the last listing
     std::size_t listings() const { return m_listings; }                   ///< of pairs, so far

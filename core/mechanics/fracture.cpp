@@ -88,6 +88,7 @@ StructuralConnections::Shape StructuralConnections::shapeAround(const ObjectStat
 
 void StructuralConnections::markBroken(const ConnectionId& connection)
 {
+    forgetEnergy();
     m_brokenAround.resize(m_aggregate->size(), 0);
     const auto [lower, upper] = endsOf(connection);
     m_brokenAround[lower] |= std::uint32_t{1} << connection.direction;

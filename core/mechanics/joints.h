@@ -23,9 +23,11 @@ struct ObjectRef {
 struct ContactTangent {
     ObjectRef first;
     std::optional<ObjectRef> second; ///< none: a rigid surface
+    std::uint32_t surface = 0;       ///< which one
     const PointSpread* spread =
         nullptr;                    ///< where the first is no object but a point between objects of its body, else null
     Vec3 force = Vec3::Zero();      ///< on the first [N]
+    Vec3 normal = Vec3::Zero();     ///< of the skins that push each other, towards the first; 0: a joint
     Mat3 resistance = Mat3::Zero(); ///< symmetric, not negative [N s/m]
 };
 

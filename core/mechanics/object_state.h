@@ -26,6 +26,9 @@ struct ObjectState {
     double gravityShare(std::size_t i) const { return trueMass.empty() ? 1 : trueMass[i] / mass[i]; }
 };
 
+/// Of the fastest object [m/s]; infinite when a velocity is not finite. On all threads.
+double largestSpeed(const ObjectState& state);
+
 /// Objects of `aggregate` at rest on their lattice, masses and velocities zero.
 ObjectState objectsAtRest(const Aggregate& aggregate);
 

@@ -258,7 +258,7 @@ double StructuralConnections::acceptFlow()
 double StructuralConnections::renormalize(const ObjectState& state, const std::vector<std::uint8_t>& marks,
                                           double share)
 {
-    m_hasTrial = false;
+    rejectFlow();
     makeLengthsOwn();
     if (rubber() != nullptr)
         rubber()->springsAreKnown = false;
@@ -303,6 +303,7 @@ double StructuralConnections::renormalize(const ObjectState& state, const std::v
         kept /= std::cbrt(kept.determinant());
         setMetric(plastic, i, shape.transpose() * kept.inverse() * shape);
     }
+    forgetEnergy();
     return before - energy(state.position);
 }
 

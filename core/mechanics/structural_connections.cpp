@@ -75,6 +75,7 @@ void StructuralConnections::updateMaterials()
     findStiffness();
     m_mode.resize(0);
     m_hasTrial = false;
+    forgetEnergy();
     if (m_laws.anyYields())
         makeLengthsOwn();
     findInverseShapes();
@@ -228,6 +229,15 @@ void StructuralConnections::setInverseShape(ObjectIndex object, const Mat3& shap
 }
 
 double StructuralConnections::energy(const VectorArray& position)
+{
+    if (!position.hasSameBits(m_energyAt)) {
+        m_energy = findEnergy(position);
+        m_energyAt = position;
+    }
+    return m_energy;
+}
+
+double StructuralConnections::findEnergy(const VectorArray& position)
 {
     const bool hasObjects = m_hasBulk || m_tensors;
     if (hasObjects)

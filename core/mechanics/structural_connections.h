@@ -81,7 +81,11 @@ public:
     double flowWork() const { return m_hasTrial ? m_tensors->flowWork : 0; }
 
     /// Forgets the flow of the last forces.
-    void rejectFlow() { m_hasTrial = false; }
+    void rejectFlow()
+    {
+        m_hasTrial = false;
+        forgetEnergy();
+    }
 
     /// Breaking of connections that bear too much, at present positions.
     /// @param step of the integrator [s]: velocities lag half of it behind, and so does the energy that a connection had
@@ -104,7 +108,7 @@ public:
     /// What healing materials have flowed towards breaking is forgotten by and by [s of time].
     void recover(double dt);
 
-    /// Elastic energy at positions, volumetric part included [J].
+    /// Elastic energy at positions, volumetric part included [J]. Asked again for the same positions, it is not found again.
     double energy(const VectorArray& position);
     double energy(const ObjectState& state) { return energy(state.position); }
 
@@ -204,6 +208,8 @@ private:
     void findStrains(const VectorArray& position);
     double lengthen(const VectorArray& position);
     void flow(const VectorArray& position, double duration);
+    double findEnergy(const VectorArray& position);
+    void forgetEnergy() { m_energyAt.resize(0); }
     const PlasticState& plasticState() const { return m_hasTrial ? m_tensors->flowed : m_changes.plastic; }
     void findMetric();
     kernels::ForceDirection forceDirection(std::size_t d) const;
@@ -251,6 +257,8 @@ private:
     std::unique_ptr<TensorBody> m_tensors;            ///< null where none yields or is rubberlike
     bool m_hasTrial = false;                          ///< a flow that is not accepted yet is in m_tensors
     VectorArray m_mode;                               ///< of the largest frequency, as found last
+    VectorArray m_energyAt;                           ///< positions of the energy found last; none: it is not known
+    double m_energy = 0;                              ///< that [J]
 };
 
 template <typename Visit>

@@ -257,6 +257,13 @@ void SurfaceContacts::keepInside(std::span<const ContactBody> bodies, std::span<
         }
 }
 
+bool SurfaceContacts::isWaiting() const
+{
+    return std::any_of(m_near.begin(), m_near.end(), [](const std::vector<Near>& ofSurface) {
+        return std::any_of(ofSurface.begin(), ofSurface.end(), [](const Near& near) { return near.kept > 0; });
+    });
+}
+
 /// Less of what is kept, by the time that has passed. @return energy that comes in with that [J]
 double SurfaceContacts::letOut(Near& near, const Point& point, double overlap, const ContactStep& step) const
 {
@@ -270,9 +277,11 @@ double SurfaceContacts::letOut(Near& near, const Point& point, double overlap, c
     return step.isImplicit() ? spring.energy - stored : 0.5 * (last + spring.force) * pushed;
 }
 
-void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurface& surface, const ContactStep& step,
-                            ContactCrowd& crowd, SurfaceLoad& load, ContactReport& report)
+/// @param index of the surface
+void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurface& surface, std::uint32_t index,
+                            const ContactStep& step, ContactCrowd& crowd, ContactReport& report)
 {
+    SurfaceLoad& load = report.loads[index];
     const Point& point = m_points[near.point];
     ObjectState& state = *body.state;
     const Vec3 place = point.spread.at(state.position);
@@ -283,7 +292,8 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
     if (step.isBalance)
         near.kept = near.pressed = 0;
     const double kept = step.isStatic ? 0 : near.kept;
-    if (!(depth > kept)) {
+    const bool isApart = !(depth > kept);
+    if (isApart && !(step.clings && !near.friction.isEmpty())) {
         if (step.remembers())
             near.friction = parted(near.friction, point.parameters, step);
         return;
@@ -312,23 +322,26 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
             report.frictions.push_back(
                 {{point.body, point.spread.objects[n]}, point.spread.weights[n] * result.friction, surfaceVelocity});
     ++report.count;
+    report.clinging += isApart ? 1 : 0;
     report.steepness = std::max(report.steepness, result.steepness);
     crowd.add(body, point.body, point.spread, result.slope);
     if (step.isTrial)
         report.tangents.push_back({.first = {point.body, point.spread.main()},
                                    .second = std::nullopt,
+                                   .surface = index,
                                    .spread = &point.spread,
                                    .force = force,
+                                   .normal = nearest.normal,
                                    .resistance = result.resistance});
 }
 
 void SurfaceContacts::computeForces(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
                                     const ContactStep& step, ContactCrowd& crowd, ContactReport& report)
 {
-    for (std::size_t s = 0; s < surfaces.size(); ++s)
+    for (std::uint32_t s = 0; s < surfaces.size(); ++s)
         for (Near& near : m_near[s])
             if (m_points[near.point].isActive)
-                press(bodies[m_points[near.point].body], near, surfaces[s], step, crowd, report.loads[s], report);
+                press(bodies[m_points[near.point].body], near, surfaces[s], s, step, crowd, report);
 }
 
 void SurfaceContacts::addPressing(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,

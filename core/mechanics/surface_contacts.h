@@ -77,6 +77,9 @@ public:
     /// How far the skin of a body is in a surface [m]; negative: not at all. On all threads; same bits for any number.
     double deepest(const ContactBody& body, std::uint32_t index, const RigidSurface& surface) const;
 
+    /// Whether material is being pushed out of a surface that was put there.
+    bool isWaiting() const;
+
 private:
     struct Point {
         std::uint32_t body = 0;
@@ -103,8 +106,8 @@ private:
     static SurfacePoint nearest(const Near& near, const RigidSurface& surface, const Vec3& place);
     void addPoints(const ContactBody& body, std::uint32_t index);
     void addPoint(const Point& point) { m_points.push_back(point); }
-    void press(const ContactBody& body, Near& near, const RigidSurface& surface, const ContactStep& step,
-               ContactCrowd& crowd, SurfaceLoad& load, ContactReport& report);
+    void press(const ContactBody& body, Near& near, const RigidSurface& surface, std::uint32_t index,
+               const ContactStep& step, ContactCrowd& crowd, ContactReport& report);
     double energyOf(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
                     const std::vector<std::uint8_t>& ofPoint) const;
     double letOut(Near& near, const Point& point, double overlap, const ContactStep& step) const;

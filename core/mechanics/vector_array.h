@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <new>
 #include <vector>
 
@@ -85,6 +86,13 @@ public:
         v[0] += static_cast<T>(value.x());
         v[m_stride] += static_cast<T>(value.y());
         v[2 * m_stride] += static_cast<T>(value.z());
+    }
+
+    /// Whether all numbers have the same bits. Reading stops at the first that has not.
+    bool hasSameBits(const VectorArrayOf& other) const
+    {
+        return m_size == other.m_size &&
+               std::memcmp(m_values.data(), other.m_values.data(), m_values.size() * sizeof(T)) == 0;
     }
 
 private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/simulation/pace.h"
 #include "core/simulation/scene.h"
 
 #include <cstdint>
@@ -72,6 +73,11 @@ struct SetIntegrator {
     Integrator integrator = Integrator::automatic;
 };
 
+/// Implicit steps are as long and as exact as that from now on.
+struct SetPace {
+    Pace pace = Pace::full;
+};
+
 struct MoveFixture {
     FixtureId fixture = 0;
     Vec3 velocity = Vec3::Zero(); ///< [m/s], up to 100
@@ -127,7 +133,7 @@ struct FindBalance {
 using Command = std::variant<SetMaterial, SetBodyKind, Renormalize, SetGravity, SetFloor, AddManipulator,
                              RemoveManipulator, SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, AddFixture,
                              RemoveFixture, MoveFixture, SetIntegrator, Reset, KeepMoment, SetPartLook,
-                             RenameManipulator, RenameFixture, AddLoad, RemoveLoad, SetLoad, FindBalance>;
+                             RenameManipulator, RenameFixture, AddLoad, RemoveLoad, SetLoad, FindBalance, SetPace>;
 
 /// A command and the step before which it took effect. Steps count on from the Reset before.
 struct RecordedCommand {

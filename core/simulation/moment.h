@@ -3,6 +3,7 @@
 #include "core/mechanics/contacts.h"
 #include "core/mechanics/rigid_motion.h"
 #include "core/mechanics/structural_connections.h"
+#include "core/simulation/pace.h"
 #include "core/simulation/scene.h"
 #include "core/simulation/snapshot.h"
 
@@ -34,7 +35,6 @@ struct ToolRun {
     Vec3 forceSum = Vec3::Zero(); ///< over the steps since the last snapshot
     Vec3 torqueSum = Vec3::Zero();
     int stepsInSum = 0;
-    double resistance = 0; ///< by how much the force rose with its way when it last met its limit [N/m]; 0: not known
     Vec3 meanForce = Vec3::Zero(); ///< over the last frame that had steps [N]
     Vec3 meanTorque = Vec3::Zero();
     double peakForce = 0;
@@ -98,6 +98,7 @@ struct Moment {
     Integrator integrator = Integrator::semiImplicitEuler; ///< in use; never automatic
     std::string integratorReason;
     int solverIterations = 0;
+    Pace pace = Pace::full;
 
     std::uint64_t step = 0;
     double time = 0;

@@ -53,20 +53,17 @@ std::vector<RigidSurface> Simulation::State::surfaces() const
     return all;
 }
 
-/// @param progress per tool, share of the way of this step that it goes; none: all of it
-void Simulation::State::moveManipulators(const std::vector<double>& progress)
+/// As far as the forces of the last step let them.
+void Simulation::State::moveManipulators()
 {
     surfaceTravel = 0;
     const double spacing = smallestSpacing(bodies);
-    for (std::size_t t = 0; t < tools.size(); ++t) {
-        auto& tool = tools[t];
+    for (auto& tool : tools) {
         if (!tool)
             continue;
         Manipulator& manipulator = tool->manipulator;
-        Pose next = yieldTo(tool->force, manipulator, advance(manipulator, time, timeStep), timeStep, !isImplicit());
-        if (!progress.empty() && progress[t] < 1)
-            next = {manipulator.pose.position + progress[t] * (next.position - manipulator.pose.position),
-                    manipulator.pose.rotation.slerp(progress[t], next.rotation)};
+        const Pose next =
+            yieldTo(tool->force, manipulator, advance(manipulator, time, timeStep), timeStep, !isImplicit());
         tool->velocity = (next.position - manipulator.pose.position) / timeStep;
         const Eigen::AngleAxisd turn(next.rotation * manipulator.pose.rotation.conjugate());
         tool->angularVelocity = turn.axis() * (turn.angle() / timeStep);
@@ -333,16 +330,21 @@ void Simulation::step()
     state.applyCommands();
     if (!state.health.ok)
         return;
+    if (state.stepAtRest()) {
+        state.clock.end(Stage::motion);
+        return;
+    }
     state.bookToolsInside();
     if (state.isImplicit()) {
         state.clock.end(Stage::tools);
         state.changeConnections();
         state.clock.end(Stage::material);
         state.stepImplicitly();
+        state.watchRest();
         state.clock.end(Stage::connections);
     } else {
         state.limitTravel(0);
-        state.moveManipulators({});
+        state.moveManipulators();
         state.clock.end(Stage::tools);
         state.updateVicinity();
         state.bookToolsInside(); // those that jumped

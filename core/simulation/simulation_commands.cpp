@@ -160,6 +160,12 @@ public:
                 m_state.requireDamping(run->materials, command.integrator);
         keepingAccounts([&] { m_state.setIntegrator(command.integrator); });
     }
+    void operator()(const SetPace& command) const
+    {
+        m_state.pace = command.pace;
+        if (m_state.isImplicit())
+            m_state.timeStep = m_state.frameStep();
+    }
     void operator()(const Reset&) const
     {
         m_state.placeAtStart();
@@ -280,8 +286,8 @@ bool isOneOf(const Command& command)
 bool leavesBodies(const Command& command)
 {
     return isOneOf<SetPartLook, RenameManipulator, RenameFixture, SetGravity, SetFloor, AddManipulator,
-                   RemoveManipulator, SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, MoveFixture, SetLoad>(
-        command);
+                   RemoveManipulator, SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, MoveFixture, SetLoad,
+                   SetPace>(command);
 }
 
 /// At once and without pushing, be there material or not.
@@ -310,6 +316,7 @@ void Simulation::State::setKind(BodyId body, BodyKind kind)
 void Simulation::State::carryOut(const Command& command)
 {
     const std::uint64_t before = step;
+    rest.disturb();
     std::visit(Executor(*this), command);
     if (!leavesBodies(command))
         implicit.reset();

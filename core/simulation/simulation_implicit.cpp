@@ -8,13 +8,14 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
+#include <tuple>
 
 namespace knead {
 
 namespace {
 
-// A step shows as a frame [s].
-constexpr double longestStep = 1.0 / 60;
+// In which tools are looked ahead [s].
+constexpr double frame = 1.0 / 60;
 // Steps are halved so often at most, which is a quarter of a millisecond.
 constexpr int mostHalvings = 6;
 // In a step nothing may go further than this [spacings], so that what is met within it is still on the right side.
@@ -24,11 +25,10 @@ constexpr double farthestShare = 1.25;
 // Before a step is made longer again, speeds must be so much below what it allows: the factor of the system would be found anew
 // with every change.
 constexpr double calmShare = 0.9;
-// A tool may exceed its force limit by this share in a step. A step that ends above is taken again with less of the tool's way,
-// so many times at most, until it ends below, and not far below where it was stopped.
-constexpr double forceLimitShare = 0.05;
-constexpr double leastForceShare = 0.5;
-constexpr int mostWays = 10;
+// A hand that begins to push as hard as it may within a step is ahead of its tool by so much [spacings].
+constexpr double handGive = 0.02;
+// So near to its force limit a tool is taken to be held up.
+constexpr double stalledShare = 0.05;
 
 // A crack runs on within a step so many times at most. Each time a system is solved for what is left; what it does not come to runs
 // on in the next step.
@@ -105,7 +105,7 @@ void Simulation::State::chooseIntegrator()
     const double stored = contacts->setScheme(surfaces(), isImplicit());
     contactReport.energy += stored;
     energy.numerical -= stored;
-    timeStep = isImplicit() ? std::min(longestStep, wantedTimeStep.value_or(longestStep)) : explicitStep;
+    timeStep = isImplicit() ? frameStep() : explicitStep;
 }
 
 void Simulation::State::setIntegrator(Integrator chosen)
@@ -120,21 +120,25 @@ void Simulation::State::setIntegrator(Integrator chosen)
     chooseIntegrator();
 }
 
-/// Share of its way in a step that the force of a tool is likely to allow: away from what it presses it goes as it likes.
-double Simulation::State::likelyShare(const ToolRun& tool, double duration) const
+/// [N/m]; infinite without a force limit
+double Simulation::State::handStiffness(const Manipulator& manipulator) const
 {
-    const Manipulator& manipulator = tool.manipulator;
-    const Vec3 way = advance(manipulator, time, duration).position - manipulator.pose.position;
-    const double force = tool.force.norm();
-    if (!std::isfinite(manipulator.forceLimit) || !(force > 0) ||
-        way.dot(tool.force) > 0) // the material pushes it that way
-        return 1;
-    const double left = (1 - forceLimitShare) * manipulator.forceLimit - force;
-    const double needed = tool.resistance * way.norm();
-    return needed > left ? std::max(0.0, left / needed) : 1;
+    return manipulator.forceLimit / (handGive * smallestSpacing(bodies));
 }
 
-/// Speed at which tools are likely to move in the next frame [m/s].
+/// Where the hand of a tool wants it after a time from now.
+Pose Simulation::State::wantedPose(const ToolRun& tool, double duration) const
+{
+    return yieldTo(Vec3::Zero(), tool.manipulator, advance(tool.manipulator, time, duration), duration);
+}
+
+/// Whether the material holds the tool up on a way.
+bool Simulation::State::isStalled(const ToolRun& tool, const Vec3& way)
+{
+    return way.dot(tool.force) <= 0 && tool.force.norm() > (1 - stalledShare) * tool.manipulator.forceLimit;
+}
+
+/// Speed at which tools are likely to move in the next frame: one that is held up as in the last [m/s].
 double Simulation::State::fastestSurface() const
 {
     double fastest = 0;
@@ -142,12 +146,85 @@ double Simulation::State::fastestSurface() const
         if (!tool)
             continue;
         const Manipulator& manipulator = tool->manipulator;
-        const Pose next = advance(manipulator, time, longestStep);
+        const Pose next = wantedPose(*tool, frame);
         const double turn = next.rotation.angularDistance(manipulator.pose.rotation);
-        const double way = (next.position - manipulator.pose.position).norm() + turn * 0.5 * manipulator.size.norm();
-        fastest = std::max(fastest, likelyShare(*tool, longestStep) * way / longestStep);
+        const Vec3 way = next.position - manipulator.pose.position;
+        const double speed = isStalled(*tool, way) ? tool->velocity.norm() : way.norm() / frame;
+        fastest = std::max(fastest, speed + turn * 0.5 * manipulator.size.norm() / frame);
     }
     return fastest;
+}
+
+/// Where a tool is, and how it moved in the last step.
+struct Simulation::State::ToolPlace {
+    Pose pose;
+    Vec3 velocity = Vec3::Zero();
+};
+
+std::vector<Simulation::State::ToolPlace> Simulation::State::toolPlaces() const
+{
+    std::vector<ToolPlace> places;
+    for (const auto& tool : tools)
+        places.push_back(tool ? ToolPlace{tool->manipulator.pose, tool->velocity} : ToolPlace{});
+    return places;
+}
+
+/// Tools go to where they are likely to be at the end of the step. @return the hands of those with force limits
+std::vector<ToolHand> Simulation::State::beginHands()
+{
+    std::vector<ToolHand> hands;
+    std::uint32_t surface = 0;
+    surfaceTravel = 0;
+    for (auto& tool : tools) {
+        if (!tool)
+            continue;
+        Manipulator& manipulator = tool->manipulator;
+        const Pose next = wantedPose(*tool, timeStep);
+        const Vec3 way = next.position - manipulator.pose.position;
+        const Eigen::AngleAxisd turn(next.rotation * manipulator.pose.rotation.conjugate());
+        if (std::isfinite(manipulator.forceLimit))
+            hands.push_back({.surface = surface,
+                             .from = manipulator.pose.position,
+                             .goal = next.position,
+                             .push = -std::min(1.0, manipulator.forceLimit / tool->force.norm()) * tool->force,
+                             .limit = manipulator.forceLimit,
+                             .stiffness = handStiffness(manipulator)});
+        if (!isStalled(*tool, way))
+            tool->velocity = way / timeStep;
+        tool->angularVelocity = turn.axis() * (turn.angle() / timeStep);
+        manipulator.pose.position += timeStep * tool->velocity;
+        manipulator.pose.rotation = next.rotation;
+        const double speed = tool->velocity.norm() + tool->angularVelocity.norm() * 0.5 * manipulator.size.norm();
+        surfaceTravel = std::max(surfaceTravel, speed * timeStep);
+        ++surface;
+    }
+    surfaceTravel += strayed;
+    turnGrips();
+    return hands;
+}
+
+/// Tools are where the step has brought them.
+void Simulation::State::endHands(const std::vector<ToolHand>& hands)
+{
+    std::uint32_t surface = 0;
+    auto hand = hands.begin();
+    for (auto& tool : tools) {
+        if (!tool)
+            continue;
+        if (hand != hands.end() && hand->surface == surface) {
+            tool->manipulator.pose.position = implicit->surfaces()[surface].pose.position;
+            tool->velocity = implicit->surfaces()[surface].velocity;
+            ++hand;
+        }
+        ++surface;
+    }
+}
+
+/// Implicit steps are no longer than this [s].
+double Simulation::State::frameStep() const
+{
+    const double longest = numbersOf(pace).longestStep;
+    return std::min(longest, wantedTimeStep.value_or(longest));
 }
 
 /// The longest step in which nothing goes too far at present speeds: a half, a quarter ... of a frame.
@@ -157,13 +234,9 @@ double Simulation::State::longestImplicitStep() const
     double fastest = fastestSurface();
     for (BodyId b = 0; b < runs.size(); ++b) {
         spacing = std::min(spacing, bodies[b].aggregate->lattice.spacing);
-        const ObjectState& state = runs[b]->state;
-        double squared = 0;
-        for (std::size_t i = 0; i < state.size(); ++i)
-            squared = std::max(squared, state.velocity.at(i).squaredNorm());
-        fastest = std::max(fastest, std::sqrt(squared));
+        fastest = std::max(fastest, largestSpeed(runs[b]->state));
     }
-    const double longest = std::min(longestStep, wantedTimeStep.value_or(longestStep));
+    const double longest = frameStep();
     double h = longest;
     for (int halving = 0; halving < mostHalvings && fastest * h > travelShare * spacing; ++halving)
         h /= 2;
@@ -174,6 +247,14 @@ double Simulation::State::longestImplicitStep() const
             h = lastStep;
     }
     return h;
+}
+
+/// How many tools have force limits.
+std::size_t Simulation::State::limitedTools() const
+{
+    return static_cast<std::size_t>(std::count_if(tools.begin(), tools.end(), [](const auto& tool) {
+        return tool && std::isfinite(tool->manipulator.forceLimit);
+    }));
 }
 
 void Simulation::State::makeImplicit()
@@ -187,69 +268,9 @@ void Simulation::State::makeImplicit()
                          .deforms = run.deforms(),
                          .pieces = &piecesOf(b)});
     }
-    implicit = std::make_unique<ImplicitEuler>(std::move(views));
+    implicit = std::make_unique<ImplicitEuler>(std::move(views), limitedTools());
     if (!loads.empty())
         implicit->setLoads([this] { return addLoads(time + timeStep); });
-}
-
-/// How far a tool with a force limit may go in a step: between a share of its way at which its force was below the limit and
-/// one at which it was above.
-struct Simulation::State::WaySearch {
-    double share = 1; ///< tried last
-    double below = 0;
-    double forceBelow = 0;
-    double above = 1;
-    double forceAbove = 0;
-    int tries = 0;
-};
-
-/// Tools that are at their limit begin with as much of their way as their force is likely to allow.
-std::vector<Simulation::State::WaySearch> Simulation::State::beginWays() const
-{
-    std::vector<WaySearch> ways(tools.size());
-    for (std::size_t t = 0; t < tools.size(); ++t)
-        if (tools[t])
-            ways[t] = {.share = likelyShare(*tools[t], timeStep), .forceBelow = tools[t]->force.norm()};
-    return ways;
-}
-
-/// Takes note of the forces in the step that was tried. @return whether a tool has to go another way than it did
-bool Simulation::State::searchWays(const std::vector<Pose>& before, std::vector<WaySearch>& ways)
-{
-    bool again = false;
-    std::size_t surface = 0;
-    for (std::size_t t = 0; t < tools.size(); ++t) {
-        if (!tools[t])
-            continue;
-        ToolRun& tool = *tools[t];
-        const double force = contactReport.loads[surface++].force.norm();
-        const double limit = tool.manipulator.forceLimit;
-        WaySearch& way = ways[t];
-        const double length = (tool.manipulator.pose.position - before[t].position).norm();
-        if (!std::isfinite(limit) || way.share == 0 || length == 0)
-            continue;
-        const bool isOver = force > (1 + forceLimitShare) * limit;
-        if (force > tool.force.norm())
-            tool.resistance = (force - tool.force.norm()) / length;
-        if (isOver) {
-            way.above = way.share;
-            way.forceAbove = force;
-        } else {
-            way.below = way.share;
-            way.forceBelow = force;
-        }
-        const bool isNear = !isOver && (force > leastForceShare * limit || way.forceAbove == 0);
-        if (isNear || (way.tries == mostWays && !isOver))
-            continue;
-        // In turns by the chord, which is right once the tool touches, and in halves, which find where it does.
-        const double chord = (limit - way.forceBelow) / (way.forceAbove - way.forceBelow);
-        way.share = way.below + (way.tries % 2 == 0 ? std::clamp(chord, 0.0, 1.0) : 0.5) * (way.above - way.below);
-        if (way.tries >= mostWays)
-            way.share = way.below;
-        ++way.tries;
-        again = true;
-    }
-    return again;
 }
 
 /// A step that was taken though its equations were not solved is counted; the first one is said.
@@ -269,48 +290,47 @@ void Simulation::State::countSolved(bool isSolved)
 
 void Simulation::State::stepImplicitly()
 {
-    if (!implicit)
+    if (!implicit || implicit->mostHands() < limitedTools())
         makeImplicit();
+    implicit->setTolerance(numbersOf(pace).tolerance);
     for (BodyId b = 0; b < runs.size(); ++b)
         piecesOf(b); // which `implicit` looks at
-    std::vector<Pose> before;
-    for (const auto& tool : tools)
-        before.push_back(tool ? tool->manipulator.pose : Pose{});
+    const std::vector<ToolPlace> before = toolPlaces();
     const double spacing = smallestSpacing(bodies);
     timeStep = longestImplicitStep();
     ImplicitEuler::Report report;
-    std::vector<WaySearch> ways = beginWays();
+    std::vector<ToolHand> hands;
     solverIterations = 0;
     const double contactEnergy = contactReport.energy;
-    for (int halvings = 0;;) {
+    for (int halvings = 0;; ++halvings) {
+        hands = beginHands();
+        updateVicinity();
+        std::vector<RigidSurface> likely = surfaces();
+        report = implicit->step(*contacts, likely, hands, gravity, timeStep, contactEnergy);
+        solverIterations += report.iterations;
+        strayed = 0;
+        for (std::size_t s = 0; s < likely.size(); ++s)
+            strayed = std::max(strayed, (implicit->surfaces()[s].pose.position - likely[s].pose.position).norm());
+        const bool wentTooFar = !report.converged || report.largestSpeed * timeStep > farthestShare * spacing ||
+                                strayed > travelShare * spacing;
+        if (!wentTooFar || halvings == mostHalvings)
+            break;
+        timeStep /= 2;
         for (std::size_t t = 0; t < tools.size(); ++t)
             if (tools[t])
-                tools[t]->manipulator.pose = before[t];
-        std::vector<double> shares;
-        for (const WaySearch& way : ways)
-            shares.push_back(way.share);
-        moveManipulators(shares);
-        updateVicinity();
-        report = implicit->step(*contacts, surfaces(), gravity, timeStep, contactEnergy);
-        contactReport = report.contacts;
-        solverIterations += report.iterations;
-        const bool wentTooFar = !report.converged || report.largestSpeed * timeStep > farthestShare * spacing;
-        if (wentTooFar && halvings < mostHalvings) {
-            timeStep /= 2;
-            ++halvings;
-            ways = beginWays();
-        } else if (!searchWays(before, ways)) {
-            break;
-        }
+                std::tie(tools[t]->manipulator.pose, tools[t]->velocity) = std::tie(before[t].pose, before[t].velocity);
         implicit->undo();
     }
+    endHands(hands);
+    contactReport = report.contacts;
     for (int round = 0; round < mostBreakingRounds && report.converged; ++round) {
         const double fractured = energy.fracture;
         if (breakConnections() == 0)
             break;
         for (BodyId b = 0; b < runs.size(); ++b)
             piecesOf(b);
-        report = implicit->goOn(*contacts, surfaces(), gravity, timeStep, energy.fracture - fractured);
+        report = implicit->goOn(*contacts, gravity, timeStep, energy.fracture - fractured);
+        endHands(hands);
         contactReport = report.contacts;
         solverIterations += report.iterations;
     }
@@ -319,7 +339,7 @@ void Simulation::State::stepImplicitly()
     energy.viscous -= report.dampingWork;
     energy.numerical += report.numerical;
     tellFrictionApart();
-    const Contacts::Report settled = implicit->settle(*contacts, surfaces(), timeStep);
+    const Contacts::Report settled = implicit->settle(*contacts, timeStep);
     contactReport.energy = settled.energy;
     bookLoadsAfter();
     energy.plastic += settled.plastic;

@@ -62,6 +62,12 @@ bool ActingLoads::empty() const
     return std::none_of(m_acting.begin(), m_acting.end(), [](const auto& acting) { return acting.has_value(); });
 }
 
+bool ActingLoads::isRising(double time) const
+{
+    return std::any_of(m_acting.begin(), m_acting.end(),
+                       [&](const auto& acting) { return acting && time < acting->run.begin + acting->run.load.ramp; });
+}
+
 std::vector<std::optional<LoadRun>> ActingLoads::runs() const
 {
     std::vector<std::optional<LoadRun>> runs;

@@ -24,6 +24,7 @@ public:
     bool isThere(LoadId load) const { return load < m_acting.size() && m_acting[load]; }
     std::size_t size() const { return m_acting.size(); } ///< with the gaps
     bool empty() const;
+    bool isRising(double time) const; ///< any is not what it rises to
     std::vector<std::optional<LoadRun>> runs() const;
     const LoadRun& run(LoadId load) const { return m_acting[load]->run; }
     const Vec3& center(LoadId load) const { return m_acting[load]->forces.center(); }

@@ -35,6 +35,7 @@ Moment Simulation::State::moment() const
                   .integrator = integrator,
                   .integratorReason = integratorReason,
                   .solverIterations = solverIterations,
+                  .pace = pace,
                   .step = step,
                   .time = time,
                   .timeStep = timeStep,
@@ -107,7 +108,11 @@ void Simulation::State::restore(const Moment& moment)
     integrator = moment.integrator;
     integratorReason = moment.integratorReason;
     solverIterations = moment.solverIterations;
+    pace = moment.pace;
     tools = moment.tools;
+    for (auto& tool : tools)
+        if (tool)
+            tool->velocity = tool->angularVelocity = Vec3::Zero(); // files do not have them
     fixtures = moment.fixtures;
     fixtureForces = moment.fixtureForces;
     fixtureMoments.clear(); // not kept: the next step finds them
@@ -120,6 +125,8 @@ void Simulation::State::restore(const Moment& moment)
     implicit.reset();
     largestTravel = 0;
     surfaceTravel = 0;
+    strayed = 0;
+    rest.disturb();
     newlyBroken = false;
     componentsVersion = ~std::uint64_t{0};
 }

@@ -288,6 +288,8 @@ void Simulation::State::placeAtStart()
     placedEnergy = 0;
     largestTravel = 0;
     surfaceTravel = 0;
+    strayed = 0;
+    rest.disturb();
     newlyBroken = false;
     wasSquashed = false;
     wasOverdrawn = false;

@@ -1,5 +1,5 @@
 #include "core/simulation/simulation_state.h"
-#include "core/task/parallel.h"
+#include "core/task/block_sums.h"
 
 #include <algorithm>
 #include <bit>
@@ -74,6 +74,27 @@ Snapshot::BodyState copyOf(BodyRun& run, std::shared_ptr<const Aggregate> aggreg
     return copy;
 }
 
+struct Momenta {
+    double mass = 0;             ///< [kg]
+    Vec3 linear = Vec3::Zero();  ///< [kg m/s]
+    Vec3 angular = Vec3::Zero(); ///< about the origin [kg m^2/s]
+};
+
+/// Of each block of objects.
+std::vector<Momenta> momentaOf(const ObjectState& state)
+{
+    return ofEachBlock<Momenta>(state.size(), snapshotBlockSize, [&](std::size_t begin, std::size_t end) {
+        Momenta sum;
+        for (std::size_t i = begin; i < end; ++i) {
+            const Vec3 momentum = state.mass[i] * state.velocity.at(i);
+            sum.mass += state.mass[i];
+            sum.linear += momentum;
+            sum.angular += state.position.at(i).cross(momentum);
+        }
+        return sum;
+    });
+}
+
 ToolState stateOf(ToolId id, ToolRun& tool)
 {
     tool.findMeans();
@@ -117,7 +138,7 @@ EnergyLedger Simulation::State::storedEnergy()
         }
         const ObjectState& state = run->state;
         const LaneVector<double>& weighed = state.weighedMass();
-        VectorArray earlier(state.size());
+        VectorArray earlier(back > 0 ? state.size() : 0); // places then
         struct Sums {
             double kinetic = 0;
             double gravity = 0;
@@ -132,7 +153,8 @@ EnergyLedger Simulation::State::storedEnergy()
                 const Vec3 after = state.velocity.at(i);
                 const Vec3 before = after - kicked * state.inverseMass[i] * force;
                 const Vec3 place = state.position.at(i) - back * (sameTime ? before : after);
-                earlier.set(i, place);
+                if (back > 0)
+                    earlier.set(i, place);
                 sum.kinetic +=
                     sameTime ? 0.5 * mass * before.squaredNorm() : 0.125 * mass * (before + after).squaredNorm();
                 sum.gravity -= weighed[i] * gravity.dot(place);
@@ -145,7 +167,7 @@ EnergyLedger Simulation::State::storedEnergy()
             conserved += sum.conserved;
         }
         if (run->deforms())
-            stored.elastic += run->connections.energy(earlier);
+            stored.elastic += run->connections.energy(back > 0 ? earlier : state.position);
     }
     if (back > 0)
         stored.toolWork -= loads.workAhead; // of the last step, which is not counted yet
@@ -181,6 +203,7 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
     shot->integrator = state.integrator;
     shot->wantedIntegrator = state.wantedIntegrator;
     shot->integratorReason = state.integratorReason;
+    shot->pace = state.pace;
     shot->solverIterations = state.isImplicit() ? state.solverIterations : 0;
     shot->gravity = state.gravity;
     shot->floorHeight = state.floorHeight;
@@ -192,24 +215,21 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
     shot->joints = state.contacts->joints().all().size();
     shot->components = state.components();
     shot->penetration = std::max(state.penetration, state.deepestOverlap());
+    shot->rest = state.rest.rests ? state.rest.count : 0;
     shot->unsolvedSteps = state.unsolvedSteps;
     double allMass = 0;
     for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-        const Aggregate& aggregate = *state.bodies[b].aggregate;
         BodyRun& run = *state.runs[b];
         shot->bodies.push_back(copyOf(run, state.bodies[b].aggregate));
         shot->materials.push_back(state.bodies[b].material);
-        shot->objects += aggregate.size();
+        shot->objects += run.state.size();
         shot->connections += run.deforms() ? run.connections.count() : 0;
         shot->broken += run.connections.changes().broken.size();
-        double mass = 0;
-        for (std::size_t i = 0; i < aggregate.size(); ++i) {
-            mass += run.state.mass[i];
-            const Vec3 momentum = run.state.mass[i] * run.state.velocity.at(i);
-            shot->momentum += momentum;
-            shot->angularMomentum += run.state.position.at(i).cross(momentum);
+        for (const Momenta& each : momentaOf(run.state)) {
+            allMass += each.mass;
+            shot->momentum += each.linear;
+            shot->angularMomentum += each.angular;
         }
-        allMass += mass;
     }
     if (state.showsPressing)
         state.addPressing(*shot);

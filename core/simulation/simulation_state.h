@@ -6,6 +6,7 @@
 #include "core/mechanics/structural_connections.h"
 #include "core/simulation/moment.h"
 #include "core/simulation/pieces_of_body.h"
+#include "core/simulation/rest_watch.h"
 #include "core/simulation/simulation.h"
 #include "core/simulation/simulation_loads.h"
 #include "core/simulation/stage_clock.h"
@@ -43,7 +44,7 @@ struct Simulation::State {
 
     // The stages of a step, in order.
     void applyCommands();
-    void moveManipulators(const std::vector<double>& progress);
+    void moveManipulators();
     void updateVicinity();
     void touchWhereBroken();
     void bookTornSkin();
@@ -55,6 +56,10 @@ struct Simulation::State {
     void limitTravel(double speed);
     void chooseNextStep(double speed);
     void stepImplicitly();
+    std::vector<Pose> wantedPoses() const;
+    bool isDriven() const;
+    void watchRest();
+    bool stepAtRest();
     StaticReport findBalance(double duration, TaskControl& control);
     bool balance(double duration, TaskControl& control, StaticReport& report);
     StaticReport settle(double duration, TaskControl& control);
@@ -77,13 +82,18 @@ struct Simulation::State {
     void bookLoadsAfter();
     void chooseIntegrator();
     void setIntegrator(Integrator chosen);
+    double frameStep() const;
     double longestImplicitStep() const;
-    double likelyShare(const ToolRun& tool, double duration) const;
+    double handStiffness(const Manipulator& manipulator) const;
+    Pose wantedPose(const ToolRun& tool, double duration) const;
+    static bool isStalled(const ToolRun& tool, const Vec3& way);
     double fastestSurface() const;
+    struct ToolPlace;
+    std::vector<ToolPlace> toolPlaces() const;
+    std::vector<ToolHand> beginHands();
+    void endHands(const std::vector<ToolHand>& hands);
+    std::size_t limitedTools() const;
     void makeImplicit();
-    struct WaySearch;
-    std::vector<WaySearch> beginWays() const;
-    bool searchWays(const std::vector<Pose>& before, std::vector<WaySearch>& ways);
     std::uint64_t every(std::uint64_t steps) const { return isImplicit() ? 1 : steps; }
     bool isImplicit() const { return integrator == Integrator::implicitEuler; }
     void tellFrictionApart();
@@ -142,6 +152,7 @@ struct Simulation::State {
     std::string integratorReason;
     std::unique_ptr<ImplicitEuler> implicit; ///< made anew when bodies or grips change by command
     int solverIterations = 0;                ///< of the last implicit step
+    Pace pace = Pace::full;
     VicinityMethod vicinity = VicinityMethod::uniformGrid;
     std::optional<double> wantedTimeStep;
     std::optional<double> massScalingTimeStep;
@@ -176,6 +187,7 @@ struct Simulation::State {
     double placedEnergy = 0;         ///< stored in contacts by that so far [J]
     double largestTravel = 0;        ///< of any object in the last step [m]
     double surfaceTravel = 0;
+    double strayed = 0;     ///< of tools in the last implicit step from where candidates were listed for [m]
     double addedMass = 0;   ///< by mass scaling [kg]
     double startEnergy = 0; ///< stored at the start [J]
     /// What of the stored energy is not known right after going to a moment, since the forces of the last step are gone [J]:
@@ -188,6 +200,7 @@ struct Simulation::State {
     std::size_t knownComponents = 0;
     std::uint64_t componentsVersion = ~std::uint64_t{0};
     Health health;
+    RestWatch rest;
     StageClock clock;
     bool showsPressing = false; ///< in snapshots
     std::string notice;         ///< about the last command, empty when it was carried out

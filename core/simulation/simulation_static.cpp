@@ -54,7 +54,7 @@ bool Simulation::State::balance(double duration, TaskControl& control, StaticRep
     for (auto& run : runs)
         run->state.velocity.setZero();
     holdFixtures();
-    moveManipulators({});
+    moveManipulators();
     updateVicinity();
 
     std::vector<StaticEquilibrium::BodyView> views;

@@ -1,5 +1,7 @@
 #include "core/simulation/simulation_thread.h"
 
+#include "core/simulation/governor.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -136,9 +138,29 @@ struct SimulationThread::Worker {
         if (!simulation.health().ok)
             playing = false;
         meter(simulation.time() - before, start);
+        govern(simulation.time() - before, secondsSince(start));
         std::unique_lock lock(mutex);
         const auto end = start + std::chrono::duration_cast<Clock::duration>(Seconds(frameSeconds));
         wake.wait_until(lock, stop, end, [] { return false; });
+    }
+
+    /// @param simulated in the frame just played @param spent on that [s]
+    void govern(double simulated, double spent)
+    {
+        const bool isOwn = !agenda || agendaEnds > 0; // what a recipe leads to does not depend on the machine
+        if (!keepsUp || !isOwn || !(simulated > 0) || latest->integrator != Integrator::implicitEuler)
+            return;
+        const double cost = (spent + snapshotSeconds) * speed / (steppingShare * simulated);
+        if (const auto pace = governor.see(cost, std::max(frameSeconds, spent), latest->pace))
+            simulation.post(SetPace{*pace});
+    }
+
+    void keepUp(bool on)
+    {
+        keepsUp = on;
+        governor.forget();
+        if (!on && latest->pace != Pace::full)
+            simulation.post(SetPace{Pace::full});
     }
 
     void stepOnce()
@@ -179,6 +201,7 @@ struct SimulationThread::Worker {
     {
         playing = false;
         carry = 0;
+        governor.forget();
         ++arrivals;
         simulation.goTo(moment);
         if (agenda)
@@ -230,6 +253,8 @@ struct SimulationThread::Worker {
     Simulation simulation;
     std::unique_ptr<Agenda> agenda;
     bool playing = false;
+    bool keepsUp = true;
+    Governor governor;
     double speed = 1;
     double carry = 0;
     double ratio = 0;
@@ -260,7 +285,10 @@ SimulationThread::~SimulationThread() = default;
 
 void SimulationThread::play()
 {
-    m_worker->ask([](Worker& worker) { worker.playing = worker.simulation.health().ok; });
+    m_worker->ask([](Worker& worker) {
+        worker.playing = worker.simulation.health().ok;
+        worker.governor.forget();
+    });
 }
 
 void SimulationThread::pause()
@@ -313,6 +341,11 @@ void SimulationThread::goTo(MomentPointer moment)
 void SimulationThread::setSpeed(double ratio)
 {
     m_worker->ask([speed = std::clamp(ratio, 0.01, 10.0)](Worker& worker) { worker.speed = speed; });
+}
+
+void SimulationThread::keepUp(bool on)
+{
+    m_worker->ask([on](Worker& worker) { worker.keepUp(on); });
 }
 
 void SimulationThread::showPressing(bool on)

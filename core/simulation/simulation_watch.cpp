@@ -81,14 +81,6 @@ double rigidSpeed(const ObjectState& state)
     return momentum.norm() / mass + (inertia > 0 ? 2 * angularMomentum.norm() / inertia * radius : 0);
 }
 
-double fastestOf(const ObjectState& state)
-{
-    double squared = 0;
-    for (std::size_t i = 0; i < state.size(); ++i)
-        squared = std::max(squared, state.velocity.at(i).squaredNorm());
-    return std::sqrt(squared);
-}
-
 double soundSpeedOf(const BodyRun& run)
 {
     return run.materials.largest([](const Material& material) { return material.soundSpeed(); });
@@ -127,7 +119,7 @@ std::string Simulation::State::runawayCause() const
     if (speed <= least)
         return {};
     for (BodyId b = 0; b < runs.size(); ++b) {
-        const double fastest = runs[b]->rigid ? runs[b]->rigid->largestSpeed() : fastestOf(runs[b]->state);
+        const double fastest = runs[b]->rigid ? runs[b]->rigid->largestSpeed() : largestSpeed(runs[b]->state);
         if (fastest <= least)
             continue;
         const double limit = fastestSensible(b);

@@ -2,6 +2,7 @@
 
 #include "core/aggregate/connection_id.h"
 #include "core/mechanics/object_strain.h"
+#include "core/simulation/pace.h"
 #include "core/simulation/scene.h"
 
 #include <array>
@@ -127,6 +128,7 @@ struct Snapshot {
     Integrator integrator = Integrator::semiImplicitEuler;       ///< in use; never automatic
     Integrator wantedIntegrator = Integrator::semiImplicitEuler; ///< as chosen
     std::string integratorReason;                                ///< a sentence on which one is in use and why
+    Pace pace = Pace::full;                                      ///< of implicit steps
     int solverIterations = 0;                                    ///< of the last implicit step
     std::vector<BodyState> bodies;
     std::vector<Material> materials; ///< per body
@@ -155,6 +157,8 @@ struct Snapshot {
 
     // Time keeping, filled in by SimulationThread.
     bool playing = false;
+    std::uint64_t rest =
+        0;            ///< the how manieth time nothing moves; those of the same show the same places. 0: something may
     double ratio = 0; ///< simulated per wall time, over the last half second
     double updatesPerSecond = 0;
     int stepsPerFrame = 0;

@@ -135,6 +135,14 @@ void describe(Fields& fields, Field<Fields, SetIntegrator> command)
 }
 
 template <>
+inline constexpr const char* wordOf<SetPace> = "set-pace";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, SetPace> command)
+{
+    fields.choice("pace", command.pace, paceWords());
+}
+
+template <>
 inline constexpr const char* wordOf<Reset> = "reset";
 template <>
 inline constexpr const char* wordOf<KeepMoment> = "keep-moment";

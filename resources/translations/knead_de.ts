@@ -418,6 +418,14 @@
         <source>Put the part where forces balance now, without waiting until it is at rest</source>
         <translation>Das Teil dorthin bringen, wo die Kräfte jetzt im Gleichgewicht sind, ohne zu warten, bis es ruht</translation>
     </message>
+    <message>
+        <source>Keep up with real time</source>
+        <translation>Mit der Echtzeit mithalten</translation>
+    </message>
+    <message>
+        <source>Where implicit steps are slower than real time, solve them more roughly (forces within 3 % of the largest), then take one per 1/30 s. Without this, time runs slower</source>
+        <translation>Wo implizite Schritte langsamer als Echtzeit sind, werden sie gröber gelöst (Kräfte auf 3 % der größten genau), dann gibt es einen je 1/30 s. Ohne das läuft die Zeit langsamer</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -5155,6 +5163,22 @@ Simuliert: %2, Schritt %3
     <message>
         <source>%1x of %2x as chosen</source>
         <translation>%1x von gewählten %2x</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>In Ruhe</translation>
+    </message>
+    <message>
+        <source>30 steps a second to keep up</source>
+        <translation>30 Schritte je Sekunde, um mitzuhalten</translation>
+    </message>
+    <message>
+        <source>Rough steps to keep up</source>
+        <translation>Grobe Schritte, um mitzuhalten</translation>
+    </message>
+    <message>
+        <source>Forces are within 3 % of the largest. The Simulation panel says whether to keep up with real time or to be exact</source>
+        <translation>Kräfte sind auf 3 % der größten genau. Im Bereich Simulation steht, ob mit der Echtzeit mitgehalten oder genau gerechnet wird</translation>
     </message>
 </context>
 <context>

@@ -418,6 +418,14 @@
         <source>Put the part where forces balance now, without waiting until it is at rest</source>
         <translation>Mettre la pièce là où les forces s&apos;équilibrent maintenant, sans attendre qu&apos;elle soit au repos</translation>
     </message>
+    <message>
+        <source>Keep up with real time</source>
+        <translation>Suivre le temps réel</translation>
+    </message>
+    <message>
+        <source>Where implicit steps are slower than real time, solve them more roughly (forces within 3 % of the largest), then take one per 1/30 s. Without this, time runs slower</source>
+        <translation>Quand les pas implicites sont plus lents que le temps réel, ils sont résolus plus grossièrement (forces à 3 % de la plus grande), puis il y en a un par 1/30 s. Sinon, le temps ralentit</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -5155,6 +5163,22 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>%1x of %2x as chosen</source>
         <translation>%1x sur %2x choisis</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>Au repos</translation>
+    </message>
+    <message>
+        <source>30 steps a second to keep up</source>
+        <translation>30 pas par seconde pour suivre</translation>
+    </message>
+    <message>
+        <source>Rough steps to keep up</source>
+        <translation>Pas grossiers pour suivre</translation>
+    </message>
+    <message>
+        <source>Forces are within 3 % of the largest. The Simulation panel says whether to keep up with real time or to be exact</source>
+        <translation>Les forces sont à 3 % de la plus grande. Le panneau Simulation dit s’il faut suivre le temps réel ou être exact</translation>
     </message>
 </context>
 <context>

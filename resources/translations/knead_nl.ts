@@ -418,6 +418,14 @@
         <source>Put the part where forces balance now, without waiting until it is at rest</source>
         <translation>Het onderdeel neerzetten waar de krachten nu in evenwicht zijn, zonder te wachten tot het in rust is</translation>
     </message>
+    <message>
+        <source>Keep up with real time</source>
+        <translation>Echte tijd bijhouden</translation>
+    </message>
+    <message>
+        <source>Where implicit steps are slower than real time, solve them more roughly (forces within 3 % of the largest), then take one per 1/30 s. Without this, time runs slower</source>
+        <translation>Waar impliciete stappen langzamer zijn dan echte tijd, worden ze grover opgelost (krachten binnen 3 % van de grootste), daarna is er één per 1/30 s. Zonder dit loopt de tijd langzamer</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -5155,6 +5163,22 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>%1x of %2x as chosen</source>
         <translation>%1x van de gekozen %2x</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>In rust</translation>
+    </message>
+    <message>
+        <source>30 steps a second to keep up</source>
+        <translation>30 stappen per seconde om bij te blijven</translation>
+    </message>
+    <message>
+        <source>Rough steps to keep up</source>
+        <translation>Grove stappen om bij te blijven</translation>
+    </message>
+    <message>
+        <source>Forces are within 3 % of the largest. The Simulation panel says whether to keep up with real time or to be exact</source>
+        <translation>Krachten zijn binnen 3 % van de grootste. Het paneel Simulatie zegt of de tijd wordt bijgehouden of exact wordt gerekend</translation>
     </message>
 </context>
 <context>

@@ -315,8 +315,8 @@ private slots:
                 largest = std::max(largest, simulation.snapshot()->tools[0].force.norm());
             }
             const double last = simulation.snapshot()->tools[0].force.norm();
-            QVERIFY2(largest < 1.1 * press.forceLimit, qPrintable(QString::number(largest / press.forceLimit)));
-            QVERIFY2(last > 0.4 * press.forceLimit, qPrintable(QString::number(last / press.forceLimit)));
+            QVERIFY2(largest < 1.02 * press.forceLimit, qPrintable(QString::number(largest / press.forceLimit)));
+            QVERIFY2(last > 0.98 * press.forceLimit, qPrintable(QString::number(last / press.forceLimit)));
             // It goes back as it likes.
             const double pressed = simulation.snapshot()->tools[0].pose.position.z();
             simulation.post(SetManipulatorMotion{0, DriveAt{Vec3(0, 0, 0.05), Vec3::Zero()}});

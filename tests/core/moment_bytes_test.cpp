@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 using namespace knead;
@@ -117,10 +118,27 @@ std::ptrdiff_t restOf(const Moment& moment)
     return 1 + 1 + 4 + static_cast<std::ptrdiff_t>(moment.health.message.size());
 }
 
+/// Bytes of a moment without the pace, and with what tools kept of their limits: as version 4 had them.
+Bytes beforePace(const Moment& moment)
+{
+    Bytes bytes = momentToBytes(moment);
+    bytes.erase(bytes.end() - restOf(moment) - 1);
+    for (std::size_t t = moment.tools.size(); t-- > 0;) { // the last one first, so that places stay what they are
+        if (!moment.tools[t])
+            continue;
+        Moment other = moment;
+        const auto bits = std::bit_cast<std::uint64_t>(moment.tools[t]->peakForce);
+        other.tools[t]->peakForce = std::bit_cast<double>(~bits); // all bytes differ
+        const std::size_t peak = firstDifference(momentToBytes(moment), momentToBytes(other));
+        bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(peak), 8, std::byte{0});
+    }
+    return bytes;
+}
+
 /// Bytes of a moment that holds nothing by friction, without the two lists of it, which versions 1 to 3 did not have.
 Bytes beforeFriction(const Moment& moment)
 {
-    Bytes bytes = momentToBytes(moment);
+    Bytes bytes = beforePace(moment);
     const auto end = bytes.end() - restOf(moment);
     bytes.erase(end - 4 - 4, end);
     return bytes;
@@ -207,6 +225,16 @@ private slots:
         QVERIFY(std::equal(read.begin(), read.end(), numbers.begin()));
         QVERIFY(std::signbit(read[1]));
         QVERIFY(reader.atEnd());
+    }
+
+    void momentsOfTheFourthVersionAreRead()
+    {
+        Middle middle(kinds()[0]);
+        Bytes old = beforePace(*middle.moment);
+        putSizes(old, 4);
+        const Moment read = momentFromBytes(old, middle.scene.bodies, middle.parts);
+        QCOMPARE(momentHash(read), momentHash(*middle.moment));
+        QCOMPARE(read.pace, Pace::full);
     }
 
     void momentsOfTheThirdVersionAreRead()

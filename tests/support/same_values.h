@@ -213,6 +213,11 @@ inline auto members(const SetIntegrator& v)
     const auto& [a] = v;
     return std::tie(a);
 }
+inline auto members(const SetPace& v)
+{
+    const auto& [a] = v;
+    return std::tie(a);
+}
 inline auto members(const FindBalance& v)
 {
     const auto& [a] = v;

@@ -149,6 +149,7 @@ inline std::vector<RecordedCommand> commands(const std::shared_ptr<const ToolPar
         AddFixture{{"grip \"a\"", 0, {0, 4, 5, 6}, Vec3(0.1, 0, -0.0)}},
         RemoveFixture{1},
         SetIntegrator{Integrator::implicitEuler},
+        SetPace{Pace::rough},
         MoveFixture{2, Vec3(0, third, 0)},
         Reset{},
         KeepMoment{},

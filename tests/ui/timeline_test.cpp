@@ -111,6 +111,31 @@ private slots:
         QVERIFY(film.underWay().empty() && film.memory() > before);
     }
 
+    /// A minute in which nothing moves is two frames: where it begins, and where it ends.
+    void aRestTakesTwoFrames()
+    {
+        Film film;
+        const auto see = [&](double time, std::uint64_t rest) {
+            Snapshot shot = frameAt(time);
+            shot.rest = rest;
+            film.see(std::make_shared<const Snapshot>(std::move(shot)));
+        };
+        see(0, 0);
+        see(0.1, 0);
+        for (int i = 0; i < 3600; ++i)
+            see(0.2 + i / 60.0, 7);
+        QCOMPARE(film.underWay().size(), std::size_t{3});
+        see(61, 0);
+        std::vector<double> times;
+        for (const FilmFramePointer& frame : film.underWay())
+            times.push_back(frame->time);
+        QCOMPARE(times, (std::vector<double>{0, 0.1, 0.2, 0.2 + 3599 / 60.0, 61}));
+        see(61.1, 8); // another rest is another pair
+        see(62.1, 8);
+        see(62.2, 9);
+        QCOMPARE(film.underWay().size(), std::size_t{8});
+    }
+
     void aFilmThatIsTooLongLosesItsOldFramesByAndBy()
     {
         Film film;

@@ -190,6 +190,7 @@ void Document::start(Simulation simulation, std::shared_ptr<const Content> conte
     if (m_showsPressing)
         m_simulation->showPressing(true);
     m_simulation->setSpeed(m_speed);
+    m_simulation->keepUp(m_keepsUp);
     m_seen = m_simulation->latest();
     m_arrivals = 0;
     ++m_edits;
@@ -258,6 +259,13 @@ void Document::setSpeed(double ratio)
     m_speed = ratio;
     if (m_simulation)
         m_simulation->setSpeed(ratio);
+}
+
+void Document::keepUp(bool on)
+{
+    m_keepsUp = on;
+    if (m_simulation)
+        m_simulation->keepUp(on);
 }
 
 void Document::setDisplayInterval(double seconds)

@@ -107,6 +107,7 @@ public:
     /// Wanted ratio of simulated to wall time, 0.01 .. 10; 1 at first. Of the window, not of the history.
     void setSpeed(double ratio);
     double speed() const { return m_speed; }
+    void keepUp(bool on); ///< see SimulationThread::keepUp()
     /// @param name for the history; empty: what the command says itself
     void post(Command command, const QString& name = {});
 
@@ -333,6 +334,7 @@ private:
     QTimer* m_ending; ///< until a gesture that may be gone on with ends
     bool m_isPlaying = false;
     double m_speed = 1;
+    bool m_keepsUp = true;
     std::uint64_t m_playRequest = 0; ///< snapshots that count as many requests have heard of it
 
     JourneyState m_journey = JourneyState::none;

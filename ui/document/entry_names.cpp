@@ -82,6 +82,7 @@ public:
         }
         return Words::tr("Automatic steps");
     }
+    QString operator()(const SetPace&) const { return {}; } // by itself, to keep up
     QString operator()(const Reset&) const { return Words::tr("Reset"); }
     QString operator()(const KeepMoment&) const { return {}; }
     QString operator()(const SetPartLook& command) const
@@ -172,7 +173,7 @@ std::optional<EntryKind> kindOf(const Command& command)
         return {};
     }
 }
-static_assert(std::variant_size_v<Command> == 23);
+static_assert(std::variant_size_v<Command> == 24);
 
 } // namespace
 

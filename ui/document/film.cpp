@@ -67,7 +67,11 @@ void Film::see(SnapshotPointer snapshot)
 {
     const double time = snapshot->time;
     constexpr double nearly = 0.99; // steps do not fit exactly
-    if (time < m_keptTime || time >= m_keptTime + nearly * interval)
+    const bool rests = snapshot->rest > 0 && snapshot->rest == m_rest; // one frame shows it all
+    if (!rests && m_rest > 0 && m_passed)
+        add(*SnapshotPointer(m_passed)); // where the rest ended
+    m_rest = snapshot->rest;
+    if (!rests && (time < m_keptTime || time >= m_keptTime + nearly * interval))
         add(*snapshot);
     else
         m_passed = std::move(snapshot);
@@ -126,6 +130,7 @@ void Film::dropUnderWay()
             m_used -= frame->memory();
     m_underWay.clear();
     m_passed = nullptr;
+    m_rest = 0;
     m_keptTime = -1;
     m_repeated.reset();
     m_run = 0;

@@ -79,6 +79,7 @@ private:
     std::map<Entry, Reel> m_entries;
     std::vector<FilmFramePointer> m_underWay;
     SnapshotPointer m_passed;       ///< seen last and not kept; else null
+    std::uint64_t m_rest = 0;       ///< Snapshot::rest of what was seen last
     double m_keptTime = -1;         ///< of the last frame [s]
     std::optional<Reel> m_repeated; ///< of the entry that comes next
     std::uint32_t m_run = 0;        ///< in which the next entry begins

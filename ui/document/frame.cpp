@@ -24,8 +24,10 @@ std::shared_ptr<const BodyFrame> bodyFrame(const ContentBody& body, const Snapsh
 FramePointer prepareFrame(const ContentBodies& bodies, SnapshotPointer snapshot, const FramePointer& previous)
 {
     auto frame = std::make_shared<Frame>();
-    const bool isUnmoved = previous && previous->snapshot->step == snapshot->step &&
-                           previous->snapshot->arrivals == snapshot->arrivals; // branches meet at equal steps
+    const bool isUnmoved = previous &&
+                           previous->snapshot->arrivals == snapshot->arrivals && // branches meet at equal steps
+                           (previous->snapshot->step == snapshot->step ||
+                            (snapshot->rest > 0 && previous->snapshot->rest == snapshot->rest));
     if (isUnmoved)
         frame->bodies = previous->bodies;
     else

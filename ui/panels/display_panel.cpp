@@ -24,23 +24,6 @@ constexpr int sliderSteps = 1000;
 constexpr double farthest = 1e15; // of a typed range
 constexpr double least = 1e-6;    // difference between its ends, in sizes of the larger one
 
-/// A box that is the action in another form.
-QCheckBox* boxFor(QAction* action, QWidget* parent)
-{
-    auto* box = new QCheckBox(parent);
-    box->setObjectName(action->objectName() + "Box");
-    const auto follow = [box, action] {
-        box->setText(QString(action->text()).remove('&'));
-        box->setChecked(action->isChecked());
-        box->setEnabled(action->isEnabled());
-        box->setToolTip(action->toolTip());
-    };
-    follow();
-    QObject::connect(action, &QAction::changed, box, follow);
-    QObject::connect(box, &QCheckBox::clicked, action, &QAction::setChecked);
-    return box;
-}
-
 } // namespace
 
 DisplayPanel::DisplayPanel(Display& display, QWidget* parent)

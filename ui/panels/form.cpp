@@ -1,5 +1,7 @@
 #include "ui/panels/form.h"
 
+#include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFocusEvent>
 #include <QKeyEvent>
@@ -89,6 +91,22 @@ QComboBox* makeChoice(const QString& name, QWidget* parent)
     auto* choice = new Choice(parent);
     choice->setObjectName(name);
     return choice;
+}
+
+QCheckBox* boxFor(QAction* action, QWidget* parent)
+{
+    auto* box = new QCheckBox(parent);
+    box->setObjectName(action->objectName() + "Box");
+    const auto follow = [box, action] {
+        box->setText(QString(action->text()).remove('&'));
+        box->setChecked(action->isChecked());
+        box->setEnabled(action->isEnabled());
+        box->setToolTip(action->toolTip());
+    };
+    follow();
+    QObject::connect(action, &QAction::changed, box, follow);
+    QObject::connect(box, &QCheckBox::clicked, action, &QAction::setChecked);
+    return box;
 }
 
 QuantityField* makeField(Quantity quantity, const QString& name, QWidget* parent)

@@ -5,6 +5,8 @@
 #include <QFormLayout>
 #include <QString>
 
+class QAction;
+class QCheckBox;
 class QComboBox;
 class QLabel;
 
@@ -16,6 +18,8 @@ QLabel* makeHeading(const QString& text, QWidget* parent);
 QLabel* makeReading(const QString& name, QWidget* parent); ///< a value that is shown, not typed
 /// Scrolling over it does not choose.
 QComboBox* makeChoice(const QString& name, QWidget* parent);
+/// A box that is the action in another form.
+QCheckBox* boxFor(QAction* action, QWidget* parent);
 QuantityField* makeField(Quantity quantity, const QString& name, QWidget* parent);
 
 } // namespace knead

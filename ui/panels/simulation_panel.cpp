@@ -2,6 +2,7 @@
 
 #include "ui/panels/form.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QLabel>
@@ -47,7 +48,7 @@ std::optional<double> common(const std::vector<Material>& materials, double Mate
 
 } // namespace
 
-SimulationPanel::SimulationPanel(Document& document, bool choosesThreads, QWidget* parent)
+SimulationPanel::SimulationPanel(Document& document, QAction* keepUp, bool choosesThreads, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
 {
@@ -56,7 +57,7 @@ SimulationPanel::SimulationPanel(Document& document, bool choosesThreads, QWidge
     makeTimeRows(form);
     makeGravityRows(form);
     makeDampingRows(form);
-    makeStepRows(form);
+    makeStepRows(form, keepUp);
     if (choosesThreads)
         makeThreadRow(form);
     connect(&document, &Document::changed, this, &SimulationPanel::documentChanged);
@@ -117,7 +118,7 @@ void SimulationPanel::makeDampingRows(QFormLayout* form)
     m_shapeDamping = add(&Material::shapeDamping, "allShapeDamping");
 }
 
-void SimulationPanel::makeStepRows(QFormLayout* form)
+void SimulationPanel::makeStepRows(QFormLayout* form, QAction* keepUp)
 {
     form->addRow(makeHeading(tr("Steps"), this));
     m_integrator = makeChoice("integrator", this);
@@ -135,6 +136,7 @@ void SimulationPanel::makeStepRows(QFormLayout* form)
     m_integratorReason->setProperty("role", "dimmed");
     m_integratorReason->setWordWrap(true);
     form->addRow(m_integratorReason);
+    form->addRow(boxFor(keepUp, this));
 }
 
 void SimulationPanel::makeThreadRow(QFormLayout* form)

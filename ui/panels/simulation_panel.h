@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+class QAction;
 class QComboBox;
 class QFormLayout;
 class QLabel;
@@ -22,7 +23,7 @@ class SimulationPanel final : public QWidget {
     Q_OBJECT
 public:
     /// @param choosesThreads whether one can say how many threads compute
-    SimulationPanel(Document& document, bool choosesThreads, QWidget* parent = nullptr);
+    SimulationPanel(Document& document, QAction* keepUp, bool choosesThreads, QWidget* parent = nullptr);
 
     /// @param threads that compute; 0: all that the machine has
     void showThreads(int threads);
@@ -38,7 +39,7 @@ private:
     void makeTimeRows(QFormLayout* form);
     void makeGravityRows(QFormLayout* form);
     void makeDampingRows(QFormLayout* form);
-    void makeStepRows(QFormLayout* form);
+    void makeStepRows(QFormLayout* form, QAction* keepUp);
     void makeThreadRow(QFormLayout* form);
     void documentChanged(Document::Change what);
     void showState();

@@ -104,6 +104,19 @@ QLabel* StatusReadings::add(const QString& name, const QString& tip)
     return label;
 }
 
+/// What is left out to keep up is said.
+QString StatusReadings::stepsText(const Snapshot& snapshot)
+{
+    if (snapshot.rest > 0)
+        return tr("At rest");
+    const bool isImplicit = snapshot.integrator == Integrator::implicitEuler;
+    if (isImplicit && snapshot.pace == Pace::wide)
+        return tr("30 steps a second to keep up");
+    if (isImplicit && snapshot.pace == Pace::rough)
+        return tr("Rough steps to keep up");
+    return snapshot.stepsPerFrame == 1 ? tr("1 step/frame") : tr("%1 steps/frame").arg(snapshot.stepsPerFrame);
+}
+
 void StatusReadings::show(const Snapshot& snapshot)
 {
     const bool isSlow = snapshot.ratio < realTime * m_speed;
@@ -112,9 +125,11 @@ void StatusReadings::show(const Snapshot& snapshot)
     m_ratio->setText(!snapshot.playing ? tr("Paused") : m_speed == 1 ? ratioText(snapshot.ratio) : chosen);
     setRole(*m_ratio, snapshot.playing && isSlow ? "slow" : "heading");
     m_updates->setText(snapshot.playing ? tr("%1 Hz").arg(snapshot.updatesPerSecond, 0, 'f', 0) : QString());
-    m_steps->setText(snapshot.playing ? (snapshot.stepsPerFrame == 1 ? tr("1 step/frame")
-                                                                     : tr("%1 steps/frame").arg(snapshot.stepsPerFrame))
-                                      : QString());
+    m_steps->setText(snapshot.playing ? stepsText(snapshot) : QString());
+    m_steps->setToolTip(snapshot.pace == Pace::full
+                            ? QString()
+                            : tr("Forces are within 3 % of the largest. The Simulation panel says "
+                                 "whether to keep up with real time or to be exact"));
     m_integrator->setText(snapshot.integrator == Integrator::implicitEuler  ? tr("Implicit")
                           : snapshot.integrator == Integrator::forwardEuler ? tr("Forward")
                                                                             : tr("Explicit"));

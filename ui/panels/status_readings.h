@@ -34,6 +34,7 @@ private:
     int roomFor(const std::vector<QLabel*>& labels) const;
     std::vector<QLabel*> spoken() const;
     void fit();
+    static QString stepsText(const Snapshot& snapshot);
     QLabel* add(const QString& name, const QString& tip);
 
     QLabel* m_ratio;

@@ -111,6 +111,13 @@ void ViewportWidget::showFrame()
     }
 }
 
+/// Whether all is where the last frame showed it.
+bool ViewportWidget::isAtRest()
+{
+    const std::uint64_t rest = m_document.frame()->snapshot->rest;
+    return std::exchange(m_rest, rest) == rest && rest > 0;
+}
+
 void ViewportWidget::setSight(const SightPointer& sight)
 {
     if (!sight && !m_sight)
@@ -188,7 +195,7 @@ void ViewportWidget::documentChanged(Document::Change what)
         beginContent();
         break;
     case Document::Change::Frame:
-        if (m_past)
+        if (m_past || isAtRest())
             return;
         showFrame();
         break;

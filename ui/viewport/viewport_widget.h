@@ -119,6 +119,7 @@ private:
     void updateMarks();
     void setSight(const SightPointer& sight);
     void showFrame();
+    bool isAtRest();
     bool isForTools(const QPointF& position);
     std::optional<Vec3> cubeSideAt(const QPointF& position) const;
     std::vector<SceneMarks::Face> fixedFaces() const;
@@ -146,6 +147,7 @@ private:
     SightPointer m_sight;
     std::optional<SceneMarks::Face> m_highlight;
     std::optional<Qt::CursorShape> m_mode; ///< that has the left button
+    std::uint64_t m_rest = 0;              ///< Snapshot::rest of the frame that was shown last
     FramePointer m_past;                   ///< that is looked at; null: the present
     QLabel* m_caption;
     QPointF m_lastMouse; ///< on the screen: the view may come to lie elsewhere under the mouse

@@ -2,6 +2,7 @@
 // the same body, measured between frames of the same run, which the noise of a machine cannot bend.
 #include "core/mechanics/structural_connections.h"
 #include "core/simulation/simulation.h"
+#include "core/task/kept_memory.h"
 #include "io/material_library.h"
 #include "realtime/realtime_scenes.h"
 
@@ -78,47 +79,90 @@ double share(std::vector<double> values, double of)
     return values[static_cast<std::size_t>(of * static_cast<double>(values.size() - 1))];
 }
 
-nlohmann::json play(const RealtimeScene& played, const char* material)
-{
-    Unit unit(played.scene);
-    Simulation simulation{Scene(played.scene)};
-    const Pose start = played.depth > 0 ? played.scene.manipulators[0].pose : Pose{};
-    std::vector<double> times;
-    double iterations = 0;
+/// What a hand felt and made.
+struct Played {
+    std::vector<double> times; ///< of frames [ms]
+    std::vector<Vec3> forces;  ///< at the ends of frames, of the hand's tool [N]
+    double iterations = 0;     ///< of conjugate gradients
     double steps = 0;
-    double mostForce = 0;
+    double mostForce = 0;  ///< [N]
+    double largestWay = 0; ///< of any object in the end [m]
+    std::vector<Vec3> places;
     std::string trouble;
+};
+
+/// @param unit measured between the frames; null: it is not
+Played playAt(Pace pace, const RealtimeScene& scene, Unit* unit)
+{
+    Simulation simulation{Scene(scene.scene)};
+    simulation.post(SetPace{pace});
+    const Pose start = scene.depth > 0 ? scene.scene.manipulators[0].pose : Pose{};
+    Played played;
     const auto frames = static_cast<int>(handSeconds / frame + 0.5);
-    for (int n = 0; n < frames && trouble.empty(); ++n) {
-        if (n % framesPerUnit == 0)
-            unit.measure();
+    for (int n = 0; n < frames && played.trouble.empty(); ++n) {
+        if (unit != nullptr && n % framesPerUnit == 0)
+            unit->measure();
         const double end = frame * (n + 1);
         const Clock::time_point begin = Clock::now();
-        if (played.depth > 0) {
+        if (scene.depth > 0) {
             Pose wanted = start;
-            wanted.position += handAt(played, end);
+            wanted.position += handAt(scene, end);
             simulation.post(SetManipulatorMotion{0, GoTo{wanted}});
         }
-        while (simulation.time() < end - 1e-9) {
+        SnapshotPointer shot;
+        while (simulation.time() < end - 1e-9 && played.trouble.empty()) {
             simulation.step();
-            const auto shot = simulation.snapshot();
-            iterations += shot->solverIterations;
-            ++steps;
+            shot = simulation.snapshot();
+            played.iterations += shot->solverIterations;
+            ++played.steps;
             if (!shot->tools.empty())
-                mostForce = std::max(mostForce, shot->tools[0].force.norm());
-            if (!shot->health.ok) {
-                trouble = shot->health.message;
-                break;
-            }
+                played.mostForce = std::max(played.mostForce, shot->tools[0].force.norm());
+            if (!shot->health.ok)
+                played.trouble = shot->health.message;
         }
-        times.push_back(millisecondsSince(begin));
+        played.times.push_back(millisecondsSince(begin));
+        if (shot && !shot->tools.empty())
+            played.forces.push_back(shot->tools[0].force);
     }
+    const auto last = simulation.snapshot();
+    for (std::size_t b = 0; b < last->bodies.size(); ++b)
+        for (ObjectIndex i = 0; i < last->bodies[b].positions.size(); ++i) {
+            played.places.push_back(last->bodies[b].positions[i]);
+            played.largestWay = std::max(played.largestWay, last->bodies[b].displacement(i).norm());
+        }
+    return played;
+}
+
+/// The 95th percentile of how far the forces are from those of a tight solve, by the largest; 0 without any.
+double forceError(const Played& played, const Played& tight)
+{
+    std::vector<double> errors;
+    for (std::size_t n = 0; n < std::min(played.forces.size(), tight.forces.size()); ++n)
+        errors.push_back((played.forces[n] - tight.forces[n]).norm());
+    return errors.empty() || tight.mostForce == 0 ? 0 : share(errors, 0.95) / tight.mostForce;
+}
+
+/// How far any place in the end is from that of a tight solve, by the largest way.
+double placeError(const Played& played, const Played& tight)
+{
+    double most = 0;
+    for (std::size_t i = 0; i < std::min(played.places.size(), tight.places.size()); ++i)
+        most = std::max(most, (played.places[i] - tight.places[i]).norm());
+    return tight.largestWay > 0 ? most / tight.largestWay : 0;
+}
+
+nlohmann::json play(const RealtimeScene& scene, const char* material, bool compares)
+{
+    Unit unit(scene.scene);
+    const Played played = playAt(Pace::full, scene, &unit);
+    const Played tight = compares ? playAt(Pace::exact, scene, nullptr) : Played{};
+    const std::vector<double>& times = played.times;
     const double milliseconds = std::accumulate(times.begin(), times.end(), 0.0);
     const double counted = static_cast<double>(times.size());
     std::size_t objects = 0;
-    for (const knead::Body& body : played.scene.bodies)
+    for (const knead::Body& body : scene.scene.bodies)
         objects += body.aggregate->size();
-    nlohmann::json row{{"scene", played.name},
+    nlohmann::json row{{"scene", scene.name},
                        {"material", material},
                        {"objects", objects},
                        {"unit_ms", unit.median()},
@@ -128,28 +172,35 @@ nlohmann::json play(const RealtimeScene& played, const char* material)
                        {"median_units", share(times, 0.5) / unit.median()},
                        {"p95_units", share(times, 0.95) / unit.median()},
                        {"ratio", 1e3 * frame * counted / milliseconds},
-                       {"iterations_per_frame", iterations / counted},
-                       {"steps_per_frame", steps / counted},
-                       {"most_force_n", mostForce},
-                       {"force_limit_n", played.depth > 0 ? played.scene.manipulators[0].forceLimit : 0},
-                       {"stopped", trouble}};
-    std::printf("%-11s %-16s %6zu  %5.2f  %7.1f %7.1f %7.1f  %6.0f %6.0f  %5.2f  %6.1f %5.2f%s\n", played.name.c_str(),
-                material, objects, unit.median(), share(times, 0.5), share(times, 0.95), share(times, 0.99),
-                share(times, 0.5) / unit.median(), share(times, 0.95) / unit.median(),
-                1e3 * frame * counted / milliseconds, iterations / counted, steps / counted,
-                trouble.empty() ? "" : "  stopped");
+                       {"iterations_per_frame", played.iterations / counted},
+                       {"steps_per_frame", played.steps / counted},
+                       {"most_force_n", played.mostForce},
+                       {"force_limit_n", scene.depth > 0 ? scene.scene.manipulators[0].forceLimit : 0},
+                       {"stopped", played.trouble}};
+    if (compares) {
+        row["force_error"] = forceError(played, tight);
+        row["place_error"] = placeError(played, tight);
+    }
+    std::printf("%-11s %-16s %6zu  %5.2f  %7.1f %7.1f %7.1f  %6.0f %6.0f  %5.2f  %6.1f %5.2f  %6.2f %6.2f%s\n",
+                scene.name.c_str(), material, objects, unit.median(), share(times, 0.5), share(times, 0.95),
+                share(times, 0.99), share(times, 0.5) / unit.median(), share(times, 0.95) / unit.median(),
+                1e3 * frame * counted / milliseconds, played.iterations / counted, played.steps / counted,
+                100 * forceError(played, tight), 100 * placeError(played, tight),
+                played.trouble.empty() ? "" : "  stopped");
     std::fflush(stdout);
     return row;
 }
 
 } // namespace
 
-/// knead_realtime OUT.json [OBJECTS] [MATERIAL] [SCENE]
+/// knead_realtime OUT.json [OBJECTS] [MATERIAL] [SCENE] [tight]
 int main(int argc, char** argv)
 {
+    keepFreedMemory();
     const double objects = argc > 2 ? std::atof(argv[2]) : 27'000;
     const std::string onlyMaterial = argc > 3 ? argv[3] : "";
     const std::string onlyScene = argc > 4 ? argv[4] : "";
+    const bool compares = argc > 5 && argv[5] == std::string("tight");
     struct Named {
         const char* name;
         const char* preset;
@@ -163,7 +214,8 @@ int main(int argc, char** argv)
     const std::vector<MaterialPreset> presets = readMaterials(KNEAD_RESOURCES "/materials/materials.json");
     std::printf(
         "scene       material        objects   unit   median     95 %%    99 %%   median   95 %%  ratio    CG/frame "
-        "steps\n                                        ms       ms       ms      ms    units  units\n");
+        "steps   force places\n                                        ms       ms       ms      ms    units  units"
+        "                         %% off  %% off\n");
     nlohmann::json rows = nlohmann::json::array();
     for (const Named& named : materials) {
         if (!onlyMaterial.empty() && onlyMaterial != named.name)
@@ -179,7 +231,7 @@ int main(int argc, char** argv)
             material.poissonRatio = named.poisson;
         for (const RealtimeScene& scene : realtimeScenes(material, objects))
             if (onlyScene.empty() || onlyScene == scene.name)
-                rows.push_back(play(scene, named.name));
+                rows.push_back(play(scene, named.name, compares));
     }
     if (argc > 1)
         std::ofstream(argv[1]) << rows.dump(1) << '\n';

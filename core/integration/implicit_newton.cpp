@@ -1,0 +1,232 @@
+// How the end of a step is found: Newton's method, and when it is done. Part of ImplicitEuler.
+#include "core/integration/implicit_euler.h"
+
+#include "core/task/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace knead {
+
+namespace {
+
+constexpr std::size_t blockSize = 4096;
+
+// A step is done at its tolerance: a share of the residual at its start, by the preconditioned norm. What a step leaves is in the
+// forces at the start of the next, so that a body at rest gets as near to balance as rounding allows, whatever that is.
+// Linear systems are solved to a share of it that is the same for all: friction is fitted to what they give.
+constexpr double linearTolerance = 5e-3;
+// One only so far, by what is there, as the last one served: where contacts open and close, and slides turn, it leads to others
+// anyway.
+constexpr double looseTolerance = 0.1;
+constexpr double laterTolerance = 0.03;
+constexpr double singleTolerance = 1e-3; // and no solution goes further in single precision
+// Of the tolerance: share of what acts in the step at which it is done as well. What is near balance as it is costs no solution.
+constexpr double loadShare = 0.1;
+constexpr double failedTolerance = 0.3; // above which a step has failed
+// Of what was there before the first solution, so much is always enough to compare with: a body that is just let go of by
+// all it touched has loads of nothing.
+constexpr double leastReference = 1e-6;
+constexpr double leastFreeReference = 1e-4; // where nothing touches
+constexpr int mostNewtonIterations = 12;
+
+// Bodies that would move slower than this, in spacings per step, are at rest: no system is solved for less.
+constexpr double restShare = 1e-8;
+
+// Contacts are taken to be as steep at most as so much more than the deepest one of the last step makes them, until those of the
+// solution are deeper.
+constexpr double steeperShare = 1.2;
+
+// Accelerated iterations that make the residual so much larger, squared, are forgotten and begun anew.
+constexpr double mixingLost = 4;
+
+// A line is searched until the force along it is this share of what it was, in so many trials; each within these shares of where it
+// must be.
+constexpr double lineTolerance = 0.5;
+constexpr int mostTrials = 6;
+constexpr double nearestTrial = 0.1;
+constexpr double farthestTrial = 0.9;
+
+} // namespace
+
+/// Calls change(component, row) for all numbers of a vector of the system, on all threads.
+template <typename Change>
+void ImplicitEuler::forEachNumber(Change&& change) const
+{
+    forEachBlock(m_system.rows(), blockSize, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = 0; c < 3; ++c)
+            for (std::size_t i = begin; i < end; ++i)
+                change(c, i);
+    });
+}
+
+/// Where the work of what is lacking is at its most on the way from `start` to m_velocity, about: there its force along the way is none.
+/// Whole ways go beyond it where contacts close, and where stick turns to slip. @param look finds the residual at m_velocity
+void ImplicitEuler::searchLine(const VectorArray& start, const std::function<void()>& look)
+{
+    m_way = m_velocity;
+    forEachNumber([&](std::size_t c, std::size_t i) { m_way.component(c)[i] -= start.component(c)[i]; });
+    m_system.clearHeld(m_way);
+    const double slope = dotProduct(m_residual, m_way);
+    double low = 0; // shares before and beyond it, and the forces there
+    double atLow = slope;
+    double high = 1;
+    double atHigh = 0;
+    double share = 1;
+    for (int trial = 1;; ++trial) {
+        look();
+        const double now = dotProduct(m_residual, m_way);
+        const bool isNear = now >= -lineTolerance * slope && (share == 1 || now <= lineTolerance * slope);
+        if (isNear || trial == mostTrials || !(slope > 0))
+            return;
+        if (now < 0) {
+            high = share;
+            atHigh = now;
+        } else {
+            low = share;
+            atLow = now;
+        }
+        // In turns by the chord, and in halves, as forces of contacts are far from straight.
+        const double chord = std::clamp(atLow / (atLow - atHigh), nearestTrial, farthestTrial);
+        share = low + (high - low) * (trial % 2 == 1 ? chord : 0.5);
+        forEachNumber([&](std::size_t c, std::size_t i) {
+            m_velocity.component(c)[i] = start.component(c)[i] + share * m_way.component(c)[i];
+        });
+    }
+}
+
+/// Takes note of what touches in a trial.
+void ImplicitEuler::noteTouched(const std::vector<ContactTangent>& tangents)
+{
+    for (const ContactTangent& tangent : tangents) {
+        m_touched.push_back(tangent.first);
+        for (std::uint32_t n = 0; tangent.spread != nullptr && n < tangent.spread->count; ++n)
+            m_touched.push_back({tangent.first.body, tangent.spread->objects[n]});
+        if (tangent.second)
+            m_touched.push_back(*tangent.second);
+    }
+}
+
+/// Whether the step needs no solution, as the one before did not: by the preconditioner of then.
+bool ImplicitEuler::isBalancedAlready(const Contacts::Report& contacts, double h, double floor)
+{
+    if (!m_wasBalanced || m_factoredStep != h || contacts.clinging > 0)
+        return false;
+    const double loads = sizeOfLoads(contacts.tangents, h);
+    return sizeOf(m_residual) <= std::max(floor, std::pow(loadShare * m_tolerance, 2) * loads) &&
+           lackOfWholes(contacts.tangents, h) <= 1;
+}
+
+/// How much is lacking, squared and by the preconditioned norm [J], and what that is compared with.
+struct ImplicitEuler::Lack {
+    double floor = 0; ///< that is nothing
+    double start = 0; ///< before the first solution
+    double first = 0; ///< the same without contacts
+    double reference = 0;
+    double size = 0;
+    double last = 0; ///< before the last solution; 0: there was none
+    bool isSmall = false;
+};
+
+void ImplicitEuler::measure(Lack& lack, const std::vector<ContactTangent>& tangents, double h, bool isFirst)
+{
+    lack.size = sizeOf(m_residual);
+    const double loads = sizeOfLoads(tangents, h);
+    if (isFirst) {
+        lack.first = tangents.empty() ? lack.size : std::min(lack.size, sizeWithoutContacts(tangents, h));
+        lack.start = lack.reference = lack.size;
+    } else {
+        const double least = m_touched.empty() ? leastFreeReference : leastReference;
+        lack.reference = std::min(lack.start, std::max(least * lack.first, loads));
+    }
+    lack.isSmall = lack.size <= std::max({m_tolerance * m_tolerance * lack.reference, lack.floor,
+                                          std::pow(loadShare * m_tolerance, 2) * loads});
+}
+
+/// To which the next linear system is solved: as well as the last one served (Eisenstat and Walker 1996). What is small but not
+/// balanced as a whole is solved for as well as single precision allows.
+double ImplicitEuler::goalOf(const Lack& lack)
+{
+    if (lack.isSmall)
+        return singleTolerance * singleTolerance * lack.size;
+    const double loose =
+        lack.last > 0 ? std::clamp(lack.size / lack.last, singleTolerance, laterTolerance) : looseTolerance;
+    return std::max({linearTolerance * linearTolerance * lack.reference, 0.25 * lack.floor, loose * loose * lack.size});
+}
+
+/// Newton's iteration, from the velocities in m_velocity.
+ImplicitEuler::Report ImplicitEuler::findEnd(Contacts& contacts, const Vec3& gravity, double h)
+{
+    Report report;
+    m_mixing.restart();
+    ContactStep step{.duration = h,
+                     .stickSpeed = stickSpeed(h),
+                     .isTrial = true,
+                     .steepest = std::max(1.0, steeperShare * m_steepness),
+                     .clings = true};
+    const auto look = [&] {
+        tryVelocities(h);
+        report.contacts = findForces(contacts, step);
+        noteTouched(report.contacts.tangents);
+        findResidual(report.contacts, gravity, h);
+    };
+    Lack lack{.floor = m_mass * std::pow(restShare * m_spacing / h, 2)};
+    for (look();; ++report.newtonIterations) {
+        const std::vector<ContactTangent>& tangents = report.contacts.tangents;
+        const bool isFirst = report.newtonIterations == 0;
+        const bool isLast = report.newtonIterations == mostNewtonIterations;
+        bool isBalanced = isFirst && isBalancedAlready(report.contacts, h, lack.floor);
+        if (!isBalanced) {
+            if (isFirst)
+                updateSystem(tangents, h, true);
+            measure(lack, tangents, h, isFirst);
+            isBalanced = lack.isSmall && (isLast || lackOfWholes(tangents, h) <= 1);
+        }
+        step.clings = false;
+        if (isBalanced && report.contacts.clinging > 0) {
+            look();
+            continue; // without what only seemed to hold
+        }
+        if (isBalanced && report.contacts.steepness > step.steepest && !isLast) {
+            step.steepest = steeperShare * report.contacts.steepness;
+            look();
+            continue; // with contacts as they must be at these forces
+        }
+        if (isBalanced) {
+            keepMomenta(gravity, h);
+            if (m_surfaces.empty() && m_bodies.size() == 1)
+                break;
+            // What they lacked may have been all of a fall: it must not end inside of something.
+            report.contacts = findForces(contacts, step);
+            if (report.contacts.tangents.empty() || !m_touched.empty() || isLast)
+                break;
+            takeOverVelocities();
+            look();
+            continue;
+        }
+        if (isLast || !std::isfinite(lack.size)) {
+            report.converged = lack.size <= failedTolerance * failedTolerance * lack.reference;
+            keepMomenta(gravity, h);
+            break;
+        }
+        if (!isFirst)
+            updateSystem(tangents, h, false);
+        if (lack.isSmall) // only as a whole it is not balanced: what touches has begun to slide, or to stick
+            m_preconditioner.updateClusters(m_system);
+        // The first solution brings contacts about; from then on the tangent, which is elastic, is what is wrong where it flows.
+        const bool flows = !isFirst && flowedEnergy() > 0;
+        if (lack.last > 0 && lack.size > mixingLost * lack.last)
+            m_mixing.restart();
+        m_scratch = m_velocity;
+        report.iterations += solve(goalOf(lack));
+        lack.last = lack.size;
+        if (flows)
+            m_mixing.accelerate(m_scratch, m_velocity);
+        searchLine(m_scratch, look);
+    }
+    m_wasBalanced = report.newtonIterations == 0;
+    account(report, h);
+    return report;
+}
+
+} // namespace knead
