@@ -178,10 +178,7 @@ public:
     {
         finish(event().put("integrator", quoted(wordFor(command.integrator, integratorWords()))));
     }
-    void operator()(const SetPace& command)
-    {
-        finish(event().put("pace", quoted(wordFor(command.pace, paceWords()))));
-    }
+    void operator()(const SetPace& command) { finish(event().put("pace", quoted(wordFor(command.pace, paceWords())))); }
     void operator()(const FindBalance& command) { finish(event().number("find_balance_s", command.duration)); }
     void operator()(const Reset&) { finish(event().put("reset", "true")); }
     // Names and colors of parts are those of the file, and tools and fixtures keep the names that they begin with.

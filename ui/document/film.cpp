@@ -66,7 +66,7 @@ void Film::forget()
 void Film::see(SnapshotPointer snapshot)
 {
     const double time = snapshot->time;
-    constexpr double nearly = 0.99; // steps do not fit exactly
+    constexpr double nearly = 0.99;                                    // steps do not fit exactly
     const bool rests = snapshot->rest > 0 && snapshot->rest == m_rest; // one frame shows it all
     if (!rests && m_rest > 0 && m_passed)
         add(*SnapshotPointer(m_passed)); // where the rest ended
