@@ -4,6 +4,7 @@
 #include "core/task/block_sums.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace knead {
 

@@ -111,11 +111,12 @@ void ViewportWidget::showFrame()
     }
 }
 
-/// Whether all is where the last frame showed it.
+/// Whether all is where the last frame showed it, with what presses on it told as before.
 bool ViewportWidget::isAtRest()
 {
-    const std::uint64_t rest = m_document.frame()->snapshot->rest;
-    return std::exchange(m_rest, rest) == rest && rest > 0;
+    const Snapshot& now = *m_document.frame()->snapshot;
+    const std::pair rest(now.rest, !now.bodies.empty() && now.bodies.front().pressing != nullptr);
+    return std::exchange(m_rest, rest) == rest && now.rest > 0;
 }
 
 void ViewportWidget::setSight(const SightPointer& sight)

@@ -6,7 +6,9 @@
 #include "ui/viewport/scene_view.h"
 #include "ui/viewport/viewport_bridge.h"
 
+#include <cstdint>
 #include <memory>
+#include <utility>
 
 class QLabel;
 class QVariantAnimation;
@@ -147,8 +149,9 @@ private:
     SightPointer m_sight;
     std::optional<SceneMarks::Face> m_highlight;
     std::optional<Qt::CursorShape> m_mode; ///< that has the left button
-    std::uint64_t m_rest = 0;              ///< Snapshot::rest of the frame that was shown last
-    FramePointer m_past;                   ///< that is looked at; null: the present
+    std::pair<std::uint64_t, bool>
+        m_rest;          ///< Snapshot::rest of the frame that was shown last, and whether it told what presses
+    FramePointer m_past; ///< that is looked at; null: the present
     QLabel* m_caption;
     QPointF m_lastMouse; ///< on the screen: the view may come to lie elsewhere under the mouse
     bool m_isNavigating = false;
