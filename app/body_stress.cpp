@@ -1,6 +1,7 @@
 #include "app/body_stress.h"
 
 #include "core/geometry/refine.h"
+#include "core/skin/refilled.h"
 #include "core/skin/skin_stress.h"
 
 #include <algorithm>
@@ -19,7 +20,9 @@ BodyStress bodyStress(const TriangleMesh& surface, const Snapshot& snapshot, Bod
     BodyStress result;
     if (state.kind != BodyKind::deformable || state.relaxed == nullptr || state.aggregate->size() == 0)
         return result;
-    const TriangleMesh mesh = refine(surface, state.aggregate->lattice.spacing, mostTriangles);
+    const double spacing = state.aggregate->lattice.spacing;
+    const TriangleMesh mesh = state.aggregate->former ? surfaceWhenFilled(surface, *state.aggregate)
+                                                      : refine(surface, spacing, mostTriangles);
     const std::vector<Vec3> displacements = state.displacements();
     const std::vector<ConnectionId> none;
     const ObjectStrains objects(*state.aggregate, displacements, *state.relaxed, state.broken ? *state.broken : none);

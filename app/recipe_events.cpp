@@ -123,6 +123,12 @@ struct CommandMaker {
     {
         withTool(away.manipulator, [](ToolId id) { return RemoveManipulator{id}; });
     }
+    void operator()(const RefillBodies& wanted)
+    {
+        for (const BodyId body : bodiesNamed(wanted.body, ready.parts, place()))
+            if (!wanted.body.empty() || bodies[body].material.yields())
+                made.push_back(Refill{body, wanted.spacing});
+    }
     void operator()(const SettleScene& settle) { made.push_back(FindBalance{settle.duration}); }
     void operator()(const StartAgain&) { made.push_back(Reset{}); }
     void operator()(const MarkMoment&) { made.push_back(KeepMoment{}); }

@@ -69,7 +69,7 @@ ExportJob exportJobOf(const RecipeScene& ready, const Snapshot& snapshot)
     for (std::size_t i = 0; i < ready.parts.size(); ++i) {
         parts.push_back(&ready.parts[i]);
         job.parts.push_back({.part = ready.parts[i],
-                             .aggregate = ready.scene.bodies[i].aggregate,
+                             .aggregate = snapshot.bodies[i].aggregate,
                              .displacements = snapshot.bodies[i].displacements(),
                              .broken = snapshot.bodies[i].broken,
                              .relaxed = snapshot.bodies[i].relaxed,

@@ -63,7 +63,8 @@ void fillParts(const Recipe& recipe, RecipeScene& result, TaskControl& control)
         result.scene.bodies.push_back({.name = part.name,
                                        .aggregate = std::move(aggregate),
                                        .material = recipe.material,
-                                       .structuralFriction = recipe.structuralFriction});
+                                       .structuralFriction = recipe.structuralFriction,
+                                       .surface = std::make_shared<const TriangleMesh>(part.mesh)});
     }
 }
 
@@ -153,6 +154,7 @@ void setWorld(const Recipe& recipe, Scene& scene)
     scene.touching = recipe.touching;
     scene.integrator = recipe.analysis == Analysis::equilibrium ? Integrator::implicitEuler : recipe.integrator;
     scene.vicinity = recipe.vicinity;
+    scene.refilling = recipe.refilling;
     scene.timeStep = recipe.timeStep;
     // Implicit steps last so long if nothing is said [s]. A run that is shorter is a step of its own.
     constexpr double longest = 1.0 / 60;

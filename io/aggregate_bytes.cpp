@@ -1,5 +1,7 @@
 #include "io/aggregate_bytes.h"
 
+#include "core/aggregate/aggregate_check.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -10,8 +12,6 @@ namespace knead {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr std::int32_t furthestNode = 1 << 28; // neighbors of nodes and their differences stay numbers
 
 Json numbers(const Vec3& v)
 {
@@ -26,41 +26,6 @@ Vec3 vectorIn(const Json& json)
 bool areFinite(const std::vector<double>& numbers)
 {
     return std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
-}
-
-bool isSound(const Lattice& lattice)
-{
-    const auto isNear = [](const Lattice::Node& node) {
-        return std::all_of(node.begin(), node.end(),
-                           [](std::int32_t n) { return n >= -furthestNode && n <= furthestNode; });
-    };
-    const auto isNotAfter = [](const Lattice::Node& a, const Lattice::Node& b) { return !(a < b); };
-    return lattice.origin.allFinite() && lattice.spacing > 0 && std::isfinite(lattice.spacing) &&
-           (lattice.axes.transpose() * lattice.axes - Mat3::Identity()).cwiseAbs().maxCoeff() < 1e-9 &&
-           std::all_of(lattice.nodes.begin(), lattice.nodes.end(), isNear) &&
-           std::adjacent_find(lattice.nodes.begin(), lattice.nodes.end(), isNotAfter) == lattice.nodes.end();
-}
-
-/// Segments go on over objects that have no neighbor in their direction.
-bool hasNeighbor(const Lattice& lattice, std::size_t direction, const Lattice::Segment& segment, ObjectIndex object)
-{
-    const Lattice::Node& step = Lattice::directions[direction];
-    const Lattice::Node& from = lattice.nodes[object];
-    const Lattice::Node& to = lattice.nodes[object + static_cast<ObjectIndex>(segment.offset)];
-    return to[0] - from[0] == step[0] && to[1] - from[1] == step[1] && to[2] - from[2] == step[2];
-}
-
-/// Weights are not negative, and 0 where there is no neighbor.
-bool areSound(const std::vector<double>& weights, const Lattice& lattice, std::size_t direction)
-{
-    std::vector<std::uint8_t> mayBe(lattice.size(), 0);
-    for (const Lattice::Segment& segment : lattice.segments[direction])
-        for (ObjectIndex object = segment.begin; object < segment.end; ++object)
-            mayBe[object] = hasNeighbor(lattice, direction, segment, object) ? 1 : 0;
-    for (std::size_t i = 0; i < weights.size(); ++i)
-        if (weights[i] < 0 || (mayBe[i] == 0 && weights[i] != 0))
-            return false;
-    return true;
 }
 
 Json measuresOf(const Aggregate& aggregate, std::size_t directions)
@@ -97,10 +62,6 @@ std::vector<double> nextNumbers(BlockReader& blocks, std::size_t count)
     return numbers;
 }
 
-// Of points of a skin, beyond which they are damage.
-constexpr double farthestPoint = 1e8; // [spacings]
-constexpr double largestArea = 1e12;  // [m^2]
-
 /// Four numbers per point.
 std::vector<SkinPoint> nextSkin(BlockReader& blocks, const Lattice& lattice)
 {
@@ -108,12 +69,10 @@ std::vector<SkinPoint> nextSkin(BlockReader& blocks, const Lattice& lattice)
     if (numbers.size() % 4 != 0 || !areFinite(numbers))
         blocks.fail("a point of its skin is none");
     std::vector<SkinPoint> skin;
-    for (std::size_t i = 0; i < numbers.size(); i += 4) {
+    for (std::size_t i = 0; i < numbers.size(); i += 4)
         skin.push_back({{numbers[i], numbers[i + 1], numbers[i + 2]}, numbers[i + 3]});
-        const bool isFar = lattice.coordinates(skin.back().place).cwiseAbs().maxCoeff() > farthestPoint;
-        if (skin.back().area < 0 || skin.back().area > largestArea || isFar)
-            blocks.fail("a point of its skin is none");
-    }
+    if (!areSoundPoints(skin, lattice))
+        blocks.fail("a point of its skin is none");
     return skin;
 }
 
@@ -145,7 +104,7 @@ Aggregate nextAggregate(BlockReader& blocks)
     findSegments(aggregate.lattice, directions);
     for (std::size_t d = 0; d < directions; ++d) {
         aggregate.weight[d] = nextNumbers(blocks, count);
-        if (!areSound(aggregate.weight[d], aggregate.lattice, d))
+        if (!areSoundWeights(aggregate.weight[d], aggregate.lattice, d))
             blocks.fail("a connection leads nowhere");
     }
     if (measures.value("hasSkin", false))

@@ -98,6 +98,20 @@ std::optional<double> readTimeStep(const JsonNode& root, const char* key)
     return node ? std::optional(node->number(shortestTimeStep, longestTimeStep)) : std::nullopt;
 }
 
+/// As recordings do.
+bool namesSteps(const Recipe& recipe)
+{
+    return recipe.durationSteps || recipe.timeStep || recipe.massScalingTimeStep ||
+           std::ranges::any_of(recipe.events, [](const RecipeEvent& event) { return event.step.has_value(); });
+}
+
+/// Recordings of before know nothing of it.
+bool readRefilling(const JsonNode& root, const Recipe& recipe)
+{
+    const auto node = root.find("refilling");
+    return node ? node->boolean() : !namesSteps(recipe);
+}
+
 /// Who numbers steps, or says how long they are, means those of the explicit scheme, whose they have always been. So does who wants
 /// to see less than some frames: implicit steps last a frame each, and take no note of what a blow does in between.
 Integrator readIntegrator(const JsonNode& root, const Recipe& recipe)
@@ -106,10 +120,7 @@ Integrator readIntegrator(const JsonNode& root, const Recipe& recipe)
     const auto node = root.find("integrator");
     const Integrator chosen = node ? readChoice(*node, integratorWords()) : Integrator::automatic;
     const bool isShort = !recipe.durationSteps && recipe.duration < shortestOfFrames;
-    const bool namesSteps =
-        recipe.durationSteps || recipe.timeStep || recipe.massScalingTimeStep ||
-        std::ranges::any_of(recipe.events, [](const RecipeEvent& event) { return event.step.has_value(); });
-    const bool staysExplicit = isShort || (!node && namesSteps);
+    const bool staysExplicit = isShort || (!node && namesSteps(recipe));
     return chosen == Integrator::automatic && staysExplicit ? Integrator::semiImplicitEuler : chosen;
 }
 
@@ -328,6 +339,7 @@ Recipe readRoot(const JsonNode& root, const std::string& path, const std::vector
                     "touching",
                     "integrator",
                     "vicinity",
+                    "refilling",
                     "time_step_s",
                     "mass_scaling_time_step_s",
                     "duration_s",
@@ -354,6 +366,7 @@ Recipe readRoot(const JsonNode& root, const std::string& path, const std::vector
     if (const auto node = root.find("exports"))
         recipe.exports = readExports(*node);
     recipe.integrator = readIntegrator(root, recipe);
+    recipe.refilling = readRefilling(root, recipe);
     return recipe;
 }
 

@@ -163,6 +163,10 @@ struct ReshapeRecipeManipulator {
 struct SettleScene {     ///< FindBalance
     double duration = 0; ///< [s]
 };
+struct RefillBodies {   ///< Refill
+    std::string body;   ///< empty: all that yield
+    double spacing = 0; ///< [m]; 0: as it is
+};
 struct StartAgain {}; ///< Reset: steps and times count anew
 struct MarkMoment {   ///< KeepMoment, at the end of what a person did at one go
     std::string name;
@@ -171,7 +175,7 @@ using RecipeAction =
     std::variant<ChangeMaterial, RenormalizeBodies, ChangeBodyKind, ReleaseFixture, TakeManipulatorAway, ChangeGravity,
                  ChangeFloor, ChangeIntegrator, ChangePace, AddRecipeFixture, MoveRecipeFixture, AddRecipeManipulator,
                  MoveRecipeManipulator, PlaceRecipeManipulator, ReshapeRecipeManipulator, StartAgain, MarkMoment,
-                 AddRecipeLoad, ChangeRecipeLoad, TakeLoadAway, SettleScene>;
+                 AddRecipeLoad, ChangeRecipeLoad, TakeLoadAway, SettleScene, RefillBodies>;
 
 /// Events take place in the order of the recipe. Steps and times count from the last StartAgain.
 struct RecipeEvent {
@@ -230,6 +234,7 @@ struct Recipe {
     Touching touching = Touching::separate;
     Integrator integrator = Integrator::automatic;
     VicinityMethod vicinity = VicinityMethod::uniformGrid;
+    bool refilling = true;                     ///< see Scene::refilling
     std::optional<double> timeStep;            ///< [s]
     std::optional<double> massScalingTimeStep; ///< [s]
     Analysis analysis = Analysis::dynamic;

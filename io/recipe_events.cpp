@@ -87,6 +87,17 @@ RecipeAction readMove(const JsonNode& node)
     return MoveRecipeManipulator{node.at("name").text(), readMotion(node)};
 }
 
+RecipeAction readRefill(const JsonNode& node)
+{
+    node.allowOnly({"body", "spacing_mm"});
+    RefillBodies refill;
+    if (const auto body = node.find("body"))
+        refill.body = body->text();
+    if (const auto spacing = node.find("spacing_mm"))
+        refill.spacing = spacing->positiveThousandth();
+    return refill;
+}
+
 RecipeAction readReset(const JsonNode& node)
 {
     if (!node.boolean())
@@ -143,6 +154,7 @@ const std::vector<ActionReader>& actionReaders()
         plain("change_load", readChangeOfLoad),
         plain("remove_load", [](Node node) { return TakeLoadAway{node.text()}; }),
         plain("find_balance_s", [](Node node) { return SettleScene{node.number(shortestBalance, longestBalance)}; }),
+        plain("refill", readRefill),
         plain("reset", readReset),
         plain("keep_moment", [](Node node) { return MarkMoment{node.anyText()}; }),
     };

@@ -154,6 +154,15 @@ Actions::Actions(QWidget* window)
                 {Qt::Key_N},
                 QT_TR_NOOP("The selected body, or every one, takes its present shape for its own: stress is gone, the "
                            "shape stays")}))
+    , refillNow(make(
+          window,
+          {"refillNow",
+           QT_TR_NOOP("Refill as it is"),
+           "refill",
+           {},
+           QT_TR_NOOP("The selected body, or every one that yields, gets new objects in the shape that it has, and "
+                      "goes on with its stress and motion. Where its lattice is no good any more this happens by "
+                      "itself")}))
     , fixFaces(make(window, {"fixFaces",
                              QT_TR_NOOP("Fix faces"),
                              "fix",
@@ -271,8 +280,9 @@ void Actions::setDocumentOpen(bool isOpen, bool isSimulated)
     for (QAction* action : {save, saveAs, fit, front, back, right, left, top, bottom, isometric, perspective, oneView,
                             twoViews, fourViews, edges, openEdges, grid})
         action->setEnabled(isOpen);
-    for (QAction* action : {exportMeshes, exportRecipe, play, step, findBalance, reset, gravity, floor, keepUp,
-                            recordVideo, recordPictures, renormalize, fixFaces, remove, objects, allObjects, hide})
+    for (QAction* action :
+         {exportMeshes, exportRecipe, play, step, findBalance, reset, gravity, floor, keepUp, recordVideo,
+          recordPictures, renormalize, refillNow, fixFaces, remove, objects, allObjects, hide})
         action->setEnabled(isSimulated);
     for (QAction* action : addTool)
         action->setEnabled(isSimulated);

@@ -38,6 +38,7 @@ struct Actions {
 
     QList<QAction*> addTool; ///< one per form, in the order of toolKindLooks()
     QAction* renormalize;
+    QAction* refillNow;
     QAction* fixFaces;
     QAction* remove;
     QAction* cancel;

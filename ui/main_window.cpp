@@ -119,6 +119,7 @@ void MainWindow::connectSimulationActions()
     connect(m_actions->keepUp, &QAction::toggled, &m_document, &Document::keepUp);
     connect(m_actions->floor, &QAction::toggled, this, &MainWindow::setFloor);
     connect(m_actions->renormalize, &QAction::triggered, &m_document, &Document::renormalize);
+    connect(m_actions->refillNow, &QAction::triggered, &m_document, &Document::refillNow);
     for (QAction* action : m_actions->addTool)
         connect(action, &QAction::triggered, this, [this, action] {
             m_document.addTool(static_cast<ToolKind>(action->data().toInt()));
@@ -199,6 +200,7 @@ void MainWindow::documentChanged(Document::Change what)
     case Document::Change::Selection:
         selectionChanged();
         break;
+    case Document::Change::Filling:
     case Document::Change::Fixtures:
         break;
     case Document::Change::History:

@@ -4,9 +4,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace knead {
+
+class FormerShape;
 
 /// What filling did about a surface that does not bound a volume by itself; all zero for a closed one.
 struct SurfaceRepair {
@@ -47,6 +50,9 @@ struct Aggregate {
     double filledVolume = 0; ///< as integrated cell by cell, thin slivers of cells included [m^3]
     std::size_t cells = 0;   ///< kept cells
     SurfaceRepair repair;    ///< what was needed to fill it
+
+    /// What took the opened part to the shape that it was filled from; null: it was filled from the part as it was opened.
+    std::shared_ptr<const FormerShape> former;
 
     static constexpr std::uint32_t noFace = 0xffffffffU;
 

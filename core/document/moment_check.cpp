@@ -64,7 +64,7 @@ public:
         if (m_moment.bodies.size() != m_bodies.size())
             return "it has another number of bodies than the scene";
         for (std::size_t b = 0; b < m_bodies.size(); ++b)
-            if (std::string found = bodyProblem(m_moment.bodies[b], *m_bodies[b].aggregate); !found.empty())
+            if (std::string found = bodyProblem(m_moment.bodies[b], fillingOf(b)); !found.empty())
                 return found;
         if (!all(m_moment.tools, [this](const auto& tool) { return !tool || isTool(*tool); }))
             return "a tool cannot be simulated";
@@ -82,6 +82,11 @@ public:
     }
 
 private:
+    const Aggregate& fillingOf(std::size_t body) const
+    {
+        return m_moment.bodies[body].refilled ? *m_moment.bodies[body].refilled : *m_bodies[body].aggregate;
+    }
+
     static std::string bodyProblem(const Moment::BodyMoment& body, const Aggregate& aggregate)
     {
         const std::size_t objects = aggregate.size();
@@ -168,7 +173,7 @@ private:
 
     bool isObject(const ObjectRef& object) const
     {
-        return object.body < m_bodies.size() && object.object < m_bodies[object.body].aggregate->size();
+        return object.body < m_bodies.size() && object.object < fillingOf(object.body).size();
     }
 
     bool isFixture(const Fixture& fixture) const
@@ -178,15 +183,14 @@ private:
 
     bool isLoad(const LoadRun& run) const
     {
-        return run.load.body < m_bodies.size() &&
-               loadProblem(run.load, m_bodies[run.load.body].aggregate->size()).empty() &&
+        return run.load.body < m_bodies.size() && loadProblem(run.load, fillingOf(run.load.body).size()).empty() &&
                amountProblem(run.from, 0).empty() && std::isfinite(run.begin);
     }
 
     bool isAnnealing(const Annealing& annealing) const
     {
         return annealing.body < m_bodies.size() && m_moment.bodies[annealing.body].kind == BodyKind::deformable &&
-               (annealing.marks.empty() || annealing.marks.size() == m_bodies[annealing.body].aggregate->size()) &&
+               (annealing.marks.empty() || annealing.marks.size() == fillingOf(annealing.body).size()) &&
                isAmount(annealing.rate) && isAmount(annealing.end);
     }
 
@@ -214,8 +218,7 @@ private:
             return isObject(held.first) && isObject(held.second) && isFriction(held.friction);
         };
         const auto isTouch = [&](const SurfaceContacts::Touch& touch) {
-            return touch.body < m_bodies.size() &&
-                   touch.point < SurfaceContacts::pointCount(*m_bodies[touch.body].aggregate) &&
+            return touch.body < m_bodies.size() && touch.point < SurfaceContacts::pointCount(fillingOf(touch.body)) &&
                    isFriction(touch.friction) && isAmount(touch.kept) && isAmount(touch.pressed);
         };
         const auto& joints = memory.joints;

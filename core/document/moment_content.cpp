@@ -1,6 +1,7 @@
 #include "core/document/moment_content.h"
 
 #include "core/aggregate/material_history.h"
+#include "core/document/aggregate_content.h"
 #include "core/document/moment_check.h"
 
 #include <algorithm>
@@ -159,12 +160,14 @@ void box(ByteReader& bytes, std::optional<Box>& box)
 }
 
 template <typename Stream>
-void fixture(Stream& bytes, Of<Stream, Fixture>& fixture)
+void fixture(Stream& bytes, Of<Stream, Fixture>& fixture, std::uint32_t version)
 {
     bytes(fixture.name);
     bytes(fixture.body);
     bytes.plainList(fixture.objects);
     bytes(fixture.velocity);
+    if (version >= 6)
+        bytes.plainList(fixture.whenOpened);
 }
 
 template <typename Stream>
@@ -388,7 +391,8 @@ void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std
 {
     bytes.list(moment.tools,
                [&](auto& tool) { bytes.optional(tool, [&](auto& run) { toolRun(bytes, run, parts, version); }); });
-    bytes.list(moment.fixtures, [&](auto& each) { bytes.optional(each, [&](auto& one) { fixture(bytes, one); }); });
+    bytes.list(moment.fixtures,
+               [&](auto& each) { bytes.optional(each, [&](auto& one) { fixture(bytes, one, version); }); });
     bytes.plainList(moment.fixtureForces);
     bytes.list(moment.annealings, [&](auto& each) { annealing(bytes, each); });
     contacts(bytes, moment.contacts);
@@ -429,11 +433,28 @@ Bytes momentContent(const Moment& moment)
 {
     ByteWriter bytes;
     bytes(static_cast<std::uint32_t>(moment.bodies.size()));
-    for (const Moment::BodyMoment& each : moment.bodies)
+    for (const Moment::BodyMoment& each : moment.bodies) {
+        bytes(each.refilled != nullptr);
+        if (each.refilled)
+            writeRefilled(bytes, *each.refilled);
         body(bytes, each, Sizes());
+    }
     rest(bytes, moment, {}, momentVersion);
     return bytes.take();
 }
+
+namespace {
+
+/// The filling that a body has then; null: the first one.
+std::shared_ptr<const Aggregate> nextFilling(ByteReader& bytes, const Body& body, std::uint32_t version)
+{
+    bool isRefilled = false;
+    if (version >= 6)
+        bytes(isRefilled);
+    return isRefilled ? readRefilled(bytes, body.aggregate) : nullptr;
+}
+
+} // namespace
 
 Moment momentFromContent(std::span<const std::byte> content, std::span<const Body> bodies, const ToolParts& parts,
                          std::uint32_t version)
@@ -446,7 +467,8 @@ Moment momentFromContent(std::span<const std::byte> content, std::span<const Bod
         throw std::runtime_error("it has another number of bodies than the scene");
     for (const Body& each : bodies) {
         Moment::BodyMoment& read = moment.bodies.emplace_back(Moment::BodyMoment{.materials = MaterialMap({}, 0)});
-        body(bytes, read, Sizes(*each.aggregate, version));
+        read.refilled = nextFilling(bytes, each, version);
+        body(bytes, read, Sizes(read.refilled ? *read.refilled : *each.aggregate, version));
     }
     rest(bytes, moment, parts, version);
     if (!bytes.atEnd())

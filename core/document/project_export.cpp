@@ -14,7 +14,7 @@ ExportJob exportJobOf(const Project& project, const ProjectStart& start, const S
         job.parts.push_back({.part = part});
     for (std::size_t b = 0; b < start.partOfBody.size(); ++b) {
         PartToExport& part = job.parts.at(start.partOfBody[b]);
-        part.aggregate = start.scene.bodies[b].aggregate;
+        part.aggregate = snapshot.bodies[b].aggregate;
         part.displacements = snapshot.bodies[b].displacements();
         part.broken = snapshot.bodies[b].broken;
         part.relaxed = snapshot.bodies[b].relaxed;

@@ -20,8 +20,10 @@ std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b)
 /// One pass: every edge that is too long gets a vertex in its middle, shared by its triangles.
 class Splitter {
 public:
-    Splitter(const TriangleMesh& mesh, double maximumEdge)
+    /// @param places of the vertices, which lengths are of
+    Splitter(const TriangleMesh& mesh, const std::vector<Vec3>& places, double maximumEdge)
         : m_mesh(mesh)
+        , m_places(places)
         , m_maximumSquared(maximumEdge * maximumEdge)
     {
         m_result.vertices = mesh.vertices;
@@ -40,14 +42,12 @@ public:
 private:
     std::optional<std::uint32_t> middle(std::uint32_t a, std::uint32_t b)
     {
-        const Vec3& A = m_mesh.vertices[a];
-        const Vec3& B = m_mesh.vertices[b];
-        if ((A - B).squaredNorm() <= m_maximumSquared)
+        if ((m_places[a] - m_places[b]).squaredNorm() <= m_maximumSquared)
             return std::nullopt;
         const auto next = static_cast<std::uint32_t>(m_result.vertices.size());
         const auto [place, isNew] = m_middle.try_emplace(edgeKey(a, b), next);
         if (isNew)
-            m_result.vertices.push_back(0.5 * (A + B));
+            m_result.vertices.push_back(0.5 * (m_mesh.vertices[a] + m_mesh.vertices[b]));
         return place->second;
     }
 
@@ -101,26 +101,27 @@ private:
     }
 
     const TriangleMesh& m_mesh;
+    const std::vector<Vec3>& m_places;
     double m_maximumSquared;
     TriangleMesh m_result;
     std::unordered_map<std::uint64_t, std::uint32_t> m_middle;
 };
 
-double longestEdge(const TriangleMesh& mesh)
+double longestEdge(const TriangleMesh& mesh, const std::vector<Vec3>& places)
 {
     double squared = 0;
     for (const Triangle& t : mesh.triangles)
         for (std::size_t i = 0; i < 3; ++i)
-            squared = std::max(squared, (mesh.vertices[t[i]] - mesh.vertices[t[(i + 1) % 3]]).squaredNorm());
+            squared = std::max(squared, (places[t[i]] - places[t[(i + 1) % 3]]).squaredNorm());
     return std::sqrt(squared);
 }
 
-double areaOf(const TriangleMesh& mesh)
+double areaOf(const TriangleMesh& mesh, const std::vector<Vec3>& places)
 {
     double area = 0;
     for (const Triangle& t : mesh.triangles) {
-        const Vec3& a = mesh.vertices[t[0]];
-        area += 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
+        const Vec3& a = places[t[0]];
+        area += 0.5 * (places[t[1]] - a).cross(places[t[2]] - a).norm();
     }
     return area;
 }
@@ -129,17 +130,25 @@ double areaOf(const TriangleMesh& mesh)
 
 TriangleMesh refine(const TriangleMesh& mesh, double maximumEdge, std::size_t maximumTriangles)
 {
+    return refineWhereCarried(mesh, maximumEdge, maximumTriangles,
+                              [](const std::vector<Vec3>& vertices) -> const std::vector<Vec3>& { return vertices; });
+}
+
+TriangleMesh refineWhereCarried(const TriangleMesh& mesh, double maximumEdge, std::size_t maximumTriangles,
+                                const std::function<const std::vector<Vec3>&(const std::vector<Vec3>&)>& carry)
+{
     assert(maximumEdge > 0);
+    const std::vector<Vec3>& places = carry(mesh.vertices);
     // Split triangles have edges around 0.7 of the longest allowed, hence about a quarter of its square as area.
-    const double smallestArea = areaOf(mesh) / static_cast<double>(maximumTriangles);
+    const double smallestArea = areaOf(mesh, places) / static_cast<double>(maximumTriangles);
     const double edge = std::max(maximumEdge, 2 * std::sqrt(smallestArea));
 
     // The longest edges first: fewer slivers come of them, and where there may be no more triangles all edges are about as long.
     const std::size_t most = std::max(maximumTriangles, mesh.triangles.size() + maximumTriangles / 2);
     TriangleMesh result = mesh;
-    double longest = std::max(edge, longestEdge(mesh));
+    double longest = std::max(edge, longestEdge(mesh, places));
     while (result.triangles.size() < most) {
-        Splitter splitter(result, std::max(edge, 0.5 * longest));
+        Splitter splitter(result, carry(result.vertices), std::max(edge, 0.5 * longest));
         TriangleMesh next = splitter.split();
         if (splitter.hasSplit())
             result = std::move(next);
@@ -153,7 +162,7 @@ TriangleMesh refine(const TriangleMesh& mesh, double maximumEdge, std::size_t ma
 
 TriangleMesh halveEdges(const TriangleMesh& mesh)
 {
-    return Splitter(mesh, 0).split();
+    return Splitter(mesh, mesh.vertices, 0).split();
 }
 
 } // namespace knead

@@ -3,6 +3,8 @@
 #include "core/geometry/triangle_mesh.h"
 
 #include <cstddef>
+#include <functional>
+#include <vector>
 
 namespace knead {
 
@@ -12,6 +14,11 @@ namespace knead {
 /// never refused.
 /// @pre maximumEdge > 0
 TriangleMesh refine(const TriangleMesh& mesh, double maximumEdge, std::size_t maximumTriangles = 400'000);
+
+/// The same, where the surface is carried elsewhere: edges are as long as there.
+/// @param carry where vertices are taken, as many as it is given; those that it was given before come first again
+TriangleMesh refineWhereCarried(const TriangleMesh& mesh, double maximumEdge, std::size_t maximumTriangles,
+                                const std::function<const std::vector<Vec3>&(const std::vector<Vec3>&)>& carry);
 
 /// Every edge gets a vertex in its middle, so that four triangles take the place of each.
 TriangleMesh halveEdges(const TriangleMesh& mesh);

@@ -63,7 +63,7 @@ struct TensorBody {
     double flowWork = 0;           ///< see StructuralConnections::flowWork() [J]
     LaneVector<double> share;      ///< S of it
     LaneVector<double> dissipated; ///< [J]
-    LaneVector<double> dilatation; ///< theta
+    LaneVector<double> dilatation; ///< ln J
     DirectionArray strain;         ///< ln(L / l) per connection
     DirectionArray affine;         ///< ln(|F D| / l_b) per object
     DirectionArray lengthening;    ///< D^T C' D / D^T C D per object

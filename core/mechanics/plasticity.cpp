@@ -54,16 +54,13 @@ double yieldStressOf(const Material& material)
     return material.yields() ? material.yieldStress : std::numeric_limits<double>::infinity();
 }
 
-/// W / D of all objects, where |s| falls to its share q: D = G |e|^2 (1 - q^2), and W = 2 G |e|^2 q (1 - q) = D 2 q / (1 + q).
-/// @param dissipated sum of D [J]
-double workShare(const TensorBody& body, double dissipated)
+/// W of all objects, where |s| falls to its share q: D = G |e|^2 (1 - q^2), and W = 2 G |e|^2 q (1 - q) = D 2 q / (1 + q) [J].
+double workOfObjects(const TensorBody& body)
 {
-    if (dissipated <= 0)
-        return 1;
     double work = 0;
     for (std::size_t i = 0; i < body.share.size(); ++i)
         work += body.dissipated[i] * 2 * body.share[i] / (1 + body.share[i]);
-    return std::clamp(work / dissipated, 0.0, 1.0);
+    return work;
 }
 
 } // namespace
@@ -165,6 +162,8 @@ void StructuralConnections::findStrains(const VectorArray& position)
     forEachSurroundings(position, [&](const kernels::Surroundings& at) {
         kernels::best().deformation(at, body.dilatation.data(), nullptr);
     });
+    for (std::size_t i = 0; i < position.size(); ++i)
+        body.dilatation[i] += m_changes.restDilatation[i];
     forEachBlock(position.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         for (std::size_t d = 0; d < Lattice::directionCount; ++d)
             forEachForward(m_aggregate->lattice, d, begin, end,
@@ -175,14 +174,16 @@ void StructuralConnections::findStrains(const VectorArray& position)
     });
 }
 
-/// Nominal lengths after the flow of the objects. @return energy of the connections that went with it [J]
-double StructuralConnections::lengthen(const VectorArray& position)
+/// Nominal lengths after the flow of the objects. @return energy of the connections that went with it, and the work of their forces
+/// afterwards on it [J]
+std::pair<double, double> StructuralConnections::lengthen(const VectorArray& position)
 {
     TensorBody& body = *m_tensors;
     const DirectionArray& before = m_changes.plastic.nominalLength;
-    std::vector<double> sums((position.size() + m_blockSize - 1) / m_blockSize);
+    std::vector<std::pair<double, double>> sums((position.size() + m_blockSize - 1) / m_blockSize);
     forEachBlock(position.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
         std::array<double, kernels::sumLanes> lanes{};
+        std::array<double, kernels::sumLanes> work{};
         for (std::size_t d = 0; d < Lattice::directionCount; ++d)
             forEachForward(m_aggregate->lattice, d, begin, end,
                            [&](std::size_t i, std::size_t j, std::size_t, std::size_t n) {
@@ -198,11 +199,18 @@ double StructuralConnections::lengthen(const VectorArray& position)
                                                             .stiffness = &m_stiffness[d][i],
                                                             .before = &before[d][i],
                                                             .after = &body.flowed.nominalLength[d][i],
-                                                            .dissipated = lanes.data()});
+                                                            .dissipated = lanes.data(),
+                                                            .work = work.data()});
                            });
-        sums[begin / m_blockSize] = std::accumulate(lanes.begin(), lanes.end(), 0.0);
+        sums[begin / m_blockSize] = {std::accumulate(lanes.begin(), lanes.end(), 0.0),
+                                     std::accumulate(work.begin(), work.end(), 0.0)};
     });
-    return std::accumulate(sums.begin(), sums.end(), 0.0);
+    std::pair<double, double> sum;
+    for (const auto& [dissipated, work] : sums) {
+        sum.first += dissipated;
+        sum.second += work;
+    }
+    return sum;
 }
 
 void StructuralConnections::flow(const VectorArray& position, double duration)
@@ -237,8 +245,9 @@ void StructuralConnections::flow(const VectorArray& position, double duration)
                                      .dissipated = body.dissipated.data()};
     applyTensorLaw(position, &result, false);
     const double ofObjects = std::accumulate(body.dissipated.begin(), body.dissipated.end(), 0.0);
-    body.dissipatedEnergy = lengthen(position) + ofObjects;
-    body.flowWork = body.dissipatedEnergy * workShare(body, ofObjects);
+    const auto [ofConnections, work] = lengthen(position);
+    body.dissipatedEnergy = ofConnections + ofObjects;
+    body.flowWork = work + workOfObjects(body);
     m_hasTrial = true;
 }
 
@@ -266,6 +275,17 @@ double StructuralConnections::renormalize(const ObjectState& state, const std::v
     const auto takesPart = [&](std::size_t object) { return marks.empty() || marks[object] != 0; };
     const double before = energy(state.position);
     PlasticState& plastic = m_changes.plastic;
+    std::array<LaneVector<double>, 9> gradients;
+    for (auto& component : gradients)
+        component.assign(state.size(), 0);
+    const auto gradient = pointersTo<double*>(gradients);
+    forEachSurroundings(state.position, [&](const kernels::Surroundings& at) {
+        kernels::best().deformation(at, m_theta.data(), gradient.data());
+    });
+    // Lengths are relative to C where there is one, and C has no volume.
+    const auto volumeOf = [&](std::size_t i) {
+        return m_tensors && m_inverseShape[0][i] != 0 ? m_theta[i] + m_changes.restDilatation[i] : 0.0;
+    };
     for (std::uint32_t d = 0; d < Lattice::directionCount; ++d)
         forEachForward(m_aggregate->lattice, d, 0, state.size(),
                        [&](std::size_t i, std::size_t j, std::size_t lower, std::size_t n) {
@@ -274,16 +294,10 @@ double StructuralConnections::renormalize(const ObjectState& state, const std::v
                                    continue;
                                double& nominal = plastic.nominalLength[d][lower + s];
                                const double length = (state.position.at(j + s) - state.position.at(i + s)).norm();
-                               nominal += share * (length - nominal);
+                               const double volume = (volumeOf(i + s) + volumeOf(j + s)) / 6;
+                               nominal += share * (length * std::exp(-volume) - nominal);
                            }
                        });
-    std::array<LaneVector<double>, 9> gradients;
-    for (auto& component : gradients)
-        component.assign(state.size(), 0);
-    const auto gradient = pointersTo<double*>(gradients);
-    forEachSurroundings(state.position, [&](const kernels::Surroundings& at) {
-        kernels::best().deformation(at, m_theta.data(), gradient.data());
-    });
     for (std::size_t i = 0; i < state.size(); ++i) {
         if (!takesPart(i))
             continue;

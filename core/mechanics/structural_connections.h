@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace knead {
@@ -206,7 +207,7 @@ private:
     double springEnergy(std::size_t i, std::size_t j, double stiffness, double length, double nominal) const;
     void stiffenByStretch(const ObjectState& state, std::vector<double>& bounds) const;
     void findStrains(const VectorArray& position);
-    double lengthen(const VectorArray& position);
+    std::pair<double, double> lengthen(const VectorArray& position);
     void flow(const VectorArray& position, double duration);
     double findEnergy(const VectorArray& position);
     void forgetEnergy() { m_energyAt.resize(0); }

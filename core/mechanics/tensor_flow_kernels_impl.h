@@ -15,6 +15,7 @@ KNEAD_INLINE Lanes squaredNorm(const TensorLawArguments& arguments, std::size_t 
     const Surroundings& a = arguments.at;
     const FlowResult& flow = *arguments.flow;
     const Writer write{a, i, i < a.begin || i + lanes > a.end};
+    const Lanes volume = g.theta + load(a.restDilatation + i); // of lengths that are relative to C, which has none
     Lanes beyond{};
     Lanes weights = all(1e-300);
     forEachDirection([&]<int d>() __attribute__((always_inline)) {
@@ -22,12 +23,12 @@ KNEAD_INLINE Lanes squaredNorm(const TensorLawArguments& arguments, std::size_t 
             return;
         const Lanes affine = g.isFlat ? all(0) : naturalStretch(excess.rho[d], excess.isSmall);
         write(flow.affine[d], affine);
-        const Lanes shape = affine - g.theta * (1.0 / 3);
+        const Lanes shape = affine - volume * (1.0 / 3);
         const Lanes follows = g.isFlat ? all(0) : shape * shape;
         if ((a.forward >> d & 1U) != 0) {
             const Lanes k = squaredStep<d> * load(a.stiffness[d] + i);
             const Lanes strain =
-                load(flow.connectionStrain[d] + i) - (g.theta + load(flow.dilatation + i + a.ahead[d])) * (1.0 / 6);
+                load(flow.connectionStrain[d] + i) - (volume + load(flow.dilatation + i + a.ahead[d])) * (1.0 / 6);
             beyond += k * (strain * strain - follows);
             weights += k;
         }
@@ -35,7 +36,7 @@ KNEAD_INLINE Lanes squaredNorm(const TensorLawArguments& arguments, std::size_t 
             const LaneBits isOwn = (behind >> d & 1) != 0;
             const Lanes k = squaredStep<d> * masked(load(a.stiffness[d] + i - a.behind[d]), isOwn);
             const Lanes strain = masked(load(flow.connectionStrain[d] + i - a.behind[d]), isOwn) -
-                                 (g.theta + load(flow.dilatation + i - a.behind[d])) * (1.0 / 6);
+                                 (volume + load(flow.dilatation + i - a.behind[d])) * (1.0 / 6);
             beyond += k * (strain * strain - follows);
             weights += k;
         }
@@ -168,7 +169,7 @@ void naturalStrain(std::size_t count, const ConstVectors& self, const ConstVecto
 
 void lengthen(std::size_t count, const LengthArguments& a)
 {
-    const auto one = [&](std::size_t i, double& sum) __attribute__((always_inline))
+    const auto one = [&](std::size_t i, double& sum, double& work) __attribute__((always_inline))
     {
         const double beyond = a.strain[i] - 0.5 * (a.lowerAffine[i] + a.upperAffine[i]);
         double amount = beyond * (1 - 0.5 * (a.lowerShare[i] + a.upperShare[i]));
@@ -181,16 +182,17 @@ void lengthen(std::size_t count, const LengthArguments& a)
                      dz = a.upper.z[i] - a.lower.z[i];
         const double length = __builtin_sqrt(dx * dx + dy * dy + dz * dz);
         sum += 0.5 * a.stiffness[i] * ((length - before) * (length - before) - (length - after) * (length - after));
+        work += a.stiffness[i] * (length - after) * (after - before);
         a.after[i] = after;
     };
     const std::size_t whole = count - count % sumLanes;
     for (std::size_t first = 0; first < whole; first += sumLanes) {
 #pragma GCC ivdep
         for (std::size_t lane = 0; lane < sumLanes; ++lane)
-            one(first + lane, a.dissipated[lane]);
+            one(first + lane, a.dissipated[lane], a.work[lane]);
     }
     for (std::size_t i = whole; i < count; ++i)
-        one(i, a.dissipated[i - whole]);
+        one(i, a.dissipated[i - whole], a.work[i - whole]);
 }
 
 } // namespace

@@ -16,7 +16,7 @@
 ///
 /// Flow is J2 (von Mises) with isotropic linear hardening, returned radially within the step. The norm counts what the
 /// connections are strained beyond F:
-///     e_b = ln(L / l) - (theta_i + theta_j) / 6,  e_d = ln(|F D| / l_b) - theta / 3
+///     e_b = ln(L / l) - (ln J_i + ln J_j) / 6,  e_d = ln(|F D| / l_b) - ln J / 3
 ///     N^2 = |s|^2 + max(0, 7.5 (2 mu)^2 sum_b k |D|^2 (e_b^2 - e_d^2) / sum_b k |D|^2)
 ///     Y = sqrt(2/3) (sigma_y + H alpha)
 ///     N > Y:  dg = (1 - e^(-dt / tau)) (N - Y) / (2 mu t (1 + H / (3 mu t))),  S = 1 - 2 mu t dg / N (else 1)
@@ -82,7 +82,7 @@ struct PlasticState {
 struct FlowResult {
     double duration;                       ///< dt [s]
     const double* const* connectionStrain; ///< per direction: ln(L / l) at the lower object
-    const double* dilatation;              ///< theta of all objects
+    const double* dilatation;              ///< ln J of all objects
     double* const* metric;                 ///< 6: C afterwards
     double* equivalentStrain;
     double* damage;
@@ -139,6 +139,7 @@ struct LengthArguments {
     const double* before; ///< l
     double* after;        ///< l; may be the same place
     double* dissipated;   ///< sumLanes partial sums [J]
+    double* work;         ///< the same, of the force afterwards on what they get longer [J]
 };
 
 /// Material that has lost half of its volume fades out of this law, by the share of det F between these two, and does not flow:

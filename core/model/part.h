@@ -85,4 +85,10 @@ struct Model {
     PartNode tree; ///< the root; its children are the free shapes of the file
 };
 
+/// The surface of a part, which keeps its model alive. @pre there is such a part
+inline std::shared_ptr<const TriangleMesh> surfaceOf(const std::shared_ptr<const Model>& model, std::size_t part)
+{
+    return {model, &model->parts[part].mesh};
+}
+
 } // namespace knead

@@ -130,10 +130,18 @@ struct FindBalance {
     double duration = 1.0 / 60; ///< in which what moves goes on and material flows [s]
 };
 
-using Command = std::variant<SetMaterial, SetBodyKind, Renormalize, SetGravity, SetFloor, AddManipulator,
-                             RemoveManipulator, SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, AddFixture,
-                             RemoveFixture, MoveFixture, SetIntegrator, Reset, KeepMoment, SetPartLook,
-                             RenameManipulator, RenameFixture, AddLoad, RemoveLoad, SetLoad, FindBalance, SetPace>;
+/// Fills a body anew in the shape that it has: it goes on with its material, its motion and its stress, on a lattice without any
+/// distortion. Only for material that yields: elastic one would lose the shape that it goes back to.
+struct Refill {
+    BodyId body = 0;
+    double spacing = 0; ///< of its objects from now on [m], 0: as it is
+};
+
+using Command =
+    std::variant<SetMaterial, SetBodyKind, Renormalize, SetGravity, SetFloor, AddManipulator, RemoveManipulator,
+                 SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, AddFixture, RemoveFixture, MoveFixture,
+                 SetIntegrator, Reset, KeepMoment, SetPartLook, RenameManipulator, RenameFixture, AddLoad, RemoveLoad,
+                 SetLoad, FindBalance, SetPace, Refill>;
 
 /// A command and the step before which it took effect. Steps count on from the Reset before.
 struct RecordedCommand {

@@ -78,7 +78,8 @@ struct Moment {
         VectorArray velocity;                     ///< [m/s]; the same
         LaneVector<double> mass; ///< with mass scaling, which goes by the shape of its time [kg]; else empty
         StructuralConnections::Changes changes;
-        std::vector<std::int8_t> fastestMode; ///< see StructuralConnections
+        std::vector<std::int8_t> fastestMode;                ///< see StructuralConnections
+        std::shared_ptr<const Aggregate> refilled = nullptr; ///< its objects; null: those of the first filling
     };
 
     std::vector<BodyMoment> bodies;

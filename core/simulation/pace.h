@@ -14,8 +14,9 @@ enum class Pace : std::uint8_t {
 };
 
 struct PaceNumbers {
-    double longestStep = 0; ///< of the implicit scheme [s]
-    double tolerance = 0;   ///< share of what acts in a step that it may lack
+    double longestStep = 0;  ///< of the implicit scheme [s]
+    double tolerance = 0;    ///< share of what acts in a step that it may lack
+    double whereItFlows = 0; ///< the same where material yields: what is lacking there is pressed out of shape for good
 };
 
 /// With rough ones, forces of tools are off by up to 3 % of the largest, and places by 1 % of the largest way; with full ones, by 1 %
@@ -25,15 +26,15 @@ constexpr PaceNumbers numbersOf(Pace pace)
     constexpr double frame = 1.0 / 60;
     switch (pace) {
     case Pace::rough:
-        return {.longestStep = frame, .tolerance = 0.1};
+        return {.longestStep = frame, .tolerance = 0.1, .whereItFlows = 0.04};
     case Pace::wide:
-        return {.longestStep = 2 * frame, .tolerance = 0.1};
+        return {.longestStep = 2 * frame, .tolerance = 0.1, .whereItFlows = 0.04};
     case Pace::exact:
-        return {.longestStep = frame, .tolerance = 1e-3};
+        return {.longestStep = frame, .tolerance = 1e-3, .whereItFlows = 1e-3};
     case Pace::full:
         break;
     }
-    return {.longestStep = frame, .tolerance = 0.02};
+    return {.longestStep = frame, .tolerance = 0.02, .whereItFlows = 0.02};
 }
 
 } // namespace knead

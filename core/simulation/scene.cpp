@@ -1,6 +1,7 @@
 #include "core/simulation/scene.h"
 
 #include "core/geometry/surface_distance.h"
+#include "core/skin/refilled.h"
 #include "core/task/parallel.h"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ std::vector<ObjectIndex> objectsAtFaces(const Aggregate& aggregate, const Triang
     constexpr double within = 0.5; // [a]
     constexpr double beyond = 1.5; // [a]
     const FaceSet chosen(faces);
-    const TriangleMesh part = trianglesOf(mesh, chosen);
+    const TriangleMesh part = trianglesOf(aggregate.former ? surfaceWhenFilled(mesh, aggregate) : mesh, chosen);
     if (part.empty())
         return {};
     const SurfaceDistance surface(part);

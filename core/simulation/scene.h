@@ -30,6 +30,8 @@ struct Body {
     BodyKind kind = BodyKind::deformable;
     std::vector<MaterialRegion> regions; ///< of other materials; a later one wins where they overlap
     double structuralFriction = 0;       ///< u of eq 7 within the body, 0 .. 2: only to repeat published scenes
+    /// What the aggregate was filled from; null: the body cannot be filled anew.
+    std::shared_ptr<const TriangleMesh> surface = nullptr;
 };
 
 /// How velocities and positions are advanced.
@@ -58,6 +60,9 @@ struct Fixture {
     std::vector<ObjectIndex> objects; ///< within the body, ascending
     Vec3 velocity = Vec3::Zero();     ///< a grip that moves pulls the material along [m/s]
     GripTurn turn = {};               ///< and turns it
+
+    /// Objects of the first filling, where the body has another one since: what Reset goes back to. Else empty.
+    std::vector<ObjectIndex> whenOpened = {};
 };
 
 /// What becomes of bodies whose skins touch at the start.
@@ -90,6 +95,10 @@ struct Scene {
     std::optional<double> massScalingTimeStep;
 
     std::vector<Load> loads; ///< their ids are their places here
+
+    /// Whether bodies that yield and have a surface are filled anew, in the shape they have, where the cells between their objects
+    /// are no good any more. Runs of before are repeated without.
+    bool refilling = true;
 };
 
 /// Objects held when CAD faces are fixed: those within half a spacing of the faces, and those beyond them outside.

@@ -330,6 +330,7 @@ void Simulation::step()
     state.applyCommands();
     if (!state.health.ok)
         return;
+    state.refillWhereBad();
     if (state.stepAtRest()) {
         state.clock.end(Stage::motion);
         return;

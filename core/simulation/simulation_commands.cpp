@@ -180,6 +180,15 @@ public:
         m_state.recording.push_back({m_state.step, KeepMoment{}}); // which it began with
         throw std::runtime_error(report.message);
     }
+    void operator()(const Refill& command) const
+    {
+        body(command.body);
+        if (!(command.spacing >= 0 && std::isfinite(command.spacing)))
+            throw std::runtime_error("The spacing of another filling must be more than 0.");
+        if (const std::string why = m_state.whyNotRefilled(command.body); !why.empty())
+            throw std::runtime_error(why);
+        m_state.refill(command.body, command.spacing);
+    }
     void operator()(const SetPartLook&) const {}
     void operator()(const RenameManipulator& command) const
     {

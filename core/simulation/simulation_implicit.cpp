@@ -292,7 +292,9 @@ void Simulation::State::stepImplicitly()
 {
     if (!implicit || implicit->mostHands() < limitedTools())
         makeImplicit();
-    implicit->setTolerance(numbersOf(pace).tolerance);
+    const bool flows = std::any_of(runs.begin(), runs.end(),
+                                   [](const auto& run) { return run->deforms() && run->connections.yields(); });
+    implicit->setTolerance(flows ? numbersOf(pace).whereItFlows : numbersOf(pace).tolerance);
     for (BodyId b = 0; b < runs.size(); ++b)
         piecesOf(b); // which `implicit` looks at
     const std::vector<ToolPlace> before = toolPlaces();

@@ -65,6 +65,8 @@ Moment Simulation::State::moment() const
         }
         if (massScalingTimeStep)
             body.mass = run->state.mass;
+        if (const auto id = static_cast<BodyId>(moment.bodies.size()); !isFirstFilling(id))
+            body.refilled = bodies[id].aggregate;
         moment.bodies.push_back(std::move(body));
     }
     forgetTurns(moment);
@@ -73,10 +75,14 @@ Moment Simulation::State::moment() const
 
 bool Simulation::State::isOfThisScene(const Moment& moment) const
 {
-    return std::equal(moment.bodies.begin(), moment.bodies.end(), runs.begin(), runs.end(),
-                      [](const Moment::BodyMoment& body, const std::unique_ptr<BodyRun>& run) {
-                          return body.materials.indices().size() == run->state.size();
-                      });
+    if (moment.bodies.size() != runs.size())
+        return false;
+    for (std::size_t b = 0; b < runs.size(); ++b) {
+        const Moment::BodyMoment& body = moment.bodies[b];
+        if (body.materials.indices().size() != (body.refilled ? body.refilled : firstFillings[b])->size())
+            return false;
+    }
+    return true;
 }
 
 void Simulation::State::restore(const Moment& moment)
@@ -118,6 +124,11 @@ void Simulation::State::restore(const Moment& moment)
     fixtureMoments.clear(); // not kept: the next step finds them
     gripProgress = moment.gripProgress;
     gripProgress.resize(fixtures.size());
+    refills = 0;
+    for (BodyId b = 0; b < runs.size(); ++b)
+        if (const auto& refilled = moment.bodies[b].refilled ? moment.bodies[b].refilled : firstFillings[b];
+            refilled != bodies[b].aggregate)
+            replaceRun(b, refilled);
     loads.restore(moment.loads, bodies);
     annealings = moment.annealings;
     restoreBodies(moment);

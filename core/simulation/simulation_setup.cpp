@@ -101,8 +101,11 @@ Simulation::State::State(Scene scene)
             throw std::runtime_error(problems.front());
         tools.emplace_back(manipulator);
     }
-    for (const Body& body : bodies)
+    refilling = scene.refilling;
+    for (const Body& body : bodies) {
         runs.push_back(std::make_unique<BodyRun>(body));
+        firstFillings.push_back(body.aggregate);
+    }
     for (Fixture& fixture : scene.fixtures) {
         require(fixture.body < bodies.size(), "Fixture \"" + fixture.name + "\" names a body that does not exist.");
         require(fixture.velocity.norm() <= fastestFixture,
@@ -242,7 +245,8 @@ std::vector<Contacts::BodyView> Simulation::State::contactBodies()
 
 void Simulation::State::placeAtStart()
 {
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
+    for (BodyId b = 0; b < bodies.size(); ++b) {
+        takeFirstFilling(b);
         BodyRun& run = *runs[b];
         run.state.position = objectsAtRest(*bodies[b].aggregate).position;
         run.connections.restore({});
@@ -281,6 +285,7 @@ void Simulation::State::placeAtStart()
     crowding = 1;
     recentCrowding = 0;
     fastestDriven = 0;
+    refills = 0;
     unsolvedSteps = 0;
     unsolvedInRow = 0;
     penetration = 0;

@@ -216,6 +216,7 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
     shot->components = state.components();
     shot->penetration = std::max(state.penetration, state.deepestOverlap());
     shot->rest = state.rest.rests ? state.rest.count : 0;
+    shot->refills = state.refills;
     shot->unsolvedSteps = state.unsolvedSteps;
     double allMass = 0;
     for (std::size_t b = 0; b < state.bodies.size(); ++b) {

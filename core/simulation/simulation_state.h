@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/aggregate/cell_shapes.h"
 #include "core/integration/implicit_euler.h"
 #include "core/mechanics/object_state.h"
 #include "core/mechanics/object_strain.h"
@@ -10,6 +11,7 @@
 #include "core/simulation/simulation.h"
 #include "core/simulation/simulation_loads.h"
 #include "core/simulation/stage_clock.h"
+#include "core/skin/refilled.h"
 
 #include <deque>
 #include <memory>
@@ -32,6 +34,7 @@ struct BodyRun {
     bool anchored = false;            ///< some object is held
     std::vector<FixtureId> gripOf;    ///< per object: the grip that moves it, if any does
     PiecesOfBody pieces;
+    std::unique_ptr<const CellShapes> cells;                    ///< null: not looked at yet
     std::shared_ptr<const std::vector<ConnectionId>> published; ///< what was broken in the snapshot before; null: none
     std::shared_ptr<const RelaxedState> relaxed;                ///< in the snapshot before; null: there was none
     std::uint64_t relaxedVersion = 0;                           ///< of the lengths in that
@@ -112,6 +115,18 @@ struct Simulation::State {
     Moment moment() const;
     bool isOfThisScene(const Moment& moment) const;
     void restore(const Moment& moment);
+    std::string whyNotRefilled(BodyId body) const;
+    std::unique_ptr<BodyRun> takeFilling(BodyId body, std::shared_ptr<const Aggregate> aggregate,
+                                         const std::vector<ObjectIndex>& oldOfNew,
+                                         const std::vector<ObjectIndex>& newOfOld);
+    bool isFirstFilling(BodyId body) const;
+    std::unique_ptr<BodyRun> replaceRun(BodyId body, std::shared_ptr<const Aggregate> aggregate);
+    void takeLoads(BodyId body);
+    Contacts::Report lookAtContacts();
+    MovePlaces outOfTools(BodyId body) const;
+    void refill(BodyId body, double spacing);
+    void refillWhereBad();
+    void takeFirstFilling(BodyId body);
     void restoreBodies(const Moment& moment);
     void restoreContacts(const Moment& moment);
     void keepMoment();
@@ -142,7 +157,10 @@ struct Simulation::State {
     const Pieces& piecesOf(BodyId body);
     double brakeShape(BodyId body, double duration);
 
-    std::vector<Body> bodies; ///< present materials
+    std::vector<Body> bodies;                                    ///< present materials and fillings
+    std::vector<std::shared_ptr<const Aggregate>> firstFillings; ///< per body: as it was opened
+    bool refilling = true;                                       ///< bodies are filled anew where their cells go bad
+    std::uint64_t refills = 0;                                   ///< carried out since the start or going to a moment
     Vec3 gravity = Vec3::Zero();
     std::optional<double> floorHeight;
     double floorFriction = 0;

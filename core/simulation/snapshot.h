@@ -152,6 +152,7 @@ struct Snapshot {
     std::size_t components = 0;      ///< connected pieces of material
     double addedMass = 0;            ///< by mass scaling, as a share of all mass
     double penetration = 0;          ///< largest so far of tools and the floor into material [spacings]
+    std::uint64_t refills = 0;       ///< bodies filled anew since the start, or going to a moment
     std::uint64_t unsolvedSteps = 0; ///< implicit ones so far whose equations were not solved as well as they must be
     StageSeconds stages{};           ///< mean per step since the snapshot before; of the machine, not of the scene
 

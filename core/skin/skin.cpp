@@ -1,5 +1,6 @@
 #include "core/skin/skin.h"
 
+#include "core/skin/former_shape.h"
 #include "core/skin/neighborhood.h"
 #include "core/skin/point_weights.h"
 #include "core/task/parallel_progress.h"
@@ -8,6 +9,7 @@
 #include <cassert>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace knead {
 
@@ -101,11 +103,24 @@ private:
 } // namespace
 
 Skin::Skin(const Aggregate& aggregate, std::span<const Vec3> points, TaskControl& control)
-    : m_points(points.begin(), points.end())
-    , m_first(points.size() + 1, 0)
+    : m_points(placesWhenFilled(aggregate, points))
+{
+    attach(aggregate, control);
+}
+
+Skin Skin::ofPlacesWhenFilled(const Aggregate& aggregate, std::vector<Vec3> places, TaskControl& control)
+{
+    Skin skin;
+    skin.m_points = std::move(places);
+    skin.attach(aggregate, control);
+    return skin;
+}
+
+void Skin::attach(const Aggregate& aggregate, TaskControl& control)
 {
     if (aggregate.size() == 0)
         throw std::invalid_argument("Skin: the aggregate has no objects");
+    m_first.assign(m_points.size() + 1, 0);
     SkinBuilder builder(aggregate, m_points);
     builder.build(control);
     builder.forEachPoint([&](std::size_t point, std::span<const Influence> influences) {

@@ -17,14 +17,23 @@ namespace knead {
 /// hold any, the support is wider; where the objects do not determine a quadratic function, a linear one takes over by and by,
 /// then a constant one, so that the map is continuous wherever the connections are.
 ///
+/// Points are of the opened part; where the body was filled anew from a former shape, they are taken there first.
+///
 /// Immutable after construction; evaluate() may run on any number of threads and uses several itself.
 class Skin {
 public:
     /// @throws std::invalid_argument for an aggregate without objects. @throws Cancelled
     Skin(const Aggregate& aggregate, std::span<const Vec3> points, TaskControl& control = TaskControl::none());
 
+    /// Of points that are where the body was filled already.
+    static Skin ofPlacesWhenFilled(const Aggregate& aggregate, std::vector<Vec3> places,
+                                   TaskControl& control = TaskControl::none());
+
     std::size_t size() const { return m_points.size(); }
-    std::span<const Vec3> points() const { return m_points; } ///< at rest
+    std::span<const Vec3> points() const
+    {
+        return m_points;
+    } ///< when the body was filled: at rest, or in its former shape
 
     /// Current places of the points.
     /// @param displacement one per object of the aggregate [m]
@@ -42,6 +51,9 @@ public:
     }
 
 private:
+    Skin() = default;
+    void attach(const Aggregate& aggregate, TaskControl& control);
+
     std::vector<Vec3> m_points;
     std::vector<std::uint32_t> m_first; ///< size() + 1
     std::vector<Influence> m_influences;

@@ -1,5 +1,7 @@
 #include "core/skin/skin_map.h"
 
+#include "core/skin/former_shape.h"
+#include "core/skin/neighborhood_cache.h"
 #include "core/skin/point_weights.h"
 #include "core/task/parallel.h"
 
@@ -19,23 +21,32 @@ constexpr std::size_t pointsPerBlock = 512;
 
 SkinMap::SkinMap(const Aggregate& aggregate, std::vector<Vec3> displacements)
     : m_aggregate(aggregate)
-    , m_neighborhoods(aggregate)
+    , m_neighborhoods(std::make_unique<NeighborhoodCache>(aggregate))
     , m_displacements(std::move(displacements))
 {
     if (aggregate.size() == 0)
         throw std::invalid_argument("SkinMap: the aggregate has no objects");
     if (m_displacements.size() != aggregate.size())
         throw std::invalid_argument("SkinMap: as many displacements as objects are needed");
+    m_featureSize = aggregate.lattice.spacing;
+    if (aggregate.former)
+        m_featureSize = std::min(aggregate.former->featureSize(), m_featureSize / aggregate.former->largestStretch());
 }
 
+SkinMap::~SkinMap() = default;
+
 /// Points with the same owner come one after the other, since they share its neighborhood.
-void SkinMap::evaluate(std::span<const Vec3> points, std::span<Vec3> places) const
+void SkinMap::evaluate(std::span<const Vec3> opened, std::span<Vec3> places) const
 {
+    std::vector<Vec3> carried;
+    if (m_aggregate.former)
+        carried = placesWhenFilled(m_aggregate, opened);
+    const std::span<const Vec3> points = m_aggregate.former ? carried : opened;
     const Lattice& lattice = m_aggregate.lattice;
     std::vector<SkinOwner> owners(points.size());
     forEachBlock(points.size(), pointsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t point = begin; point < end; ++point)
-            owners[point] = m_neighborhoods.owner(lattice.coordinates(points[point]));
+            owners[point] = m_neighborhoods->owner(lattice.coordinates(points[point]));
     });
     std::vector<std::uint32_t> order(points.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -45,7 +56,7 @@ void SkinMap::evaluate(std::span<const Vec3> points, std::span<Vec3> places) con
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t point = order[i];
             if (i == begin || owners[point] != owners[order[i - 1]])
-                around = m_neighborhoods.around(owners[point]);
+                around = m_neighborhoods->around(owners[point]);
             places[point] = place(points[point], *around);
         }
     });

@@ -2,6 +2,8 @@
 
 #include "core/task/parallel.h"
 
+#include <algorithm>
+
 #include <utility>
 
 namespace knead {
@@ -55,6 +57,13 @@ auto ofMaterial(const SurfaceState& state, Of&& of)
 std::vector<float> plasticStrains(const SurfaceState& state)
 {
     const ObjectStrains objects(state.aggregate, state.displacements, *state.relaxed, state.broken);
+    if (state.aggregate.former) // C tells what was elastic when it was filled; the flow of before is a number
+        return atAllPoints(state.skin, [&](std::size_t point) {
+            double sum = 0;
+            for (const Skin::Influence& influence : state.skin.influences(point))
+                sum += static_cast<double>(influence.weight) * objects.plasticStrain(influence.object);
+            return std::max(0.0, sum);
+        });
     if (!objects.hasFlowed())
         return std::vector<float>(state.skin.size(), 0);
     std::vector<Mat3> flow(state.aggregate.size());
@@ -89,6 +98,9 @@ std::vector<float> surfaceValues(SurfaceQuantity quantity, const SurfaceState& s
 {
     switch (quantity) {
     case SurfaceQuantity::displacement:
+        if (state.aggregate.former && state.places.size() == state.opened.size()) // objects move since they were filled
+            return atAllPoints(state.skin,
+                               [&](std::size_t point) { return (state.places[point] - state.opened[point]).norm(); });
         return lengths(state.skin, state.displacements);
     case SurfaceQuantity::strain:
         return ofMaterial(state,

@@ -36,6 +36,7 @@ struct SurfaceState {
     const std::vector<Vec3>* pressing = nullptr; ///< per object, for the contact force [N]
     const SurfaceDistance* original = nullptr;   ///< for the distance
     std::span<const Vec3> places = {};           ///< of the points of the skin, for the distance [m]
+    std::span<const Vec3> opened = {};           ///< where they were in the opened part, for the displacement [m]
 };
 
 /// Whether the state tells a quantity.

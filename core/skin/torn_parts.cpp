@@ -3,6 +3,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/refine.h"
 #include "core/skin/carried_fragments.h"
+#include "core/skin/former_shape.h"
 #include "core/skin/fragments.h"
 
 #include <algorithm>
@@ -87,7 +88,15 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
 {
     if (whole.aggregate == nullptr || whole.broken == nullptr || whole.broken->empty())
         return {};
-    const TriangleMesh skin = refine(whole.part.mesh, whole.aggregate->lattice.spacing, mostTriangles);
+    const double spacing = whole.aggregate->lattice.spacing;
+    TriangleMesh skin;
+    if (const auto& former = whole.aggregate->former) {
+        CarriedSurface surface = carriedSurface(whole.part.mesh, *former, spacing, mostTriangles);
+        skin = std::move(surface.mesh);
+        skin.vertices = std::move(surface.places);
+    } else {
+        skin = refine(whole.part.mesh, spacing, mostTriangles);
+    }
     std::vector<Fragment> fragments = fragmentsOf(*whole.aggregate, skin, *whole.broken, {}, control);
     if (fragments.size() < 2) {
         if (!fragments.front().isUncut)

@@ -3,6 +3,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/refine.h"
 #include "core/geometry/self_intersection.h"
+#include "core/skin/former_shape.h"
 #include "core/skin/skin_map.h"
 #include "io/export/divided_shape.h"
 #include "io/export/faceted_solid.h"
@@ -18,13 +19,13 @@
 #include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <unordered_map>
 
 namespace knead {
 
 namespace {
 
-constexpr double defaultTolerance = 1e-4; // of the size of the part
-constexpr std::size_t foldSamples = 3000;
+constexpr double defaultTolerance = 1e-4;      // of the size of the part
 constexpr std::size_t mostTriangles = 400'000; // of the surface that volumes are compared with
 constexpr std::size_t mostCrossings = 50'000;  // pairs of triangles that are looked at more closely
 constexpr int mostHalvings = 8;
@@ -61,6 +62,8 @@ TriangleMesh refined(const PartToExport& part, const TriangleMesh& rest, std::si
 {
     if (part.map == nullptr && part.aggregate == nullptr)
         return rest;
+    if (part.map == nullptr && part.aggregate->former)
+        return carriedSurface(rest, *part.aggregate->former, part.aggregate->lattice.spacing, most).mesh;
     const double edge =
         part.map == nullptr ? part.aggregate->lattice.spacing : part.part.box.diagonal().norm() / triangleEdges;
     return refine(rest, edge, most);
@@ -100,13 +103,29 @@ TriangleMesh facetsOf(const PartToExport& part, const SmoothMap& map, const Topo
     return facets;
 }
 
-/// A place near the surface at which the map turns the material inside out, where it is then.
-std::optional<Vec3> foldOf(const SmoothMap& map, const TriangleMesh& mesh)
+/// A place at which the surface is folded: two triangles that lay nearly in a plane beside each other face opposite ways.
+/// @param now where the map takes `rest`
+std::optional<Vec3> foldOf(const TriangleMesh& rest, const TriangleMesh& now)
 {
-    const std::size_t stride = std::max<std::size_t>(1, mesh.vertices.size() / foldSamples);
-    for (std::size_t i = 0; i < mesh.vertices.size(); i += stride)
-        if (map.gradient(mesh.vertices[i]).determinant() <= 0)
-            return map.at(mesh.vertices[i]);
+    constexpr double flat = 0.8;      // cosine between neighbors at rest
+    constexpr double thinnest = 0.02; // of its longest edge: slivers face anywhere
+    const auto normalOf = [](const TriangleMesh& mesh, std::size_t t) -> Vec3 {
+        const auto& [a, b, c] = mesh.triangles[t];
+        const Vec3 first = mesh.vertices[b] - mesh.vertices[a];
+        const Vec3 second = mesh.vertices[c] - mesh.vertices[a];
+        const Vec3 area = first.cross(second);
+        const double longest = std::max({first.squaredNorm(), second.squaredNorm(), (second - first).squaredNorm()});
+        return area.norm() > thinnest * longest ? Vec3(area.normalized()) : Vec3(Vec3::Zero());
+    };
+    std::unordered_map<std::uint64_t, std::size_t> triangleAt; // per edge: the first triangle of it
+    for (std::size_t t = 0; t < rest.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [low, high] = std::minmax(rest.triangles[t][k], rest.triangles[t][(k + 1) % 3]);
+            const auto [place, isNew] = triangleAt.try_emplace(std::uint64_t{low} << 32U | high, t);
+            if (!isNew && normalOf(rest, t).dot(normalOf(rest, place->second)) > flat &&
+                normalOf(now, t).dot(normalOf(now, place->second)) < 0)
+                return now.vertices[low];
+        }
     return std::nullopt;
 }
 
@@ -339,7 +358,7 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
         report.keptFaces = report.facesBefore;
         return ready;
     }
-    if (const auto fold = foldOf(*ready.map, rest)) {
+    if (const auto fold = foldOf(rest, now)) {
         makeFaceted(
             part, "its material is folded over itself near " + placeWords(*fold) + "; smooth faces cannot follow that.",
             ready);

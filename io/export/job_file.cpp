@@ -1,5 +1,6 @@
 #include "io/export/job_file.h"
 
+#include "core/skin/former_shape.h"
 #include "io/aggregate_bytes.h"
 #include "io/byte_blocks.h"
 #include "io/worker/model_file.h"
@@ -32,7 +33,7 @@ void addAggregate(const Aggregate& aggregate, BlockWriter& blocks)
     blocks.add(connectionsOf(aggregate));
 }
 
-std::shared_ptr<const Aggregate> nextJobAggregate(BlockReader& blocks)
+std::shared_ptr<Aggregate> nextJobAggregate(BlockReader& blocks)
 {
     auto aggregate = std::make_shared<Aggregate>();
     aggregate->lattice = nextLattice(blocks);
@@ -152,7 +153,8 @@ std::string jobToBytes(const ExportJob& job)
         parts.push_back({{"density", part.density},
                          {"reason", part.reason},
                          {"remarks", part.remarks},
-                         {"hasObjects", part.aggregate != nullptr}});
+                         {"hasObjects", part.aggregate != nullptr},
+                         {"hasFormer", part.aggregate != nullptr && part.aggregate->former != nullptr}});
     }
     blocks.add(std::string_view(Json{{"options", toJson(job.options)}, {"parts", parts}}.dump()));
     blocks.add(std::string_view(modelToBytes(model)));
@@ -160,6 +162,10 @@ std::string jobToBytes(const ExportJob& job)
         if (part.aggregate != nullptr) {
             addAggregate(*part.aggregate, blocks);
             blocks.add(part.displacements);
+            if (const auto& former = part.aggregate->former) {
+                addAggregate(*former->carriers(), blocks);
+                blocks.add(former->displacements());
+            }
         }
     return std::move(blocks).bytes();
 }
@@ -181,8 +187,13 @@ ExportJob jobFromBytes(std::string_view bytes)
             part.remarks = json.at("parts").at(i).at("remarks").get<std::vector<std::string>>();
             if (!json.at("parts").at(i).at("hasObjects").get<bool>())
                 continue;
-            part.aggregate = nextJobAggregate(blocks);
+            const std::shared_ptr<Aggregate> aggregate = nextJobAggregate(blocks);
             part.displacements = blocks.nextArray<Vec3>();
+            if (json.at("parts").at(i).at("hasFormer").get<bool>()) {
+                const std::shared_ptr<const Aggregate> carriers = nextJobAggregate(blocks);
+                aggregate->former = std::make_shared<const FormerShape>(carriers, blocks.nextArray<Vec3>());
+            }
+            part.aggregate = aggregate;
         }
         return job;
     } catch (const Json::exception& error) {

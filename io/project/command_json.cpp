@@ -156,6 +156,15 @@ void describe(Fields& fields, Field<Fields, FindBalance> command)
 }
 
 template <>
+inline constexpr const char* wordOf<Refill> = "refill";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, Refill> command)
+{
+    fields("body", command.body);
+    fields("spacing_m", command.spacing);
+}
+
+template <>
 inline constexpr const char* wordOf<SetPartLook> = "set-part-look";
 template <class Fields>
 void describe(Fields& fields, Field<Fields, SetPartLook> command)

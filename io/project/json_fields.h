@@ -54,6 +54,7 @@ public:
     }
 
     void operator()(const char* key, bool value) { put(key, value ? "true" : "false"); }
+    void flag(const char* key, bool value, bool /*missing*/) { (*this)(key, value); }
     void operator()(const char* key, double value);
     void operator()(const char* key, std::uint32_t value) { put(key, std::to_string(value)); }
     void operator()(const char* key, std::uint64_t value) { put(key, std::to_string(value)); }
@@ -135,6 +136,12 @@ public:
     }
 
     void operator()(const char* key, bool& value) const { value = m_node.at(key).boolean(); }
+    /// @param missing what it was before there was such a field
+    void flag(const char* key, bool& value, bool missing) const
+    {
+        const auto node = m_node.find(key);
+        value = node ? node->boolean() : missing;
+    }
     void operator()(const char* key, double& value) const;
     void operator()(const char* key, std::uint32_t& value) const;
     void operator()(const char* key, std::uint64_t& value) const;

@@ -202,6 +202,8 @@ std::size_t ProjectReader::readBody(const Row& row, Body& body)
     readFields(row.text(4), "material", body.material);
     readFields(row.text(5), "state", body);
     body.aggregate = aggregateAt(row.integer(6));
+    if (m_project.model != nullptr)
+        body.surface = surfaceOf(m_project.model, part);
     for (const MaterialRegion& region : body.regions)
         checkObjects(region.objects, *body.aggregate, "a region");
     return part;

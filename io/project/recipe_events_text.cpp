@@ -180,6 +180,14 @@ public:
     }
     void operator()(const SetPace& command) { finish(event().put("pace", quoted(wordFor(command.pace, paceWords())))); }
     void operator()(const FindBalance& command) { finish(event().number("find_balance_s", command.duration)); }
+    void operator()(const Refill& command)
+    {
+        ObjectText wanted;
+        putBody(wanted, command.body, {});
+        if (command.spacing != 0)
+            wanted.put("spacing_mm", exactThousandfold(command.spacing));
+        finish(event().put("refill", wanted.take()));
+    }
     void operator()(const Reset&) { finish(event().put("reset", "true")); }
     // Names and colors of parts are those of the file, and tools and fixtures keep the names that they begin with.
     void operator()(const SetPartLook&) {}

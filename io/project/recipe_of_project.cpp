@@ -245,6 +245,7 @@ private:
                                         .number("friction", m_scene.floorFriction)
                                         .take());
         m_document.put("integrator", quoted(wordFor(m_scene.integrator, integratorWords())));
+        m_document.put("refilling", m_scene.refilling ? "true" : "false");
         if (m_scene.vicinity != VicinityMethod::uniformGrid)
             m_document.put("vicinity", quoted(wordFor(m_scene.vicinity, vicinityWords())));
         if (m_scene.timeStep)

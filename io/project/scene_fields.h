@@ -210,6 +210,7 @@ void describe(Fields& fields, Field<Fields, Scene> scene)
     fields.choice("vicinity", scene.vicinity, vicinityWords());
     fields("time_step_s", scene.timeStep);
     fields("mass_scaling_time_step_s", scene.massScalingTimeStep);
+    fields.flag("refilling", scene.refilling, false);
     fields.list("fixtures", scene.fixtures);
     fields.list("manipulators", scene.manipulators);
     fields.listIfAny("loads", scene.loads);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -402,6 +403,7 @@ private slots:
             Column strain(count);
             Column after(count);
             Column lanes(sumLanes, 0.0);
+            Column work(sumLanes, 0.0);
             const ConstVectors lower{v[0].data(), v[1].data(), v[2].data()};
             const Column far = randomColumns(1, count, 1.8, 2.4, 6)[0];
             const ConstVectors upper{far.data(), v[4].data(), v[5].data()};
@@ -418,11 +420,13 @@ private slots:
                                      .stiffness = v[3].data(),
                                      .before = v[6].data(),
                                      .after = after.data(),
-                                     .dissipated = lanes.data()});
+                                     .dissipated = lanes.data(),
+                                     .work = work.data()});
             dissipated = 0;
             for (const double lane : lanes)
                 dissipated += lane;
             double expected = 0;
+            double expectedWork = 0;
             for (std::size_t i = 0; i < count; ++i) {
                 const double length = std::hypot(far[i] - v[0][i], v[4][i] - v[1][i], v[5][i] - v[2][i]);
                 const double beyond = std::log(length / v[6][i]) - affine[i];
@@ -431,8 +435,11 @@ private slots:
                 if (std::abs(after[i] / wanted - 1) > 2e-3)
                     return Column();
                 expected += 0.5 * v[3][i] * (std::pow(length - v[6][i], 2) - std::pow(length - after[i], 2));
+                expectedWork += v[3][i] * (length - after[i]) * (after[i] - v[6][i]);
             }
-            return std::abs(dissipated / expected - 1) < 1e-9 ? after : Column();
+            const bool isRight = std::abs(std::accumulate(work.begin(), work.end(), 0.0) / expectedWork - 1) < 1e-9 &&
+                                 std::abs(dissipated / expected - 1) < 1e-9;
+            return isRight ? after : Column();
         };
         double dissipated = 0;
         const Column first = lengthened(available().front(), dissipated);

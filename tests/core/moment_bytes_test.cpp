@@ -118,10 +118,36 @@ std::ptrdiff_t restOf(const Moment& moment)
     return 1 + 1 + 4 + static_cast<std::ptrdiff_t>(moment.health.message.size());
 }
 
+/// Bytes of a moment of first fillings without what says so: as version 5 had them.
+Bytes beforeRefilling(const Moment& moment)
+{
+    const Bytes whole = momentToBytes(moment);
+    std::vector<std::pair<std::size_t, std::ptrdiff_t>> gone; // where, and how much
+    for (std::size_t b = 0; b < moment.bodies.size(); ++b) {
+        Moment other = moment;
+        other.bodies[b].kind = moment.bodies[b].kind == BodyKind::glue ? BodyKind::rigid : BodyKind::glue;
+        gone.emplace_back(firstDifference(whole, momentToBytes(other)) - 1, 1);
+    }
+    for (std::size_t f = 0; f < moment.fixtures.size(); ++f) {
+        if (!moment.fixtures[f])
+            continue;
+        Moment other = moment;
+        other.fixtures[f]->whenOpened = {1};
+        gone.emplace_back(firstDifference(whole, momentToBytes(other)), 4);
+    }
+    std::sort(gone.rbegin(), gone.rend()); // the last one first, so that places stay what they are
+    Bytes bytes = whole;
+    for (const auto& [place, count] : gone) {
+        const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(place);
+        bytes.erase(first, first + count);
+    }
+    return bytes;
+}
+
 /// Bytes of a moment without the pace, and with what tools kept of their limits: as version 4 had them.
 Bytes beforePace(const Moment& moment)
 {
-    Bytes bytes = momentToBytes(moment);
+    Bytes bytes = beforeRefilling(moment);
     bytes.erase(bytes.end() - restOf(moment) - 1);
     for (std::size_t t = moment.tools.size(); t-- > 0;) { // the last one first, so that places stay what they are
         if (!moment.tools[t])
@@ -129,7 +155,7 @@ Bytes beforePace(const Moment& moment)
         Moment other = moment;
         const auto bits = std::bit_cast<std::uint64_t>(moment.tools[t]->peakForce);
         other.tools[t]->peakForce = std::bit_cast<double>(~bits); // all bytes differ
-        const std::size_t peak = firstDifference(momentToBytes(moment), momentToBytes(other));
+        const std::size_t peak = firstDifference(beforeRefilling(moment), beforeRefilling(other));
         bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(peak), 8, std::byte{0});
     }
     return bytes;
@@ -225,6 +251,16 @@ private slots:
         QVERIFY(std::equal(read.begin(), read.end(), numbers.begin()));
         QVERIFY(std::signbit(read[1]));
         QVERIFY(reader.atEnd());
+    }
+
+    void momentsOfTheFifthVersionAreRead()
+    {
+        Middle middle(kinds()[0]);
+        Bytes old = beforeRefilling(*middle.moment);
+        putSizes(old, 5);
+        const Moment read = momentFromBytes(old, middle.scene.bodies, middle.parts);
+        QCOMPARE(momentHash(read), momentHash(*middle.moment));
+        QVERIFY(read.bodies[0].refilled == nullptr);
     }
 
     void momentsOfTheFourthVersionAreRead()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/document/project.h"
+#include "core/skin/former_shape.h"
 
 #include <algorithm>
 #include <bit>
@@ -55,8 +56,8 @@ inline auto members(const Manipulator& v)
 }
 inline auto members(const Fixture& v)
 {
-    const auto& [a, b, c, d, e] = v;
-    return std::tie(a, b, c, d, e);
+    const auto& [a, b, c, d, e, f] = v;
+    return std::tie(a, b, c, d, e, f);
 }
 inline auto members(const GripTurn& v)
 {
@@ -85,13 +86,13 @@ inline auto members(const MaterialRegion& v)
 }
 inline auto members(const Body& v)
 {
-    const auto& [a, b, c, d, e, f, g, h] = v;
-    return std::tie(a, b, c, d, e, f, g, h);
+    const auto& [a, b, c, d, e, f, g, h, i] = v;
+    return std::tie(a, b, c, d, e, f, g, h, i);
 }
 inline auto members(const Scene& v)
 {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = v;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = v;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
 }
 inline auto members(const Lattice& v)
 {
@@ -108,10 +109,14 @@ inline auto members(const SkinPoint& v)
     const auto& [a, b] = v;
     return std::tie(a, b);
 }
+inline auto members(const FormerShape& v)
+{
+    return std::tie(*v.carriers(), v.displacements());
+}
 inline auto members(const Aggregate& v)
 {
-    const auto& [a, b, c, d, e, f, g, h, i, j] = v;
-    return std::tie(a, b, c, d, e, f, g, h, i, j);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k] = v;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k);
 }
 inline auto members(const SetMaterial& v)
 {
@@ -217,6 +222,11 @@ inline auto members(const SetPace& v)
 {
     const auto& [a] = v;
     return std::tie(a);
+}
+inline auto members(const Refill& v)
+{
+    const auto& [a, b] = v;
+    return std::tie(a, b);
 }
 inline auto members(const FindBalance& v)
 {

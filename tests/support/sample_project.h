@@ -161,6 +161,7 @@ inline std::vector<RecordedCommand> commands(const std::shared_ptr<const ToolPar
         SetLoad{0, {.force = Vec3(third, -0.0, huge), .moment = Vec3(0, tiny, 0), .pressure = -third}, third},
         RemoveLoad{0},
         FindBalance{third},
+        Refill{1, third},
         SetPartLook{1, "Grüße \"2\"", "#12ab00"},
     };
     std::vector<RecordedCommand> recorded;
@@ -226,6 +227,9 @@ inline Project project()
                       .touching = Touching::glued,
                       .fillsOpenParts = true};
     project.starts = {start(ball), start(ball)};
+    for (ProjectStart& each : project.starts)
+        for (std::size_t b = 0; b < each.scene.bodies.size(); ++b)
+            each.scene.bodies[b].surface = surfaceOf(project.model, each.partOfBody[b]);
     project.starts[1].scene.bodies[0].aggregate = project.starts[0].scene.bodies[0].aggregate;
     project.entries = {entry(0, "Start"), entry(0, "Push with Block \"1\""), entry(1, ""), entry(0, "Another try")};
     project.entries[0].moment = moment(3000, 1);

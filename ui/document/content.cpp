@@ -21,7 +21,6 @@ constexpr double mostObjectsAtAll = 20'000; // unasked, for walls that would be 
 constexpr double importShare = 0.4;         // of the progress bar
 constexpr double measuredShare = 0.1;       // of the filling
 constexpr double preparedShare = 0.92;
-constexpr double surfaceDepth = 0.9; // objects less deep than this many spacings are drawn
 
 std::string fileName(const Model& model)
 {
@@ -106,15 +105,6 @@ std::string uniqueName(const std::string& name, std::set<std::string>& taken)
     return candidate;
 }
 
-std::vector<ObjectIndex> surfaceObjects(const Aggregate& aggregate)
-{
-    std::vector<ObjectIndex> objects;
-    for (ObjectIndex i = 0; i < aggregate.size(); ++i)
-        if (aggregate.depth[i] < surfaceDepth * aggregate.lattice.spacing)
-            objects.push_back(i);
-    return objects;
-}
-
 std::shared_ptr<const ContentBody> makeBody(const Model& model, std::size_t index, const std::string& name,
                                             std::shared_ptr<const Aggregate> aggregate, TaskControl& control)
 {
@@ -131,6 +121,7 @@ std::shared_ptr<const ContentBody> makeBody(const Model& model, std::size_t inde
     TaskPortion skinning(control, 0.25, 1);
     body->skin.emplace(*body->aggregate, body->mesh.vertices, skinning);
     body->surfaceObjects = surfaceObjects(*body->aggregate);
+    body->fillings = newFillings();
     return body;
 }
 
@@ -234,7 +225,8 @@ Scene restScene(const Content& content)
 {
     Scene scene;
     for (const auto& body : content.bodies)
-        scene.bodies.push_back({.name = body->name, .aggregate = body->aggregate});
+        scene.bodies.push_back(
+            {.name = body->name, .aggregate = body->aggregate, .surface = surfaceOf(content.model, body->part)});
     scene.floorHeight = content.box.min().z();
     scene.integrator = Integrator::automatic;
     scene.touching = content.request.touching;

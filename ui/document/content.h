@@ -18,6 +18,8 @@
 
 namespace knead {
 
+class Fillings;
+
 /// A body as the window shows it: the fine surface of its part and the map that carries it along. Immutable, shared
 /// between threads.
 struct ContentBody {
@@ -29,7 +31,16 @@ struct ContentBody {
     std::shared_ptr<const Aggregate> aggregate;
     std::optional<Skin> skin;                ///< of mesh.vertices
     std::vector<ObjectIndex> surfaceObjects; ///< those a person can see
+    std::shared_ptr<Fillings> fillings;      ///< the same body as it was filled at other times, shared by all of them
 };
+
+std::shared_ptr<Fillings> newFillings();                             ///< none yet
+std::vector<ObjectIndex> surfaceObjects(const Aggregate& aggregate); ///< those a person can see
+
+/// The body with the objects of another filling of it: its surface is the same. Any thread; takes as long as a skin where that
+/// filling was not seen lately.
+std::shared_ptr<const ContentBody> filledAs(const std::shared_ptr<const ContentBody>& body,
+                                            const std::shared_ptr<const Aggregate>& aggregate);
 
 /// The surface of a body at one moment.
 struct BodyFrame {

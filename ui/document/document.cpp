@@ -185,6 +185,11 @@ void Document::start(Simulation simulation, std::shared_ptr<const Content> conte
     m_selected->forget();
     m_content = std::move(content);
     m_frame = std::move(frame);
+    if (m_frame->filled != m_content->bodies) {
+        auto filled = std::make_shared<Content>(*m_content);
+        filled->bodies = m_frame->filled;
+        m_content = std::move(filled);
+    }
     m_hasAgenda = agenda != nullptr;
     m_simulation = std::make_unique<SimulationThread>(std::move(simulation), std::move(agenda));
     if (m_showsPressing)
@@ -243,6 +248,7 @@ void Document::accept(const FramePointer& frame, std::uint64_t generation)
     if (generation != m_generation || frame->snapshot->arrivals < m_arrivals)
         return;
     m_frame = frame;
+    followFillings();
     m_toolRequests.seen(*frame->snapshot);
     noticeStop();
     noticeRecipeEnd();
@@ -252,6 +258,17 @@ void Document::accept(const FramePointer& frame, std::uint64_t generation)
     emit changed(Change::Frame);
     if (m_journey == JourneyState::arriving)
         endJourney();
+}
+
+/// Bodies have other objects than they had: whoever looks at objects begins again. Their surfaces are the same.
+void Document::followFillings()
+{
+    if (m_frame->filled == m_content->bodies)
+        return;
+    auto content = std::make_shared<Content>(*m_content);
+    content->bodies = m_frame->filled;
+    m_content = std::move(content);
+    emit changed(Change::Filling);
 }
 
 void Document::setSpeed(double ratio)
@@ -334,6 +351,24 @@ void Document::renormalize()
     }
 }
 
+void Document::refillNow()
+{
+    if (later([this] { refillNow(); }))
+        return;
+    bool isAny = false;
+    for (BodyId body = 0; body < m_content->bodies.size(); ++body) {
+        const bool isSelected = m_selection.kind == Selection::Kind::Body && m_selection.id == body;
+        const bool isMeant =
+            isSelected || (m_selection.kind != Selection::Kind::Body && m_frame->snapshot->materials[body].yields());
+        if (isMeant)
+            post(Refill{.body = body});
+        isAny = isAny || isMeant;
+    }
+    if (!isAny)
+        emit notice(
+            tr("No body is of material that yields: elastic ones keep their shape at rest, and are not filled anew."));
+}
+
 /// Just above what lies under the middle of the bodies, other tools included.
 Vec3 Document::placeAbove(const Vec3& toolSize) const
 {
@@ -403,7 +438,7 @@ ExportJob Document::exportJob(const std::vector<bool>& keep) const
         PartToExport& part = job.parts.emplace_back(PartToExport{.part = m_looks.dressed(model, p)});
         for (std::size_t b = 0; b < m_content->bodies.size(); ++b)
             if (m_content->bodies[b]->part == p) {
-                part.aggregate = m_content->bodies[b]->aggregate;
+                part.aggregate = snapshot.bodies[b].aggregate;
                 part.displacements = snapshot.bodies[b].displacements();
                 part.broken = snapshot.bodies[b].broken;
                 part.relaxed = snapshot.bodies[b].relaxed;

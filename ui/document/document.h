@@ -58,6 +58,7 @@ class Document final : public QObject {
 public:
     enum class Change {
         Content,
+        Filling, ///< of bodies while they are worked on: other objects, the same surfaces; a frame follows at once
         Frame,
         Selection,
         Fixtures,
@@ -208,6 +209,8 @@ public:
     void addTool(ToolKind kind);
     /// The selected body, or every one, takes its present shape for its own. Rigid bodies have nothing to lose by it.
     void renormalize();
+    /// The selected body, or every one that yields, is filled anew in the shape that it has.
+    void refillNow();
     const ToolState* tool(ToolId tool) const;
 
     // ---- Numbers of a tool, typed one by one: each adds to what was asked before, seen already or not (document_tools.cpp) ----
@@ -267,6 +270,7 @@ private:
     void start(Simulation simulation, std::shared_ptr<const Content> content, FramePointer frame,
                std::unique_ptr<Agenda> agenda = nullptr);
     void keepFilm();
+    void followFillings();
     void showStart();
     void retire();
     void poll();

@@ -99,6 +99,7 @@ public:
         return Words::tr("Add %1").arg(QString::fromStdString(command.load.name));
     }
     QString operator()(const RemoveLoad& /*command*/) const { return Words::tr("Remove %1").arg(load()); }
+    QString operator()(const Refill& command) const { return Words::tr("Refill %1").arg(body(command.body)); }
     QString operator()(const FindBalance& /*command*/) const { return Words::tr("Find balance"); }
     QString operator()(const SetLoad& /*command*/) const { return Words::tr("Change %1").arg(load()); }
     QString operator()(const RenameFixture& command) const
@@ -163,6 +164,8 @@ std::optional<EntryKind> kindOf(const Command& command)
         return EntryKind::Fixture;
     case 22:
         return EntryKind::Balance;
+    case 24:
+        return EntryKind::Start;
     case 14:
         return EntryKind::Reset;
     case 16:
@@ -173,7 +176,7 @@ std::optional<EntryKind> kindOf(const Command& command)
         return {};
     }
 }
-static_assert(std::variant_size_v<Command> == 24);
+static_assert(std::variant_size_v<Command> == 25);
 
 } // namespace
 

@@ -1,5 +1,7 @@
 #include "ui/document/face_fixtures.h"
 
+#include "core/skin/former_shape.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -15,13 +17,18 @@ bool holds(const FaceFixture& fixture, BodyId body, std::uint32_t face)
     return fixture.body == body && std::count(fixture.faces.begin(), fixture.faces.end(), face) > 0;
 }
 
-std::vector<ObjectIndex> objectsOf(const Content& content, const FaceFixture& fixture)
+/// Of some filling of the body that it is of.
+std::vector<ObjectIndex> objectsOf(const Content& content, const FaceFixture& fixture, const Aggregate& aggregate)
 {
-    const ContentBody& body = *content.bodies[fixture.body];
-    const Part& part = content.model->parts[body.part];
+    const Part& part = content.model->parts[content.bodies[fixture.body]->part];
     const bool areThere = std::all_of(fixture.faces.begin(), fixture.faces.end(),
                                       [&](std::uint32_t face) { return face < part.faces.size(); });
-    return areThere ? objectsAtFaces(*body.aggregate, part.mesh, fixture.faces) : std::vector<ObjectIndex>();
+    return areThere ? objectsAtFaces(aggregate, part.mesh, fixture.faces) : std::vector<ObjectIndex>();
+}
+
+std::vector<ObjectIndex> objectsOf(const Content& content, const FaceFixture& fixture)
+{
+    return objectsOf(content, fixture, *content.bodies[fixture.body]->aggregate);
 }
 
 std::uint32_t freeKey(const std::vector<FaceFixture>& fixtures)
@@ -151,9 +158,19 @@ void FaceFixtures::keepInMind(const FaceFixture& fixture)
 
 FaceFixture FaceFixtures::faceFixtureOf(const Content& content, const Fixture& held) const
 {
-    for (const FaceFixture& known : m_known)
-        if (known.name == held.name && known.body == held.body && objectsOf(content, known) == held.objects)
+    const auto& former = content.bodies[held.body]->aggregate->former;
+    const FaceFixture* likely = nullptr;
+    for (const FaceFixture& known : m_known) {
+        if (known.name != held.name || known.body != held.body)
+            continue;
+        likely = &known;
+        const bool isThat = former ? objectsOf(content, known, *former->carriers()) == held.whenOpened
+                                   : objectsOf(content, known) == held.objects;
+        if (isThat)
             return known;
+    }
+    if (former && likely != nullptr) // it was made in a filling of before: no one knows its objects
+        return *likely;
     return {.key = 0, .name = held.name, .body = held.body, .faces = {}, .id = {}};
 }
 

@@ -37,6 +37,7 @@ FilmFramePointer filmFrameOf(const Snapshot& snapshot)
     frame->floorHeight = snapshot.floorHeight;
     for (const Snapshot::BodyState& body : snapshot.bodies) {
         frame->objects.push_back(floatsOf(body.positions));
+        frame->fillings.push_back(body.aggregate);
         frame->broken.push_back(body.broken);
         frame->relaxed.push_back(body.relaxed && !body.relaxed->hasFlowed() ? body.relaxed : nullptr);
     }
@@ -189,6 +190,8 @@ void Film::thin()
 FilmFrame between(const FilmFrame& before, const FilmFrame& after, double share)
 {
     FilmFrame frame = before;
+    if (before.fillings != after.fillings)
+        return frame;
     frame.time += share * (after.time - before.time);
     const auto part = static_cast<float>(share);
     for (std::size_t b = 0; b < frame.objects.size(); ++b)
@@ -213,7 +216,7 @@ FramePointer drawable(const FilmFrame& frame, const ContentBodies& bodies)
     snapshot->floorHeight = frame.floorHeight;
     for (std::size_t b = 0; b < bodies.size(); ++b)
         snapshot->bodies.push_back({.positions = placesOf(frame.objects[b]),
-                                    .aggregate = bodies[b]->aggregate,
+                                    .aggregate = frame.fillings[b],
                                     .broken = frame.broken.empty() ? nullptr : frame.broken[b],
                                     .relaxed = frame.relaxed.empty() ? nullptr : frame.relaxed[b]});
     return prepareFrame(bodies, std::move(snapshot), nullptr);

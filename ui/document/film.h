@@ -15,8 +15,9 @@ namespace knead {
 struct FilmFrame {
     std::uint32_t run = 0; ///< how many resets there were since the film began or went on from elsewhere
     std::uint64_t step = 0;
-    double time = 0;                         ///< simulated [s]
-    std::vector<std::vector<float>> objects; ///< per body: x y z per object [m]
+    double time = 0;                                        ///< simulated [s]
+    std::vector<std::vector<float>> objects;                ///< per body: x y z per object [m]
+    std::vector<std::shared_ptr<const Aggregate>> fillings; ///< per body: whose objects these are
     std::vector<ToolState> tools;
     struct Held { ///< what a fixture bears
         FixtureId id = 0;
@@ -87,7 +88,7 @@ private:
     std::size_t m_used = 0;
 };
 
-/// Between two frames of one run, 0 <= share <= 1, in straight lines.
+/// Between two frames of one run, 0 <= share <= 1, in straight lines; where a body was filled anew in between, the first one.
 FilmFrame between(const FilmFrame& before, const FilmFrame& after, double share);
 
 /// A frame of the film as the view draws it. Its snapshot has places, tools, floor, what was broken, and what

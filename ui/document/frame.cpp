@@ -28,11 +28,13 @@ FramePointer prepareFrame(const ContentBodies& bodies, SnapshotPointer snapshot,
                            previous->snapshot->arrivals == snapshot->arrivals && // branches meet at equal steps
                            (previous->snapshot->step == snapshot->step ||
                             (snapshot->rest > 0 && previous->snapshot->rest == snapshot->rest));
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        frame->filled.push_back(filledAs(bodies[b], snapshot->bodies[b].aggregate));
     if (isUnmoved)
         frame->bodies = previous->bodies;
     else
         for (std::size_t b = 0; b < bodies.size(); ++b)
-            frame->bodies.push_back(bodyFrame(*bodies[b], snapshot->bodies[b]));
+            frame->bodies.push_back(bodyFrame(*frame->filled[b], snapshot->bodies[b]));
     frame->snapshot = std::move(snapshot);
     return frame;
 }

@@ -9,16 +9,19 @@
 
 namespace knead {
 
+using ContentBodies = std::vector<std::shared_ptr<const ContentBody>>;
+
 /// All that is drawn at one moment: a snapshot and the surfaces that belong to it. Immutable, shared by pointer.
 struct Frame {
     SnapshotPointer snapshot;
     std::vector<std::shared_ptr<const BodyFrame>> bodies;
+    ContentBodies filled; ///< the bodies as they are filled in the snapshot
 };
 
 using FramePointer = std::shared_ptr<const Frame>;
-using ContentBodies = std::vector<std::shared_ptr<const ContentBody>>;
 
 /// Carries the surfaces along with a snapshot. Surfaces of `previous` are used again when no time has passed.
+/// @param bodies of the document, whatever their filling
 FramePointer prepareFrame(const ContentBodies& bodies, SnapshotPointer snapshot, const FramePointer& previous);
 
 /// Prepares frames on a thread of its own, always the newest snapshot, so that the window never waits for a skin.

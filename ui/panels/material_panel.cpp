@@ -168,6 +168,9 @@ void MaterialPanel::documentChanged(Document::Change what)
         showSpacing(m_document.content().spacing);
         showBody();
         break;
+    case Document::Change::Filling:
+        showBody();
+        break;
     case Document::Change::Selection:
         if (m_document.selection().kind == Selection::Kind::Body && m_document.selection().id != m_body)
             showBody();

@@ -73,6 +73,7 @@ void ModelTree::documentChanged(Document::Change what)
             break;
         case Document::Change::Selection:
             break;
+        case Document::Change::Filling:
         case Document::Change::History:
             return;
         }

@@ -25,11 +25,11 @@ void readMaterial(const ProbePlace& probe, const Snapshot& snapshot, ProbeSample
 }
 
 /// The displacement goes as the skin does: that of the objects, each with its share.
-ProbeSample sampleOf(const ProbePlace& probe, const Snapshot& snapshot, bool withStrains)
+ProbeSample sampleHere(const ProbePlace& probe, const Snapshot& snapshot, bool withStrains)
 {
     ProbeSample sample{.time = snapshot.time};
     const Snapshot::BodyState& state = snapshot.bodies[probe.id];
-    Vec3 displacement = Vec3::Zero();
+    Vec3 displacement = probe.carried;
     for (const auto& [object, share] : probe.shares)
         displacement += share * state.displacement(object);
     sample.displacement = displacement.norm();
@@ -40,25 +40,44 @@ ProbeSample sampleOf(const ProbePlace& probe, const Snapshot& snapshot, bool wit
     return sample;
 }
 
-/// The normal of the triangle that a place is on.
+/// The normal of the triangle that a place is on, when its body was filled.
 FreeSurface freeSurfaceAt(const SkinPlace& place, const ContentBody& body)
 {
     const auto& [a, b, c] = body.mesh.triangles[place.triangle];
-    const std::vector<Vec3>& vertices = body.mesh.vertices;
+    const std::span<const Vec3> vertices = body.skin->points();
     const Vec3 area = (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]);
     if (!(area.norm() > 0))
         return {};
     return {FreeSurface::Kind::face, area.normalized()};
 }
 
+ProbePlace probePlace(const SkinPlace& place, const std::shared_ptr<const ContentBody>& body)
+{
+    const std::span<const Vec3> whenFilled = body->skin->points();
+    const std::vector<Vec3> point{placeOf(place, *body, {whenFilled.begin(), whenFilled.end()})};
+    return {.body = body,
+            .id = place.body,
+            .shares = objectShares(place, *body),
+            .stress =
+                std::make_shared<const SkinStress>(*body->aggregate, point, std::vector{freeSurfaceAt(place, *body)}),
+            .place = place,
+            .carried = point.front() - placeOf(place, *body, body->mesh.vertices)};
+}
+
+/// Of the filling that the body has in a snapshot.
+ProbeSample sampleOf(const ProbePlace& probe, const Snapshot& snapshot, bool withStrains)
+{
+    const auto& filling = snapshot.bodies[probe.id].aggregate;
+    return filling == probe.body->aggregate
+               ? sampleHere(probe, snapshot, withStrains)
+               : sampleHere(probePlace(probe.place, filledAs(probe.body, filling)), snapshot, withStrains);
+}
+
 } // namespace
 
 ProbePlace probePlace(const SkinPlace& place, const ContentBodies& bodies)
 {
-    const ContentBody& body = *bodies[place.body];
-    const std::vector<Vec3> point{placeOf(place, body, body.mesh.vertices)};
-    return {bodies[place.body], place.body, objectShares(place, body),
-            std::make_shared<const SkinStress>(*body.aggregate, point, std::vector{freeSurfaceAt(place, body)})};
+    return probePlace(place, bodies[place.body]);
 }
 
 std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const Snapshot& snapshot, bool withStrains)
@@ -79,7 +98,7 @@ std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const
     snapshot.bodies.resize(frame.objects.size());
     for (const ProbePlace& probe : probes) {
         Snapshot::BodyState& state = snapshot.bodies[probe.id];
-        state.aggregate = probe.body->aggregate;
+        state.aggregate = frame.fillings[probe.id];
         const std::vector<float>& floats = frame.objects[probe.id];
         state.positions.resize(floats.size() / 3);
         for (std::size_t i = 0; i < state.positions.size(); ++i)

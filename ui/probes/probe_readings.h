@@ -28,6 +28,8 @@ struct ProbePlace {
     BodyId id = 0;
     std::vector<ObjectShare> shares;
     std::shared_ptr<const SkinStress> stress; ///< of this one point
+    SkinPlace place;
+    Vec3 carried = Vec3::Zero(); ///< from the opened part to where it was when the body was filled [m]
 };
 /// Takes the longer the more objects the body has.
 ProbePlace probePlace(const SkinPlace& place, const ContentBodies& bodies);

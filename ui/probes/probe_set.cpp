@@ -80,11 +80,14 @@ ProbeSet::~ProbeSet()
 
 void ProbeSet::documentChanged(Document::Change what)
 {
-    if (what == Document::Change::Content)
+    if (what == Document::Change::Content) {
         contentChanged();
-    else if (what == Document::Change::Frame)
+    } else if (what == Document::Change::Filling) {
+        m_bodies = m_document.content().bodies;
+        findPlaces();
+    } else if (what == Document::Change::Frame) {
         read();
-    else if (what == Document::Change::Moment && !m_all.empty()) {
+    } else if (what == Document::Change::Moment && !m_all.empty()) {
         forgetAfter(m_document.frame()->snapshot->time);
         readFilm();
         read();
@@ -136,15 +139,20 @@ void ProbeSet::setWithStrains(bool on)
     read();
 }
 
+void ProbeSet::findPlaces()
+{
+    m_places.clear();
+    for (const Probe& probe : m_all)
+        m_places.push_back(probePlace(probe.place, m_bodies));
+}
+
 void ProbeSet::placesChanged()
 {
     ++m_generation;
     ++m_films;
     m_isReading = false;
     m_seen = nullptr;
-    m_places.clear();
-    for (const Probe& probe : m_all)
-        m_places.push_back(probePlace(probe.place, m_bodies));
+    findPlaces();
     if (!m_all.empty()) {
         readFilm();
         read();

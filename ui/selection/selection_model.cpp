@@ -22,6 +22,11 @@ Region combined(const Region& before, const Region& region, SelectionModel::How 
                                 : toggled(before, region);
 }
 
+bool isOfObjects(Level level)
+{
+    return level == Level::Object || level == Level::Connection;
+}
+
 } // namespace
 
 bool isOnePart(const Region& region)
@@ -38,6 +43,8 @@ SelectionModel::SelectionModel(Document& document)
             m_region = {};
             follow();
             emit changed();
+        } else if (what == Document::Change::Filling && isOfObjects(m_region.level)) {
+            clear(); // there are others now
         } else if (what == Document::Change::Selection && !m_isTelling) {
             follow();
         }

@@ -101,6 +101,11 @@ void SceneView::showFrame(const FramePointer& frame)
 {
     const bool hasMoved = !m_frame || m_frame->bodies != frame->bodies;
     m_frame = frame;
+    if (m_bodies != frame->filled) {
+        m_bodies = frame->filled;
+        m_parts->objects.clear();
+        m_parts->sight->setBodies(m_bodies);
+    }
     if (hasMoved) {
         for (std::size_t b = 0; b < m_bodies.size(); ++b)
             m_parts->skins[b]->show(*frame->bodies[b]);

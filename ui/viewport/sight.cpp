@@ -56,6 +56,10 @@ SightMaker::~SightMaker() = default;
 
 SightPointer SightMaker::make(const FramePointer& frame, const SightWish& wish)
 {
+    if (m_bodies != frame->filled) {
+        m_bodies = frame->filled;
+        m_stresses.clear();
+    }
     auto sight = std::make_shared<Sight>();
     sight->frame = frame;
     sight->wish = wish;
@@ -73,8 +77,12 @@ void SightMaker::prepareFor(SurfaceQuantity quantity, std::size_t body)
     const bool isOfMaterial = quantity == SurfaceQuantity::strain || quantity == SurfaceQuantity::vonMisesStress;
     if (quantity == SurfaceQuantity::distance && !m_originals[body])
         m_originals[body] = std::make_unique<SurfaceDistance>(mesh);
-    if (isOfMaterial && !m_stresses[body])
-        m_stresses[body] = std::make_unique<SkinStress>(*m_bodies[body]->aggregate, mesh);
+    if (isOfMaterial && !m_stresses[body]) {
+        TriangleMesh whenFilled = mesh;
+        const std::span<const Vec3> places = m_bodies[body]->skin->points();
+        whenFilled.vertices.assign(places.begin(), places.end());
+        m_stresses[body] = std::make_unique<SkinStress>(*m_bodies[body]->aggregate, whenFilled);
+    }
 }
 
 void SightMaker::findValues(Sight& sight)
@@ -103,7 +111,8 @@ void SightMaker::findValues(Sight& sight)
                            .relaxed = now.relaxed.get(),
                            .pressing = now.pressing.get(),
                            .original = m_originals[b].get(),
-                           .places = sight.frame->bodies[b]->places};
+                           .places = sight.frame->bodies[b]->places,
+                           .opened = body.mesh.vertices};
         if (now.broken)
             state.broken = *now.broken;
         sight.isKnown = sight.isKnown && isKnown(quantity, state);

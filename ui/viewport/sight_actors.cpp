@@ -108,6 +108,13 @@ void SightActors::setContent(const Content& content)
     m_parts->caps.clear();
 }
 
+void SightActors::setBodies(const ContentBodies& bodies)
+{
+    m_bodies = bodies;
+    m_parts->connections.clear();
+    m_parts->breaks.reset();
+}
+
 void SightActors::showFrame(const FramePointer& frame)
 {
     m_frame = frame;

@@ -21,6 +21,7 @@ public:
     SightActors& operator=(const SightActors&) = delete;
 
     void setContent(const Content& content);
+    void setBodies(const ContentBodies& bodies); ///< the same with other fillings
     void showFrame(const FramePointer& frame);
     void setStyle(const SceneStyle& style);
     void setLooks(const PartLooks& looks);

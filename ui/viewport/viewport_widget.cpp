@@ -195,6 +195,9 @@ void ViewportWidget::documentChanged(Document::Change what)
         m_caption->hide();
         beginContent();
         break;
+    case Document::Change::Filling:
+        m_regions->sight().forget();
+        return;
     case Document::Change::Frame:
         if (m_past || isAtRest())
             return;

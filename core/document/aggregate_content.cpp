@@ -1,0 +1,125 @@
+#include "core/document/aggregate_content.h"
+
+#include "core/aggregate/aggregate_check.h"
+#include "core/skin/former_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <type_traits>
+
+namespace knead {
+
+namespace {
+
+template <typename Stream, typename Value>
+using Of = std::conditional_t<Stream::isReader, Value, const Value>;
+
+void numbers(ByteWriter& bytes, const std::vector<double>& values, std::size_t count)
+{
+    bytes.numbers(LaneVector<double>(values.begin(), values.end()), count);
+}
+
+void numbers(ByteReader& bytes, std::vector<double>& values, std::size_t count)
+{
+    LaneVector<double> read;
+    bytes.numbers(read, count);
+    if (!std::all_of(read.begin(), read.end(), [](double number) { return std::isfinite(number); }))
+        throw std::runtime_error("a number of an object is none");
+    values.assign(read.begin(), read.end());
+}
+
+template <typename Stream>
+void lattice(Stream& bytes, Of<Stream, Lattice>& lattice)
+{
+    bytes(lattice.origin);
+    bytes(lattice.spacing);
+    for (Eigen::Index row = 0; row < 3; ++row)
+        for (Eigen::Index column = 0; column < 3; ++column)
+            bytes(lattice.axes(row, column));
+    bytes.list(lattice.nodes, [&](auto& node) {
+        for (auto& coordinate : node)
+            bytes(coordinate);
+    });
+}
+
+template <typename Stream>
+void skin(Stream& bytes, Of<Stream, std::vector<SkinPoint>>& points)
+{
+    bytes.list(points, [&](auto& point) {
+        bytes(point.place);
+        bytes(point.area);
+    });
+}
+
+/// All that is not per object.
+template <typename Stream>
+void measures(Stream& bytes, Of<Stream, Aggregate>& aggregate)
+{
+    bytes(aggregate.meshVolume);
+    bytes(aggregate.filledVolume);
+    bytes(aggregate.cells);
+    bytes(aggregate.repair.removedTriangles);
+    bytes(aggregate.repair.flippedTriangles);
+    bytes(aggregate.repair.decidedCells);
+    bytes(aggregate.repair.doubtfulShare);
+}
+
+} // namespace
+
+void writeRefilled(ByteWriter& bytes, const Aggregate& aggregate)
+{
+    const std::size_t count = aggregate.size();
+    lattice(bytes, aggregate.lattice);
+    measures(bytes, aggregate);
+    for (std::size_t d = 0; d < Lattice::isotropicCount; ++d)
+        numbers(bytes, aggregate.weight[d], count);
+    numbers(bytes, aggregate.volume, count);
+    numbers(bytes, aggregate.depth, count);
+    bytes.plainList(aggregate.face);
+    skin(bytes, aggregate.skin);
+    const std::vector<Vec3>& displacements = aggregate.former->displacements();
+    VectorArray carriers(displacements.size());
+    for (std::size_t i = 0; i < displacements.size(); ++i)
+        carriers.set(i, displacements[i]);
+    bytes.numbers(carriers, carriers.size());
+}
+
+std::shared_ptr<const Aggregate> readRefilled(ByteReader& bytes, const std::shared_ptr<const Aggregate>& first)
+{
+    auto aggregate = std::make_shared<Aggregate>();
+    lattice(bytes, aggregate->lattice);
+    if (!isSound(aggregate->lattice) || aggregate->size() == 0)
+        throw std::runtime_error("a filling has no lattice");
+    findSegments(aggregate->lattice);
+    measures(bytes, *aggregate);
+    const std::size_t count = aggregate->size();
+    for (std::size_t d = 0; d < Lattice::isotropicCount; ++d) {
+        numbers(bytes, aggregate->weight[d], count);
+        if (!areSoundWeights(aggregate->weight[d], aggregate->lattice, d) || aggregate->weight[d].size() != count)
+            throw std::runtime_error("a connection of a filling leads nowhere");
+    }
+    numbers(bytes, aggregate->volume, count);
+    numbers(bytes, aggregate->depth, count);
+    bytes.plainList(aggregate->face);
+    skin(bytes, aggregate->skin);
+    const auto isMaterial = [](double volume) { return volume > 0; };
+    if (aggregate->volume.size() != count || aggregate->depth.size() != count || aggregate->face.size() != count ||
+        !std::all_of(aggregate->volume.begin(), aggregate->volume.end(), isMaterial) ||
+        !areSoundPoints(aggregate->skin, aggregate->lattice))
+        throw std::runtime_error("a filling is not as it can be");
+    VectorArray carriers;
+    bytes.numbers(carriers, first->size());
+    std::vector<Vec3> displacements(first->size());
+    if (carriers.size() != first->size())
+        throw std::runtime_error("a former shape has no carriers");
+    for (std::size_t i = 0; i < displacements.size(); ++i) {
+        displacements[i] = carriers.at(i);
+        if (!displacements[i].allFinite())
+            throw std::runtime_error("a former shape is none");
+    }
+    aggregate->former = std::make_shared<const FormerShape>(first, std::move(displacements));
+    return aggregate;
+}
+
+} // namespace knead

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/aggregate/aggregate.h"
+#include "core/geometry/smooth_map.h"
+#include "core/geometry/triangle_mesh.h"
+#include "core/skin/skin.h"
+#include "core/skin/skin_map.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace knead {
+
+/// What took an opened part to the shape that a body was filled from anew, as one smooth map: that of the skin (SkinMap) of objects
+/// which lie in the opened part, its carriers. However often a body is filled, there is one such map, and never a chain of them.
+///
+/// Immutable; its members may be called from any thread.
+class FormerShape final : public SmoothMap {
+public:
+    /// What of the carriers does not depend on where they go, for the next map that is fitted to them.
+    struct Fit {
+        Skin carriers;     ///< of the places of the carriers themselves
+        TriangleMesh mesh; ///< the surface of the opened part, split
+        Skin surface;      ///< of its vertices
+    };
+
+    /// @param carriers a filling of the opened part itself, not of a former shape
+    /// @param displacements one per carrier [m]
+    /// @param fit null: not known
+    FormerShape(std::shared_ptr<const Aggregate> carriers, std::vector<Vec3> displacements,
+                std::shared_ptr<const Fit> fit = nullptr);
+
+    void evaluate(std::span<const Vec3> points, std::span<Vec3> places) const override
+    {
+        m_map.evaluate(points, places);
+    }
+    double featureSize() const override { return m_map.featureSize(); }
+
+    /// By which a piece of the map as long as a spacing of the carriers gets longer at most, >= 1.
+    double largestStretch() const { return m_largestStretch; }
+
+    const std::shared_ptr<const Aggregate>& carriers() const { return m_carriers; }
+    const std::vector<Vec3>& displacements() const { return m_map.displacements(); }
+
+    const std::shared_ptr<const Fit>& fit() const { return m_fit; }
+
+private:
+    std::shared_ptr<const Aggregate> m_carriers;
+    std::shared_ptr<const Fit> m_fit;
+    SkinMap m_map;
+    double m_largestStretch = 1;
+};
+
+/// Points of an opened part where an aggregate was filled from: its former shape, or where they are.
+std::vector<Vec3> placesWhenFilled(const Aggregate& aggregate, std::span<const Vec3> points);
+
+/// A surface of an opened part, split until no edge of what a map makes of it is longer than `maximumEdge` [m].
+struct CarriedSurface {
+    TriangleMesh mesh;        ///< of the opened part
+    std::vector<Vec3> places; ///< where the map takes its vertices [m]
+};
+
+/// @param mostTriangles coarser when about so many would not do
+CarriedSurface carriedSurface(const TriangleMesh& mesh, const SmoothMap& map, double maximumEdge,
+                              std::size_t mostTriangles = 400'000);
+
+} // namespace knead

@@ -1,0 +1,199 @@
+#include "core/skin/refilled.h"
+
+#include "core/aggregate/fill.h"
+#include "core/geometry/refine.h"
+#include "core/mechanics/point_spread.h"
+#include "core/skin/skin.h"
+#include "core/task/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+// A fit of moving least squares smooths what it is given; doing it again with what is missing takes much of that back, and what is
+// rough in it too.
+constexpr int corrections = 1;
+constexpr int surfaceCorrections = 4;
+constexpr double edgeShare = 0.5; // of the spacing: edges of the surface that is filled
+constexpr std::size_t mostTriangles = 400'000;
+constexpr std::size_t pointsPerBlock = 512;
+
+/// Fits the map of the skin of some carriers to where their body has come.
+class ShapeFit {
+public:
+    ShapeFit(const TriangleMesh& surface, const std::shared_ptr<const Aggregate>& present,
+             std::span<const Vec3> displacements, double edge)
+        : m_present(*present)
+        , m_displacements(displacements)
+        , m_former(present->former)
+        , m_carriers(m_former ? m_former->carriers() : present)
+        , m_known(m_former ? m_former->fit() : nullptr)
+    {
+        splitSurface(surface, edge);
+    }
+
+    std::shared_ptr<const FormerShape> shape(const MovePlaces& move, TriangleMesh& now)
+    {
+        fitCarriers();
+        if (move)
+            move(m_places);
+        fitSurface();
+        now = m_fit->mesh;
+        m_fit->surface.evaluate(m_fitted, now.vertices);
+        return std::make_shared<const FormerShape>(m_carriers, std::move(m_fitted), m_fit);
+    }
+
+private:
+    /// Where the former shape has points of the opened part: the first ones are likely those that were asked for last time.
+    void addFormerPlaces(const std::vector<Vec3>& vertices)
+    {
+        const std::size_t begin = m_formerPlaces.size();
+        m_formerPlaces.resize(vertices.size());
+        std::vector<Vec3> unknown;
+        std::vector<std::size_t> unknownAt;
+        for (std::size_t i = begin; i < vertices.size(); ++i) {
+            if (i < m_knownPlaces.size() && m_known->mesh.vertices[i] == vertices[i]) {
+                m_formerPlaces[i] = m_knownPlaces[i];
+            } else {
+                unknown.push_back(vertices[i]);
+                unknownAt.push_back(i);
+            }
+        }
+        std::vector<Vec3> found = unknown;
+        if (m_former) // to the bits of those that are known
+            Skin(*m_carriers, unknown).evaluate(m_former->displacements(), found);
+        for (std::size_t i = 0; i < found.size(); ++i)
+            m_formerPlaces[unknownAt[i]] = found[i];
+    }
+
+    Vec3 touchingPlace(const Vec3& place) const
+    {
+        Vec3 now = place;
+        if (const auto spread = spreadOf(m_present.lattice, place))
+            for (std::uint32_t n = 0; n < spread->count; ++n)
+                now += spread->weights[n] * m_displacements[spread->objects[n]];
+        return now;
+    }
+
+    /// Where it touches, edges are short enough.
+    void splitSurface(const TriangleMesh& surface, double edge)
+    {
+        if (m_known) {
+            m_knownPlaces.resize(m_known->mesh.vertices.size());
+            m_known->surface.evaluate(m_former->displacements(), m_knownPlaces);
+        }
+        const auto carry = [&](const std::vector<Vec3>& vertices) -> const std::vector<Vec3>& {
+            const std::size_t begin = m_places.size();
+            addFormerPlaces(vertices);
+            m_places.resize(vertices.size());
+            forEachBlock(vertices.size() - begin, pointsPerBlock, [&](std::size_t first, std::size_t end) {
+                for (std::size_t i = begin + first; i < begin + end; ++i)
+                    m_places[i] = touchingPlace(m_formerPlaces[i]);
+            });
+            return m_places;
+        };
+        TriangleMesh mesh = refineWhereCarried(surface, edge, mostTriangles, carry);
+        carry(mesh.vertices);
+        if (m_known && m_known->mesh.vertices == mesh.vertices) {
+            m_fit = m_known;
+            return;
+        }
+        Skin ofSurface(*m_carriers, mesh.vertices);
+        m_fit = std::make_shared<const FormerShape::Fit>(FormerShape::Fit{
+            m_known ? m_known->carriers : Skin(*m_carriers, nodes()), std::move(mesh), std::move(ofSurface)});
+    }
+
+    std::vector<Vec3> nodes() const
+    {
+        std::vector<Vec3> places(m_carriers->size());
+        for (ObjectIndex i = 0; i < places.size(); ++i)
+            places[i] = m_carriers->lattice.position(i);
+        return places;
+    }
+
+    /// From where they were: what has not moved stays as it is, to the bit.
+    void fitCarriers()
+    {
+        m_fitted = m_former ? m_former->displacements() : std::vector<Vec3>(m_carriers->size(), Vec3::Zero());
+        std::vector<Vec3> places(m_carriers->size());
+        m_fit->carriers.evaluate(m_fitted, places);
+        const Skin presentSkin = Skin::ofPlacesWhenFilled(m_present, places);
+        std::vector<Vec3> wanted(places.size());
+        presentSkin.evaluate(m_displacements, wanted);
+        for (int n = 0; n <= corrections; ++n) {
+            if (n > 0)
+                m_fit->carriers.evaluate(m_fitted, places);
+            for (std::size_t i = 0; i < places.size(); ++i)
+                m_fitted[i] += wanted[i] - places[i];
+        }
+    }
+
+    /// What the surface lacks is shared out to the carriers that it has it from, again and again (SIRT).
+    void fitSurface()
+    {
+        const Skin& skin = m_fit->surface;
+        std::vector<Vec3> places(skin.size());
+        std::vector<Vec3> change(m_fitted.size());
+        std::vector<double> weight(m_fitted.size());
+        for (int n = 0; n < surfaceCorrections; ++n) {
+            skin.evaluate(m_fitted, places);
+            std::fill(change.begin(), change.end(), Vec3::Zero());
+            std::fill(weight.begin(), weight.end(), 0.0);
+            for (std::size_t p = 0; p < skin.size(); ++p) {
+                const Vec3 lack = m_places[p] - places[p];
+                double sum = 0;
+                for (const Skin::Influence& influence : skin.influences(p))
+                    sum += std::abs(static_cast<double>(influence.weight));
+                for (const Skin::Influence& influence : skin.influences(p)) {
+                    const auto share = static_cast<double>(influence.weight);
+                    change[influence.object] += share / sum * lack;
+                    weight[influence.object] += std::abs(share);
+                }
+            }
+            for (std::size_t i = 0; i < change.size(); ++i)
+                if (weight[i] > 0)
+                    m_fitted[i] += change[i] / weight[i];
+        }
+    }
+
+    const Aggregate& m_present;
+    std::span<const Vec3> m_displacements;
+    std::shared_ptr<const FormerShape> m_former; ///< null: the opened part itself
+    std::shared_ptr<const Aggregate> m_carriers;
+    std::shared_ptr<const FormerShape::Fit> m_known;
+    std::shared_ptr<const FormerShape::Fit> m_fit;
+    std::vector<Vec3> m_knownPlaces;  ///< of the vertices of m_known, in the former shape
+    std::vector<Vec3> m_formerPlaces; ///< of the vertices of m_fit, in the former shape
+    std::vector<Vec3> m_places;       ///< where they are now
+    std::vector<Vec3> m_fitted;       ///< displacements of the carriers
+};
+
+} // namespace
+
+std::shared_ptr<const Aggregate> refilled(const TriangleMesh& surface, const std::shared_ptr<const Aggregate>& present,
+                                          std::span<const Vec3> displacements, double spacing, const MovePlaces& move,
+                                          TaskControl& control)
+{
+    ShapeFit fit(surface, present, displacements, edgeShare * spacing);
+    TriangleMesh now;
+    std::shared_ptr<const FormerShape> shape = fit.shape(move, now);
+    Aggregate aggregate = fill(now, {.spacing = spacing, .dirty = DirtySurface::windingNumber}, control);
+    aggregate.former = std::move(shape);
+    return std::make_shared<const Aggregate>(std::move(aggregate));
+}
+
+TriangleMesh surfaceWhenFilled(const TriangleMesh& surface, const Aggregate& aggregate)
+{
+    if (!aggregate.former)
+        return surface;
+    CarriedSurface carried =
+        carriedSurface(surface, *aggregate.former, edgeShare * aggregate.lattice.spacing, mostTriangles);
+    carried.mesh.vertices = std::move(carried.places);
+    return std::move(carried.mesh);
+}
+
+} // namespace knead

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/skin/former_shape.h"
+#include "core/task/task_control.h"
+
+#include <functional>
+#include <memory>
+#include <span>
+
+namespace knead {
+
+/// Moves places of a surface that cannot be where they are, as those inside of a tool [m].
+using MovePlaces = std::function<void(std::span<Vec3> places)>;
+
+/// Fills the shape that a body has now: the surface of the opened part, carried to where the objects are, becomes the one that is
+/// filled. Surfaces that have come to overlap are filled as one where they wind around material.
+///
+/// The map that carries it is fitted anew to the carriers of the first filling (FormerShape), to where they have come, and at the
+/// surface to where that touches tools: trilinearly between objects. So the first one follows the objects within what their map
+/// smooths, and later ones lose what is finer than the spacing of the carriers in the opened part.
+/// @param surface of the opened part
+/// @param displacements one per object of `present` [m]
+/// @param spacing of the new filling [m], > 0
+/// @param move what the surface keeps clear of; null: nothing
+/// @return with its former shape, never null
+/// @throws std::runtime_error, in a sentence, when the shape cannot be filled; Cancelled
+std::shared_ptr<const Aggregate> refilled(const TriangleMesh& surface, const std::shared_ptr<const Aggregate>& present,
+                                          std::span<const Vec3> displacements, double spacing,
+                                          const MovePlaces& move = nullptr, TaskControl& control = TaskControl::none());
+
+/// The surface of an opened part as an aggregate was filled from it: split and carried, or as it is.
+TriangleMesh surfaceWhenFilled(const TriangleMesh& surface, const Aggregate& aggregate);
+
+} // namespace knead

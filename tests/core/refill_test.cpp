@@ -1,0 +1,347 @@
+// Clay that is kneaded until its lattice is no good is filled anew, and goes on.
+#include "support/thread_limit.h"
+
+#include "core/aggregate/cell_shapes.h"
+#include "core/document/moment_bytes.h"
+#include "core/geometry/mass_properties.h"
+#include "core/simulation/gesture.h"
+#include "core/simulation/moment.h"
+#include "core/skin/refilled.h"
+#include "support/changed_moment.h"
+#include "support/scenes.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace knead;
+
+namespace {
+
+constexpr double spacing = 3e-3; // [m]
+const Vec3 size(0.045, 0.036, 0.024);
+
+Material clay()
+{
+    Material material{.density = 1700, .youngsModulus = 5e5, .poissonRatio = 0.45, .dampingRatio = 0.2};
+    material.shapeDamping = 20;
+    material.friction = 0.5;
+    material.yieldStress = 1e4;
+    material.relaxationTime = 0.002;
+    return material;
+}
+
+Body lump(const Material& material = clay())
+{
+    const TriangleMesh mesh = shapes::box(size);
+    Body body = scenes::body(mesh, spacing, material, "lump");
+    body.surface = std::make_shared<const TriangleMesh>(mesh);
+    return body;
+}
+
+/// A ball of half the thickness above a lump that is held below.
+Scene dent(double speed = 0.1)
+{
+    Scene scene;
+    scene.bodies.push_back(lump());
+    scene.fixtures.push_back(
+        {"foot", 0,
+         objectsInBox(*scene.bodies[0].aggregate, Box(Vec3(-1, -1, -1), Vec3(1, 1, -0.5 * size.z() + 0.5 * spacing)))});
+    scene.integrator = Integrator::implicitEuler;
+    Manipulator ball{.name = "ball", .size = Vec3::Constant(0.5 * size.z())};
+    ball.kind = ToolKind::ball;
+    ball.speedLimit = speed;
+    ball.pose.position = Vec3(0, 0, 0.75 * size.z() + 1e-4);
+    scene.manipulators.push_back(ball);
+    return scene;
+}
+
+void drive(Simulation& simulation, const Vec3& place)
+{
+    Pose pose = simulation.snapshot()->tools[0].pose;
+    pose.position = place;
+    simulation.post(SetManipulatorMotion{0, GoTo{pose}});
+    do
+        simulation.step();
+    while (simulation.health().ok && simulation.time() < 10 &&
+           (simulation.snapshot()->tools[0].pose.position - place).norm() > 1e-9);
+}
+
+CellQuality cellsOf(const Snapshot& shot)
+{
+    const Snapshot::BodyState& body = shot.bodies[0];
+    return CellShapes(*body.aggregate).quality([&](ObjectIndex object) { return body.positions[object]; });
+}
+
+/// Of the opened part's surface, where its material is now [m^3].
+double volumeOf(const Snapshot& shot)
+{
+    const SkinMap map(*shot.bodies[0].aggregate, shot.bodies[0].displacements());
+    CarriedSurface surface = carriedSurface(shapes::box(size), map, 0.5 * spacing);
+    surface.mesh.vertices = std::move(surface.places);
+    return massProperties(surface.mesh).volume;
+}
+
+double forceOn(Simulation& simulation)
+{
+    return simulation.snapshot()->tools[0].force.norm();
+}
+
+void steps(Simulation& simulation, int count)
+{
+    for (int n = 0; n < count; ++n)
+        simulation.step();
+}
+
+/// Where only so much of the lump is left below the ball.
+const Vec3 deep(0, 0, -0.5 * size.z() + 0.004 + 0.25 * size.z());
+
+} // namespace
+
+class RefillTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aCubeThatIsShearedStretchesAndOneThatIsCrushedInACornerIsInsideOut()
+    {
+        const Body cube = scenes::box({4, 4, 4}, spacing);
+        const CellShapes cells(*cube.aggregate);
+        QCOMPARE(cells.count(), std::size_t{64});
+        const auto place = [&](ObjectIndex object) { return cube.aggregate->lattice.position(object); };
+        QVERIFY(std::abs(cells.quality(place).leastCorner - 1) < 1e-12);
+        QVERIFY(std::abs(cells.quality(place).largestStretch - 1) < 1e-12);
+        const CellQuality sheared = cells.quality([&](ObjectIndex object) {
+            const Vec3 at = place(object);
+            return Vec3(at.x() + 3 * at.z(), at.y(), at.z());
+        });
+        QVERIFY(std::abs(sheared.leastCorner - 1) < 1e-9);
+        QVERIFY(std::abs(sheared.largestStretch - std::sqrt(10.0)) < 1e-9);
+        const CellQuality crushed = cells.quality([&](ObjectIndex object) {
+            const Vec3 at = place(object);
+            return at.minCoeff() > 1.5 * spacing ? Vec3(-0.4 * at) : at; // one corner of the cube
+        });
+        QCOMPARE(crushed.inverted, std::size_t{1});
+        QVERIFY(crushed.leastCorner < 0);
+    }
+
+    void aDeepDentTurnsNoCellInsideOut()
+    {
+        Simulation simulation(dent());
+        drive(simulation, deep);
+        auto shot = simulation.snapshot();
+        QVERIFY2(shot->health.ok, shot->health.message.c_str());
+        QVERIFY(shot->refills >= 2);
+        QCOMPARE(cellsOf(*shot).inverted, std::size_t{0});
+        QVERIFY(std::abs(volumeOf(*shot) / size.prod() - 1) < 2e-3);
+        QVERIFY2(shot->energy.imbalanceShare() < 0.02, qPrintable(QString::number(shot->energy.imbalanceShare())));
+        drive(simulation, Vec3(0, 0, size.z()));
+        shot = simulation.snapshot();
+        QVERIFY(shot->tools[0].force.norm() < 1e-9);
+        QVERIFY(std::abs(volumeOf(*shot) / size.prod() - 1) < 2e-3);
+        // What it keeps of stress is no more than it bears.
+        const Snapshot::BodyState& body = shot->bodies[0];
+        const std::vector<Vec3> displacements = body.displacements();
+        for (const ObjectStrain& strain : objectStrains(*body.aggregate, displacements, *body.relaxed))
+            QVERIFY(vonMisesStress(strain.stress) < 1.2e4);
+    }
+
+    void withoutItCellsTurnInsideOut()
+    {
+        Scene scene = dent();
+        scene.refilling = false;
+        Simulation simulation(scene);
+        drive(simulation, deep);
+        const auto shot = simulation.snapshot();
+        QCOMPARE(shot->refills, std::uint64_t{0});
+        QVERIFY(!shot->health.ok || cellsOf(*shot).inverted > 10);
+    }
+
+    void aDraggedBallLeavesAGroove()
+    {
+        Simulation simulation(dent());
+        drive(simulation, Vec3(-0.009, 0, 0.5 * size.z() + 0.25 * size.z() + 1e-4));
+        drive(simulation, Vec3(-0.009, 0, 0.5 * size.z()));
+        drive(simulation, Vec3(0.009, 0, 0.5 * size.z()));
+        const auto shot = simulation.snapshot();
+        QVERIFY2(shot->health.ok, shot->health.message.c_str());
+        QVERIFY(shot->refills >= 2);
+        QCOMPARE(cellsOf(*shot).inverted, std::size_t{0});
+        QVERIFY(std::abs(volumeOf(*shot) / size.prod() - 1) < 2e-3);
+    }
+
+    /// Pressed between plates it bears the same in all its volume: another lattice changes nothing. The first one is cut by the
+    /// surface, which flows at 5 % less.
+    void evenStressGoesOver()
+    {
+        Scene scene;
+        scene.bodies.push_back(lump());
+        scene.bodies[0].material.friction = 0;
+        scene.floorHeight = -0.5 * size.z();
+        scene.floorFriction = 0;
+        scene.integrator = Integrator::implicitEuler;
+        Manipulator plate{.name = "plate", .size = Vec3(0.1, 0.1, 0.01), .friction = 0};
+        plate.pose.position = Vec3(0, 0, 0.5 * size.z() + 0.005 + 1e-5);
+        plate.speedLimit = 0.02;
+        scene.manipulators.push_back(plate);
+        Simulation simulation(scene);
+        drive(simulation, plate.pose.position - Vec3(0, 0, 0.1 * size.z()));
+        for (const double most : {0.06, 0.01, 0.01}) {
+            steps(simulation, 20);
+            const double before = forceOn(simulation);
+            QVERIFY(before > 10);
+            simulation.post(Refill{0, 0});
+            steps(simulation, 1);
+            QVERIFY2(simulation.snapshot()->notice.empty(), simulation.snapshot()->notice.c_str());
+            QVERIFY2(std::abs(forceOn(simulation) / before - 1) < most,
+                     qPrintable(QString("%1 of %2").arg(forceOn(simulation)).arg(before)));
+        }
+        QCOMPARE(simulation.snapshot()->refills, std::uint64_t{3});
+    }
+
+    void motionGoesOver()
+    {
+        Scene scene;
+        scene.bodies.push_back(lump());
+        scene.bodies[0].velocity = Vec3(0.3, -0.2, 0.1);
+        scene.bodies[0].angularVelocity = Vec3(1, 2, -1);
+        scene.integrator = Integrator::implicitEuler;
+        Simulation simulation(scene);
+        steps(simulation, 30);
+        const auto before = simulation.snapshot();
+        simulation.post(Refill{0, 0});
+        simulation.applyCommands();
+        const auto after = simulation.snapshot();
+        QVERIFY(after->bodies[0].aggregate != before->bodies[0].aggregate);
+        QVERIFY((after->momentum - before->momentum).norm() < 1e-3 * before->momentum.norm());
+        QVERIFY((after->angularMomentum - before->angularMomentum).norm() < 1e-2 * before->angularMomentum.norm());
+        QVERIFY(std::abs(after->energy.kinetic / before->energy.kinetic - 1) < 1e-2);
+        QVERIFY(std::abs(after->energy.imbalance - before->energy.imbalance) < 1e-9 * before->energy.turnover);
+    }
+
+    void whatIsHeldAndMadeOfSomethingElseStaysSo()
+    {
+        Scene scene = dent();
+        Material stiff = clay();
+        stiff.yieldStress = 5e4;
+        const std::vector<ObjectIndex> left =
+            objectsInBox(*scene.bodies[0].aggregate, Box(Vec3(-1, -1, -1), Vec3(-0.2 * size.x(), 1, 1)));
+        scene.bodies[0].regions.push_back({"left", left, stiff});
+        Simulation simulation(scene);
+        const auto first = simulation.snapshot();
+        simulation.post(Refill{0, 2e-3});
+        simulation.applyCommands();
+        const auto shot = simulation.snapshot();
+        const Aggregate& filled = *shot->bodies[0].aggregate;
+        QCOMPARE(filled.lattice.spacing, 2e-3);
+        for (const ObjectIndex object : shot->fixtures[0].objects)
+            QVERIFY(filled.lattice.position(object).z() < -0.5 * size.z() + spacing);
+        QVERIFY(shot->fixtures[0].objects.size() > first->fixtures[0].objects.size());
+        const MaterialMap& materials = shot->bodies[0].relaxed->materials;
+        for (ObjectIndex object = 0; object < filled.size(); ++object)
+            if (const double x = filled.lattice.position(object).x() + 0.2 * size.x(); std::abs(x) > spacing)
+                QCOMPARE(materials.of(object).yieldStress, x < 0 ? 5e4 : 1e4);
+        simulation.post(Reset{});
+        simulation.applyCommands();
+        const auto reset = simulation.snapshot();
+        QVERIFY(reset->bodies[0].aggregate == first->bodies[0].aggregate);
+        QVERIFY(reset->bodies[0].positions == first->bodies[0].positions);
+        QVERIFY(reset->fixtures[0].objects == first->fixtures[0].objects);
+        QVERIFY(reset->bodies[0].relaxed->materials == first->bodies[0].relaxed->materials);
+    }
+
+    void whatCannotBeFilledAnewSaysWhy()
+    {
+        const auto noticeOf = [](Simulation& simulation, const Refill& refill) {
+            simulation.post(refill);
+            simulation.applyCommands();
+            return QString::fromStdString(simulation.snapshot()->notice);
+        };
+        Scene scene;
+        scene.bodies.push_back(lump(Material{}));
+        scene.bodies.push_back(lump());
+        scene.bodies[1].surface = nullptr;
+        Simulation simulation(scene);
+        QVERIFY(noticeOf(simulation, {0, 0}).contains("is elastic"));
+        QVERIFY(noticeOf(simulation, {1, 0}).contains("no surface"));
+        QVERIFY(noticeOf(simulation, {2, 0}).contains("no body number 2"));
+        QVERIFY(noticeOf(simulation, {1, -1}).contains("more than 0"));
+        Scene cracked;
+        cracked.bodies.push_back(lump());
+        Simulation torn(cracked);
+        scenes::cut(torn, 0, 0, 0);
+        QVERIFY(noticeOf(torn, {0, 0}).contains("cracks"));
+        QCOMPARE(torn.snapshot()->refills, std::uint64_t{0});
+    }
+
+    void momentsKeepTheFilling()
+    {
+        const Scene scene = dent();
+        Simulation simulation(scene);
+        drive(simulation, 0.5 * (deep + scene.manipulators[0].pose.position));
+        QVERIFY(simulation.snapshot()->refills > 0);
+        const MomentPointer moment = simulation.keepMoment();
+        const Bytes bytes = momentToBytes(*moment);
+        drive(simulation, deep);
+        const std::uint64_t end = simulation.stateHash();
+        Simulation other(scene);
+        other.goTo(moment);
+        drive(other, deep);
+        QCOMPARE(other.stateHash(), end);
+        const auto read = std::make_shared<const Moment>(momentFromBytes(bytes, scene.bodies));
+        QVERIFY(momentToBytes(*read) == bytes);
+        Simulation third(scene);
+        third.goTo(read);
+        drive(third, deep);
+        QCOMPARE(third.stateHash(), end);
+        QVERIFY(std::abs(volumeOf(*third.snapshot()) - volumeOf(*simulation.snapshot())) < 1e-15);
+        third.goTo(Simulation(scene).keepMoment()); // and back before it
+        QVERIFY(third.snapshot()->bodies[0].aggregate == scene.bodies[0].aggregate);
+    }
+
+    void theBitsDoNotDependOnTheThreads()
+    {
+        const auto hashAtTheEnd = [] {
+            Simulation simulation(dent());
+            drive(simulation, 0.5 * (deep + Vec3(0, 0, 0.75 * size.z())));
+            return std::pair(simulation.stateHash(), simulation.snapshot()->refills);
+        };
+        const auto one = onThreads(1, hashAtTheEnd);
+        QVERIFY(onThreads(4, hashAtTheEnd) == one);
+        QVERIFY(one.second > 0);
+    }
+
+    /// Forty fillings are as exact as four: the surface stays where it is.
+    void fillingAgainAndAgainChangesNothing()
+    {
+        Scene scene = dent();
+        Simulation simulation(scene);
+        drive(simulation, 0.5 * (deep + scene.manipulators[0].pose.position));
+        drive(simulation, scene.manipulators[0].pose.position);
+        steps(simulation, 10);
+        const auto surfaceNow = [&] {
+            const auto shot = simulation.snapshot();
+            const SkinMap map(*shot->bodies[0].aggregate, shot->bodies[0].displacements());
+            return carriedSurface(shapes::box(size), map, 0.5 * spacing);
+        };
+        const CarriedSurface before = surfaceNow();
+        const double volume = volumeOf(*simulation.snapshot());
+        for (int n = 0; n < 40; ++n) {
+            simulation.post(Refill{0, 0});
+            simulation.applyCommands();
+        }
+        QVERIFY(simulation.snapshot()->refills >= 40);
+        const auto shot = simulation.snapshot();
+        const SkinMap map(*shot->bodies[0].aggregate, shot->bodies[0].displacements());
+        std::vector<Vec3> places(before.places.size());
+        map.evaluate(before.mesh.vertices, places);
+        double farthest = 0;
+        for (std::size_t i = 0; i < places.size(); ++i)
+            farthest = std::max(farthest, (places[i] - before.places[i]).norm());
+        QVERIFY2(farthest < 0.1 * spacing, qPrintable(QString::number(farthest / spacing)));
+        QVERIFY2(std::abs(volumeOf(*shot) / volume - 1) < 5e-4,
+                 qPrintable(QString::number(volumeOf(*shot) / volume - 1)));
+    }
+};
+
+QTEST_MAIN(RefillTest)
+#include "refill_test.moc"
