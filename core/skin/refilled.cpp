@@ -18,7 +18,7 @@ namespace {
 // rough in it too.
 constexpr int corrections = 1;
 constexpr int surfaceCorrections = 4;
-constexpr double edgeShare = 0.5; // of the spacing: edges of the surface that is filled
+constexpr double edgeShare = 0.7; // of the spacing: edges of the surface that is filled
 constexpr std::size_t mostTriangles = 400'000;
 constexpr std::size_t pointsPerBlock = 512;
 

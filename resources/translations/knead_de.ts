@@ -426,6 +426,14 @@
         <source>Where implicit steps are slower than real time, solve them more roughly (forces within 3 % of the largest), then take one per 1/30 s. Without this, time runs slower</source>
         <translation>Wo implizite Schritte langsamer als Echtzeit sind, werden sie gröber gelöst (Kräfte auf 3 % der größten genau), dann gibt es einen je 1/30 s. Ohne das läuft die Zeit langsamer</translation>
     </message>
+    <message>
+        <source>Refill as it is</source>
+        <translation>In seiner Form neu füllen</translation>
+    </message>
+    <message>
+        <source>The selected body, or every one that yields, gets new objects in the shape that it has, and goes on with its stress and motion. Where its lattice is no good any more this happens by itself</source>
+        <translation>Der gewählte Körper, oder jeder, der fließt, bekommt in der Form, die er hat, neue Objekte und behält Spannung und Bewegung. Wo sein Gitter nicht mehr taugt, geschieht das von selbst</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -948,6 +956,10 @@
         <source>In balance: the forces that are left are %1 of those that act.</source>
         <translation>Im Gleichgewicht: die übrigen Kräfte sind %1 derer, die wirken.</translation>
     </message>
+    <message>
+        <source>No body is of material that yields: elastic ones keep their shape at rest, and are not filled anew.</source>
+        <translation>Kein Körper ist aus Material, das fließt: elastische behalten ihre Ruheform und werden nicht neu gefüllt.</translation>
+    </message>
 </context>
 <context>
     <name>EntryNames</name>
@@ -1082,6 +1094,10 @@
     <message>
         <source>Find balance</source>
         <translation>Gleichgewicht suchen</translation>
+    </message>
+    <message>
+        <source>Refill %1</source>
+        <translation>%1 neu füllen</translation>
     </message>
 </context>
 <context>

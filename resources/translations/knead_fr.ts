@@ -426,6 +426,14 @@
         <source>Where implicit steps are slower than real time, solve them more roughly (forces within 3 % of the largest), then take one per 1/30 s. Without this, time runs slower</source>
         <translation>Quand les pas implicites sont plus lents que le temps réel, ils sont résolus plus grossièrement (forces à 3 % de la plus grande), puis il y en a un par 1/30 s. Sinon, le temps ralentit</translation>
     </message>
+    <message>
+        <source>Refill as it is</source>
+        <translation>Remplir dans sa forme</translation>
+    </message>
+    <message>
+        <source>The selected body, or every one that yields, gets new objects in the shape that it has, and goes on with its stress and motion. Where its lattice is no good any more this happens by itself</source>
+        <translation>Le corps choisi, ou chaque corps plastique, reçoit de nouveaux objets dans la forme qu’il a, et garde contraintes et mouvement. Là où son réseau ne vaut plus rien, cela se fait tout seul</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -948,6 +956,10 @@
         <source>In balance: the forces that are left are %1 of those that act.</source>
         <translation>En équilibre : les forces qui restent sont %1 de celles qui agissent.</translation>
     </message>
+    <message>
+        <source>No body is of material that yields: elastic ones keep their shape at rest, and are not filled anew.</source>
+        <translation>Aucun corps n’est d’un matériau plastique : les corps élastiques gardent leur forme au repos et ne sont pas remplis de nouveau.</translation>
+    </message>
 </context>
 <context>
     <name>EntryNames</name>
@@ -1082,6 +1094,10 @@
     <message>
         <source>Find balance</source>
         <translation>Chercher l&apos;équilibre</translation>
+    </message>
+    <message>
+        <source>Refill %1</source>
+        <translation>Remplir %1 de nouveau</translation>
     </message>
 </context>
 <context>

@@ -426,6 +426,14 @@
         <source>Where implicit steps are slower than real time, solve them more roughly (forces within 3 % of the largest), then take one per 1/30 s. Without this, time runs slower</source>
         <translation>Waar impliciete stappen langzamer zijn dan echte tijd, worden ze grover opgelost (krachten binnen 3 % van de grootste), daarna is er één per 1/30 s. Zonder dit loopt de tijd langzamer</translation>
     </message>
+    <message>
+        <source>Refill as it is</source>
+        <translation>In zijn vorm opnieuw vullen</translation>
+    </message>
+    <message>
+        <source>The selected body, or every one that yields, gets new objects in the shape that it has, and goes on with its stress and motion. Where its lattice is no good any more this happens by itself</source>
+        <translation>Het gekozen lichaam, of elk dat vloeit, krijgt nieuwe objecten in de vorm die het heeft, en houdt spanning en beweging. Waar zijn rooster niet meer deugt, gebeurt dat vanzelf</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -948,6 +956,10 @@
         <source>In balance: the forces that are left are %1 of those that act.</source>
         <translation>In evenwicht: de krachten die overblijven zijn %1 van die welke werken.</translation>
     </message>
+    <message>
+        <source>No body is of material that yields: elastic ones keep their shape at rest, and are not filled anew.</source>
+        <translation>Geen lichaam is van materiaal dat vloeit: elastische houden hun rustvorm en worden niet opnieuw gevuld.</translation>
+    </message>
 </context>
 <context>
     <name>EntryNames</name>
@@ -1082,6 +1094,10 @@
     <message>
         <source>Find balance</source>
         <translation>Evenwicht zoeken</translation>
+    </message>
+    <message>
+        <source>Refill %1</source>
+        <translation>%1 opnieuw vullen</translation>
     </message>
 </context>
 <context>

@@ -124,6 +124,96 @@ private slots:
         endStory();
     }
 
+    /// A thumb goes so deep that the lump is filled anew on the way; looking back, undo and saving cross that, and the file has the
+    /// faces that were opened.
+    void clayIsKneadedThrough()
+    {
+        beginStory("knead");
+        openByHand(example("lump.step"));
+        const Box box = document().content().box;
+        const Vec3 middle = box.center();
+        choose("materialPreset", "Mod", "Modeling clay");
+        QTRY_VERIFY(snapshot().materials[0].yieldStress > 0);
+        key(Qt::Key_7, Qt::ControlModifier); // from below
+        waitForView();
+        key(Qt::Key_X);
+        click({middle.x(), middle.y(), box.min().z()});
+        QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
+        key(Qt::Key_X);
+        key(Qt::Key_0);
+        addTool("ball");
+        type("toolSizeX", "16 mm");
+        type("toolForceLimit", "1 kN");
+        type("toolSpeed", "60 mm/s");
+        placeTool(0, {middle.x(), middle.y(), box.max().z() + 0.0085});
+        key(Qt::Key_F);
+        waitForView();
+        const auto filling = [&] { return document().content().bodies[0]->aggregate; };
+        const auto first = filling();
+        const std::uint64_t before = hash();
+        const auto goTo = [&](double height) {
+            type("toolPositionZ", QString::number(height / millimeter) + " mm");
+            waitUntil([&] { return std::abs(tool(0).pose.position.z() - height) < 1e-9; });
+        };
+        play();
+        goTo(box.max().z() + 0.008 - 0.016);
+        stage("pressed");
+        QVERIFY(snapshot().refills > 0);
+        QVERIFY(filling() != first && filling()->former != nullptr);
+        goTo(box.max().z() + 0.0085);
+        pause();
+        stage("dented");
+        QVERIFY2(snapshot().health.ok, snapshot().health.message.c_str());
+        const std::uint64_t dented = hash();
+        auto* axis = find<TimelineAxis>("timelineAxis");
+        const Timeline line = axis->timeline();
+        QTest::mousePress(axis, Qt::LeftButton, {}, axis->placeOf(line.present));
+        for (const double share : {0.7, 0.4, 0.1, 0.5}) {
+            QTest::mouseMove(axis, axis->placeOf(share * line.present));
+            QTest::qWait(50);
+        }
+        QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(0.5 * line.present));
+        QTRY_VERIFY(view().isLookingBack());
+        QTest::qWait(200);
+        stage("looking-back");
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!view().isLookingBack());
+        comeBack();
+        const auto entry = [&] { return document().history().tree().current(); };
+        const auto goThrough = [&](Qt::KeyboardModifiers undoOrRedo, std::uint64_t end) {
+            for (int n = 0; n < 10 && hash() != end; ++n) {
+                const auto seen = entry();
+                key(Qt::Key_Z, undoOrRedo);
+                QTRY_VERIFY_WITH_TIMEOUT(entry() != seen && document().isSettled(), patience);
+            }
+            QCOMPARE(hash(), end);
+            QCOMPARE(document().fixtures().list().front().faces.size(), std::size_t{1});
+        };
+        goThrough(Qt::ControlModifier, before);
+        QVERIFY(filling() == first);
+        goThrough(Qt::ControlModifier | Qt::ShiftModifier, dented);
+        QVERIFY(filling()->former != nullptr);
+        answerFileDialog(file("dented.knead"));
+        key(Qt::Key_S, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file("dented.knead")) && isIdle(), patience);
+        comeBack();
+        QProcess replay;
+        replay.start(KNEAD_PROGRAM, {"replay", file("dented.knead")});
+        QVERIFY(replay.waitForFinished(patience));
+        QVERIFY2(replay.exitCode() == 0, replay.readAllStandardError().constData());
+        exportByHand(file("dented.step"));
+        stage("exported");
+        QFile written(file("dented.step"));
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        QCOMPARE(written.readAll().count("ADVANCED_FACE("), 18);
+        newWindow(m_services);
+        openByHand(file("dented.knead"));
+        QCOMPARE(hash(), dented);
+        QVERIFY(filling()->former != nullptr);
+        stage("opened-again");
+        endStory();
+    }
+
     /// Two wedges bite through a bar; both pieces go into the file.
     void aBarIsCutInTwo()
     {
