@@ -1,6 +1,7 @@
 #include "app/recipe_events.h"
 
 #include "core/simulation/moment.h"
+#include "core/skin/refilled.h"
 
 #include <filesystem>
 
@@ -51,7 +52,17 @@ struct CommandMaker {
             made.push_back(make(found->second));
     }
 
-    void operator()(const AddRecipeLoad& add) { made.push_back(AddLoad{loadOf(recipe, add.load, ready)}); }
+    void operator()(const AddRecipeLoad& add)
+    {
+        Load load = loadOf(recipe, add.load, ready);
+        const Aggregate& aggregate = *bodies[load.body].aggregate;
+        if (aggregate.former) // of a box nothing is left, which the simulation refuses
+            load.patch = load.faces.empty()
+                             ? LoadPatch{}
+                             : loadPatch(aggregate, surfaceWhenFilled(ready.parts[load.body].mesh, aggregate),
+                                         load.faces, std::nullopt);
+        made.push_back(AddLoad{std::move(load)});
+    }
     void operator()(const ChangeRecipeLoad& change)
     {
         withLoad(change.load, [&](LoadId id) { return SetLoad{id, change.amount, change.ramp}; });
@@ -63,14 +74,19 @@ struct CommandMaker {
     void operator()(const ChangeMaterial& change)
     {
         for (BodyObjects& at : objectsWithin(ready, change.body, change.box, change.objects, place()))
-            made.push_back(
-                SetMaterial{at.body, change.material.on(ready.scene.bodies[at.body].material), std::move(at.objects)});
+            made.push_back(SetMaterial{at.body, change.material.on(ready.scene.bodies[at.body].material),
+                                       change.box ? present(at) : std::move(at.objects)});
+    }
+    /// What was chosen by a place in the opened part, in the filling that the body has by now; numbers are those of now.
+    std::vector<ObjectIndex> present(const BodyObjects& at) const
+    {
+        return objectsInFilling(*bodies[at.body].aggregate, at.objects);
     }
     void operator()(const RenormalizeBodies& wanted)
     {
         for (BodyObjects& at : objectsWithin(ready, wanted.body, wanted.box, wanted.objects, place()))
             if (!wanted.body.empty() || bodies[at.body].kind == BodyKind::deformable)
-                made.push_back(Renormalize{at.body, std::move(at.objects), wanted.duration});
+                made.push_back(Renormalize{at.body, wanted.box ? present(at) : std::move(at.objects), wanted.duration});
     }
     void operator()(const ChangeBodyKind& change)
     {
@@ -83,8 +99,11 @@ struct CommandMaker {
     void operator()(const ChangeIntegrator& change) { made.push_back(SetIntegrator{change.integrator}); }
     void operator()(const AddRecipeFixture& add)
     {
-        for (Fixture& fixture : fixturesOf(recipe, add.fixture, ready))
+        for (Fixture& fixture : fixturesOf(recipe, add.fixture, ready)) {
+            if (!add.fixture.objects)
+                fixture.objects = objectsInFilling(*bodies[fixture.body].aggregate, fixture.objects);
             made.push_back(AddFixture{std::move(fixture)});
+        }
     }
     void operator()(const MoveRecipeFixture& move)
     {

@@ -6,6 +6,8 @@
 #include "app/recipe_scene.h"
 #include "app/whole_file.h"
 #include "core/simulation/simulation.h"
+#include "core/skin/former_shape.h"
+#include "core/skin/skin_map.h"
 
 #include <algorithm>
 #include <array>
@@ -40,10 +42,27 @@ std::string fixed(double number, int digits)
     return text.data();
 }
 
+/// From the opened part: of the objects, or of those of the first filling where there are others now [m].
+std::vector<Vec3> displacementsOf(const Snapshot::BodyState& body)
+{
+    std::vector<Vec3> displacements = body.displacements();
+    if (!body.aggregate->former)
+        return displacements;
+    const Lattice& first = body.aggregate->former->carriers()->lattice;
+    std::vector<Vec3> opened;
+    for (ObjectIndex i = 0; i < first.size(); ++i)
+        opened.push_back(first.position(i));
+    std::vector<Vec3> places(opened.size());
+    SkinMap(*body.aggregate, std::move(displacements)).evaluate(opened, places);
+    for (std::size_t i = 0; i < opened.size(); ++i)
+        places[i] -= opened[i];
+    return places;
+}
+
 BodyMotion motionOf(const std::string& name, const Snapshot::BodyState& body)
 {
     BodyMotion motion{.name = name};
-    const std::vector<Vec3> displacements = body.displacements();
+    const std::vector<Vec3> displacements = displacementsOf(body);
     for (const Vec3& displacement : displacements) {
         motion.meanDisplacement += displacement;
         motion.largestDisplacement = std::max(motion.largestDisplacement, displacement.norm());
@@ -145,6 +164,7 @@ public:
         report.integrator = m_latest->integratorReason;
         report.energy = m_latest->energy;
         report.broken = m_latest->broken;
+        report.refills = m_latest->refills;
         report.joints = m_latest->joints;
         report.components = m_latest->components;
         report.addedMass = m_latest->addedMass;

@@ -33,6 +33,7 @@ struct RunReport {
     std::size_t objects = 0;
     std::size_t connections = 0; ///< structural, at the end
     std::size_t broken = 0;      ///< structural connections that broke
+    std::uint64_t refills = 0;   ///< bodies filled anew
     std::size_t joints = 0;      ///< sticking or healed together at the end
     std::size_t components = 0;  ///< connected pieces of material at the end
     double addedMass = 0;        ///< by mass scaling, as a share of all mass

@@ -55,6 +55,9 @@ void printDamage(const RunReport& report)
     if (report.broken > 0 || report.joints > 0 || report.components != report.bodies)
         std::printf("%zu connections broke, %zu joints hold, %zu %s of material\n", report.broken, report.joints,
                     report.components, report.components == 1 ? "piece" : "pieces");
+    if (report.refills > 0)
+        std::printf("filled anew %llu times in the shape of the time\n",
+                    static_cast<unsigned long long>(report.refills));
     if (report.addedMass > 0)
         std::printf("mass scaling added %.3g %% of the mass\n", 100 * report.addedMass);
 }

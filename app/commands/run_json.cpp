@@ -62,6 +62,7 @@ nlohmann::ordered_json jsonOf(const RunReport& report)
         {"objects", report.objects},
         {"connections", report.connections},
         {"broken", report.broken},
+        {"refills", report.refills},
         {"joints", report.joints},
         {"components", report.components},
         {"added_mass", report.addedMass},

@@ -5,6 +5,7 @@
 #include "core/mechanics/point_spread.h"
 #include "core/skin/skin.h"
 #include "core/task/parallel.h"
+#include "core/vicinity/point_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -184,6 +185,29 @@ std::shared_ptr<const Aggregate> refilled(const TriangleMesh& surface, const std
     Aggregate aggregate = fill(now, {.spacing = spacing, .dirty = DirtySurface::windingNumber}, control);
     aggregate.former = std::move(shape);
     return std::make_shared<const Aggregate>(std::move(aggregate));
+}
+
+std::vector<ObjectIndex> objectsInFilling(const Aggregate& aggregate, const std::vector<ObjectIndex>& first)
+{
+    if (!aggregate.former)
+        return first;
+    const Lattice& carriers = aggregate.former->carriers()->lattice;
+    std::vector<Vec3> opened(carriers.size());
+    for (ObjectIndex i = 0; i < opened.size(); ++i)
+        opened[i] = carriers.position(i);
+    const std::vector<Vec3> then = placesWhenFilled(aggregate, opened);
+    VectorArray places(then.size());
+    for (std::size_t i = 0; i < then.size(); ++i)
+        places.set(i, then[i]);
+    VectorArray nodes(aggregate.size());
+    for (ObjectIndex i = 0; i < nodes.size(); ++i)
+        nodes.set(i, aggregate.lattice.position(i));
+    const std::vector<ObjectIndex> nearest = nearestPoints(places, nodes, aggregate.lattice.spacing);
+    std::vector<ObjectIndex> found;
+    for (ObjectIndex i = 0; i < nearest.size(); ++i)
+        if (std::binary_search(first.begin(), first.end(), nearest[i]))
+            found.push_back(i);
+    return found;
 }
 
 TriangleMesh surfaceWhenFilled(const TriangleMesh& surface, const Aggregate& aggregate)

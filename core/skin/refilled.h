@@ -28,6 +28,10 @@ std::shared_ptr<const Aggregate> refilled(const TriangleMesh& surface, const std
                                           std::span<const Vec3> displacements, double spacing,
                                           const MovePlaces& move = nullptr, TaskControl& control = TaskControl::none());
 
+/// Which objects of an aggregate lie where some of the first filling did when it was filled; those themselves where it is the first.
+/// @param first objects of the first filling, ascending
+std::vector<ObjectIndex> objectsInFilling(const Aggregate& aggregate, const std::vector<ObjectIndex>& first);
+
 /// The surface of an opened part as an aggregate was filled from it: split and carried, or as it is.
 TriangleMesh surfaceWhenFilled(const TriangleMesh& surface, const Aggregate& aggregate);
 

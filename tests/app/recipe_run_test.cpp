@@ -21,6 +21,7 @@ private slots:
     void eventsHappen();
     void wedgesCutABarInTwo();
     void pressedClayStaysPressed();
+    void clayPressedDeepLeavesAsItsFaces();
     void rigidBodiesFlyAsTheyStarted();
     void toolsMayBePartsFromFiles();
     void partsAreBroughtTogetherAndGlued();
@@ -194,6 +195,33 @@ void RecipeRunTest::pressedClayStaysPressed()
     QVERIFY2(clay.at("plastic").get<double>() > 0.2 * clay.at("tool_work").get<double>(), clay.dump().c_str());
     const json rubber = plasticWork("natural-rubber");
     QCOMPARE(rubber.at("plastic").get<double>(), 0.0);
+}
+
+/// A ball goes two thirds of the thickness into the lump, which is filled anew on the way, and once more by an event.
+void RecipeRunTest::clayPressedDeepLeavesAsItsFaces()
+{
+    const Workshop shop;
+    json recipe = json::parse(R"({"version": 1, "spacing_mm": 3, "material": {"preset": "modeling-clay"},
+        "manipulators": [{"name": "ball", "kind": "ball", "size_mm": 16, "position_mm": [30, 20, 32.5],
+            "keyframes": [{"time_s": 0.3, "position_mm": [30, 20, 16]}, {"time_s": 0.5, "position_mm": [30, 20, 40]}]}],
+        "gravity_m_s2": [0, 0, -9.81], "floor": {"height_mm": 0, "friction": 0.8}, "duration_s": 0.6,
+        "events": [{"time_s": 0.55, "refill": {"spacing_mm": 2.5}}], "exports": [{"file": "deep.step"}]})");
+    recipe["part"] = {{"file", KNEAD_RESOURCES "/examples/lump.step"}};
+    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
+    QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+    const json report = json::parse(outcome.out);
+    QVERIFY2(report.at("refills").get<int>() >= 3, outcome.out.c_str());
+    QVERIFY(report.at("objects").get<int>() > 4000); // 2761 at 3 mm
+    QVERIFY(report.at("quality").at("imbalance_share").get<double>() < 0.03);
+    QVERIFY(report.at("bodies")[0].at("largest_displacement_mm").get<double>() > 12); // from the opened part
+    const json& part = report.at("exports")[0].at("parts")[0];
+    QCOMPARE(part.at("form").get<std::string>(), std::string("smooth faces"));
+    QCOMPARE(part.at("faces").at("after").get<int>(), 18);
+    QVERIFY(part.at("closed").get<bool>() && part.at("valid").get<bool>());
+    const json& volume = part.at("volume_m3");
+    QVERIFY2(std::abs(volume.at("file").get<double>() / volume.at("rest").get<double>() - 1) < 2e-3,
+             volume.dump().c_str());
+    QVERIFY(std::abs(volume.at("file").get<double>() / volume.at("skin").get<double>() - 1) < 1e-3);
 }
 
 void RecipeRunTest::rigidBodiesFlyAsTheyStarted()

@@ -76,6 +76,24 @@ private slots:
         QCOMPARE(simulation.timeStep(), frame);
     }
 
+    /// What is lacking in a step of clay is pressed out of shape for good, and is missing from the ledger.
+    void theLedgerOfClayClosesAtEveryPace()
+    {
+        for (const Pace pace : {Pace::full, Pace::rough, Pace::wide}) {
+            Scene scene = pressed();
+            Material& clay = scene.bodies[0].material;
+            clay.yieldStress = 1e4;
+            clay.relaxationTime = 0.002;
+            Simulation simulation(scene);
+            simulation.post(SetPace{pace});
+            while (simulation.time() < 0.5)
+                simulation.step();
+            const EnergyLedger energy = simulation.snapshot()->energy;
+            QVERIFY(energy.plastic > 0.3 * energy.toolWork);
+            QVERIFY2(energy.imbalanceShare() < 0.04, qPrintable(QString::number(energy.imbalanceShare())));
+        }
+    }
+
     void roughForcesAreWithinThreePercentOfTheLargest()
     {
         const std::vector<double> exact = forcesAt(Pace::full);

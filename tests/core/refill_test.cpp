@@ -233,6 +233,7 @@ private slots:
         const auto shot = simulation.snapshot();
         const Aggregate& filled = *shot->bodies[0].aggregate;
         QCOMPARE(filled.lattice.spacing, 2e-3);
+        QVERIFY(objectsInFilling(filled, first->fixtures[0].objects) == shot->fixtures[0].objects);
         for (const ObjectIndex object : shot->fixtures[0].objects)
             QVERIFY(filled.lattice.position(object).z() < -0.5 * size.z() + spacing);
         QVERIFY(shot->fixtures[0].objects.size() > first->fixtures[0].objects.size());
