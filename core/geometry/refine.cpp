@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <unordered_map>
 
 namespace knead {
@@ -147,6 +148,8 @@ TriangleMesh refineWhereCarried(const TriangleMesh& mesh, double maximumEdge, st
     const std::size_t most = std::max(maximumTriangles, mesh.triangles.size() + maximumTriangles / 2);
     TriangleMesh result = mesh;
     double longest = std::max(edge, longestEdge(mesh, places));
+    if (!std::isfinite(longest))
+        throw std::runtime_error("A point of the surface is nowhere.");
     while (result.triangles.size() < most) {
         Splitter splitter(result, carry(result.vertices), std::max(edge, 0.5 * longest));
         TriangleMesh next = splitter.split();

@@ -16,6 +16,7 @@ namespace knead {
 TriangleMesh refine(const TriangleMesh& mesh, double maximumEdge, std::size_t maximumTriangles = 400'000);
 
 /// The same, where the surface is carried elsewhere: edges are as long as there.
+/// @throws std::runtime_error, in a sentence, when a vertex is carried nowhere
 /// @param carry where vertices are taken, as many as it is given; those that it was given before come first again
 TriangleMesh refineWhereCarried(const TriangleMesh& mesh, double maximumEdge, std::size_t maximumTriangles,
                                 const std::function<const std::vector<Vec3>&(const std::vector<Vec3>&)>& carry);

@@ -5,6 +5,7 @@
 #include "core/vicinity/point_grid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -18,6 +19,8 @@ constexpr std::uint64_t implicitLooksInterval = 3;
 // A cell is bad from here on: corners that are flat, edges that are long.
 constexpr double leastCorner = 0.3;
 constexpr double largestStretch = 3;
+// And beyond this it is not material any more, which the look at the health of the state finds.
+constexpr double beyondStretch = 30;
 
 VectorArray placesOf(const std::vector<Vec3>& places)
 {
@@ -98,6 +101,8 @@ std::string Simulation::State::whyNotRefilled(BodyId id) const
     for (LoadId load = 0; load < loads.size(); ++load)
         if (loads.isThere(load) && loads.run(load).load.body == id && loads.run(load).load.faces.empty())
             return name + "has a load on a box, which says nothing of its present shape. Put it on faces.";
+    if (!std::isfinite(largestSpeed(run.state)))
+        return name + "moves out of all bounds.";
     if (contacts->isWaiting())
         return name + "is still being pushed out of a tool that was put into it.";
     return {};
@@ -218,8 +223,9 @@ void Simulation::State::refill(BodyId id, double spacing)
     for (ObjectIndex i = 0; i < displacements.size(); ++i)
         displacements[i] = run.state.position.at(i) - bodies[id].aggregate->lattice.position(i);
     const double finest = spacing > 0 ? spacing : bodies[id].aggregate->lattice.spacing;
+    std::shared_ptr<const ShapeFitting> fitting = run.fitting;
     std::shared_ptr<const Aggregate> aggregate =
-        refilled(*bodies[id].surface, bodies[id].aggregate, displacements, finest, outOfTools(id));
+        refilled(*bodies[id].surface, bodies[id].aggregate, displacements, finest, fitting, outOfTools(id));
 
     const CarriedState state(run.connections, run.state, *aggregate);
     StructuralConnections::Changes changes = state.changes(run.materials);
@@ -228,6 +234,7 @@ void Simulation::State::refill(BodyId id, double spacing)
     const std::vector<ObjectIndex> newOfOld = nearestPoints(nodes, run.state.position, finest);
     const std::unique_ptr<BodyRun> old = takeFilling(id, aggregate, oldOfNew, newOfOld); // which `state` reads
     BodyRun& filled = *runs[id];
+    filled.fitting = std::move(fitting);
     filled.connections.restore(std::move(changes));
     setMasses();
     filled.state.velocity = state.velocities(filled.state.mass);
@@ -252,9 +259,8 @@ void Simulation::State::refillWhereBad()
         if (!run.cells)
             run.cells = std::make_unique<const CellShapes>(*bodies[id].aggregate);
         const CellQuality quality = run.cells->quality([&](ObjectIndex i) { return run.state.position.at(i); });
-        if (quality.leastCorner >= leastCorner && quality.largestStretch <= largestStretch)
-            continue;
-        if (!whyNotRefilled(id).empty())
+        const bool isBad = quality.leastCorner < leastCorner || quality.largestStretch > largestStretch;
+        if (!isBad || !(quality.largestStretch < beyondStretch) || !whyNotRefilled(id).empty())
             continue;
         try {
             refill(id, 0);

@@ -34,6 +34,7 @@ struct BodyRun {
     bool anchored = false;            ///< some object is held
     std::vector<FixtureId> gripOf;    ///< per object: the grip that moves it, if any does
     PiecesOfBody pieces;
+    std::shared_ptr<const ShapeFitting> fitting;                ///< of its filling, for the next one; null: not known
     std::unique_ptr<const CellShapes> cells;                    ///< null: not looked at yet
     std::shared_ptr<const std::vector<ConnectionId>> published; ///< what was broken in the snapshot before; null: none
     std::shared_ptr<const RelaxedState> relaxed;                ///< in the snapshot before; null: there was none

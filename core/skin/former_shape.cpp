@@ -9,6 +9,9 @@ namespace knead {
 
 namespace {
 
+// There is one for each filling that something remembers.
+constexpr std::size_t mostBytesKept = std::size_t{1} << 20;
+
 double largestStretchOf(const Aggregate& aggregate, std::span<const Vec3> displacements)
 {
     double most = 1;
@@ -26,11 +29,9 @@ double largestStretchOf(const Aggregate& aggregate, std::span<const Vec3> displa
 
 } // namespace
 
-FormerShape::FormerShape(std::shared_ptr<const Aggregate> carriers, std::vector<Vec3> displacements,
-                         std::shared_ptr<const Fit> fit)
+FormerShape::FormerShape(std::shared_ptr<const Aggregate> carriers, std::vector<Vec3> displacements)
     : m_carriers(std::move(carriers))
-    , m_fit(std::move(fit))
-    , m_map(*m_carriers, std::move(displacements))
+    , m_map(*m_carriers, std::move(displacements), mostBytesKept)
     , m_largestStretch(largestStretchOf(*m_carriers, m_map.displacements()))
 {
 }

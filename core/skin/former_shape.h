@@ -3,7 +3,6 @@
 #include "core/aggregate/aggregate.h"
 #include "core/geometry/smooth_map.h"
 #include "core/geometry/triangle_mesh.h"
-#include "core/skin/skin.h"
 #include "core/skin/skin_map.h"
 
 #include <memory>
@@ -18,18 +17,9 @@ namespace knead {
 /// Immutable; its members may be called from any thread.
 class FormerShape final : public SmoothMap {
 public:
-    /// What of the carriers does not depend on where they go, for the next map that is fitted to them.
-    struct Fit {
-        Skin carriers;     ///< of the places of the carriers themselves
-        TriangleMesh mesh; ///< the surface of the opened part, split
-        Skin surface;      ///< of its vertices
-    };
-
     /// @param carriers a filling of the opened part itself, not of a former shape
     /// @param displacements one per carrier [m]
-    /// @param fit null: not known
-    FormerShape(std::shared_ptr<const Aggregate> carriers, std::vector<Vec3> displacements,
-                std::shared_ptr<const Fit> fit = nullptr);
+    FormerShape(std::shared_ptr<const Aggregate> carriers, std::vector<Vec3> displacements);
 
     void evaluate(std::span<const Vec3> points, std::span<Vec3> places) const override
     {
@@ -43,11 +33,8 @@ public:
     const std::shared_ptr<const Aggregate>& carriers() const { return m_carriers; }
     const std::vector<Vec3>& displacements() const { return m_map.displacements(); }
 
-    const std::shared_ptr<const Fit>& fit() const { return m_fit; }
-
 private:
     std::shared_ptr<const Aggregate> m_carriers;
-    std::shared_ptr<const Fit> m_fit;
     SkinMap m_map;
     double m_largestStretch = 1;
 };

@@ -27,12 +27,12 @@ constexpr std::size_t pointsPerBlock = 512;
 class ShapeFit {
 public:
     ShapeFit(const TriangleMesh& surface, const std::shared_ptr<const Aggregate>& present,
-             std::span<const Vec3> displacements, double edge)
+             std::span<const Vec3> displacements, double edge, std::shared_ptr<const ShapeFitting> known)
         : m_present(*present)
         , m_displacements(displacements)
         , m_former(present->former)
         , m_carriers(m_former ? m_former->carriers() : present)
-        , m_known(m_former ? m_former->fit() : nullptr)
+        , m_known(m_former ? std::move(known) : nullptr)
     {
         splitSurface(surface, edge);
     }
@@ -45,8 +45,10 @@ public:
         fitSurface();
         now = m_fit->mesh;
         m_fit->surface.evaluate(m_fitted, now.vertices);
-        return std::make_shared<const FormerShape>(m_carriers, std::move(m_fitted), m_fit);
+        return std::make_shared<const FormerShape>(m_carriers, std::move(m_fitted));
     }
+
+    const std::shared_ptr<const ShapeFitting>& fitting() const { return m_fit; }
 
 private:
     /// Where the former shape has points of the opened part: the first ones are likely those that were asked for last time.
@@ -104,7 +106,7 @@ private:
             return;
         }
         Skin ofSurface(*m_carriers, mesh.vertices);
-        m_fit = std::make_shared<const FormerShape::Fit>(FormerShape::Fit{
+        m_fit = std::make_shared<const ShapeFitting>(ShapeFitting{
             m_known ? m_known->carriers : Skin(*m_carriers, nodes()), std::move(mesh), std::move(ofSurface)});
     }
 
@@ -165,8 +167,8 @@ private:
     std::span<const Vec3> m_displacements;
     std::shared_ptr<const FormerShape> m_former; ///< null: the opened part itself
     std::shared_ptr<const Aggregate> m_carriers;
-    std::shared_ptr<const FormerShape::Fit> m_known;
-    std::shared_ptr<const FormerShape::Fit> m_fit;
+    std::shared_ptr<const ShapeFitting> m_known;
+    std::shared_ptr<const ShapeFitting> m_fit;
     std::vector<Vec3> m_knownPlaces;  ///< of the vertices of m_known, in the former shape
     std::vector<Vec3> m_formerPlaces; ///< of the vertices of m_fit, in the former shape
     std::vector<Vec3> m_places;       ///< where they are now
@@ -176,10 +178,12 @@ private:
 } // namespace
 
 std::shared_ptr<const Aggregate> refilled(const TriangleMesh& surface, const std::shared_ptr<const Aggregate>& present,
-                                          std::span<const Vec3> displacements, double spacing, const MovePlaces& move,
+                                          std::span<const Vec3> displacements, double spacing,
+                                          std::shared_ptr<const ShapeFitting>& fitting, const MovePlaces& move,
                                           TaskControl& control)
 {
-    ShapeFit fit(surface, present, displacements, edgeShare * spacing);
+    ShapeFit fit(surface, present, displacements, edgeShare * spacing, std::move(fitting));
+    fitting = fit.fitting();
     TriangleMesh now;
     std::shared_ptr<const FormerShape> shape = fit.shape(move, now);
     Aggregate aggregate = fill(now, {.spacing = spacing, .dirty = DirtySurface::windingNumber}, control);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/skin/former_shape.h"
+#include "core/skin/skin.h"
 #include "core/task/task_control.h"
 
 #include <functional>
@@ -12,6 +13,13 @@ namespace knead {
 /// Moves places of a surface that cannot be where they are, as those inside of a tool [m].
 using MovePlaces = std::function<void(std::span<Vec3> places)>;
 
+/// What of the fit of a former shape does not depend on where its carriers go, for the next one. Immutable.
+struct ShapeFitting {
+    Skin carriers;     ///< of the places of the carriers themselves
+    TriangleMesh mesh; ///< the surface of the opened part, split
+    Skin surface;      ///< of its vertices
+};
+
 /// Fills the shape that a body has now: the surface of the opened part, carried to where the objects are, becomes the one that is
 /// filled. Surfaces that have come to overlap are filled as one where they wind around material.
 ///
@@ -21,11 +29,13 @@ using MovePlaces = std::function<void(std::span<Vec3> places)>;
 /// @param surface of the opened part
 /// @param displacements one per object of `present` [m]
 /// @param spacing of the new filling [m], > 0
+/// @param fitting of the filling before, or null; afterwards that of this one. It saves time and changes no bit
 /// @param move what the surface keeps clear of; null: nothing
 /// @return with its former shape, never null
 /// @throws std::runtime_error, in a sentence, when the shape cannot be filled; Cancelled
 std::shared_ptr<const Aggregate> refilled(const TriangleMesh& surface, const std::shared_ptr<const Aggregate>& present,
                                           std::span<const Vec3> displacements, double spacing,
+                                          std::shared_ptr<const ShapeFitting>& fitting,
                                           const MovePlaces& move = nullptr, TaskControl& control = TaskControl::none());
 
 /// Which objects of an aggregate lie where some of the first filling did when it was filled; those themselves where it is the first.

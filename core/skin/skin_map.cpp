@@ -19,9 +19,9 @@ constexpr std::size_t pointsPerBlock = 512;
 
 } // namespace
 
-SkinMap::SkinMap(const Aggregate& aggregate, std::vector<Vec3> displacements)
+SkinMap::SkinMap(const Aggregate& aggregate, std::vector<Vec3> displacements, std::size_t mostBytes)
     : m_aggregate(aggregate)
-    , m_neighborhoods(std::make_unique<NeighborhoodCache>(aggregate))
+    , m_neighborhoods(std::make_unique<NeighborhoodCache>(aggregate, mostBytes))
     , m_displacements(std::move(displacements))
 {
     if (aggregate.size() == 0)

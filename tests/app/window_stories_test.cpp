@@ -353,7 +353,8 @@ private:
     Print print()
     {
         const Box box = document().content().box;
-        const ObjectIndex under = objectAt({box.center().x(), box.center().y(), box.max().z()});
+        const std::size_t under =
+            vertexAt({box.center().x(), box.center().y(), box.max().z()}); // clay may get other objects
         const double away = tool(0).pose.position.z();
         const auto goTo = [&](double height) {
             type("toolPositionZ", QString::number(height / millimeter) + " mm");
@@ -362,12 +363,12 @@ private:
         Print print;
         play();
         goTo(box.max().z() + tool(0).size.z() / 2 - 4 * millimeter);
-        print.pressed = -displacementOf(under).z();
+        print.pressed = -moveOf(under).z();
         stage("pressed");
         goTo(away);
         waitUntil([&, end = snapshot().time + 0.3] { return snapshot().time > end; });
         pause();
-        print.left = -displacementOf(under).z();
+        print.left = -moveOf(under).z();
         return print;
     }
 

@@ -78,6 +78,7 @@ private slots:
             m_project.entries[1].moment = sample::moment(100, 6); // made again
             file.replaceEntry(1, m_project.entries[1]);
             m_project.starts.push_back(sample::start(sample::toolPart(0.7)));
+            sample::giveSurfaces(m_project.starts.back(), m_project.model);
             file.addStart(m_project.starts.back());
             m_project.current = 1;
             file.setCurrent(1);

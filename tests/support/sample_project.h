@@ -203,6 +203,13 @@ inline ProjectStart start(const std::shared_ptr<const ToolPart>& part)
     return start;
 }
 
+/// As reading a project does.
+inline void giveSurfaces(ProjectStart& start, const std::shared_ptr<const Model>& model)
+{
+    for (std::size_t b = 0; b < start.scene.bodies.size(); ++b)
+        start.scene.bodies[b].surface = surfaceOf(model, start.partOfBody[b]);
+}
+
 inline HistoryRecord entry(std::uint32_t parent, const std::string& name)
 {
     return {.parent = parent, .name = name, .wallTime = 1.7e9 + third, .step = 12, .time = 0.1 * third, .hash = 3};
@@ -228,8 +235,7 @@ inline Project project()
                       .fillsOpenParts = true};
     project.starts = {start(ball), start(ball)};
     for (ProjectStart& each : project.starts)
-        for (std::size_t b = 0; b < each.scene.bodies.size(); ++b)
-            each.scene.bodies[b].surface = surfaceOf(project.model, each.partOfBody[b]);
+        giveSurfaces(each, project.model);
     project.starts[1].scene.bodies[0].aggregate = project.starts[0].scene.bodies[0].aggregate;
     project.entries = {entry(0, "Start"), entry(0, "Push with Block \"1\""), entry(1, ""), entry(0, "Another try")};
     project.entries[0].moment = moment(3000, 1);

@@ -1,5 +1,7 @@
 #include "ui/document/film.h"
 
+#include "core/skin/former_shape.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -25,7 +27,16 @@ std::vector<Vec3> placesOf(const std::vector<float>& floats)
     return places;
 }
 
-FilmFramePointer filmFrameOf(const Snapshot& snapshot)
+/// Of a filling that only the film remembers; the first ones are the document's.
+std::size_t memoryOf(const Aggregate& filling)
+{
+    constexpr std::size_t perObject = sizeof(Lattice::Node) + (Lattice::isotropicCount + 2) * sizeof(double) + 4;
+    return filling.size() * perObject + filling.skin.size() * sizeof(SkinPoint) +
+           filling.former->displacements().size() * sizeof(Vec3);
+}
+
+/// @param before the fillings of the frame before
+FilmFramePointer filmFrameOf(const Snapshot& snapshot, const std::vector<std::shared_ptr<const Aggregate>>& before)
 {
     auto frame = std::make_shared<FilmFrame>();
     frame->run = snapshot.resets;
@@ -37,6 +48,10 @@ FilmFramePointer filmFrameOf(const Snapshot& snapshot)
     frame->floorHeight = snapshot.floorHeight;
     for (const Snapshot::BodyState& body : snapshot.bodies) {
         frame->objects.push_back(floatsOf(body.positions));
+        const std::size_t b = frame->fillings.size();
+        const bool isOther = body.aggregate && (b >= before.size() || before[b] != body.aggregate);
+        if (isOther && body.aggregate->former)
+            frame->ofFillings += memoryOf(*body.aggregate);
         frame->fillings.push_back(body.aggregate);
         frame->broken.push_back(body.broken);
         frame->relaxed.push_back(body.relaxed && !body.relaxed->hasFlowed() ? body.relaxed : nullptr);
@@ -53,7 +68,7 @@ std::size_t FilmFrame::memory() const
         floats += list.size();
     for (const auto& list : broken) // mostly shared with other frames: rather too much than too little
         floats += list ? list->size() * sizeof(ConnectionId) / sizeof(float) : 0;
-    return sizeof(FilmFrame) + floats * sizeof(float) + tools.size() * sizeof(ToolState) +
+    return sizeof(FilmFrame) + ofFillings + floats * sizeof(float) + tools.size() * sizeof(ToolState) +
            fixtures.size() * sizeof(Held);
 }
 
@@ -82,7 +97,8 @@ void Film::add(const Snapshot& snapshot)
 {
     m_passed = nullptr;
     m_keptTime = snapshot.time;
-    m_underWay.push_back(filmFrameOf(snapshot));
+    m_underWay.push_back(filmFrameOf(snapshot, m_fillings));
+    m_fillings = m_underWay.back()->fillings;
     m_used += m_underWay.back()->memory();
     thin();
 }

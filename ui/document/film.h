@@ -18,6 +18,7 @@ struct FilmFrame {
     double time = 0;                                        ///< simulated [s]
     std::vector<std::vector<float>> objects;                ///< per body: x y z per object [m]
     std::vector<std::shared_ptr<const Aggregate>> fillings; ///< per body: whose objects these are
+    std::size_t ofFillings = 0; ///< what these take where they are other ones than before [bytes]
     std::vector<ToolState> tools;
     struct Held { ///< what a fixture bears
         FixtureId id = 0;
@@ -79,11 +80,12 @@ private:
 
     std::map<Entry, Reel> m_entries;
     std::vector<FilmFramePointer> m_underWay;
-    SnapshotPointer m_passed;       ///< seen last and not kept; else null
-    std::uint64_t m_rest = 0;       ///< Snapshot::rest of what was seen last
-    double m_keptTime = -1;         ///< of the last frame [s]
-    std::optional<Reel> m_repeated; ///< of the entry that comes next
-    std::uint32_t m_run = 0;        ///< in which the next entry begins
+    SnapshotPointer m_passed;                                 ///< seen last and not kept; else null
+    std::vector<std::shared_ptr<const Aggregate>> m_fillings; ///< of the frame that was added last
+    std::uint64_t m_rest = 0;                                 ///< Snapshot::rest of what was seen last
+    double m_keptTime = -1;                                   ///< of the last frame [s]
+    std::optional<Reel> m_repeated;                           ///< of the entry that comes next
+    std::uint32_t m_run = 0;                                  ///< in which the next entry begins
     std::size_t m_most = defaultMemory;
     std::size_t m_used = 0;
 };
