@@ -74,10 +74,10 @@ CellQuality cellsOf(const Snapshot& shot)
 }
 
 /// Of the opened part's surface, where its material is now [m^3].
-double volumeOf(const Snapshot& shot)
+double volumeOf(const Snapshot& shot, const Vec3& opened = size)
 {
     const SkinMap map(*shot.bodies[0].aggregate, shot.bodies[0].displacements());
-    CarriedSurface surface = carriedSurface(shapes::box(size), map, 0.5 * spacing);
+    CarriedSurface surface = carriedSurface(shapes::box(opened), map, 0.5 * spacing);
     surface.mesh.vertices = std::move(surface.places);
     return massProperties(surface.mesh).volume;
 }
@@ -167,6 +167,37 @@ private slots:
         QVERIFY(shot->refills >= 2);
         QCOMPARE(cellsOf(*shot).inverted, std::size_t{0});
         QVERIFY(std::abs(volumeOf(*shot) / size.prod() - 1) < 2e-3);
+    }
+
+    /// Four times as long between its grips, or turned once around.
+    void aLimbIsPulledAndTwisted()
+    {
+        for (const bool turns : {false, true}) {
+            const Vec3 limb(0.06, 0.018, 0.018);
+            const TriangleMesh mesh = shapes::box(limb);
+            Scene scene;
+            scene.bodies.push_back(scenes::body(mesh, spacing, clay(), "limb"));
+            scene.bodies[0].surface = std::make_shared<const TriangleMesh>(mesh);
+            const Aggregate& aggregate = *scene.bodies[0].aggregate;
+            scene.fixtures.push_back({"foot", 0, objectsInBox(aggregate, Box(Vec3(-1, -1, -1), Vec3(-0.02, 1, 1)))});
+            Fixture grip{"grip", 0, objectsInBox(aggregate, Box(Vec3(0.02, -1, -1), Vec3(1, 1, 1)))};
+            if (turns)
+                grip.turn = {
+                    .center = Vec3(0.025, 0, 0), .angularVelocity = Vec3(4, 0, 0), .angle = 2 * std::acos(-1.0)};
+            else
+                grip.velocity = Vec3(0.06, 0, 0);
+            scene.fixtures.push_back(grip);
+            scene.integrator = Integrator::implicitEuler;
+            Simulation simulation(scene);
+            while (simulation.time() < 2 && simulation.health().ok)
+                simulation.step();
+            const auto shot = simulation.snapshot();
+            QVERIFY2(shot->health.ok, shot->health.message.c_str());
+            QVERIFY(shot->refills > 0);
+            QCOMPARE(cellsOf(*shot).inverted, std::size_t{0});
+            const double volume = volumeOf(*shot, limb) / limb.prod();
+            QVERIFY2(std::abs(volume - 1) < 0.006, qPrintable(QString::number(volume)));
+        }
     }
 
     /// Pressed between plates it bears the same in all its volume: another lattice changes nothing. The first one is cut by the
