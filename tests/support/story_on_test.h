@@ -214,18 +214,6 @@ protected:
 
     // ---- Places of the material ----
 
-    /// The object of the first body that lies nearest to a place at rest.
-    ObjectIndex objectAt(const Vec3& place)
-    {
-        const Lattice& lattice = document().content().bodies[0]->aggregate->lattice;
-        ObjectIndex nearest = 0;
-        for (ObjectIndex i = 1; i < lattice.size(); ++i)
-            if ((lattice.position(i) - place).norm() < (lattice.position(nearest) - place).norm())
-                nearest = i;
-        return nearest;
-    }
-    Vec3 displacementOf(ObjectIndex object) { return snapshot().bodies[0].displacement(object); }
-
     /// The vertex of the first body that lies nearest to a place at rest.
     std::size_t vertexAt(const Vec3& place)
     {
