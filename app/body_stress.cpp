@@ -24,7 +24,7 @@ BodyStress bodyStress(const TriangleMesh& surface, const Snapshot& snapshot, Bod
     const TriangleMesh mesh = state.aggregate->former ? surfaceWhenFilled(surface, *state.aggregate)
                                                       : refine(surface, spacing, mostTriangles);
     const std::vector<Vec3> displacements = state.displacements();
-    const std::vector<ConnectionId> none;
+    const std::vector<BrokenConnection> none;
     const ObjectStrains objects(*state.aggregate, displacements, *state.relaxed, state.broken ? *state.broken : none);
     const SkinStresses stresses =
         SkinStress(*state.aggregate, mesh).stresses(objects, loadedObjects(snapshot, body), true);

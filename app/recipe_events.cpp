@@ -148,6 +148,12 @@ struct CommandMaker {
             if (!wanted.body.empty() || bodies[body].material.yields())
                 made.push_back(Refill{body, wanted.spacing});
     }
+    void operator()(const CutBodies& cut)
+    {
+        for (const BodyId body : bodiesNamed(cut.body, ready.parts, place()))
+            if (!cut.body.empty() || bodies[body].kind == BodyKind::deformable)
+                made.push_back(Cut{body, cut.point, cut.normal});
+    }
     void operator()(const SettleScene& settle) { made.push_back(FindBalance{settle.duration}); }
     void operator()(const StartAgain&) { made.push_back(Reset{}); }
     void operator()(const MarkMoment&) { made.push_back(KeepMoment{}); }

@@ -167,6 +167,11 @@ struct RefillBodies {   ///< Refill
     std::string body;   ///< empty: all that yield
     double spacing = 0; ///< [m]; 0: as it is
 };
+struct CutBodies {               ///< Cut
+    std::string body;            ///< empty: all that deform
+    Vec3 point = Vec3::Zero();   ///< [m]
+    Vec3 normal = Vec3::UnitZ(); ///< not 0
+};
 struct StartAgain {}; ///< Reset: steps and times count anew
 struct MarkMoment {   ///< KeepMoment, at the end of what a person did at one go
     std::string name;
@@ -175,7 +180,7 @@ using RecipeAction =
     std::variant<ChangeMaterial, RenormalizeBodies, ChangeBodyKind, ReleaseFixture, TakeManipulatorAway, ChangeGravity,
                  ChangeFloor, ChangeIntegrator, ChangePace, AddRecipeFixture, MoveRecipeFixture, AddRecipeManipulator,
                  MoveRecipeManipulator, PlaceRecipeManipulator, ReshapeRecipeManipulator, StartAgain, MarkMoment,
-                 AddRecipeLoad, ChangeRecipeLoad, TakeLoadAway, SettleScene, RefillBodies>;
+                 AddRecipeLoad, ChangeRecipeLoad, TakeLoadAway, SettleScene, RefillBodies, CutBodies>;
 
 /// Events take place in the order of the recipe. Steps and times count from the last StartAgain.
 struct RecipeEvent {

@@ -14,8 +14,9 @@ namespace {
 
 constexpr double longestAnnealing = 3600; // [s]
 constexpr double fastestGrip = 1e5;       // [mm/s]
-constexpr double shortestBalance = 1e-6;  // [s]
-constexpr double longestBalance = 3600;   // [s]
+constexpr double largestNormal = 1e6;
+constexpr double shortestBalance = 1e-6; // [s]
+constexpr double longestBalance = 3600;  // [s]
 
 std::string readOptionalText(const JsonNode& node, const std::string& key)
 {
@@ -98,6 +99,19 @@ RecipeAction readRefill(const JsonNode& node)
     return refill;
 }
 
+RecipeAction readCut(const JsonNode& node)
+{
+    node.allowOnly({"body", "point_mm", "normal"});
+    CutBodies cut;
+    if (const auto body = node.find("body"))
+        cut.body = body->text();
+    cut.point = readPlace(node.at("point_mm"));
+    cut.normal = readVector(node.at("normal"), largestNormal);
+    if (cut.normal.isZero(0))
+        node.at("normal").fail("must not be 0: it says which way the plane faces.");
+    return cut;
+}
+
 RecipeAction readReset(const JsonNode& node)
 {
     if (!node.boolean())
@@ -155,6 +169,7 @@ const std::vector<ActionReader>& actionReaders()
         plain("remove_load", [](Node node) { return TakeLoadAway{node.text()}; }),
         plain("find_balance_s", [](Node node) { return SettleScene{node.number(shortestBalance, longestBalance)}; }),
         plain("refill", readRefill),
+        plain("cut", readCut),
         plain("reset", readReset),
         plain("keep_moment", [](Node node) { return MarkMoment{node.anyText()}; }),
     };

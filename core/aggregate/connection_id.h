@@ -14,4 +14,13 @@ struct ConnectionId {
     friend auto operator<=>(const ConnectionId&, const ConnectionId&) = default;
 };
 
+/// A connection that is no more.
+struct BrokenConnection : ConnectionId {
+    /// Where a knife went through it, from its lower end by its length, 0 .. 1; 0: it tore.
+    double cutAt = 0;
+
+    bool isCut() const { return cutAt > 0; }
+    friend bool operator==(const BrokenConnection&, const BrokenConnection&) = default;
+};
+
 } // namespace knead

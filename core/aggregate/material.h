@@ -20,6 +20,7 @@ struct Material {
     double hardening = 0;         ///< rise of the yield stress per plastic strain [Pa], 0 .. 1e11
     double elongationAtBreak = 0; ///< of a bar, by its length, when it breaks, 0 .. 100; 0: it flows without end
     double relaxationTime = 0;    ///< in which stress beyond yield flows off [s], 0 .. 1000; 0: at once
+    double toughness = 0;         ///< work of a knife per area that it cuts [J/m^2], 0 .. 1e6; 0: knives do not cut it
     double healingTime = 0;       ///< pressed together for so long, skins become one [s], 0 .. 1e4; 0: never
 
     /// The law of hyperelastic_law.h at any strain, 0 .. 1; 0: the springs of connections alone, which is for small strains.
@@ -39,6 +40,7 @@ struct Material {
 
     bool yields() const { return yieldStress > 0; }
     bool breaks() const { return tensileStrength > 0 || (yields() && elongationAtBreak > 0); }
+    bool isCut() const { return toughness > 0; } ///< by knives
     bool heals() const { return healingTime > 0; }
     bool isRubberlike() const { return rubberlike > 0 && !yields(); }
     bool isTensorial() const { return yields() || isRubberlike(); } ///< a tensor per object bears the stress

@@ -7,7 +7,7 @@
 
 namespace knead {
 
-std::vector<std::uint16_t> brokenDirections(const Aggregate& aggregate, std::span<const ConnectionId> broken)
+std::vector<std::uint16_t> brokenDirections(const Aggregate& aggregate, std::span<const BrokenConnection> broken)
 {
     std::vector<std::uint16_t> bits(aggregate.size(), 0);
     for (const ConnectionId& connection : broken)
@@ -15,7 +15,7 @@ std::vector<std::uint16_t> brokenDirections(const Aggregate& aggregate, std::spa
     return bits;
 }
 
-Pieces findPieces(const Aggregate& aggregate, std::span<const ConnectionId> broken)
+Pieces findPieces(const Aggregate& aggregate, std::span<const BrokenConnection> broken)
 {
     const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
     DisjointSets sets(aggregate.size());

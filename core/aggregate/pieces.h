@@ -16,10 +16,10 @@ struct Pieces {
 };
 
 /// The pieces into which an aggregate falls when some of its connections are broken. O(n).
-Pieces findPieces(const Aggregate& aggregate, std::span<const ConnectionId> broken = {});
+Pieces findPieces(const Aggregate& aggregate, std::span<const BrokenConnection> broken = {});
 
 /// Per object: bit d is set where the connection in direction d is broken.
-std::vector<std::uint16_t> brokenDirections(const Aggregate& aggregate, std::span<const ConnectionId> broken);
+std::vector<std::uint16_t> brokenDirections(const Aggregate& aggregate, std::span<const BrokenConnection> broken);
 
 /// Some of the objects of an aggregate as an aggregate of their own, without the broken connections. Weights and volumes
 /// are those of the whole, meshVolume and filledVolume what these objects have of it; cells are not counted.

@@ -154,8 +154,8 @@ private:
         if (!areMetrics(changes.plastic, aggregate.size()))
             return false;
         std::set<ConnectionId> seen;
-        const auto canBreak = [&](const ConnectionId& connection) {
-            return connection.direction < Lattice::directionCount &&
+        const auto canBreak = [&](const BrokenConnection& connection) {
+            return connection.cutAt >= 0 && connection.cutAt < 1 && connection.direction < Lattice::directionCount &&
                    connection.lower < aggregate.weight[connection.direction].size() &&
                    aggregate.weight[connection.direction][connection.lower] > 0 && seen.insert(connection).second;
         };
@@ -219,11 +219,14 @@ private:
         };
         const auto isTouch = [&](const SurfaceContacts::Touch& touch) {
             return touch.body < m_bodies.size() && touch.point < SurfaceContacts::pointCount(fillingOf(touch.body)) &&
-                   isFriction(touch.friction) && isAmount(touch.kept) && isAmount(touch.pressed);
+                   isFriction(touch.friction) && std::abs(touch.side) <= 1 && isAmount(touch.kept) && isAmount(touch.pressed);
+        };
+        const auto isHold = [&](const CuttingEdges::Hold& hold) {
+            return hold.surface < m_moment.tools.size() && hold.force.allFinite();
         };
         const auto& joints = memory.joints;
         return all(memory.keptLengths, isPair) && all(memory.pressedTimes, isPair) && all(memory.holds, isHeld) &&
-               all(memory.touches, isTouch) &&
+               all(memory.touches, isTouch) && all(memory.edges, isHold) &&
                all(memory.facingSlit, [this](const ObjectRef& object) { return isObject(object); }) &&
                all(joints, [this](const Joint& joint) { return isJoint(joint); }) &&
                std::adjacent_find(joints.begin(), joints.end(), isOutOfOrder) == joints.end() &&

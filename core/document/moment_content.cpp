@@ -68,7 +68,7 @@ void friction(Stream& bytes, Of<Stream, FrictionMemory>& memory)
 
 /// What version 4 knows beside.
 template <typename Stream>
-void frictions(Stream& bytes, Of<Stream, Contacts::Memory>& memory)
+void frictions(Stream& bytes, Of<Stream, Contacts::Memory>& memory, std::uint32_t version)
 {
     bytes.list(memory.holds, [&](auto& held) {
         objectRef(bytes, held.first);
@@ -82,6 +82,8 @@ void frictions(Stream& bytes, Of<Stream, Contacts::Memory>& memory)
         friction(bytes, touch.friction);
         bytes(touch.kept);
         bytes(touch.pressed);
+        if (version >= 7)
+            bytes(touch.side);
     });
 }
 
@@ -115,7 +117,7 @@ void materials(ByteReader& bytes, MaterialMap& map, const Sizes& sizes)
     std::vector<Material> materials;
     bytes.list(materials, [&](Material& material) {
         for (const MaterialField& field : materialFields())
-            if (sizes.version >= 3 || !isMissingInOlderFiles(field))
+            if (sizes.version >= momentVersionOf(field))
                 bytes(material.*field.value);
     });
     std::vector<MaterialMap::Index> indices(sizes.objects, 0);
@@ -157,6 +159,8 @@ void changes(Stream& bytes, Of<Stream, StructuralConnections::Changes>& changes,
     bytes.list(changes.broken, [&](auto& connection) {
         bytes(connection.direction);
         bytes(connection.lower);
+        if (sizes.version >= 7)
+            bytes(connection.cutAt);
     });
 }
 
@@ -195,6 +199,17 @@ void watched(Stream& bytes, Of<Stream, Moment>& moment)
     bytes(moment.energy.turnover);
 }
 
+/// What version 7 knows beside.
+template <typename Stream>
+void edges(Stream& bytes, Of<Stream, Contacts::Memory>& memory)
+{
+    bytes.list(memory.edges, [&](auto& hold) {
+        bytes(hold.surface);
+        bytes(hold.point);
+        bytes(hold.force);
+    });
+}
+
 /// All but the bodies.
 template <typename Stream>
 void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std::uint32_t version)
@@ -223,9 +238,11 @@ void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std
     if (version >= 2)
         watched(bytes, moment);
     if (version >= 4)
-        frictions(bytes, moment.contacts);
+        frictions(bytes, moment.contacts, version);
     if (version >= 5)
         bytes(moment.pace, Pace::exact);
+    if (version >= 7)
+        edges(bytes, moment.contacts);
     bytes(moment.wasSquashed);
     bytes(moment.health.ok);
     bytes(moment.health.message);

@@ -13,6 +13,8 @@ namespace {
 constexpr double healingReach = 1.6;
 // A healed object has about twice the connections across the seam that a lattice has.
 constexpr double healedWeight = 0.5;
+// A tool is between skins that meet so near to it [spacings].
+constexpr double toolReach = 1;
 // Of material that has no elongation a joint ends, when it is stretched, once it has flowed by this [log strain]: it would flow
 // without end, and threads of them hold together what is far apart.
 constexpr double mostFlow = 1;
@@ -24,6 +26,22 @@ double Contacts::skinOf(const ObjectRef& object) const
     const Aggregate& aggregate = m_bodies[object.body].connections->aggregate();
     const double a = aggregate.lattice.spacing;
     return std::min(2 * aggregate.volume[object.object] / a, a * a);
+}
+
+/// Skins do not grow together or stick over a tool that is inside: the rim of a dent over a ball, the sides of a cut beside a knife.
+bool Contacts::isToolBetween(const ContactPair& pair, std::span<const RigidSurface> surfaces) const
+{
+    const ObjectRef& a = m_objects[pair.objects.first].ref;
+    const ObjectRef& b = m_objects[pair.objects.second].ref;
+    if (a.body != b.body)
+        return false;
+    const bool maySeal = materialOf(a).heals() || materialOf(a).adhesion > 0 || materialOf(b).adhesion > 0;
+    const double reach = toolReach * spacingOf(a);
+    const Vec3 middle = 0.5 * (placeOf(m_objects[pair.objects.first]) + placeOf(m_objects[pair.objects.second]));
+    return maySeal && std::any_of(surfaces.begin(), surfaces.end(), [&](const RigidSurface& surface) {
+               return !surface.isFloor && surface.reach(reach).contains(middle) &&
+                      surface.nearest(middle).distance < reach;
+           });
 }
 
 /// Each contact bears adhesion times the lesser of the skins that belong to its objects. Its nominal length is such that it

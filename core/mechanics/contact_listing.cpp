@@ -181,6 +181,7 @@ void Contacts::updateVicinity(std::span<const RigidSurface> surfaces, double tra
         listPairs(surfaces);
     if (!m_valid || m_travelToSurfaces > m_margin || surfaces.size() != m_surfaceCount) {
         m_surfaceContacts.list(m_bodies, surfaces, m_margin + m_ahead);
+        m_edges.list(m_bodies, surfaces, m_margin + m_ahead);
         m_surfaceCount = surfaces.size();
         m_travelToSurfaces = 0;
     }

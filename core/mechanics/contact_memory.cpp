@@ -22,6 +22,7 @@ Contacts::Memory Contacts::memory() const
             memory.holds.push_back(
                 {m_objects[pair.objects.first].ref, m_objects[pair.objects.second].ref, pair.friction});
     memory.touches = m_surfaceContacts.memory();
+    memory.edges = m_edges.memory();
     for (const ContactObject& object : m_objects)
         if (object.facesSlit)
             memory.facingSlit.push_back(object.ref);
@@ -39,7 +40,7 @@ Contacts::Contacts(std::vector<BodyView> bodies, VicinityMethod method, const Me
 {
     addSkins();
     for (std::uint32_t b = 0; b < m_bodies.size(); ++b) {
-        const std::vector<ConnectionId>& broken = m_bodies[b].connections->changes().broken;
+        const std::vector<BrokenConnection>& broken = m_bodies[b].connections->changes().broken;
         for (const ConnectionId& connection : broken)
             for (const ObjectIndex end : m_bodies[b].connections->endsOf(connection))
                 loosen(b, end);
@@ -56,6 +57,7 @@ Contacts::Contacts(std::vector<BodyView> bodies, VicinityMethod method, const Me
         pair.pressed = std::exchange(pair.nominalLength, 0);
     addHolds(memory.holds);
     m_surfaceContacts.restore(memory.touches);
+    m_edges.restore(memory.edges);
 }
 
 /// To the pairs there are, and to new ones.

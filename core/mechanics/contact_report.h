@@ -11,8 +11,9 @@ namespace knead {
 /// Friction on an object, to see what it does once the object has moved.
 struct ContactFriction {
     ObjectRef object;
-    Vec3 force;    ///< [N]
-    Vec3 velocity; ///< of the surface it rubs on; 0 where the opposite object has its own entry [m/s]
+    Vec3 force;        ///< [N]
+    Vec3 velocity;     ///< of the surface it rubs on; 0 where the opposite object has its own entry [m/s]
+    bool cuts = false; ///< it is of an edge: what it takes goes into the cut
 };
 
 /// What all contacts and joints of a scene do.

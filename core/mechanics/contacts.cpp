@@ -237,7 +237,7 @@ void Contacts::connectionsBroke(std::span<const RigidSurface> surfaces)
 {
     bool any = false;
     for (std::uint32_t b = 0; b < m_bodies.size(); ++b) {
-        const std::vector<ConnectionId>& broken = m_bodies[b].connections->changes().broken;
+        const std::vector<BrokenConnection>& broken = m_bodies[b].connections->changes().broken;
         if (m_brokenSeen[b] < broken.size())
             m_released += m_surfaceContacts.connectionsBroke(m_bodies, surfaces, b, m_brokenSeen[b]);
         for (; m_brokenSeen[b] < broken.size(); ++m_brokenSeen[b]) {
@@ -253,7 +253,8 @@ void Contacts::connectionsBroke(std::span<const RigidSurface> surfaces)
     keepDistances();
 }
 
-void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& report)
+void Contacts::pushApart(ContactPair& pair, std::span<const RigidSurface> surfaces, const ContactStep& step,
+                         Report& report)
 {
     if (pair.healed)
         return;
@@ -309,6 +310,10 @@ void Contacts::pushApart(ContactPair& pair, const ContactStep& step, Report& rep
                                    .resistance = result.resistance});
         return;
     }
+    if (isToolBetween(pair, surfaces)) {
+        pair.pressed = 0;
+        return;
+    }
     joinIfSticky(pair, distance, result.energy);
     if (healIfPressed(pair, state, step.duration)) { // what was pressed in stays: the joint begins without stress
         report.energy -= result.energy;
@@ -342,8 +347,11 @@ Contacts::Report Contacts::computeForces(std::span<const RigidSurface> surfaces,
                     noteJoint(pair);
     }
     for (ContactPair& pair : m_pairs)
-        pushApart(pair, step, report);
+        pushApart(pair, surfaces, step, report);
     m_surfaceContacts.computeForces(m_bodies, surfaces, step, m_crowd, report);
+    if (!step.isImplicit() && !step.isTrial)
+        m_edges.begin(m_bodies, surfaces, step.duration);
+    m_edges.computeForces(m_bodies, surfaces, step, m_crowd, report);
     makeNewJoints();
     report.crowding = m_crowd.take(m_bodies);
     return report;

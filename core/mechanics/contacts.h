@@ -4,6 +4,7 @@
 #include "core/mechanics/contact_crowd.h"
 #include "core/mechanics/contact_law.h"
 #include "core/mechanics/contact_report.h"
+#include "core/mechanics/cutting_edges.h"
 #include "core/mechanics/joints.h"
 #include "core/mechanics/rigid_surface.h"
 #include "core/mechanics/surface_contacts.h"
@@ -56,6 +57,7 @@ public:
         };
         std::vector<Held> holds;                     ///< of pairs
         std::vector<SurfaceContacts::Touch> touches; ///< of rigid surfaces
+        std::vector<CuttingEdges::Hold> edges;       ///< of knives
         std::vector<ObjectRef> facingSlit;           ///< objects that face their own body across a slit
         std::vector<Joint> joints;
         double frequency = 0; ///< see updateParameters() [rad/s]
@@ -103,6 +105,13 @@ public:
     void beginStep(std::span<const RigidSurface> surfaces, double duration)
     {
         m_surfaceContacts.beginStep(m_bodies, surfaces, duration);
+        m_edges.begin(m_bodies, surfaces, duration);
+    }
+
+    /// The connections that knives went through in the step, with everything where it is after it. Per body
+    std::vector<std::vector<BrokenConnection>> cuts(std::span<const RigidSurface> surfaces) const
+    {
+        return m_edges.cuts(m_bodies, surfaces);
     }
 
     /// Tools and the floor were just put somewhere: what is in material already begins without force, see SurfaceContacts.
@@ -177,7 +186,8 @@ private:
     {
         return m_bodies[object.body].connections->aggregate().lattice.spacing;
     }
-    void pushApart(ContactPair& pair, const ContactStep& step, Report& report);
+    void pushApart(ContactPair& pair, std::span<const RigidSurface> surfaces, const ContactStep& step, Report& report);
+    bool isToolBetween(const ContactPair& pair, std::span<const RigidSurface> surfaces) const;
     void joinIfSticky(ContactPair& pair, double distance, double energy);
     double skinOf(const ObjectRef& object) const; ///< share of the body's surface [m^2]
     bool healIfPressed(ContactPair& pair, const ContactState& state, double dt);
@@ -199,6 +209,7 @@ private:
     std::vector<ContactPair> m_keptDistances; ///< pairs with a nominal length of their own, sorted
     std::vector<ContactPair> m_pairs;
     SurfaceContacts m_surfaceContacts;
+    CuttingEdges m_edges;
     std::size_t m_surfaceCount = 0; ///< when those were listed
     ContactCrowd m_crowd;
     double m_ahead = 0; ///< candidates are listed so much earlier than they can touch [m]

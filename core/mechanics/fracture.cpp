@@ -177,7 +177,7 @@ void StructuralConnections::findSpent(std::size_t lower, std::size_t upper, std:
         spent[c] = 0.5 * (damage[lower + c] + damage[upper + c]) / (strength[c] * spent[c]);
 }
 
-std::vector<ConnectionId> StructuralConnections::overloaded(const ObjectState& state) const
+std::vector<BrokenConnection> StructuralConnections::overloaded(const ObjectState& state) const
 {
     std::vector<std::vector<Overloaded>> found((state.size() + m_blockSize - 1) / m_blockSize);
     forEachBlock(state.size(), m_blockSize, [&](std::size_t begin, std::size_t end) {
@@ -188,11 +188,11 @@ std::vector<ConnectionId> StructuralConnections::overloaded(const ObjectState& s
         for (const Overloaded& connection : block)
             if (std::isfinite(connection.load))
                 worst = std::max(worst, connection.load);
-    std::vector<ConnectionId> breaking;
+    std::vector<BrokenConnection> breaking;
     for (const auto& block : found)
         for (const Overloaded& connection : block)
             if (connection.load >= worstShare * worst)
-                breaking.push_back(connection.id);
+                breaking.push_back({connection.id});
     return breaking;
 }
 
@@ -217,7 +217,7 @@ double StructuralConnections::energyAround(const ObjectState& state, const std::
     return sum;
 }
 
-double StructuralConnections::breakAll(const ObjectState& state, const std::vector<ConnectionId>& connections,
+double StructuralConnections::breakAll(const ObjectState& state, const std::vector<BrokenConnection>& connections,
                                        double step)
 {
     std::vector<ObjectIndex> objects;
@@ -235,7 +235,7 @@ double StructuralConnections::breakAll(const ObjectState& state, const std::vect
             before.set(i, placeBefore(state, i, back));
     }
     double released = m_tensors ? energy(before) : energyAround(state, objects, back);
-    for (const ConnectionId& connection : connections) {
+    for (const BrokenConnection& connection : connections) {
         double& k = m_stiffness[connection.direction][connection.lower];
         const auto [lower, upper] = endsOf(connection);
         const double length = (placeBefore(state, upper, back) - placeBefore(state, lower, back)).norm();
@@ -282,7 +282,7 @@ StructuralConnections::BreakReport StructuralConnections::breakOverloaded(const 
     BreakReport report;
     if (!m_laws.anyBreaks())
         return report;
-    if (const std::vector<ConnectionId> broken = overloaded(state); !broken.empty()) {
+    if (const std::vector<BrokenConnection> broken = overloaded(state); !broken.empty()) {
         report.released = breakAll(state, broken, step);
         report.broken = broken.size();
     }

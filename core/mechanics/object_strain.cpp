@@ -22,7 +22,7 @@ constexpr double leastStretch = 1e-3;  // of squashed material: logarithms stay 
 /// The live connections of objects.
 class ObjectSurroundings {
 public:
-    ObjectSurroundings(const Aggregate& aggregate, std::span<const ConnectionId> broken)
+    ObjectSurroundings(const Aggregate& aggregate, std::span<const BrokenConnection> broken)
         : m_aggregate(aggregate)
         , m_isBroken(brokenDirections(aggregate, broken))
     {
@@ -62,11 +62,12 @@ private:
         return m_aggregate.weight[d][lower] > 0 && (m_isBroken[lower] >> d & 1U) == 0;
     }
 
-    void markEnds(std::span<const ConnectionId> broken)
+    void markEnds(std::span<const BrokenConnection> broken)
     {
         if (!broken.empty())
             m_hasBroken.assign(m_aggregate.size(), 0);
-        for (const auto& [direction, lower] : broken) {
+        for (const ConnectionId& connection : broken) {
+            const auto [direction, lower] = connection;
             const auto& segments = m_aggregate.lattice.segments[direction];
             const auto segment = std::partition_point(segments.begin(), segments.end(),
                                                       [&, object = lower](const auto& s) { return s.end <= object; });
@@ -110,7 +111,7 @@ Mat3 deformationGradient(const ObjectSurroundings& surroundings, std::span<const
 } // namespace
 
 ObjectStrains::ObjectStrains(const Aggregate& aggregate, std::span<const Vec3> displacements,
-                             const RelaxedState& relaxed, std::span<const ConnectionId> broken)
+                             const RelaxedState& relaxed, std::span<const BrokenConnection> broken)
     : m_surroundings(std::make_unique<const ObjectSurroundings>(aggregate, broken))
     , m_displacements(displacements)
     , m_relaxed(relaxed)
@@ -171,7 +172,7 @@ bool ObjectStrains::hasBroken() const
 }
 
 std::vector<ObjectStrain> objectStrains(const Aggregate& aggregate, std::span<const Vec3> displacements,
-                                        const RelaxedState& relaxed, std::span<const ConnectionId> broken)
+                                        const RelaxedState& relaxed, std::span<const BrokenConnection> broken)
 {
     const ObjectStrains objects(aggregate, displacements, relaxed, broken);
     std::vector<ObjectStrain> strains(aggregate.size());

@@ -50,7 +50,7 @@ public:
     /// All that is given must outlive it. Its members may be called from any thread.
     /// @param displacements per object, from rest [m]
     ObjectStrains(const Aggregate& aggregate, std::span<const Vec3> displacements, const RelaxedState& relaxed,
-                  std::span<const ConnectionId> broken = {});
+                  std::span<const BrokenConnection> broken = {});
     ~ObjectStrains();
     ObjectStrains(const ObjectStrains&) = delete;
     ObjectStrains& operator=(const ObjectStrains&) = delete;
@@ -88,7 +88,7 @@ private:
 
 /// Strain and stress at all objects. Any thread; uses several.
 std::vector<ObjectStrain> objectStrains(const Aggregate& aggregate, std::span<const Vec3> displacements,
-                                        const RelaxedState& relaxed, std::span<const ConnectionId> broken = {});
+                                        const RelaxedState& relaxed, std::span<const BrokenConnection> broken = {});
 
 /// ln sqrt(b) of a symmetric b; of one that is nearly flat a finite one.
 Mat3 halfLogarithm(const Mat3& b);

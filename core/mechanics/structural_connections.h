@@ -45,8 +45,8 @@ public:
     /// What has become of the connections since the body was made. Arrays are empty until they are needed.
     struct Changes {
         PlasticState plastic;
-        LaneVector<double> restDilatation; ///< per object: theta of no pressure
-        std::vector<ConnectionId> broken;  ///< in the order of breaking
+        LaneVector<double> restDilatation;    ///< per object: theta of no pressure
+        std::vector<BrokenConnection> broken; ///< in the order of breaking
     };
 
     /// `materials` must outlive it.
@@ -95,6 +95,12 @@ public:
         std::size_t broken = 0;
     };
     BreakReport breakOverloaded(const ObjectState& state, double step);
+
+    /// Takes live connections away that a knife went through. @return energy that they had [J] @param step see breakOverloaded()
+    double cut(const ObjectState& state, const std::vector<BrokenConnection>& connections, double step)
+    {
+        return breakAll(state, connections, step);
+    }
 
     bool yields() const { return m_laws.anyYields(); }
     bool stiffensWhenSquashed() const { return m_tensors != nullptr; }
@@ -161,6 +167,10 @@ public:
     template <typename Visit>
     void forEachConnection(ObjectIndex object, Visit&& visit) const;
 
+    /// The same for all connections that were made, broken ones among them.
+    template <typename Visit>
+    void forEachConnectionMade(ObjectIndex object, Visit&& visit) const;
+
     /// Calls visit(lower, upper) with the two objects of every live connection. Goes along the lattice, which is many times as
     /// fast as asking each object.
     template <typename Visit>
@@ -170,10 +180,6 @@ public:
     double contactStiffness(ObjectIndex object) const;
 
 private:
-    /// The same for all connections that were made, broken ones among them.
-    template <typename Visit>
-    void forEachConnectionMade(ObjectIndex object, Visit&& visit) const;
-
     /// What the connections of a block give to the objects from `begin` on: the last ones of the block and those behind it.
     struct Margin {
         std::size_t begin = 0;
@@ -218,7 +224,7 @@ private:
     void addMargins(ObjectState& state, std::size_t begin, std::size_t end) const;
     void addFriction(ObjectState& state, double dt) const;
     void makeLengthsOwn();
-    std::vector<ConnectionId> overloaded(const ObjectState& state) const;
+    std::vector<BrokenConnection> overloaded(const ObjectState& state) const;
     void markBroken(const ConnectionId& connection);
     void findSpent(std::size_t lower, std::size_t upper, std::size_t count, const double* strength,
                    double* spent) const;
@@ -226,7 +232,7 @@ private:
                             double* limit) const;
     void findOverloaded(const ObjectState& state, std::size_t begin, std::size_t end,
                         std::vector<Overloaded>& found) const;
-    double breakAll(const ObjectState& state, const std::vector<ConnectionId>& connections, double step);
+    double breakAll(const ObjectState& state, const std::vector<BrokenConnection>& connections, double step);
     void findLiveShape(ObjectIndex object);
     double energyAround(const ObjectState& state, const std::vector<ObjectIndex>& objects, double back) const;
     Shape shapeAround(const ObjectState& state, ObjectIndex object, double back = 0) const;

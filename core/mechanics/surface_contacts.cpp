@@ -1,5 +1,6 @@
 #include "core/mechanics/surface_contacts.h"
 
+#include "core/mechanics/blade.h"
 #include "core/task/parallel.h"
 
 #include <algorithm>
@@ -24,6 +25,9 @@ constexpr double skinDepth = 1 - 1e-6;
 // Normals of one side of a surface differ by less [cosine].
 constexpr double sameSide = 0.7;
 
+// So near to the plane of a knife [spacings].
+constexpr double nearPlane = 0.5;
+
 // What is deeper than this did not get there by touching [spacings].
 constexpr double mostTouching = 0.2;
 
@@ -41,6 +45,15 @@ Vec3 toLocal(const RigidSurface& surface, const Vec3& direction)
 Vec3 toWorld(const RigidSurface& surface, const Vec3& direction)
 {
     return surface.isFloor ? direction : Vec3(surface.pose.rotation * direction);
+}
+
+/// A wire has no width that what it cuts could feel: its edge does it all.
+bool isCutByWire(const Material& material, const RigidSurface& surface)
+{
+    if (surface.isFloor || surface.shape.kind != ToolKind::cylinder || !material.isCut())
+        return false;
+    const auto blade = bladeOf(surface.shape);
+    return blade && blade->isWire();
 }
 
 } // namespace
@@ -116,7 +129,7 @@ double SurfaceContacts::connectionsBroke(std::span<const ContactBody> bodies, st
 {
     const StructuralConnections& connections = *bodies[body].connections;
     const Aggregate& aggregate = connections.aggregate();
-    const std::vector<ConnectionId>& broken = connections.changes().broken;
+    const std::vector<BrokenConnection>& broken = connections.changes().broken;
     const auto firstLoose = static_cast<std::uint32_t>(aggregate.skin.size() + aggregate.size());
     std::vector<std::vector<ObjectIndex>> apart(aggregate.size()); // from the lower end
     std::vector<ObjectIndex> ends;
@@ -167,13 +180,14 @@ std::vector<SurfaceContacts::Touch> SurfaceContacts::memory() const
     std::vector<Touch> touches = m_remembered;
     for (std::size_t s = 0; s < m_near.size(); ++s)
         for (const Near& near : m_near[s])
-            if (near.kept > 0 || !near.friction.isEmpty())
+            if (near.kept > 0 || near.side != 0 || !near.friction.isEmpty())
                 touches.push_back({.surface = m_listed[s],
                                    .body = m_points[near.point].body,
                                    .point = m_points[near.point].number,
                                    .friction = near.friction,
                                    .kept = near.kept,
-                                   .pressed = near.pressed});
+                                   .pressed = near.pressed,
+                                   .side = near.side});
     return touches;
 }
 
@@ -198,21 +212,38 @@ void SurfaceContacts::list(std::span<const ContactBody> bodies, std::span<const 
             if (!point.isActive || body.kind == BodyKind::glue)
                 continue;
             const Vec3 place = point.spread.at(body.state->position);
-            if (!box.contains(place))
+            if (!box.contains(place) || isCutByWire(body.materialOf(point.spread.main()), surfaces[s]))
                 continue;
-            Near near{.point = p};
-            if (const auto found = before.find({surfaces[s].id, point.body, point.number}); found != before.end()) {
+            Near near{.point = p, .side = sideOf(point, body, surfaces[s])};
+            const auto found = before.find({surfaces[s].id, point.body, point.number});
+            const bool isKnown = found != before.end();
+            if (isKnown) {
                 near.friction = found->second.friction;
                 near.kept = found->second.kept;
                 near.pressed = found->second.pressed;
-            } else if (point.isNew) {
-                near.kept = std::max(0.0, point.reach - surfaces[s].nearest(place).distance);
             }
+            // Seen from its other side a knife is somewhere else: what is pushed stays where it is.
+            if (isKnown ? found->second.side != near.side : point.isNew)
+                near.kept = std::max(0.0, point.reach - nearest(near, surfaces[s], place).distance);
             m_near[s].push_back(near);
         }
     }
     for (Point& point : m_points)
         point.isNew = false;
+}
+
+/// What lies ahead of the edge of a knife that cuts it touches nothing, and is as deep in its flank then as it is when the edge comes
+/// by.
+bool SurfaceContacts::waitsForEdge(Near& near, const Point& point, const RigidSurface& surface, const Vec3& place)
+{
+    if (near.side == 0)
+        return false;
+    const auto flank = flankOf(surface.shape, near.side, surface.pose.toLocal(place));
+    if (!flank || !flank->isAhead)
+        return false;
+    near.kept = std::max(0.0, point.reach - flank->plane.distance);
+    near.friction = {};
+    return true;
 }
 
 void SurfaceContacts::beginStep(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces,
@@ -224,6 +255,7 @@ void SurfaceContacts::beginStep(std::span<const ContactBody> bodies, std::span<c
         for (Near& near : m_near[s]) {
             const Point& point = m_points[near.point];
             const Vec3 place = point.spread.at(bodies[point.body].state->position);
+            waitsForEdge(near, point, before, place);
             const SurfacePoint nearest = before.nearest(place);
             near.foot = before.pose.toLocal(place - nearest.distance * nearest.normal);
             near.normal = toLocal(before, nearest.normal);
@@ -231,9 +263,34 @@ void SurfaceContacts::beginStep(std::span<const ContactBody> bodies, std::span<c
     }
 }
 
-/// Of a surface; of what went past its edge within the step, of the plane that it came in through.
+/// On which side of a knife that cuts its material a point is. An end of a connection that lies in the plane of the cut is opposite to
+/// what it was connected to.
+std::int8_t SurfaceContacts::sideOf(const Point& point, const ContactBody& body, const RigidSurface& surface)
+{
+    if (surface.isFloor || surface.shape.kind != ToolKind::wedge || !body.materialOf(point.spread.main()).isCut() ||
+        !bladeOf(surface.shape))
+        return 0;
+    const auto heightOf = [&](const Vec3& place) { return surface.pose.toLocal(place).y() / body.spacing(); };
+    double across = heightOf(point.spread.at(body.state->position));
+    if (point.isLoose && std::abs(across) < nearPlane) {
+        const ObjectIndex object = point.spread.objects[0];
+        double lost = 0;
+        body.connections->forEachConnectionMade(object, [&](ObjectIndex neighbor, const ConnectionId& id) {
+            if (body.connections->stiffness()[id.direction][id.lower] == 0)
+                lost += heightOf(body.state->position.at(neighbor));
+        });
+        if (std::abs(lost) > nearPlane)
+            across = -lost;
+    }
+    return across < 0 ? -1 : 1;
+}
+
+/// Of a surface; of what went past its edge within the step, of the plane that it came in through; of what a knife cut, of its flank.
 SurfacePoint SurfaceContacts::nearest(const Near& near, const RigidSurface& surface, const Vec3& place)
 {
+    if (near.side != 0)
+        if (const auto flank = flankOf(surface.shape, near.side, surface.pose.toLocal(place)))
+            return {flank->plane.distance, toWorld(surface, flank->plane.normal)};
     const SurfacePoint nearest = surface.nearest(place);
     if (nearest.distance >= 0 || near.normal.isZero(0))
         return nearest;
@@ -248,7 +305,7 @@ void SurfaceContacts::keepInside(std::span<const ContactBody> bodies, std::span<
         for (Near& near : m_near[s]) {
             const Point& point = m_points[near.point];
             const Vec3 place = point.spread.at(bodies[point.body].state->position);
-            const double depth = std::max(0.0, point.reach - surfaces[s].nearest(place).distance);
+            const double depth = std::max(0.0, point.reach - nearest(near, surfaces[s], place).distance);
             // What touches goes on, unless the tool was put further in than contacts ever let it.
             if (near.friction.isEmpty() || depth - near.kept > mostTouching * bodies[point.body].spacing()) {
                 near.kept = depth;
@@ -285,6 +342,8 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
     const Point& point = m_points[near.point];
     ObjectState& state = *body.state;
     const Vec3 place = point.spread.at(state.position);
+    if (!step.isTrial && waitsForEdge(near, point, surface, place))
+        return;
     const SurfacePoint nearest = SurfaceContacts::nearest(near, surface, place);
     const double depth = point.reach - nearest.distance;
     if (near.kept > 0 && !step.isTrial)

@@ -33,6 +33,7 @@ public:
         FrictionMemory friction; ///< in the frame of the surface
         double kept = 0;         ///< how deep it may still be [m]
         double pressed = 0;      ///< force of its spring in the last step, while something is kept [N]
+        std::int8_t side = 0;    ///< of a knife that cuts its material: 1, -1; 0: none does
     };
     std::vector<Touch> memory() const;
     void restore(std::vector<Touch> touches) { m_remembered = std::move(touches); }
@@ -101,9 +102,12 @@ private:
         double pressed = 0;
         Vec3 foot = Vec3::Zero();   ///< of the surface, nearest to the point when the step began, in its frame [m]
         Vec3 normal = Vec3::Zero(); ///< there; 0 where that is not known
+        std::int8_t side = 0;       ///< of a knife that cuts its material: 1, -1; 0: none does
     };
 
     static SurfacePoint nearest(const Near& near, const RigidSurface& surface, const Vec3& place);
+    static bool waitsForEdge(Near& near, const Point& point, const RigidSurface& surface, const Vec3& place);
+    static std::int8_t sideOf(const Point& point, const ContactBody& body, const RigidSurface& surface);
     void addPoints(const ContactBody& body, std::uint32_t index);
     void addPoint(const Point& point) { m_points.push_back(point); }
     void press(const ContactBody& body, Near& near, const RigidSurface& surface, std::uint32_t index,

@@ -137,11 +137,18 @@ struct Refill {
     double spacing = 0; ///< of its objects from now on [m], 0: as it is
 };
 
+/// Cuts a body along a plane, without force and work: connections across it are no more.
+struct Cut {
+    BodyId body = 0;
+    Vec3 point = Vec3::Zero();   ///< of the plane [m]
+    Vec3 normal = Vec3::UnitZ(); ///< of any length but 0
+};
+
 using Command =
     std::variant<SetMaterial, SetBodyKind, Renormalize, SetGravity, SetFloor, AddManipulator, RemoveManipulator,
                  SetManipulatorMotion, ReshapeManipulator, PlaceManipulator, AddFixture, RemoveFixture, MoveFixture,
                  SetIntegrator, Reset, KeepMoment, SetPartLook, RenameManipulator, RenameFixture, AddLoad, RemoveLoad,
-                 SetLoad, FindBalance, SetPace, Refill>;
+                 SetLoad, FindBalance, SetPace, Refill, Cut>;
 
 /// A command and the step before which it took effect. Steps count on from the Reset before.
 struct RecordedCommand {

@@ -224,6 +224,7 @@ void Simulation::State::loadFixtures()
 void Simulation::State::tellFrictionApart()
 {
     double lost = 0;
+    double cut = 0;
     for (const Contacts::Friction& friction : contactReport.frictions) {
         const BodyRun& run = *runs[friction.object.body];
         const ObjectIndex i = friction.object.object;
@@ -232,10 +233,11 @@ void Simulation::State::tellFrictionApart()
             velocity -= 0.5 * timeStep *
                         (run.state.inverseMass[i] * (run.state.force.at(i) + run.state.damping.at(i)) +
                          run.state.gravityShare(i) * gravity);
-        lost -= friction.force.dot(velocity - friction.velocity) * timeStep;
+        (friction.cuts ? cut : lost) -= friction.force.dot(velocity - friction.velocity) * timeStep;
     }
     energy.friction += lost;
-    energy.viscous -= lost;
+    energy.fracture += cut;
+    energy.viscous -= lost + cut;
 }
 
 /// Shape damping of a body over a duration [s]. @return energy taken out [J]
@@ -357,6 +359,7 @@ void Simulation::step()
         state.integrate();
         state.clock.end(Stage::motion);
     }
+    state.cutWithKnives();
     state.checkHealth();
     state.clock.end(Stage::checks);
 }

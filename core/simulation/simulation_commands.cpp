@@ -189,6 +189,18 @@ public:
             throw std::runtime_error(why);
         m_state.refill(command.body, command.spacing);
     }
+    void operator()(const Cut& command) const
+    {
+        const BodyRun& run = body(command.body);
+        if (!(command.point.allFinite() && command.normal.allFinite() && command.normal.norm() > 0))
+            throw std::runtime_error("A cut needs a plane: a point, and a normal that is not zero.");
+        if (!run.deforms())
+            throw std::runtime_error("\"" + m_state.bodies[command.body].name +
+                                     "\" is rigid, and is not cut. Make it deformable first.");
+        if (m_state.cutAlong(command.body, command.point, command.normal.normalized()) == 0)
+            throw std::runtime_error("The plane meets nothing of \"" + m_state.bodies[command.body].name +
+                                     "\" that could be cut.");
+    }
     void operator()(const SetPartLook&) const {}
     void operator()(const RenameManipulator& command) const
     {

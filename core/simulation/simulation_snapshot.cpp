@@ -12,13 +12,13 @@ namespace {
 constexpr std::size_t snapshotBlockSize = 8192;
 
 /// Mostly nothing has broken since the snapshot before.
-std::shared_ptr<const std::vector<ConnectionId>> brokenOf(BodyRun& run)
+std::shared_ptr<const std::vector<BrokenConnection>> brokenOf(BodyRun& run)
 {
-    const std::vector<ConnectionId>& broken = run.connections.changes().broken;
+    const std::vector<BrokenConnection>& broken = run.connections.changes().broken;
     if (broken.empty())
         run.published = nullptr;
     else if (!run.published || *run.published != broken)
-        run.published = std::make_shared<const std::vector<ConnectionId>>(broken);
+        run.published = std::make_shared<const std::vector<BrokenConnection>>(broken);
     return run.published;
 }
 

@@ -34,11 +34,12 @@ struct BodyRun {
     bool anchored = false;            ///< some object is held
     std::vector<FixtureId> gripOf;    ///< per object: the grip that moves it, if any does
     PiecesOfBody pieces;
-    std::shared_ptr<const ShapeFitting> fitting;                ///< of its filling, for the next one; null: not known
-    std::unique_ptr<const CellShapes> cells;                    ///< null: not looked at yet
-    std::shared_ptr<const std::vector<ConnectionId>> published; ///< what was broken in the snapshot before; null: none
-    std::shared_ptr<const RelaxedState> relaxed;                ///< in the snapshot before; null: there was none
-    std::uint64_t relaxedVersion = 0;                           ///< of the lengths in that
+    std::shared_ptr<const ShapeFitting> fitting; ///< of its filling, for the next one; null: not known
+    std::unique_ptr<const CellShapes> cells;     ///< null: not looked at yet
+    std::shared_ptr<const std::vector<BrokenConnection>>
+        published;                               ///< what was broken in the snapshot before; null: none
+    std::shared_ptr<const RelaxedState> relaxed; ///< in the snapshot before; null: there was none
+    std::uint64_t relaxedVersion = 0;            ///< of the lengths in that
 
     bool deforms() const { return kind == BodyKind::deformable; }
 };
@@ -53,6 +54,8 @@ struct Simulation::State {
     void touchWhereBroken();
     void bookTornSkin();
     std::size_t breakConnections();
+    void cutWithKnives();
+    std::size_t cutAlong(BodyId body, const Vec3& point, const Vec3& normal);
     void changeConnections();
     static double workOfFlow(const StructuralConnections& connections);
     void computeForces();

@@ -103,7 +103,7 @@ struct Snapshot {
 
         /// Structural connections that broke so far, in the order of breaking; snapshots share them until the next one
         /// breaks. Null: none.
-        std::shared_ptr<const std::vector<ConnectionId>> broken = nullptr;
+        std::shared_ptr<const std::vector<BrokenConnection>> broken = nullptr;
 
         /// What strain and stress are relative to, see objectStrains(); snapshots share it until the next flow. Never null in
         /// those of a simulation.

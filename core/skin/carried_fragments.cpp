@@ -39,24 +39,6 @@ std::vector<int> degrees(const Aggregate& part)
     return count;
 }
 
-/// The objects of a fragment that carry it: what dangles beside a crack on its last connections goes its own ways. All of them
-/// where hardly any would be left.
-std::vector<ObjectIndex> carriersOf(const Aggregate& aggregate, const Fragment& fragment,
-                                    std::span<const std::uint16_t> isBroken)
-{
-    std::vector<ObjectIndex> carriers = fragment.objects;
-    for (std::size_t before = 0; before != carriers.size();) {
-        before = carriers.size();
-        const std::vector<int> degree = degrees(extract(aggregate, carriers, isBroken));
-        std::vector<ObjectIndex> firm;
-        for (std::size_t i = 0; i < carriers.size(); ++i)
-            if (degree[i] >= firmlyConnected)
-                firm.push_back(carriers[i]);
-        carriers = std::move(firm);
-    }
-    return 2 * carriers.size() > fragment.objects.size() ? carriers : fragment.objects;
-}
-
 /// By how much the well connected objects of a part have grown, on the mean; 0 when there are none.
 /// @param numbers of its objects in the body
 double volumeRatio(const Aggregate& part, const ObjectStrains& body, const std::vector<ObjectIndex>& numbers)
@@ -123,8 +105,24 @@ CarriedFragment carriedBy(const Aggregate& part, const Fragment& fragment, std::
 
 } // namespace
 
+std::vector<ObjectIndex> carriersOf(const Aggregate& aggregate, const Fragment& fragment,
+                                    std::span<const std::uint16_t> isBroken)
+{
+    std::vector<ObjectIndex> carriers = fragment.objects;
+    for (std::size_t before = 0; before != carriers.size();) {
+        before = carriers.size();
+        const std::vector<int> degree = degrees(extract(aggregate, carriers, isBroken));
+        std::vector<ObjectIndex> firm;
+        for (std::size_t i = 0; i < carriers.size(); ++i)
+            if (degree[i] >= firmlyConnected)
+                firm.push_back(carriers[i]);
+        carriers = std::move(firm);
+    }
+    return 2 * carriers.size() > fragment.objects.size() ? carriers : fragment.objects;
+}
+
 std::vector<CarriedFragment> carried(const Aggregate& aggregate, std::span<const Fragment> fragments,
-                                     std::span<const ConnectionId> broken, std::span<const Vec3> displacement,
+                                     std::span<const BrokenConnection> broken, std::span<const Vec3> displacement,
                                      const RelaxedState* relaxed, std::span<const ObjectIndex> loaded,
                                      TaskControl& control)
 {

@@ -29,7 +29,7 @@ const Vec3 shift(0.0123, 0.0171, 0.0097);
 
 /// Which piece each piece is part of: itself, or the one that it is the dust of.
 std::vector<std::uint32_t> joinDust(const Aggregate& aggregate, const Pieces& pieces,
-                                    std::span<const ConnectionId> broken, const std::vector<std::uint8_t>& isDust)
+                                    std::span<const BrokenConnection> broken, const std::vector<std::uint8_t>& isDust)
 {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> connections; // between dust and any other
     for (const ConnectionId& connection : broken) {
@@ -156,8 +156,8 @@ std::vector<Solid> findSolids(const Aggregate& aggregate, const Pieces& pieces, 
 
 class Breaker {
 public:
-    Breaker(const Aggregate& aggregate, const TriangleMesh& skin, std::span<const ConnectionId> broken, Pieces pieces,
-            const FragmentOptions& options)
+    Breaker(const Aggregate& aggregate, const TriangleMesh& skin, std::span<const BrokenConnection> broken,
+            Pieces pieces, const FragmentOptions& options)
         : m_aggregate(aggregate)
         , m_broken(broken)
         , m_pieces(std::move(pieces))
@@ -262,9 +262,10 @@ private:
         for (std::size_t object = 0; object < m_aggregate.size(); ++object)
             if (isOfSolid[m_pieces.ofObject[object]] != 0)
                 labels[object] = m_host[m_pieces.ofObject[object]];
+        const CutBorders cuts(m_aggregate, m_broken, labels);
         for (int attempt = 0; attempt < attempts; ++attempt)
             try {
-                const LabeledNodes nodes(m_aggregate, labels, solid.skin, (1 + 0.3 * attempt) * shift, control);
+                const LabeledNodes nodes(m_aggregate, labels, cuts, solid.skin, (1 + 0.3 * attempt) * shift, control);
                 return cutByLabels(solid.skin, nodes, static_cast<std::uint64_t>(attempt), control);
             } catch (const DegenerateCut&) { // another one may do
             }
@@ -286,7 +287,7 @@ private:
     }
 
     const Aggregate& m_aggregate;
-    std::span<const ConnectionId> m_broken;
+    std::span<const BrokenConnection> m_broken;
     Pieces m_pieces;
     std::vector<Solid> m_solids;
     std::vector<std::size_t> m_sizes;    // objects per piece
@@ -299,7 +300,7 @@ private:
 } // namespace
 
 std::vector<Fragment> fragmentsOf(const Aggregate& aggregate, const TriangleMesh& skin,
-                                  std::span<const ConnectionId> broken, const FragmentOptions& options,
+                                  std::span<const BrokenConnection> broken, const FragmentOptions& options,
                                   TaskControl& control)
 {
     if (aggregate.size() == 0)

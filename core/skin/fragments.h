@@ -38,7 +38,7 @@ struct FragmentOptions {
 /// @param skin closed surface of the body at rest, facing outwards: the one it was filled from, or refined
 /// @throws std::invalid_argument for an aggregate without objects or a surface that is not closed. @throws Cancelled
 std::vector<Fragment> fragmentsOf(const Aggregate& aggregate, const TriangleMesh& skin,
-                                  std::span<const ConnectionId> broken, const FragmentOptions& options = {},
+                                  std::span<const BrokenConnection> broken, const FragmentOptions& options = {},
                                   TaskControl& control = TaskControl::none());
 
 } // namespace knead

@@ -15,7 +15,8 @@ constexpr double margin = 1e-3;      // cells as close as this to the surface co
 constexpr std::int32_t fitReach = 3; // nodes that a fit looks at, along an axis
 constexpr double fitWidth = 1.5;     // standard deviation of its weights [cells]
 constexpr double leastSlopeMoment = 1e-2;
-constexpr double leastLead = 0.04; // of the own label of an object: borders stay clear of objects
+constexpr double leastLead = 0.04;      // of the own label of an object: borders stay clear of objects
+constexpr double leastLeadAtCut = 2e-3; // where it is known how far they are
 constexpr std::size_t nodesPerBlock = 2048;
 constexpr std::size_t trianglesPerBlock = 4096;
 
@@ -58,8 +59,8 @@ void sortOut(std::vector<Lattice::Node>& nodes)
 
 } // namespace
 
-LabeledNodes::LabeledNodes(const Aggregate& aggregate, std::span<const std::uint32_t> labels, const TriangleMesh& skin,
-                           const Vec3& shift, TaskControl& control)
+LabeledNodes::LabeledNodes(const Aggregate& aggregate, std::span<const std::uint32_t> labels, const CutBorders& cuts,
+                           const TriangleMesh& skin, const Vec3& shift, TaskControl& control)
 {
     m_lattice.spacing = aggregate.lattice.spacing;
     m_lattice.axes = aggregate.lattice.axes;
@@ -69,7 +70,7 @@ LabeledNodes::LabeledNodes(const Aggregate& aggregate, std::span<const std::uint
     labelObjects(aggregate, labels);
     spreadLabels(aggregate, labels);
     findBorders();
-    findShares(control);
+    findShares(cuts, m_lattice.spacing * (m_lattice.axes * shift), control);
 }
 
 void LabeledNodes::collectNodes(const Aggregate& aggregate, std::span<const std::uint32_t> labels,
@@ -205,13 +206,21 @@ void LabeledNodes::findBorders()
         m_placeInNear[m_near[i]] = static_cast<std::uint32_t>(i);
 }
 
-void LabeledNodes::findShares(TaskControl& control)
+/// @param offset of the nodes from the lattice of objects [m]: cuts are moved along with it, or objects beside them would be on the
+/// wrong side
+void LabeledNodes::findShares(const CutBorders& cuts, const Vec3& offset, TaskControl& control)
 {
     m_shares.resize(m_near.size());
+    m_isAtCut.assign(m_near.size(), 0);
     forEachBlock(m_near.size(), nodesPerBlock, control, "smoothing the cracks",
                  [&](std::size_t begin, std::size_t end) {
-                     for (std::size_t near = begin; near < end; ++near)
-                         m_shares[near] = fitted(m_near[near]);
+                     for (std::size_t near = begin; near < end; ++near) {
+                         const auto cut = cuts.at(m_lattice.position(m_near[near]) - offset);
+                         m_isAtCut[near] = cut ? 1 : 0;
+                         m_shares[near] =
+                             cut ? Shares{{cut->below, 0.5 - 0.5 * cut->height}, {cut->above, 0.5 + 0.5 * cut->height}}
+                                 : fitted(m_near[near]);
+                     }
                  });
     addLeads();
     for (std::size_t near = 0; near < m_near.size(); ++near)
@@ -285,12 +294,15 @@ void LabeledNodes::addLeads()
             for (ObjectIndex node = segment.begin; node < segment.end; ++node) {
                 const ObjectIndex other = node + static_cast<ObjectIndex>(segment.offset);
                 if (m_label[node] != m_label[other] && m_isObject[node] != 0 && m_isObject[other] != 0 &&
+                    !isAtCut(node) && !isAtCut(other) &&
                     sum(m_lattice.nodes[node], Lattice::directions[d]) == m_lattice.nodes[other]) {
                     add(node, other);
                     add(other, node);
                 }
             }
     for (std::size_t near = 0; near < m_near.size(); ++near) {
+        if (m_isAtCut[near] != 0)
+            continue;
         const std::uint32_t label = m_label[m_near[near]];
         const Leads& sum = leads[label];
         const double lead = sum.count > 0 ? std::max(0.0, (sum.others - sum.own) / sum.count) : 0;
@@ -323,7 +335,7 @@ void LabeledNodes::keepOwnLabel(std::size_t near)
     }
     for (Share& share : m_shares[near])
         if (share.label == m_label[node])
-            share.share = std::max(share.share, largest + leastLead);
+            share.share = std::max(share.share, largest + (m_isAtCut[near] != 0 ? leastLeadAtCut : leastLead));
 }
 
 double LabeledNodes::share(std::size_t node, std::uint32_t label) const

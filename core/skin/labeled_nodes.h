@@ -3,6 +3,7 @@
 #include "core/aggregate/aggregate.h"
 #include "core/aggregate/lattice_rows.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/skin/cut_borders.h"
 #include "core/task/task_control.h"
 
 #include <cstdint>
@@ -23,9 +24,10 @@ public:
     /// @param labels per object; noLabel for those that have no part in this
     /// @param shift moves the lattice against that of the objects [cells], much less than 1, so that labels do not meet
     ///        exactly where the surface has its corners
+    /// @param cuts of knives between labels: borders go exactly there
     /// @pre at least one object has a label. @throws Cancelled
-    LabeledNodes(const Aggregate& aggregate, std::span<const std::uint32_t> labels, const TriangleMesh& skin,
-                 const Vec3& shift, TaskControl& control);
+    LabeledNodes(const Aggregate& aggregate, std::span<const std::uint32_t> labels, const CutBorders& cuts,
+                 const TriangleMesh& skin, const Vec3& shift, TaskControl& control);
     LabeledNodes(const LabeledNodes&) = delete;
     LabeledNodes& operator=(const LabeledNodes&) = delete;
 
@@ -61,8 +63,9 @@ private:
     void labelObjects(const Aggregate& aggregate, std::span<const std::uint32_t> labels);
     void spreadLabels(const Aggregate& aggregate, std::span<const std::uint32_t> labels);
     void findBorders();
-    void findShares(TaskControl& control);
+    void findShares(const CutBorders& cuts, const Vec3& offset, TaskControl& control);
     Shares fitted(ObjectIndex node) const;
+    bool isAtCut(ObjectIndex node) const { return m_placeInNear[node] != far && m_isAtCut[m_placeInNear[node]] != 0; }
     void addLeads();
     void keepOwnLabel(std::size_t near);
 
@@ -74,6 +77,7 @@ private:
     std::vector<ObjectIndex> m_near;          ///< nodes near borders
     std::vector<std::uint32_t> m_placeInNear; ///< per node, or `far`
     std::vector<Shares> m_shares;             ///< per node near a border
+    std::vector<std::uint8_t> m_isAtCut;      ///< per node near a border: its shares say how high it lies above a cut
 };
 
 } // namespace knead

@@ -116,6 +116,22 @@ Skin Skin::ofPlacesWhenFilled(const Aggregate& aggregate, std::vector<Vec3> plac
     return skin;
 }
 
+Skin Skin::joined(std::span<const Skin> parts, std::span<const std::vector<ObjectIndex>> numbers)
+{
+    Skin all;
+    all.m_first.push_back(0);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        const Skin& part = parts[p];
+        const auto offset = all.m_first.back();
+        all.m_points.insert(all.m_points.end(), part.m_points.begin(), part.m_points.end());
+        for (std::size_t point = 0; point < part.size(); ++point)
+            all.m_first.push_back(offset + part.m_first[point + 1]);
+        for (const Influence& influence : part.m_influences)
+            all.m_influences.push_back({numbers[p][influence.object], influence.weight});
+    }
+    return all;
+}
+
 void Skin::attach(const Aggregate& aggregate, TaskControl& control)
 {
     if (aggregate.size() == 0)

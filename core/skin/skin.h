@@ -29,6 +29,10 @@ public:
     static Skin ofPlacesWhenFilled(const Aggregate& aggregate, std::vector<Vec3> places,
                                    TaskControl& control = TaskControl::none());
 
+    /// One of the points of all of them, each attached to some objects of a body.
+    /// @param numbers per part: its objects in the body
+    static Skin joined(std::span<const Skin> parts, std::span<const std::vector<ObjectIndex>> numbers);
+
     std::size_t size() const { return m_points.size(); }
     std::span<const Vec3> points() const
     {

@@ -27,8 +27,8 @@ inline constexpr std::size_t surfaceQuantityCount = 6;
 struct SurfaceState {
     const Aggregate& aggregate;
     const Skin& skin;
-    std::span<const Vec3> displacements;       ///< per object, from rest [m]
-    std::span<const ConnectionId> broken = {}; ///< connections
+    std::span<const Vec3> displacements;           ///< per object, from rest [m]
+    std::span<const BrokenConnection> broken = {}; ///< connections
     const SkinStress* stress =
         nullptr; ///< of the points of the skin; null: made for once, with no surface known as free
     std::span<const ObjectIndex> loaded = {};    ///< objects that something holds or presses on

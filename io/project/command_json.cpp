@@ -165,6 +165,16 @@ void describe(Fields& fields, Field<Fields, Refill> command)
 }
 
 template <>
+inline constexpr const char* wordOf<Cut> = "cut";
+template <class Fields>
+void describe(Fields& fields, Field<Fields, Cut> command)
+{
+    fields("body", command.body);
+    fields("point_m", command.point);
+    fields("normal", command.normal);
+}
+
+template <>
 inline constexpr const char* wordOf<SetPartLook> = "set-part-look";
 template <class Fields>
 void describe(Fields& fields, Field<Fields, SetPartLook> command)

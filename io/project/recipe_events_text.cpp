@@ -188,6 +188,13 @@ public:
             wanted.put("spacing_mm", exactThousandfold(command.spacing));
         finish(event().put("refill", wanted.take()));
     }
+    void operator()(const Cut& command)
+    {
+        ObjectText plane;
+        putBody(plane, command.body, {});
+        plane.millimeters("point_mm", command.point).numbers("normal", command.normal);
+        finish(event().put("cut", plane.take()));
+    }
     void operator()(const Reset&) { finish(event().put("reset", "true")); }
     // Names and colors of parts are those of the file, and tools and fixtures keep the names that they begin with.
     void operator()(const SetPartLook&) {}

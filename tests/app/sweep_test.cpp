@@ -222,7 +222,7 @@ void SweepTest::whatCannotBeDoneIsRefused()
         "knead: press.recipe.json with --set: material.young is not a known key; allowed here: preset, density_kg_m3, "
         "youngs_modulus_pa, poisson_ratio, damping_ratio, shape_damping_per_s, friction, rubberlike, "
         "second_invariant_share, locking_elongation, yield_stress_pa, hardening_pa, relaxation_time_s, "
-        "tensile_strength_pa, elongation_at_break, adhesion_pa, healing_time_s.\n");
+        "tensile_strength_pa, elongation_at_break, toughness_j_m2, adhesion_pa, healing_time_s.\n");
     QVERIFY(refusal({"--vary", "spacing_mm=1:2"}).find("this is no range") != std::string::npos);
     QVERIFY(refusal({}).find("--vary is required") != std::string::npos);
     QVERIFY(refusal({"--vary", "spacing_mm=5", "--engine", "cloud"}).starts_with("knead: --engine"));

@@ -274,7 +274,8 @@ private:
     {
         std::size_t count = 0;
         for (const Snapshot::BodyState& body : snapshot().bodies) {
-            const Pieces pieces = findPieces(*body.aggregate, body.broken ? *body.broken : std::vector<ConnectionId>());
+            const Pieces pieces =
+                findPieces(*body.aggregate, body.broken ? *body.broken : std::vector<BrokenConnection>());
             std::vector<std::size_t> sizes(pieces.count);
             for (const std::uint32_t piece : pieces.ofObject)
                 ++sizes[piece];

@@ -14,7 +14,7 @@ using namespace knead;
 struct Scene {
     TriangleMesh mesh = shapes::moved(shapes::torus(0.03, 0.01, 550, 182), shapes::tilt(0.7));
     Aggregate aggregate;
-    std::vector<ConnectionId> broken;
+    std::vector<BrokenConnection> broken;
 
     explicit Scene(double objects)
         : aggregate(fill(mesh, {.spacing = spacingForObjectCount(mesh, objects)}))

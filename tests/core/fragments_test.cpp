@@ -24,9 +24,9 @@ namespace {
 /// Which part a place is in; connections between objects in different parts break.
 using Parts = std::function<int(const Vec3&)>;
 
-std::vector<ConnectionId> brokenBetween(const Aggregate& aggregate, const Parts& parts)
+std::vector<BrokenConnection> brokenBetween(const Aggregate& aggregate, const Parts& parts)
 {
-    std::vector<ConnectionId> broken;
+    std::vector<BrokenConnection> broken;
     for (std::uint32_t d = 0; d < Lattice::directionCount; ++d)
         for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
             for (ObjectIndex o = segment.begin; o < segment.end; ++o)
@@ -41,7 +41,7 @@ std::vector<ConnectionId> brokenBetween(const Aggregate& aggregate, const Parts&
 struct Break {
     TriangleMesh mesh;
     Aggregate aggregate;
-    std::vector<ConnectionId> broken;
+    std::vector<BrokenConnection> broken;
 
     Break(const TriangleMesh& skin, double spacing, const Parts& parts)
         : mesh(skin)

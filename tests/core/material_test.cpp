@@ -46,12 +46,12 @@ private slots:
         }
         QCOMPARE(keys.size(), sizeof(Material) / sizeof(double));
         const std::set<double> values{
-            material.density,          material.youngsModulus,   material.poissonRatio,
-            material.dampingRatio,     material.shapeDamping,    material.friction,
-            material.adhesion,         material.tensileStrength, material.yieldStress,
-            material.hardening,        material.relaxationTime,  material.elongationAtBreak,
-            material.healingTime,      material.rubberlike,      material.secondInvariantShare,
-            material.lockingElongation};
+            material.density,           material.youngsModulus,   material.poissonRatio,
+            material.dampingRatio,      material.shapeDamping,    material.friction,
+            material.adhesion,          material.tensileStrength, material.yieldStress,
+            material.hardening,         material.relaxationTime,  material.elongationAtBreak,
+            material.healingTime,       material.rubberlike,      material.secondInvariantShare,
+            material.lockingElongation, material.toughness};
         QCOMPARE(values.size(), keys.size());
     }
 

@@ -118,22 +118,46 @@ std::ptrdiff_t restOf(const Moment& moment)
     return 1 + 1 + 4 + static_cast<std::ptrdiff_t>(moment.health.message.size());
 }
 
+/// Bytes of a moment of bodies of one material each, of which nothing is broken or being cut, without toughness and what knives hold:
+/// as version 6 had them.
+Bytes beforeCutting(const Moment& moment)
+{
+    Bytes bytes = momentToBytes(moment);
+    const auto end = bytes.end() - restOf(moment);
+    bytes.erase(end - 4, end);
+    // Each touch ends with the side of a knife that it is on; the pace comes behind the last one.
+    constexpr std::ptrdiff_t touch = 3 * 4 + 6 * 8 + 1;
+    const std::ptrdiff_t last = std::ssize(bytes) - restOf(moment) - 2;
+    for (std::ptrdiff_t t = 0; t < std::ssize(moment.contacts.touches); ++t)
+        bytes.erase(bytes.begin() + last - t * touch);
+    for (std::size_t b = moment.bodies.size(); b-- > 0;) { // the last one first, so that places stay what they are
+        Moment other = moment;
+        Material material = moment.bodies[b].materials.materials().front();
+        material.toughness = 1.0 / 3; // all bytes differ from those of 0
+        other.bodies[b].materials.setOwn(material);
+        const auto first =
+            bytes.begin() + static_cast<std::ptrdiff_t>(firstDifference(momentToBytes(moment), momentToBytes(other)));
+        bytes.erase(first, first + 8);
+    }
+    return bytes;
+}
+
 /// Bytes of a moment of first fillings without what says so: as version 5 had them.
 Bytes beforeRefilling(const Moment& moment)
 {
-    const Bytes whole = momentToBytes(moment);
+    const Bytes whole = beforeCutting(moment);
     std::vector<std::pair<std::size_t, std::ptrdiff_t>> gone; // where, and how much
     for (std::size_t b = 0; b < moment.bodies.size(); ++b) {
         Moment other = moment;
         other.bodies[b].kind = moment.bodies[b].kind == BodyKind::glue ? BodyKind::rigid : BodyKind::glue;
-        gone.emplace_back(firstDifference(whole, momentToBytes(other)) - 1, 1);
+        gone.emplace_back(firstDifference(whole, beforeCutting(other)) - 1, 1);
     }
     for (std::size_t f = 0; f < moment.fixtures.size(); ++f) {
         if (!moment.fixtures[f])
             continue;
         Moment other = moment;
         other.fixtures[f]->whenOpened = {1};
-        gone.emplace_back(firstDifference(whole, momentToBytes(other)), 4);
+        gone.emplace_back(firstDifference(whole, beforeCutting(other)), 4);
     }
     std::sort(gone.rbegin(), gone.rend()); // the last one first, so that places stay what they are
     Bytes bytes = whole;
@@ -251,6 +275,16 @@ private slots:
         QVERIFY(std::equal(read.begin(), read.end(), numbers.begin()));
         QVERIFY(std::signbit(read[1]));
         QVERIFY(reader.atEnd());
+    }
+
+    void momentsOfTheSixthVersionAreRead()
+    {
+        Middle middle(kinds()[0]);
+        Bytes old = beforeCutting(*middle.moment);
+        putSizes(old, 6);
+        const Moment read = momentFromBytes(old, middle.scene.bodies, middle.parts);
+        QCOMPARE(momentHash(read), momentHash(*middle.moment));
+        QCOMPARE(read.bodies[0].materials.of(0).toughness, 0.0);
     }
 
     void momentsOfTheFifthVersionAreRead()

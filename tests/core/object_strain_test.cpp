@@ -197,7 +197,7 @@ void ObjectStrainTest::stretchOnTopOfFlowIsElastic()
 void ObjectStrainTest::acrossACrackNothingCounts()
 {
     const Block block;
-    std::vector<ConnectionId> broken;
+    std::vector<BrokenConnection> broken;
     const auto isBeyond = [](const Vec3& X) { return X.x() > 0.0005; };
     for (std::uint32_t d = 0; d < Lattice::isotropicCount; ++d)
         for (ObjectIndex i = 0; i < block.aggregate.size(); ++i) {
@@ -219,7 +219,7 @@ void ObjectStrainTest::sheetsAndLonelyObjectsStayFinite()
 {
     const Block block;
     for (const int dimensions : {2, 1, 0}) {
-        std::vector<ConnectionId> broken;
+        std::vector<BrokenConnection> broken;
         for (std::uint32_t d = 0; d < Lattice::isotropicCount; ++d) {
             const Vec3 step = block.aggregate.lattice.direction(static_cast<int>(d)) / block.aggregate.lattice.spacing;
             const bool isIn =
@@ -299,7 +299,8 @@ void ObjectStrainTest::flowingMaterialBearsItsYieldStress()
     Material material = rubber();
     constexpr double yieldStress = 4e4;
     material.yieldStress = yieldStress;
-    material.hardening = 3 * yieldStress; // more than the stress, or the bar would neck and bear its yield stress there only
+    material.hardening =
+        3 * yieldStress; // more than the stress, or the bar would neck and bear its yield stress there only
     material.shapeDamping = 200;
     constexpr double spacing = 2e-3;
     Scene scene;

@@ -12,9 +12,9 @@ using namespace knead;
 
 namespace {
 
-std::vector<ConnectionId> acrossMiddle(const Aggregate& aggregate)
+std::vector<BrokenConnection> acrossMiddle(const Aggregate& aggregate)
 {
-    std::vector<ConnectionId> broken;
+    std::vector<BrokenConnection> broken;
     for (std::uint32_t d = 0; d < Lattice::directionCount; ++d)
         for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
             for (ObjectIndex o = segment.begin; o < segment.end; ++o) {
@@ -36,7 +36,7 @@ private slots:
     {
         const Aggregate aggregate = fill(shapes::box({8, 3, 3}), {.spacing = 0.5});
         QCOMPARE(findPieces(aggregate).count, std::size_t{1});
-        std::vector<ConnectionId> broken = acrossMiddle(aggregate);
+        std::vector<BrokenConnection> broken = acrossMiddle(aggregate);
         const Pieces pieces = findPieces(aggregate, broken);
         QCOMPARE(pieces.count, std::size_t{2});
         QCOMPARE(pieces.ofObject[0], 0U);
@@ -62,7 +62,7 @@ private slots:
     void piecesKeepTheConnectionsThatHold()
     {
         const Aggregate aggregate = fill(shapes::box({8, 3, 3}), {.spacing = 0.5});
-        const std::vector<ConnectionId> broken = acrossMiddle(aggregate);
+        const std::vector<BrokenConnection> broken = acrossMiddle(aggregate);
         const Pieces pieces = findPieces(aggregate, broken);
         std::size_t connections = 0;
         double volume = 0;

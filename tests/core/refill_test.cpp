@@ -8,6 +8,7 @@
 #include "core/simulation/moment.h"
 #include "core/skin/refilled.h"
 #include "support/changed_moment.h"
+#include "support/fuzz_random.h"
 #include "support/scenes.h"
 
 #include <QTest>
@@ -328,6 +329,44 @@ private slots:
         QVERIFY(std::abs(volumeOf(*third.snapshot()) - volumeOf(*simulation.snapshot())) < 1e-15);
         third.goTo(Simulation(scene).keepMoment()); // and back before it
         QVERIFY(third.snapshot()->bodies[0].aggregate == scene.bodies[0].aggregate);
+    }
+
+    /// Wherever a byte of a filling is another one, the moment is refused, or what it holds can be simulated.
+    void damagedFillingsAreRefusedOrCanBeSimulated()
+    {
+        constexpr std::size_t header = 36; // mark, version, two sizes, checksum
+        const Scene scene = dent();
+        Simulation simulation(scene);
+        drive(simulation, 0.5 * (deep + scene.manipulators[0].pose.position));
+        const MomentPointer moment = simulation.keepMoment();
+        const Bytes whole = momentToBytes(*moment);
+        Moment without = *moment;
+        without.bodies[0].refilled = nullptr;
+        const std::size_t filling = whole.size() - momentToBytes(without).size();
+        fuzz::Random random(7);
+        int refused = 0;
+        int simulated = 0;
+        for (int i = 0; i < 300; ++i) {
+            Bytes bytes = whole;
+            // Half of them among its first numbers: lattice, sizes, indices.
+            const std::size_t range = random.chance(50) ? std::min<std::size_t>(filling, 2000) : filling;
+            const std::size_t place = header + 5 + random.below(range);
+            bytes[place] ^= static_cast<std::byte>(1U << random.below(8));
+            const std::uint64_t sum = checksumOf(std::span(bytes).subspan(header));
+            for (std::size_t k = 0; k < 8; ++k)
+                bytes[header - 8 + k] = static_cast<std::byte>(sum >> (8 * k));
+            try {
+                auto read = std::make_shared<const Moment>(momentFromBytes(bytes, scene.bodies));
+                simulation.goTo(std::move(read));
+                simulation.step();
+                simulation.snapshot();
+                ++simulated;
+            } catch (const std::runtime_error&) {
+                ++refused;
+            }
+        }
+        QCOMPARE(refused + simulated, 300);
+        QVERIFY2(refused > 20 && simulated > 20, qPrintable(QString("%1 refused").arg(refused)));
     }
 
     void theBitsDoNotDependOnTheThreads()

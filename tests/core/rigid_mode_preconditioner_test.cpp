@@ -64,7 +64,7 @@ struct Bar {
                 const bool crosses = (a.x() - middle) * (b.x() - middle) < 0;
                 const bool high = (a.y() + b.y()) / 2 + height / 2 < 0.6 * height;
                 if ((crosses && high) || chance(random) < 0.05)
-                    changes.broken.push_back(connection);
+                    changes.broken.push_back({connection});
             }
         connections.restore(changes);
     }

@@ -56,7 +56,7 @@ struct Specimen {
     }
 
     SkinStresses stresses(const std::vector<ObjectIndex>& loaded = {},
-                          const std::vector<ConnectionId>& broken = {}) const
+                          const std::vector<BrokenConnection>& broken = {}) const
     {
         return skin.stresses(ObjectStrains(*aggregate, displacements, relaxed, broken), loaded, true);
     }
@@ -372,7 +372,7 @@ private slots:
         constexpr double stretch = 1e-3;
         Specimen bar(shapes::box({0.024, 0.012, 0.012}), 0.002);
         const Lattice& lattice = bar.aggregate->lattice;
-        std::vector<ConnectionId> broken;
+        std::vector<BrokenConnection> broken;
         for (std::uint32_t d = 0; d < Lattice::isotropicCount; ++d)
             for (const Lattice::Segment& segment : lattice.segments[d])
                 for (ObjectIndex i = segment.begin; i < segment.end; ++i)

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double cellsAlong = 40;
 
-std::vector<ConnectionId> brokenAround(const Aggregate& aggregate, const Box& box)
+std::vector<BrokenConnection> brokenAround(const Aggregate& aggregate, const Box& box)
 {
     const Vec3 shares[] = {{0.2, 0.3, 0.6}, {0.8, 0.25, 0.3}, {0.45, 0.8, 0.4}, {0.6, 0.5, 0.9}, {0.4, 0.45, 0.1}};
     const auto nearest = [&](const Vec3& X) {
@@ -28,7 +28,7 @@ std::vector<ConnectionId> brokenAround(const Aggregate& aggregate, const Box& bo
                                 [&](const Vec3& a, const Vec3& b) { return distance(a) < distance(b); }) -
                std::begin(shares);
     };
-    std::vector<ConnectionId> broken;
+    std::vector<BrokenConnection> broken;
     for (std::uint32_t d = 0; d < Lattice::directionCount; ++d)
         for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
             for (ObjectIndex o = segment.begin; o < segment.end; ++o)
@@ -80,7 +80,7 @@ void FragmentsCorpusTest::checkPart(const Part& part)
     const FillingSize size = sizeOf(part.mesh);
     const Aggregate aggregate =
         fill(part.mesh, {.spacing = spacingFor({SpacingChoice::Kind::CellsAlong, cellsAlong}, size)});
-    const std::vector<ConnectionId> broken = brokenAround(aggregate, size.box);
+    const std::vector<BrokenConnection> broken = brokenAround(aggregate, size.box);
     QElapsedTimer timer;
     timer.start();
     const std::vector<Fragment> fragments = fragmentsOf(aggregate, part.mesh, broken);

@@ -80,7 +80,7 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
         "poisson_ratio, damping_ratio, shape_damping_per_s, friction, rubberlike, second_invariant_share, "
         "locking_elongation, yield_stress_pa, hardening_pa, "
         "relaxation_time_s, "
-        "tensile_strength_pa, elongation_at_break, adhesion_pa, healing_time_s.");
+        "tensile_strength_pa, elongation_at_break, toughness_j_m2, adhesion_pa, healing_time_s.");
     row("gravity", with("gravity_m_s2", "9.81"), "gravity_m_s2 must hold 3 numbers, got 9.81.");
     row("floor", with("floor", "{}"), "floor must have the key \"height_mm\".");
 

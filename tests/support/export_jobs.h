@@ -62,10 +62,10 @@ inline Model readBack(const ExportedFile& file, const char* ending)
 }
 
 /// Breaks all connections between objects on the two sides of a plane.
-inline std::shared_ptr<const std::vector<ConnectionId>> brokenAcross(const Aggregate& aggregate,
-                                                                     const std::function<double(const Vec3&)>& side)
+inline std::shared_ptr<const std::vector<BrokenConnection>> brokenAcross(const Aggregate& aggregate,
+                                                                         const std::function<double(const Vec3&)>& side)
 {
-    auto broken = std::make_shared<std::vector<ConnectionId>>();
+    auto broken = std::make_shared<std::vector<BrokenConnection>>();
     const Lattice& lattice = aggregate.lattice;
     for (std::uint32_t d = 0; d < Lattice::isotropicCount; ++d)
         for (ObjectIndex i = 0; i < aggregate.size(); ++i) {

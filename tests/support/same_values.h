@@ -21,8 +21,8 @@ auto members(const Value&)
 }
 inline auto members(const Material& m)
 {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, n, o, p, q] = m;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, n, o, p, q);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, n, o, p, q, r] = m;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, n, o, p, q, r);
 }
 inline auto members(const Pose& v)
 {
@@ -227,6 +227,11 @@ inline auto members(const Refill& v)
 {
     const auto& [a, b] = v;
     return std::tie(a, b);
+}
+inline auto members(const Cut& v)
+{
+    const auto& [a, b, c] = v;
+    return std::tie(a, b, c);
 }
 inline auto members(const FindBalance& v)
 {

@@ -162,6 +162,7 @@ inline std::vector<RecordedCommand> commands(const std::shared_ptr<const ToolPar
         RemoveLoad{0},
         FindBalance{third},
         Refill{1, third},
+        Cut{1, Vec3(third, -0.0, huge), Vec3(0, tiny, third)},
         SetPartLook{1, "Grüße \"2\"", "#12ab00"},
     };
     std::vector<RecordedCommand> recorded;
