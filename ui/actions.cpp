@@ -8,6 +8,8 @@
 #include <QCoreApplication>
 #include <QWidget>
 
+#include <string_view>
+
 namespace knead {
 
 namespace {
@@ -43,19 +45,21 @@ QAction* make(QWidget* window, const Look& look)
     return action;
 }
 
-/// "addBlock", "addBall" ...; parts come from files.
+/// "addBlock", "addBall" ...; their data is their place in toolsToAdd().
 QList<QAction*> makeToolActions(QWidget* window)
 {
     QList<QAction*> actions;
-    for (const ToolKindLook& look : toolKindLooks()) {
-        if (look.kind == ToolKind::part)
-            continue;
+    for (const ToolKindLook& look : toolsToAdd()) {
         const QByteArray name = QByteArray("add") + look.name;
         const char* tip = QT_TRANSLATE_NOOP("Actions", "Put one above the part to push it with");
+        if (look.name == std::string_view("Knife") || look.name == std::string_view("Wire"))
+            tip =
+                QT_TRANSLATE_NOOP("Actions", "Put one above the part to cut it with: the force is the toughness of its "
+                                             "material times the width of the cut");
         const QList<QKeySequence> keys =
             look.kind == ToolKind::box ? QList<QKeySequence>{Qt::Key_B} : QList<QKeySequence>{};
         QAction* action = make(window, {name, look.name, look.icon, keys, tip});
-        action->setData(static_cast<int>(look.kind));
+        action->setData(static_cast<int>(actions.size()));
         actions.append(action);
     }
     return actions;
@@ -163,6 +167,13 @@ Actions::Actions(QWidget* window)
            QT_TR_NOOP("The selected body, or every one that yields, gets new objects in the shape that it has, and "
                       "goes on with its stress and motion. Where its lattice is no good any more this happens by "
                       "itself")}))
+    , cutHere(make(window,
+                   {"cutHere",
+                    QT_TR_NOOP("Cut at section plane"),
+                    "cut",
+                    {},
+                    QT_TR_NOOP("The selected body, or every one that deforms, is cut in two where the section plane "
+                               "is now, without force")}))
     , fixFaces(make(window, {"fixFaces",
                              QT_TR_NOOP("Fix faces"),
                              "fix",
@@ -282,7 +293,7 @@ void Actions::setDocumentOpen(bool isOpen, bool isSimulated)
         action->setEnabled(isOpen);
     for (QAction* action :
          {exportMeshes, exportRecipe, play, step, findBalance, reset, gravity, floor, keepUp, recordVideo,
-          recordPictures, renormalize, refillNow, fixFaces, remove, objects, allObjects, hide})
+          recordPictures, renormalize, refillNow, cutHere, fixFaces, remove, objects, allObjects, hide})
         action->setEnabled(isSimulated);
     for (QAction* action : addTool)
         action->setEnabled(isSimulated);

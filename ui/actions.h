@@ -39,6 +39,7 @@ struct Actions {
     QList<QAction*> addTool; ///< one per form, in the order of toolKindLooks()
     QAction* renormalize;
     QAction* refillNow;
+    QAction* cutHere;
     QAction* fixFaces;
     QAction* remove;
     QAction* cancel;

@@ -2,6 +2,7 @@
 
 #include "ui/actions.h"
 #include "ui/display.h"
+#include "ui/document/tool_kinds.h"
 #include "ui/hands/hands.h"
 #include "ui/language/words_of_files.h"
 #include "ui/measuring/measuring.h"
@@ -120,9 +121,15 @@ void MainWindow::connectSimulationActions()
     connect(m_actions->floor, &QAction::toggled, this, &MainWindow::setFloor);
     connect(m_actions->renormalize, &QAction::triggered, &m_document, &Document::renormalize);
     connect(m_actions->refillNow, &QAction::triggered, &m_document, &Document::refillNow);
+    connect(m_actions->cutHere, &QAction::triggered, this, [this] {
+        if (const std::optional<CutPlane>& plane = m_viewport->options().section.plane)
+            m_document.cutAlong(plane->offset * plane->normal, plane->normal);
+        else
+            showRemark(tr("Turn the section plane on (Shift+S) and put it where the cut shall be."));
+    });
     for (QAction* action : m_actions->addTool)
         connect(action, &QAction::triggered, this, [this, action] {
-            m_document.addTool(static_cast<ToolKind>(action->data().toInt()));
+            m_document.addTool(toolsToAdd()[static_cast<std::size_t>(action->data().toInt())]);
             m_viewport->setFocus(); // the arrow keys shall drive it
         });
     connect(m_actions->fixFaces, &QAction::toggled, m_viewport, &ViewportWidget::setFixing);

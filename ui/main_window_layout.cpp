@@ -176,7 +176,7 @@ void MainWindow::makeMenus()
     QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
     simulation->addActions({a.play, a.step, a.findBalance, a.reset});
     simulation->addSeparator();
-    simulation->addActions({a.gravity, a.floor, a.renormalize, a.refillNow});
+    simulation->addActions({a.gravity, a.floor, a.renormalize, a.refillNow, a.cutHere});
     simulation->addSeparator();
     const auto choice = [this](const char* name) { return findChild<QComboBox*>(name); };
     simulation->addMenu(menuOf(choice("simulationSpeed"), tr("Speed"), this));

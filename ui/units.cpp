@@ -44,6 +44,8 @@ constexpr Unit masses[] = {{"mg", 1e-6, true}, {"g", 1e-3, true}, {"kg", 1, true
 constexpr Unit accelerations[] = {{"m/s²", 1, true},      {"m/s2", 1, false},     {"m/s^2", 1, false},
                                   {"mm/s²", 1e-3, false}, {"mm/s2", 1e-3, false}, {"g", 9.80665, false}};
 constexpr Unit stiffnesses[] = {{"N/mm", 1e3, true}, {"N/m", 1, false}, {"kN/m", 1e3, false}};
+constexpr Unit toughnesses[] = {{"J/m²", 1, true},     {"J/m2", 1, false}, {"J/m^2", 1, false}, {"kJ/m²", 1e3, true},
+                                {"kJ/m2", 1e3, false}, {"N/m", 1, false},  {"N/mm", 1e3, false}};
 constexpr Unit numbers[] = {{"", 1, true}};
 
 std::span<const Unit> unitsOf(Quantity quantity)
@@ -77,6 +79,8 @@ std::span<const Unit> unitsOf(Quantity quantity)
         return accelerations;
     case Quantity::Stiffness:
         return stiffnesses;
+    case Quantity::Toughness:
+        return toughnesses;
     case Quantity::Number:
         break;
     }
@@ -164,6 +168,8 @@ Quantity quantityOfUnit(const std::string& unit)
         return Quantity::Density;
     if (unit == "1/s")
         return Quantity::Rate;
+    if (unit == "J/m^2")
+        return Quantity::Toughness;
     if (unit == "m")
         return Quantity::Length;
     if (unit == "m/s")

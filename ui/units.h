@@ -24,7 +24,8 @@ enum class Quantity {
     Angle,
     Mass,
     Acceleration,
-    Stiffness
+    Stiffness,
+    Toughness ///< work per area
 };
 
 /// The quantity measured in an SI unit as MaterialField spells it: "Pa", "kg/m^3", "1/s"; Number for anything else.

@@ -434,6 +434,26 @@
         <source>The selected body, or every one that yields, gets new objects in the shape that it has, and goes on with its stress and motion. Where its lattice is no good any more this happens by itself</source>
         <translation>Der gewählte Körper, oder jeder, der fließt, bekommt in der Form, die er hat, neue Objekte und behält Spannung und Bewegung. Wo sein Gitter nicht mehr taugt, geschieht das von selbst</translation>
     </message>
+    <message>
+        <source>Put one above the part to cut it with: the force is the toughness of its material times the width of the cut</source>
+        <translation>Eins über das Teil setzen, um es zu schneiden: Die Kraft ist die Zähigkeit seines Materials mal der Breite des Schnitts</translation>
+    </message>
+    <message>
+        <source>Cut at section plane</source>
+        <translation>An der Schnittebene schneiden</translation>
+    </message>
+    <message>
+        <source>The selected body, or every one that deforms, is cut in two where the section plane is now, without force</source>
+        <translation>Der gewählte Körper, oder jeder, der sich verformt, wird ohne Kraft dort zerschnitten, wo die Schnittebene jetzt ist</translation>
+    </message>
+    <message>
+        <source>Knife</source>
+        <translation>Messer</translation>
+    </message>
+    <message>
+        <source>Wire</source>
+        <translation>Draht</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -1098,6 +1118,10 @@
     <message>
         <source>Refill %1</source>
         <translation>%1 neu füllen</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>%1 schneiden</translation>
     </message>
 </context>
 <context>
@@ -2960,6 +2984,10 @@ Simuliert: %2, Schritt %3
         <source>&quot;%1&quot; is not simulated: %2</source>
         <translation>&quot;%1&quot; wird nicht simuliert: %2</translation>
     </message>
+    <message>
+        <source>Turn the section plane on (Shift+S) and put it where the cut shall be.</source>
+        <translation>Schalten Sie die Schnittebene ein (Umschalt+S) und setzen Sie sie dorthin, wo geschnitten werden soll.</translation>
+    </message>
 </context>
 <context>
     <name>MaterialComparisonDialog</name>
@@ -3398,6 +3426,14 @@ Simuliert: %2, Schritt %3
     <message>
         <source>%1: up to %2 % too stiff</source>
         <translation>%1: bis zu %2 % zu steif</translation>
+    </message>
+    <message>
+        <source>Toughness</source>
+        <translation>Zähigkeit</translation>
+    </message>
+    <message>
+        <source>knives do not cut it</source>
+        <translation>Messer schneiden es nicht</translation>
     </message>
 </context>
 <context>

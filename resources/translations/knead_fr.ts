@@ -434,6 +434,26 @@
         <source>The selected body, or every one that yields, gets new objects in the shape that it has, and goes on with its stress and motion. Where its lattice is no good any more this happens by itself</source>
         <translation>Le corps choisi, ou chaque corps plastique, reçoit de nouveaux objets dans la forme qu’il a, et garde contraintes et mouvement. Là où son réseau ne vaut plus rien, cela se fait tout seul</translation>
     </message>
+    <message>
+        <source>Put one above the part to cut it with: the force is the toughness of its material times the width of the cut</source>
+        <translation>En placer un au-dessus de la pièce pour la couper : la force est la ténacité de sa matière multipliée par la largeur de la coupe</translation>
+    </message>
+    <message>
+        <source>Cut at section plane</source>
+        <translation>Couper au plan de coupe</translation>
+    </message>
+    <message>
+        <source>The selected body, or every one that deforms, is cut in two where the section plane is now, without force</source>
+        <translation>Le corps choisi, ou tous ceux qui se déforment, est coupé en deux là où se trouve le plan de coupe, sans force</translation>
+    </message>
+    <message>
+        <source>Knife</source>
+        <translation>Couteau</translation>
+    </message>
+    <message>
+        <source>Wire</source>
+        <translation>Fil</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -1098,6 +1118,10 @@
     <message>
         <source>Refill %1</source>
         <translation>Remplir %1 de nouveau</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>Couper %1</translation>
     </message>
 </context>
 <context>
@@ -2960,6 +2984,10 @@ Simulé&#xa0;: %2, pas %3
         <source>&quot;%1&quot; is not simulated: %2</source>
         <translation>«&#xa0;%1&#xa0;» n&apos;est pas simulé&#xa0;: %2</translation>
     </message>
+    <message>
+        <source>Turn the section plane on (Shift+S) and put it where the cut shall be.</source>
+        <translation>Activez le plan de coupe (Maj+S) et placez-le là où il faut couper.</translation>
+    </message>
 </context>
 <context>
     <name>MaterialComparisonDialog</name>
@@ -3398,6 +3426,14 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>%1: up to %2 % too stiff</source>
         <translation>%1 : jusqu&apos;à %2 % trop raide</translation>
+    </message>
+    <message>
+        <source>Toughness</source>
+        <translation>Ténacité</translation>
+    </message>
+    <message>
+        <source>knives do not cut it</source>
+        <translation>les couteaux ne la coupent pas</translation>
     </message>
 </context>
 <context>

@@ -434,6 +434,26 @@
         <source>The selected body, or every one that yields, gets new objects in the shape that it has, and goes on with its stress and motion. Where its lattice is no good any more this happens by itself</source>
         <translation>Het gekozen lichaam, of elk dat vloeit, krijgt nieuwe objecten in de vorm die het heeft, en houdt spanning en beweging. Waar zijn rooster niet meer deugt, gebeurt dat vanzelf</translation>
     </message>
+    <message>
+        <source>Put one above the part to cut it with: the force is the toughness of its material times the width of the cut</source>
+        <translation>Er een boven het onderdeel zetten om het te snijden: de kracht is de taaiheid van het materiaal maal de breedte van de snede</translation>
+    </message>
+    <message>
+        <source>Cut at section plane</source>
+        <translation>Snijden op het doorsnedevlak</translation>
+    </message>
+    <message>
+        <source>The selected body, or every one that deforms, is cut in two where the section plane is now, without force</source>
+        <translation>Het gekozen lichaam, of elk dat vervormt, wordt zonder kracht doorgesneden waar het doorsnedevlak nu is</translation>
+    </message>
+    <message>
+        <source>Knife</source>
+        <translation>Mes</translation>
+    </message>
+    <message>
+        <source>Wire</source>
+        <translation>Draad</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -1098,6 +1118,10 @@
     <message>
         <source>Refill %1</source>
         <translation>%1 opnieuw vullen</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>%1 snijden</translation>
     </message>
 </context>
 <context>
@@ -2960,6 +2984,10 @@ Gesimuleerd: %2, stap %3
         <source>&quot;%1&quot; is not simulated: %2</source>
         <translation>&quot;%1&quot; wordt niet gesimuleerd: %2</translation>
     </message>
+    <message>
+        <source>Turn the section plane on (Shift+S) and put it where the cut shall be.</source>
+        <translation>Zet het doorsnedevlak aan (Shift+S) en plaats het waar gesneden moet worden.</translation>
+    </message>
 </context>
 <context>
     <name>MaterialComparisonDialog</name>
@@ -3398,6 +3426,14 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>%1: up to %2 % too stiff</source>
         <translation>%1: tot %2 % te stijf</translation>
+    </message>
+    <message>
+        <source>Toughness</source>
+        <translation>Taaiheid</translation>
+    </message>
+    <message>
+        <source>knives do not cut it</source>
+        <translation>messen snijden het niet</translation>
     </message>
 </context>
 <context>

@@ -262,6 +262,54 @@ private slots:
         endStory();
     }
 
+    /// A knife goes through clay on a table: the pieces are seen at once, are whole again when that is undone, and have the faces of the
+    /// bar in the file.
+    void aKnifeCutsClay()
+    {
+        beginStory("knife");
+        openByHand(example("bar.step"));
+        choose("materialPreset", "Mod", "Modeling clay");
+        QTRY_VERIFY(snapshot().materials[0].toughness > 0);
+        QVERIFY(snapshot().floorHeight.has_value());
+        addTool("knife");
+        const std::pair<const char*, const char*> numbers[] = {
+            {"toolSizeX", "50 mm"}, {"toolSizeY", "2 mm"}, {"toolSizeZ", "40 mm"}, {"toolSpeed", "40 mm/s"}};
+        for (const auto& [field, text] : numbers)
+            type(field, text);
+        placeTool(0, at(80.6, 10, 41.5));
+        key(Qt::Key_0);
+        key(Qt::Key_F);
+        waitForView();
+        turn(GizmoPart::turnZ, "90");
+        stage("knife");
+        const auto shown = [&] { return document().content().bodies[0]; };
+        const std::size_t faces = document().content().model->parts[0].faces.size();
+        play();
+        hold(Qt::Key_PageDown, [&] { return snapshot().components == 2; });
+        stage("cut");
+        pause();
+        QTRY_VERIFY(shown()->whole != nullptr);
+        QVERIFY(shown()->mesh.triangles.size() > shown()->whole->mesh.triangles.size());
+        QCOMPARE(document().frame()->bodies[0]->places.size(), shown()->mesh.vertices.size());
+        key(Qt::Key_Escape);
+        stage("pieces");
+        exportByHand(file("pieces.step"));
+        stage("exported");
+        QFile written(file("pieces.step"));
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        const QByteArray text = written.readAll();
+        QCOMPARE(text.count("MANIFOLD_SOLID_BREP("), 2);
+        QVERIFY2(static_cast<std::size_t>(text.count("ADVANCED_FACE(")) <= 2 * faces, "the pieces have flat faces");
+        while (snapshot().components == 2) {
+            key(Qt::Key_Z, Qt::ControlModifier);
+            QTRY_VERIFY(!document().isGoing());
+            QTest::qWait(100);
+        }
+        QTRY_VERIFY(shown()->whole == nullptr);
+        stage("undone");
+        endStory();
+    }
+
     /// A bar that was pressed is measured and compared with what it was, and the report is written.
     void whatBecameOfABarIsReported()
     {

@@ -29,9 +29,10 @@ struct ContentBody {
     TriangleMesh mesh; ///< surface, fine enough to bend [m]
     RenderMesh render;
     std::shared_ptr<const Aggregate> aggregate;
-    std::optional<Skin> skin;                ///< of mesh.vertices
-    std::vector<ObjectIndex> surfaceObjects; ///< those a person can see
-    std::shared_ptr<Fillings> fillings;      ///< the same body as it was filled at other times, shared by all of them
+    std::optional<Skin> skin;                 ///< of mesh.vertices
+    std::vector<ObjectIndex> surfaceObjects;  ///< those a person can see
+    std::shared_ptr<Fillings> fillings;       ///< the same body as it was filled at other times, shared by all of them
+    std::shared_ptr<const ContentBody> whole; ///< before it came apart; null: it has not
 };
 
 std::shared_ptr<Fillings> newFillings();                             ///< none yet
@@ -41,6 +42,18 @@ std::vector<ObjectIndex> surfaceObjects(const Aggregate& aggregate); ///< those 
 /// filling was not seen lately.
 std::shared_ptr<const ContentBody> filledAs(const std::shared_ptr<const ContentBody>& body,
                                             const std::shared_ptr<const Aggregate>& aggregate);
+
+/// The body as it is shown when some of its connections are broken: where it has come apart, with the surfaces of its pieces. Any
+/// thread; takes as long as these where they were not seen lately.
+/// @param filled of any filling, come apart or not @param broken null: none
+std::shared_ptr<const ContentBody> tornAs(const std::shared_ptr<const ContentBody>& filled,
+                                          const std::shared_ptr<const std::vector<BrokenConnection>>& broken);
+
+/// Whether two have the same surface, so that places on the one are places on the other.
+inline bool haveSameSurface(const ContentBody& one, const ContentBody& other)
+{
+    return one.part == other.part && (&one == &other || (!one.whole && !other.whole));
+}
 
 /// The surface of a body at one moment.
 struct BodyFrame {

@@ -1,5 +1,6 @@
 #include "ui/document/document.h"
 
+#include "core/mechanics/blade.h"
 #include "core/model/part_tree.h"
 #include "core/simulation/moment.h"
 #include "ui/document/tool_kinds.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace knead {
@@ -26,6 +28,8 @@ constexpr double blockShare = 0.25;      // size of a new block, in sizes of the
 constexpr double crossingTime = 1.5;     // a tool crosses the part in this time [s]
 // A new tool stalls at this strain of the stiffest material under its face: enough to bend and dent, not to crush.
 constexpr double stallStrain = 0.25;
+// And a new knife by this times what its whole edge takes in the toughest material.
+constexpr double cutsInLimit = 4;
 constexpr const char* fixturesPanel = "fixtures"; // in Project::panels
 constexpr const char* notesPanel = "notes";
 
@@ -308,19 +312,30 @@ void Document::select(const Selection& selection)
 
 void Document::addTool(ToolKind kind)
 {
-    if (isEmpty() || later([this, kind] { addTool(kind); }))
+    addTool(lookOf(kind));
+}
+
+/// @param look of those there are, which stay
+void Document::addTool(const ToolKindLook& look)
+{
+    if (isEmpty() || later([this, &look] { addTool(look); }))
         return;
-    const ToolKindLook& look = lookOf(kind);
     Manipulator tool;
     tool.name = look.name + std::string(" ") + std::to_string(numberOfNewTool(look));
-    tool.kind = kind;
+    tool.kind = look.kind;
     tool.size = size() * blockShare * look.proportions;
-    tool.pose.position = placeAbove(tool.size);
+    const bool isWire = look.kind == ToolKind::cylinder && bladeOf(tool.shape());
+    if (isWire) // it lies across, and goes down
+        tool.pose.rotation = Quaternion(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vec3::UnitY()));
+    tool.pose.position = placeAbove(isWire ? tool.size.reverse().eval() : tool.size);
     tool.speedLimit = size() / crossingTime;
     double stiffest = 0;
     for (const Material& material : m_frame->snapshot->materials)
         stiffest = std::max(stiffest, material.youngsModulus);
     tool.forceLimit = stallStrain * stiffest * tool.size.x() * tool.size.y();
+    if (const auto blade = bladeOf(tool.shape())) // which needs more than what would stall so small a block
+        for (const Material& material : m_frame->snapshot->materials)
+            tool.forceLimit = std::max(tool.forceLimit, cutsInLimit * material.toughness * blade->length());
     m_toolToSelect = tool.name;
     post(AddManipulator{std::move(tool)});
 }
@@ -328,7 +343,7 @@ void Document::addTool(ToolKind kind)
 /// Above those of the tools that are there and of those that were just added.
 int Document::numberOfNewTool(const ToolKindLook& look)
 {
-    int& count = m_toolCount[look.kind];
+    int& count = m_toolCount[look.name];
     const QString begin = QString(look.name) + ' ';
     for (const ToolState& tool : m_frame->snapshot->tools)
         if (const QString name = QString::fromStdString(tool.name); name.startsWith(begin))
@@ -367,6 +382,19 @@ void Document::refillNow()
     if (!isAny)
         emit notice(
             tr("No body is of material that yields: elastic ones keep their shape at rest, and are not filled anew."));
+}
+
+void Document::cutAlong(const Vec3& point, const Vec3& normal)
+{
+    if (later([this, point, normal] { cutAlong(point, normal); }))
+        return;
+    for (BodyId body = 0; body < m_content->bodies.size(); ++body) {
+        const bool isSelected = m_selection.kind == Selection::Kind::Body && m_selection.id == body;
+        const bool isMeant =
+            m_selection.kind != Selection::Kind::Body && m_frame->snapshot->bodies[body].kind == BodyKind::deformable;
+        if (isSelected || isMeant)
+            post(Cut{.body = body, .point = point, .normal = normal});
+    }
 }
 
 /// Just above what lies under the middle of the bodies, other tools included.

@@ -206,11 +206,14 @@ public:
     void removeSelected();
 
     /// Adds a tool above the bodies and selects it once it is there.
+    void addTool(const ToolKindLook& look);
     void addTool(ToolKind kind);
     /// The selected body, or every one, takes its present shape for its own. Rigid bodies have nothing to lose by it.
     void renormalize();
     /// The selected body, or every one that yields, is filled anew in the shape that it has.
     void refillNow();
+    /// Cuts the selected body, or all that deform, along a plane. @param normal not 0
+    void cutAlong(const Vec3& point, const Vec3& normal);
     const ToolState* tool(ToolId tool) const;
 
     // ---- Numbers of a tool, typed one by one: each adds to what was asked before, seen already or not (document_tools.cpp) ----
@@ -355,8 +358,8 @@ private:
     std::vector<std::function<void()>> m_whenSettled;
 
     ToolRequests m_toolRequests;
-    std::map<ToolKind, int> m_toolCount; ///< added so far, for their names
-    std::string m_toolToSelect;          ///< posted, not yet in a snapshot
+    std::map<std::string, int> m_toolCount; ///< added so far, for their names
+    std::string m_toolToSelect;             ///< posted, not yet in a snapshot
     Selection m_selection;
     QString m_refused; ///< what was locked; said once in a while
     QElapsedTimer m_sinceRefusal;

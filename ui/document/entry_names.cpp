@@ -100,6 +100,7 @@ public:
     }
     QString operator()(const RemoveLoad& /*command*/) const { return Words::tr("Remove %1").arg(load()); }
     QString operator()(const Refill& command) const { return Words::tr("Refill %1").arg(body(command.body)); }
+    QString operator()(const Cut& command) const { return Words::tr("Cut %1").arg(body(command.body)); }
     QString operator()(const FindBalance& /*command*/) const { return Words::tr("Find balance"); }
     QString operator()(const SetLoad& /*command*/) const { return Words::tr("Change %1").arg(load()); }
     QString operator()(const RenameFixture& command) const
@@ -164,6 +165,8 @@ std::optional<EntryKind> kindOf(const Command& command)
         return EntryKind::Fixture;
     case 22:
         return EntryKind::Balance;
+    case 25:
+        return EntryKind::Cut;
     case 24:
         return EntryKind::Start;
     case 14:
@@ -176,7 +179,7 @@ std::optional<EntryKind> kindOf(const Command& command)
         return {};
     }
 }
-static_assert(std::variant_size_v<Command> == 25);
+static_assert(std::variant_size_v<Command> == 26);
 
 } // namespace
 
@@ -213,6 +216,8 @@ const char* iconOf(EntryKind kind)
         return "renormalize";
     case EntryKind::Balance:
         return "balance";
+    case EntryKind::Cut:
+        return "cut";
     case EntryKind::Reset:
         return "reset";
     case EntryKind::Look:

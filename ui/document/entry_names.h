@@ -21,6 +21,7 @@ enum class EntryKind {
     Renormalize,
     Reset,
     Balance,
+    Cut,
     Scene,
     Look
 };

@@ -1,4 +1,7 @@
 // The fillings that a body has had: what is drawn and measured of each is made once.
+#include "core/aggregate/pieces.h"
+#include "core/geometry/mass_properties.h"
+#include "core/skin/torn_surface.h"
 #include "ui/document/content.h"
 
 #include <algorithm>
@@ -29,11 +32,36 @@ public:
             m_bodies.pop_back();
     }
 
+    /// A body that came apart, by what was broken; or the whole one where it hangs together.
+    struct Torn {
+        std::shared_ptr<const Aggregate> aggregate;
+        std::shared_ptr<const std::vector<BrokenConnection>> broken;
+        std::vector<std::uint32_t> pieceOfObject;
+        std::shared_ptr<const ContentBody> body;
+    };
+
+    template <typename Is>
+    std::shared_ptr<const ContentBody> findTorn(Is is)
+    {
+        const std::lock_guard lock(m_mutex);
+        const auto found = std::find_if(m_torn.begin(), m_torn.end(), is);
+        return found != m_torn.end() ? found->body : nullptr;
+    }
+
+    void add(Torn torn)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_torn.insert(m_torn.begin(), std::move(torn));
+        if (m_torn.size() > most)
+            m_torn.pop_back();
+    }
+
 private:
     static constexpr std::size_t most = 4;
 
     std::mutex m_mutex;
     std::vector<std::shared_ptr<const ContentBody>> m_bodies; ///< the last one first
+    std::vector<Torn> m_torn;                                 ///< the same
 };
 
 std::vector<ObjectIndex> surfaceObjects(const Aggregate& aggregate)
@@ -54,6 +82,8 @@ std::shared_ptr<Fillings> newFillings()
 std::shared_ptr<const ContentBody> filledAs(const std::shared_ptr<const ContentBody>& body,
                                             const std::shared_ptr<const Aggregate>& aggregate)
 {
+    if (body->whole)
+        return filledAs(body->whole, aggregate);
     if (body->aggregate == aggregate)
         return body;
     if (auto known = body->fillings->find(aggregate))
@@ -64,6 +94,34 @@ std::shared_ptr<const ContentBody> filledAs(const std::shared_ptr<const ContentB
     filled->surfaceObjects = surfaceObjects(*aggregate);
     body->fillings->add(filled);
     return filled;
+}
+
+std::shared_ptr<const ContentBody> tornAs(const std::shared_ptr<const ContentBody>& filled,
+                                          const std::shared_ptr<const std::vector<BrokenConnection>>& broken)
+{
+    const std::shared_ptr<const ContentBody>& whole = filled->whole ? filled->whole : filled;
+    if (!broken || broken->empty())
+        return whole;
+    const std::shared_ptr<const Aggregate>& aggregate = whole->aggregate;
+    if (auto known = whole->fillings->findTorn(
+            [&](const auto& torn) { return torn.aggregate == aggregate && torn.broken == broken; }))
+        return known;
+    Pieces pieces = findPieces(*aggregate, *broken);
+    auto body = whole->fillings->findTorn(
+        [&](const auto& torn) { return torn.aggregate == aggregate && torn.pieceOfObject == pieces.ofObject; });
+    if (!body) {
+        body = whole;
+        if (auto surface = isWatertight(whole->mesh) ? tornSurface(*aggregate, whole->mesh, *broken) : std::nullopt) {
+            auto torn = std::make_shared<ContentBody>(*whole);
+            torn->mesh = std::move(surface->mesh);
+            torn->render = renderMesh(torn->mesh);
+            torn->skin.emplace(std::move(surface->skin));
+            torn->whole = whole;
+            body = std::move(torn);
+        }
+    }
+    whole->fillings->add(Fillings::Torn{aggregate, broken, std::move(pieces.ofObject), body});
+    return body;
 }
 
 } // namespace knead

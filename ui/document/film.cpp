@@ -67,7 +67,7 @@ std::size_t FilmFrame::memory() const
     for (const std::vector<float>& list : objects)
         floats += list.size();
     for (const auto& list : broken) // mostly shared with other frames: rather too much than too little
-        floats += list ? list->size() * sizeof(ConnectionId) / sizeof(float) : 0;
+        floats += list ? list->size() * sizeof(BrokenConnection) / sizeof(float) : 0;
     return sizeof(FilmFrame) + ofFillings + floats * sizeof(float) + tools.size() * sizeof(ToolState) +
            fixtures.size() * sizeof(Held);
 }

@@ -29,7 +29,7 @@ struct FilmFrame {
     std::optional<double> floorHeight; ///< [m]
     /// Per body, shared with the snapshots: broken connections, and what stress is relative to as long as nothing has flowed; of
     /// material that has, that is not kept.
-    std::vector<std::shared_ptr<const std::vector<ConnectionId>>> broken;
+    std::vector<std::shared_ptr<const std::vector<BrokenConnection>>> broken;
     std::vector<std::shared_ptr<const RelaxedState>> relaxed;
 
     std::size_t memory() const; ///< [bytes]

@@ -29,8 +29,8 @@ FramePointer prepareFrame(const ContentBodies& bodies, SnapshotPointer snapshot,
                            (previous->snapshot->step == snapshot->step ||
                             (snapshot->rest > 0 && previous->snapshot->rest == snapshot->rest));
     for (std::size_t b = 0; b < bodies.size(); ++b)
-        frame->filled.push_back(filledAs(bodies[b], snapshot->bodies[b].aggregate));
-    if (isUnmoved)
+        frame->filled.push_back(tornAs(filledAs(bodies[b], snapshot->bodies[b].aggregate), snapshot->bodies[b].broken));
+    if (isUnmoved && previous->filled == frame->filled)
         frame->bodies = previous->bodies;
     else
         for (std::size_t b = 0; b < bodies.size(); ++b)

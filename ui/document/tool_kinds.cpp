@@ -17,6 +17,25 @@ const std::vector<ToolKindLook>& toolKindLooks()
     return looks;
 }
 
+const std::vector<ToolKindLook>& toolsToAdd()
+{
+    static const std::vector<ToolKindLook> tools = [] {
+        std::vector<ToolKindLook> all = toolKindLooks();
+        std::erase_if(all, [](const ToolKindLook& look) { return look.kind == ToolKind::part; });
+        ToolKindLook knife = lookOf(ToolKind::wedge);
+        knife.name = "Knife";
+        knife.icon = "knife";
+        knife.proportions = {3, 0.06, 1.2};
+        ToolKindLook wire = lookOf(ToolKind::cylinder);
+        wire.name = "Wire";
+        wire.icon = "wire";
+        wire.proportions = {0.04, 0.04, 4};
+        all.insert(all.end(), {knife, wire});
+        return all;
+    }();
+    return tools;
+}
+
 const ToolKindLook& lookOf(ToolKind kind)
 {
     const auto& looks = toolKindLooks();

@@ -23,6 +23,8 @@ struct ToolKindLook {
     Vec3 proportions;                  ///< of a new one, in blocks
 };
 
+/// Tools that a person may add: all forms but parts, which come from files, and those of their forms that cut.
+const std::vector<ToolKindLook>& toolsToAdd();
 /// All forms, in the order of menus.
 const std::vector<ToolKindLook>& toolKindLooks();
 const ToolKindLook& lookOf(ToolKind kind);

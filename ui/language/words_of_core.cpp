@@ -24,6 +24,8 @@ namespace {
                                                       QT_TRANSLATE_NOOP("MaterialPanel", "never breaks"),
                                                       QT_TRANSLATE_NOOP("MaterialPanel", "Elongation at break"),
                                                       QT_TRANSLATE_NOOP("MaterialPanel", "flows without end"),
+                                                      QT_TRANSLATE_NOOP("MaterialPanel", "Toughness"),
+                                                      QT_TRANSLATE_NOOP("MaterialPanel", "knives do not cut it"),
                                                       QT_TRANSLATE_NOOP("MaterialPanel", "Adhesion"),
                                                       QT_TRANSLATE_NOOP("MaterialPanel", "does not stick"),
                                                       QT_TRANSLATE_NOOP("MaterialPanel", "Healing time"),
@@ -68,6 +70,7 @@ namespace {
 [[maybe_unused]] const char* const formsOfTools[] = {
     QT_TRANSLATE_NOOP("Actions", "Block"),    QT_TRANSLATE_NOOP("Actions", "Ball"),
     QT_TRANSLATE_NOOP("Actions", "Cylinder"), QT_TRANSLATE_NOOP("Actions", "Wedge"),
+    QT_TRANSLATE_NOOP("Actions", "Knife"),    QT_TRANSLATE_NOOP("Actions", "Wire"),
     QT_TRANSLATE_NOOP("Actions", "Plate"),    QT_TRANSLATE_NOOP("QObject", "Block"),
     QT_TRANSLATE_NOOP("QObject", "Ball"),     QT_TRANSLATE_NOOP("QObject", "Cylinder"),
     QT_TRANSLATE_NOOP("QObject", "Wedge"),    QT_TRANSLATE_NOOP("QObject", "Plate"),

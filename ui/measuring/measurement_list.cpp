@@ -2,6 +2,7 @@
 
 #include <QLocale>
 
+#include <algorithm>
 #include <utility>
 
 namespace knead {
@@ -44,6 +45,8 @@ MeasurementList::MeasurementList(Document& document, QObject* parent)
     connect(&document, &Document::changed, this, [this](Document::Change what) {
         if (what == Document::Change::Content)
             contentChanged();
+        else if (what == Document::Change::Filling)
+            followSurfaces();
     });
 }
 
@@ -74,6 +77,17 @@ void MeasurementList::contentChanged()
     m_model = content.model;
     if (!isSame)
         return clear();
+    m_all = carriedOver(m_all, before, m_bodies);
+    emit changed();
+}
+
+/// Bodies that have come apart have other triangles.
+void MeasurementList::followSurfaces()
+{
+    const ContentBodies before = std::exchange(m_bodies, m_document.content().bodies);
+    if (m_all.empty() || std::equal(before.begin(), before.end(), m_bodies.begin(), m_bodies.end(),
+                                    [](const auto& a, const auto& b) { return haveSameSurface(*a, *b); }))
+        return;
     m_all = carriedOver(m_all, before, m_bodies);
     emit changed();
 }

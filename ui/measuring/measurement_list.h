@@ -26,6 +26,7 @@ signals:
 
 private:
     void contentChanged();
+    void followSurfaces();
 
     Document& m_document;
     std::vector<Measurement> m_all;

@@ -47,9 +47,8 @@ void SkinPicker::forget()
     m_frame = nullptr;
 }
 
-std::vector<SkinPicker::Corner> SkinPicker::cornersOf(BodyId id, const Content& content)
+std::vector<SkinPicker::Corner> SkinPicker::cornersOf(BodyId id, const ContentBody& body, const Content& content)
 {
-    const ContentBody& body = *content.bodies[id];
     std::map<std::uint32_t, Corner> corners;
     const std::size_t isTrue = trueVertices(content, body);
     for (const auto& [vertex, neighbors] : featureNeighbors(body.render))
@@ -71,15 +70,20 @@ void SkinPicker::follow()
     const FramePointer& frame = m_view.shownFrame();
     if (frame == m_frame)
         return;
-    if (m_pickers.empty()) {
-        const Content& content = m_document.content();
-        m_bodies = content.bodies;
-        for (BodyId b = 0; b < m_bodies.size(); ++b)
-            m_pickers.push_back({std::make_unique<SurfacePicker>(m_bodies[b]->render, frame->bodies[b]->points),
-                                 cornersOf(b, content)});
-    } else {
-        for (std::size_t b = 0; b < m_pickers.size(); ++b)
+    const bool isNew = m_pickers.empty();
+    if (isNew) {
+        m_bodies = frame->filled;
+        m_pickers.resize(m_bodies.size());
+    }
+    for (BodyId b = 0; b < m_pickers.size(); ++b) {
+        const ContentBody& body = *frame->filled[b];
+        if (!isNew && haveSameSurface(*m_bodies[b], body)) {
             m_pickers[b].picker->refit(frame->bodies[b]->points);
+            continue;
+        }
+        m_bodies[b] = frame->filled[b];
+        m_pickers[b] = {std::make_unique<SurfacePicker>(body.render, frame->bodies[b]->points),
+                        cornersOf(b, body, m_document.content())};
     }
     m_frame = frame;
 }

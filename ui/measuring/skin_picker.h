@@ -55,7 +55,7 @@ private:
     bool isHidden(std::size_t body) const;
     std::optional<Hit> surfaceAlong(const Ray& ray) const;
     std::optional<Hit> cornerNear(const Eye& eye, const QPointF& position) const;
-    static std::vector<Corner> cornersOf(BodyId id, const Content& content);
+    static std::vector<Corner> cornersOf(BodyId id, const ContentBody& body, const Content& content);
 
     const Document& m_document;
     const ViewportWidget& m_view;

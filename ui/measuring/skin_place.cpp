@@ -60,7 +60,7 @@ std::vector<std::uint32_t> trianglesOfFace(const SkinPlace& place, const Content
 
 std::size_t trueVertices(const Content& content, const ContentBody& body)
 {
-    return content.model->parts[body.part].mesh.vertices.size();
+    return body.whole ? body.mesh.vertices.size() : content.model->parts[body.part].mesh.vertices.size();
 }
 
 std::optional<SkinPlace> carriedOver(const SkinPlace& place, const ContentBodies& before, const ContentBodies& after)

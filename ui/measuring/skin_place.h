@@ -32,7 +32,8 @@ std::optional<std::uint32_t> faceOf(const SkinPlace& place, const ContentBody& b
 /// Triangles of the face that the place lies on; all of a plain mesh.
 std::vector<std::uint32_t> trianglesOfFace(const SkinPlace& place, const ContentBody& body);
 
-/// How many vertices of the body lie on the surface as imported: the first ones. The others are middles of split edges.
+/// How many vertices of the body lie on the surface as imported: the first ones. The others are middles of split edges. All of them
+/// where the body came apart, since they are mixed there.
 std::size_t trueVertices(const Content& content, const ContentBody& body);
 
 /// The same place on bodies that were filled anew; none when its part is no longer among them.

@@ -32,7 +32,7 @@ const std::vector<Group>& groups()
           &Material::shapeDamping}},
         {"Rubber", {&Material::rubberlike, &Material::secondInvariantShare, &Material::lockingElongation}},
         {"Flow", {&Material::yieldStress, &Material::hardening, &Material::relaxationTime}},
-        {"Strength", {&Material::tensileStrength, &Material::elongationAtBreak}},
+        {"Strength", {&Material::tensileStrength, &Material::elongationAtBreak, &Material::toughness}},
         {"Surface", {&Material::friction, &Material::adhesion, &Material::healingTime}},
     };
     return all;

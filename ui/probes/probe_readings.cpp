@@ -14,7 +14,7 @@ void readMaterial(const ProbePlace& probe, const Snapshot& snapshot, ProbeSample
 {
     const Snapshot::BodyState& state = snapshot.bodies[probe.id];
     const RelaxedState plain{.materials = MaterialMap(Material{}, probe.body->aggregate->size())};
-    const std::vector<ConnectionId> none;
+    const std::vector<BrokenConnection> none;
     const std::vector<Vec3> displacements = state.displacements();
     const ObjectStrains objects(*probe.body->aggregate, displacements, state.relaxed ? *state.relaxed : plain,
                                 state.broken ? *state.broken : none);
@@ -68,9 +68,16 @@ ProbePlace probePlace(const SkinPlace& place, const std::shared_ptr<const Conten
 ProbeSample sampleOf(const ProbePlace& probe, const Snapshot& snapshot, bool withStrains)
 {
     const auto& filling = snapshot.bodies[probe.id].aggregate;
-    return filling == probe.body->aggregate
-               ? sampleHere(probe, snapshot, withStrains)
-               : sampleHere(probePlace(probe.place, filledAs(probe.body, filling)), snapshot, withStrains);
+    if (filling == probe.body->aggregate)
+        return sampleHere(probe, snapshot, withStrains);
+    const std::shared_ptr<const ContentBody> then = filledAs(probe.body, filling);
+    ContentBodies before(probe.id + 1, probe.body);
+    const auto place = haveSameSurface(*then, *probe.body) ? probe.place : carriedOver(probe.place, before, {then});
+    if (!place)
+        return {.time = snapshot.time};
+    SkinPlace there = *place;
+    there.body = probe.id;
+    return sampleHere(probePlace(there, then), snapshot, withStrains);
 }
 
 } // namespace

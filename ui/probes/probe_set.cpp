@@ -83,8 +83,7 @@ void ProbeSet::documentChanged(Document::Change what)
     if (what == Document::Change::Content) {
         contentChanged();
     } else if (what == Document::Change::Filling) {
-        m_bodies = m_document.content().bodies;
-        findPlaces();
+        followBodies();
     } else if (what == Document::Change::Frame) {
         read();
     } else if (what == Document::Change::Moment && !m_all.empty()) {
@@ -92,6 +91,16 @@ void ProbeSet::documentChanged(Document::Change what)
         readFilm();
         read();
     }
+}
+
+/// They have other objects, and where they came apart other triangles.
+void ProbeSet::followBodies()
+{
+    const ContentBodies before = std::exchange(m_bodies, m_document.content().bodies);
+    for (Probe& probe : m_all)
+        if (!haveSameSurface(*before[probe.place.body], *m_bodies[probe.place.body]))
+            probe.place = carriedOver(probe.place, before, m_bodies).value_or(SkinPlace{.body = probe.place.body});
+    findPlaces();
 }
 
 /// Bodies that are filled anew keep their probes, which begin again.

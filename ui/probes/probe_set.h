@@ -44,6 +44,7 @@ signals:
 private:
     void documentChanged(Document::Change what);
     void contentChanged();
+    void followBodies();
     void findPlaces();
     void placesChanged();
     void forgetAfter(double time);

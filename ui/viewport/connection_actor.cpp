@@ -67,7 +67,7 @@ ConnectionActor::~ConnectionActor()
     m_parts->renderer->RemoveActor(m_parts->actor);
 }
 
-void ConnectionActor::setConnections(const Aggregate& aggregate, std::span<const ConnectionId> broken,
+void ConnectionActor::setConnections(const Aggregate& aggregate, std::span<const BrokenConnection> broken,
                                      std::span<const ObjectIndex> chosen)
 {
     const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
@@ -154,7 +154,7 @@ void BreakActor::setClipping(vtkPlaneCollection* planes)
 }
 
 std::vector<Vec3> breakMarks(const Aggregate& aggregate, std::span<const Vec3> positions,
-                             std::span<const ConnectionId> broken)
+                             std::span<const BrokenConnection> broken)
 {
     std::vector<Vec3> marks;
     marks.reserve(2 * broken.size());

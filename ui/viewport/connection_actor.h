@@ -23,7 +23,7 @@ public:
 
     /// Which connections there are: to be called again when some broke.
     /// @param chosen ascending; only connections between these; all when empty
-    void setConnections(const Aggregate& aggregate, std::span<const ConnectionId> broken,
+    void setConnections(const Aggregate& aggregate, std::span<const BrokenConnection> broken,
                         std::span<const ObjectIndex> chosen);
     void show(std::span<const Vec3> positions);
     void setClipping(vtkPlaneCollection* planes); ///< keeps what is on the positive sides
@@ -53,6 +53,6 @@ private:
 
 /// The places of such marks: for each broken connection half a rest length from its ends, towards each other [m].
 std::vector<Vec3> breakMarks(const Aggregate& aggregate, std::span<const Vec3> positions,
-                             std::span<const ConnectionId> broken);
+                             std::span<const BrokenConnection> broken);
 
 } // namespace knead

@@ -16,13 +16,18 @@ void ScenePicker::follow()
     const FramePointer& frame = m_document.frame();
     if (frame == m_frame || m_document.isEmpty())
         return;
-    if (m_pickers.empty()) {
-        m_bodies = m_document.content().bodies;
-        for (std::size_t b = 0; b < m_bodies.size(); ++b)
-            m_pickers.push_back(std::make_unique<SurfacePicker>(m_bodies[b]->render, frame->bodies[b]->points));
-    } else {
-        for (std::size_t b = 0; b < m_pickers.size(); ++b)
+    const bool isNew = m_pickers.empty();
+    if (isNew) {
+        m_bodies = frame->filled;
+        m_pickers.resize(m_bodies.size());
+    }
+    for (std::size_t b = 0; b < m_pickers.size(); ++b) {
+        if (!isNew && haveSameSurface(*m_bodies[b], *frame->filled[b])) {
             m_pickers[b]->refit(frame->bodies[b]->points);
+            continue;
+        }
+        m_bodies[b] = frame->filled[b];
+        m_pickers[b] = std::make_unique<SurfacePicker>(m_bodies[b]->render, frame->bodies[b]->points);
     }
     m_frame = frame;
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace knead {
 
@@ -102,9 +103,10 @@ void SceneView::showFrame(const FramePointer& frame)
     const bool hasMoved = !m_frame || m_frame->bodies != frame->bodies;
     m_frame = frame;
     if (m_bodies != frame->filled) {
-        m_bodies = frame->filled;
+        const ContentBodies before = std::exchange(m_bodies, frame->filled);
         m_parts->objects.clear();
         m_parts->sight->setBodies(m_bodies);
+        takeSurfaces(before);
     }
     if (hasMoved) {
         for (std::size_t b = 0; b < m_bodies.size(); ++b)
@@ -119,6 +121,24 @@ void SceneView::showFrame(const FramePointer& frame)
         m_gridHeight = height;
         layGrid();
     }
+}
+
+/// Of bodies that came apart, or are whole again.
+void SceneView::takeSurfaces(const ContentBodies& before)
+{
+    bool isAny = false;
+    for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+        if (haveSameSurface(*before[b], *m_bodies[b]))
+            continue;
+        m_parts->skins[b] = std::make_unique<SkinActor>(m_bodies[b], m_parts->renderer);
+        m_parts->skins[b]->setClipping(m_parts->sight->clipping());
+        m_parts->skins[b]->show(*m_frame->bodies[b]);
+        isAny = true;
+    }
+    if (!isAny)
+        return;
+    colorBodies();
+    showBodies();
 }
 
 void SceneView::setStyle(const SceneStyle& style)

@@ -128,6 +128,7 @@ private:
     Color edgesOf(BodyId body, bool isSelected, bool isHovered) const;
     Region shownOf(const Region& region) const;
     void showObjects();
+    void takeSurfaces(const ContentBodies& before);
     void showTools();
     void layGrid();
     void showBodies();

@@ -80,7 +80,8 @@ std::optional<ColorScale> SceneView::scale() const
 /// @return false: its faces have the colors of the part
 bool SceneView::colorByValues(BodyId body)
 {
-    if (!m_scale || body >= m_sight->values.size())
+    if (!m_scale || body >= m_sight->values.size() ||
+        m_sight->values[body].size() != m_bodies[body]->mesh.vertices.size()) // of what it was before it came apart
         return false;
     m_parts->skins[body]->setValues(m_sight->values[body], *m_scale);
     return true;

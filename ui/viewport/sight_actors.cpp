@@ -63,8 +63,8 @@ struct SightActors::Parts {
     Skins ghosts;                                              ///< beside the deformed; empty while they are not shown
     Skins originals;                                           ///< left of the divider; likewise
     std::vector<std::unique_ptr<ConnectionActor>> connections; ///< likewise
-    std::vector<std::shared_ptr<const std::vector<ConnectionId>>> brokenSeen; ///< by those
-    std::unique_ptr<BreakActor> breaks;                                       ///< null while they are not shown
+    std::vector<std::shared_ptr<const std::vector<BrokenConnection>>> brokenSeen; ///< by those
+    std::unique_ptr<BreakActor> breaks;                                           ///< null while they are not shown
     std::vector<std::unique_ptr<CapActor>> caps; ///< per body: of the deformed, then of the original ones
     std::unique_ptr<PlaneFrameActor> frame;
 };
@@ -220,7 +220,7 @@ void SightActors::showConnections()
         }
         if (std::exchange(m_parts->brokenSeen[b], now.broken) != now.broken || isNew)
             actors[b]->setConnections(
-                *m_bodies[b]->aggregate, now.broken ? std::span(*now.broken) : std::span<const ConnectionId>(),
+                *m_bodies[b]->aggregate, now.broken ? std::span(*now.broken) : std::span<const BrokenConnection>(),
                 m_options.objects == ObjectDisplay::All ? std::span<const ObjectIndex>() : m_bodies[b]->surfaceObjects);
         actors[b]->show(now.positions);
     }
