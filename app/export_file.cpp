@@ -85,7 +85,7 @@ void addFields(const SkinFields& fields, MeshBody& body, PartExportReport& repor
 /// The surface of a part at its present place, with fields.
 StrainedSurface strained(const PartToExport& part, TaskControl& control)
 {
-    const std::vector<ConnectionId> none;
+    const std::vector<BrokenConnection> none;
     const ObjectStrains objects(*part.aggregate, part.displacements, *part.relaxed, part.broken ? *part.broken : none);
     return strainedSurface(part.part.mesh, *part.aggregate, objects, part.loaded, mostTriangles, control);
 }
@@ -139,7 +139,7 @@ ExportReport exportFile(const std::string& path, ExportJob job, TaskControl& con
         if (!holdsFields(path))
             part.relaxed.reset();
     TaskPortion tearing(control, 0, 0.1);
-    const ExportJob whole = withPieces(std::move(job), isCad ? mostFlatFaces : mostTriangles, tearing);
+    const ExportJob whole = withPieces(std::move(job), isCad ? mostFlatFaces : mostTriangles, tearing, isCad);
     TaskPortion writing(control, 0.1, 1);
     return isCad ? exportInChild(path, whole, writing) : exportMeshes(path, whole, writing);
 }

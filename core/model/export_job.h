@@ -13,21 +13,30 @@
 
 namespace knead {
 
+/// Where knives cut a piece out of its part.
+struct PieceCut {
+    std::vector<std::vector<Vec3>> sheets; ///< per cut: places that a knife went through, at rest [m]
+    std::vector<Vec3> inside;              ///< places well within the piece, at rest [m]
+    std::vector<Vec3> outside;             ///< and within other pieces [m]
+    double spacing = 0;                    ///< of the objects [m]
+};
+
 /// A part and how its material lies now.
 struct PartToExport {
-    Part part;                                               ///< as imported
-    std::shared_ptr<const Aggregate> aggregate;              ///< its objects; null: the part is written as imported
-    std::vector<Vec3> displacements;                         ///< per object, from rest [m]
-    std::shared_ptr<const SmoothMap> map;                    ///< in place of objects; does not leave this process
-    std::shared_ptr<const std::vector<ConnectionId>> broken; ///< structural connections; null: none
-    std::shared_ptr<const RelaxedState> relaxed;             ///< for fields; null: none; does not leave this process
+    Part part;                                                   ///< as imported
+    std::shared_ptr<const Aggregate> aggregate;                  ///< its objects; null: the part is written as imported
+    std::vector<Vec3> displacements;                             ///< per object, from rest [m]
+    std::shared_ptr<const SmoothMap> map;                        ///< in place of objects; does not leave this process
+    std::shared_ptr<const std::vector<BrokenConnection>> broken; ///< structural connections; null: none
+    std::shared_ptr<const RelaxedState> relaxed; ///< for fields; null: none; does not leave this process
     std::vector<ObjectIndex>
         loaded; ///< objects that something holds or presses on, for fields; does not leave this process
     std::shared_ptr<const SkinFields>
-        fields;                       ///< at the vertices of the part's mesh, which is where it is now; null: none
-    std::vector<std::string> remarks; ///< sentences for the report
-    std::string reason;               ///< why it has no smooth faces, when something is known about that
-    double density = 0;               ///< [kg/m^3], for the report; 0: none
+        fields;                          ///< at the vertices of the part's mesh, which is where it is now; null: none
+    std::shared_ptr<const PieceCut> cut; ///< of a piece whose part has faces of its own, which are to be cut; else null
+    std::vector<std::string> remarks;    ///< sentences for the report
+    std::string reason;                  ///< why it has no smooth faces, when something is known about that
+    double density = 0;                  ///< [kg/m^3], for the report; 0: none
 };
 
 /// What is to be written into one file.

@@ -1,5 +1,6 @@
 #include "core/skin/torn_parts.h"
 
+#include "core/aggregate/pieces.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/refine.h"
 #include "core/skin/carried_fragments.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <utility>
 
 namespace knead {
@@ -83,8 +85,76 @@ void remarkOnDust(const Fragment& fragment, std::vector<std::string>& remarks)
                           std::to_string(fragment.dust.size()) + ".");
 }
 
+/// Which fragment each object belongs to.
+std::vector<std::uint32_t> fragmentOfObjects(const Aggregate& aggregate, const std::vector<Fragment>& fragments)
+{
+    std::vector<std::uint32_t> of(aggregate.size(), 0);
+    for (std::uint32_t f = 0; f < fragments.size(); ++f)
+        for (const std::vector<ObjectIndex>* objects : {&fragments[f].objects, &fragments[f].dust})
+            for (const ObjectIndex object : *objects)
+                of[object] = f;
+    return of;
+}
+
+/// What knives went through, a sheet for each two fragments that it parted; none where anything tore.
+std::vector<std::vector<Vec3>> sheetsOf(const PartToExport& whole, const std::vector<std::uint32_t>& fragmentOf)
+{
+    const Lattice& lattice = whole.aggregate->lattice;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Vec3>> sheets;
+    for (const BrokenConnection& connection : *whole.broken) {
+        const std::uint32_t lower = fragmentOf[connection.lower];
+        const std::uint32_t upper = fragmentOf[upperEnd(lattice, connection)];
+        const std::pair ends(std::min(lower, upper), std::max(lower, upper));
+        if (ends.first == ends.second)
+            continue;
+        if (!connection.isCut())
+            return {};
+        sheets[ends].push_back(lattice.position(connection.lower) +
+                               connection.cutAt * lattice.direction(static_cast<int>(connection.direction)));
+    }
+    std::vector<std::vector<Vec3>> all;
+    for (auto& [ends, points] : sheets)
+        all.push_back(std::move(points));
+    return all;
+}
+
+/// Objects of each fragment that are far from where it was cut and from the skin.
+std::vector<Vec3> placesWithin(const PartToExport& whole, const Fragment& fragment,
+                               const std::vector<std::vector<Vec3>>& sheets)
+{
+    constexpr std::size_t wanted = 12;
+    const Aggregate& aggregate = *whole.aggregate;
+    std::vector<std::pair<double, ObjectIndex>> rank;
+    for (const ObjectIndex object : fragment.objects) {
+        double clear = aggregate.depth[object];
+        for (const std::vector<Vec3>& sheet : sheets)
+            for (const Vec3& point : sheet)
+                clear = std::min(clear, (aggregate.lattice.position(object) - point).norm());
+        rank.emplace_back(-clear, object);
+    }
+    std::sort(rank.begin(), rank.end());
+    std::vector<Vec3> places;
+    for (std::size_t i = 0; i < std::min(wanted, rank.size()); ++i)
+        places.push_back(aggregate.lattice.position(rank[i].second));
+    return places;
+}
+
+/// A piece with the faces of its part, for whoever cuts these: its surface and its objects at rest.
+PartToExport smoothPiece(const PartToExport& whole, const Fragment& fragment, std::size_t number,
+                         std::span<const std::uint16_t> isBroken)
+{
+    const std::vector<ObjectIndex> carriers = carriersOf(*whole.aggregate, fragment, isBroken);
+    PartToExport piece{.part = pieceOf(whole.part, fragment.mesh, number)};
+    piece.part.exact = whole.part.exact;
+    piece.aggregate = std::make_shared<const Aggregate>(extract(*whole.aggregate, carriers, isBroken));
+    for (const ObjectIndex object : carriers)
+        piece.displacements.push_back(whole.displacements[object]);
+    return piece;
+}
+
 /// The pieces of one part; none when it hangs together, of which the part then says what is cracked.
-std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangles, TaskControl& control)
+std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangles, bool keepsFaces,
+                                   TaskControl& control)
 {
     if (whole.aggregate == nullptr || whole.broken == nullptr || whole.broken->empty())
         return {};
@@ -106,8 +176,28 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
     }
     std::vector<CarriedFragment> now = carried(*whole.aggregate, fragments, *whole.broken, whole.displacements,
                                                whole.relaxed.get(), whole.loaded, control);
+    std::vector<std::vector<Vec3>> sheets;
+    if (keepsFaces && whole.part.exact && !whole.aggregate->former)
+        sheets = sheetsOf(whole, fragmentOfObjects(*whole.aggregate, fragments));
+    std::vector<std::vector<Vec3>> within;
+    for (std::size_t i = 0; !sheets.empty() && i < fragments.size(); ++i)
+        within.push_back(placesWithin(whole, fragments[i], sheets));
+    const std::vector<std::uint16_t> isBroken = brokenDirections(*whole.aggregate, *whole.broken);
     std::vector<PartToExport> pieces;
     for (std::size_t i = 0; i < fragments.size(); ++i) {
+        if (!sheets.empty() && !now[i].isRigid) {
+            PartToExport piece = smoothPiece(whole, fragments[i], i + 1, isBroken);
+            PieceCut cut{
+                .sheets = sheets, .inside = within[i], .outside = {}, .spacing = whole.aggregate->lattice.spacing};
+            for (std::size_t other = 0; other < fragments.size(); ++other)
+                if (other != i)
+                    cut.outside.insert(cut.outside.end(), within[other].begin(), within[other].end());
+            piece.cut = std::make_shared<const PieceCut>(std::move(cut));
+            piece.density = whole.density;
+            remarkOnDust(fragments[i], piece.remarks);
+            pieces.push_back(std::move(piece));
+            continue;
+        }
         fragments[i].mesh.vertices = std::move(now[i].places);
         PartToExport piece{.part = pieceOf(whole.part, std::move(fragments[i].mesh), i + 1)};
         piece.density = whole.density;
@@ -145,7 +235,7 @@ void renumber(PartNode& node, const std::vector<std::pair<std::size_t, std::size
 
 } // namespace
 
-ExportJob withPieces(ExportJob job, std::size_t mostTriangles, TaskControl& control)
+ExportJob withPieces(ExportJob job, std::size_t mostTriangles, TaskControl& control, bool keepsFaces)
 {
     ExportJob result;
     result.options = job.options;
@@ -154,7 +244,7 @@ ExportJob withPieces(ExportJob job, std::size_t mostTriangles, TaskControl& cont
     for (PartToExport& part : job.parts) {
         const auto done = static_cast<double>(numbers.size());
         TaskPortion portion(control, done / count, (done + 1) / count);
-        std::vector<PartToExport> pieces = piecesOf(part, mostTriangles, portion);
+        std::vector<PartToExport> pieces = piecesOf(part, mostTriangles, keepsFaces, portion);
         if (pieces.empty())
             pieces.push_back(std::move(part));
         numbers.emplace_back(result.parts.size(), pieces.size());

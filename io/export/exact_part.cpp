@@ -5,6 +5,7 @@
 #include "core/geometry/self_intersection.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/skin_map.h"
+#include "io/export/cut_shape.h"
 #include "io/export/divided_shape.h"
 #include "io/export/faceted_solid.h"
 #include "io/export/place_words.h"
@@ -13,6 +14,8 @@
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <gp_Trsf.hxx>
 
 #include <algorithm>
@@ -309,10 +312,28 @@ void makeBent(const PartToExport& part, const FaceChoice& choice, TaskControl& c
     makeFaceted(part, reason, ready);
 }
 
-} // namespace
+/// A piece with the faces of its part as knives cut them: as if it had come so.
+PartToExport asCut(const PartToExport& part, const CutShape& cut)
+{
+    PartToExport piece = part;
+    const TopoDS_Shape copy = BRepBuilderAPI_Copy(cut.shape, false).Shape();
+    const double size = part.part.box.diagonal().norm();
+    piece.part.mesh = tessellate(copy, {facetDeflection * size / 4, facetAngle});
+    piece.part.watertight = isWatertight(piece.part.mesh);
+    piece.part.volume = 1e-9 * std::abs(faceIntegralsOf(cut.shape).volume);
+    piece.part.faces.clear();
+    for (const std::uint32_t origin : cut.origin)
+        piece.part.faces.push_back(origin < part.part.faces.size() ? part.part.faces[origin]
+                                                                   : decltype(part.part.faces)::value_type{});
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(cut.shape, TopAbs_EDGE, edges);
+    piece.part.edges = edges.Extent();
+    return piece;
+}
 
-ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options,
-                    const FaceChoice& choice, TaskControl& control)
+/// @param shape [mm]
+ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options,
+                        const FaceChoice& choice, TaskControl& control)
 {
     ReadyPart ready;
     ready.out.name = part.part.name;
@@ -349,7 +370,7 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
         return ready;
     }
     const bool isMoved = dynamic_cast<const InPlace*>(ready.map.get()) == nullptr;
-    ready.source = inMillimetres(shape, part.part.exact->unit);
+    ready.source = shape;
     std::vector<std::uint32_t> own(part.part.faces.size());
     std::iota(own.begin(), own.end(), 0U);
     addFaceColors(part.part, own, ready.out);
@@ -368,6 +389,24 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
     TaskPortion bending(control, 0.2, 1);
     makeBent(part, choice, bending, ready);
     return ready;
+}
+
+} // namespace
+
+ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const ExportOptions& options,
+                    const FaceChoice& choice, TaskControl& control)
+{
+    const TopoDS_Shape own = shape.IsNull() ? shape : inMillimetres(shape, part.part.exact->unit);
+    if (!part.cut || own.IsNull())
+        return makeReadyAsIs(part, own, options, choice, control);
+    if (const auto cut = cutShape(own, *part.cut)) {
+        const PartToExport piece = asCut(part, *cut);
+        if (piece.part.watertight)
+            return makeReadyAsIs(piece, cut->shape, options, choice, control);
+    }
+    PartToExport flat = part;
+    flat.reason = "its faces could not be cut where the knife went.";
+    return makeReadyAsIs(flat, {}, options, choice, control);
 }
 
 } // namespace knead

@@ -153,12 +153,20 @@ std::string jobToBytes(const ExportJob& job)
         parts.push_back({{"density", part.density},
                          {"reason", part.reason},
                          {"remarks", part.remarks},
+                         {"sheets", part.cut ? part.cut->sheets.size() : 0},
+                         {"spacing", part.cut ? part.cut->spacing : 0},
                          {"hasObjects", part.aggregate != nullptr},
                          {"hasFormer", part.aggregate != nullptr && part.aggregate->former != nullptr}});
     }
     blocks.add(std::string_view(Json{{"options", toJson(job.options)}, {"parts", parts}}.dump()));
     blocks.add(std::string_view(modelToBytes(model)));
-    for (const PartToExport& part : job.parts)
+    for (const PartToExport& part : job.parts) {
+        if (part.cut) {
+            for (const std::vector<Vec3>& sheet : part.cut->sheets)
+                blocks.add(sheet);
+            blocks.add(part.cut->inside);
+            blocks.add(part.cut->outside);
+        }
         if (part.aggregate != nullptr) {
             addAggregate(*part.aggregate, blocks);
             blocks.add(part.displacements);
@@ -167,6 +175,7 @@ std::string jobToBytes(const ExportJob& job)
                 blocks.add(former->displacements());
             }
         }
+    }
     return std::move(blocks).bytes();
 }
 
@@ -185,6 +194,17 @@ ExportJob jobFromBytes(std::string_view bytes)
             part.density = json.at("parts").at(i).at("density").get<double>();
             part.reason = json.at("parts").at(i).at("reason").get<std::string>();
             part.remarks = json.at("parts").at(i).at("remarks").get<std::vector<std::string>>();
+            if (const auto sheets = json.at("parts").at(i).at("sheets").get<std::size_t>(); sheets > 0) {
+                PieceCut cut{.sheets = {},
+                             .inside = {},
+                             .outside = {},
+                             .spacing = json.at("parts").at(i).at("spacing").get<double>()};
+                for (std::size_t sheet = 0; sheet < sheets; ++sheet)
+                    cut.sheets.push_back(blocks.nextArray<Vec3>());
+                cut.inside = blocks.nextArray<Vec3>();
+                cut.outside = blocks.nextArray<Vec3>();
+                part.cut = std::make_shared<const PieceCut>(std::move(cut));
+            }
             if (!json.at("parts").at(i).at("hasObjects").get<bool>())
                 continue;
             const std::shared_ptr<Aggregate> aggregate = nextJobAggregate(blocks);

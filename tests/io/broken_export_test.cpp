@@ -24,11 +24,11 @@ ExportJob crackedBar(const Model& model, double depth, double angle, double cell
     const double middle = box.center().x() + 0.0004;
     const double root = box.max().z() - depth * box.sizes().z();
     const auto isRight = [&](const Vec3& at) { return at.x() > middle ? 1.0 : 0.0; };
-    auto broken = std::make_shared<std::vector<ConnectionId>>();
+    auto broken = std::make_shared<std::vector<BrokenConnection>>();
     const auto across = brokenAcross(aggregate, isRight);
     for (const ConnectionId& one : *across)
         if (aggregate.lattice.position(one.lower).z() > root)
-            broken->push_back(one);
+            broken->push_back({one});
     bar.broken = broken;
     for (ObjectIndex i = 0; i < aggregate.size(); ++i) {
         const Vec3 X = aggregate.lattice.position(i);
@@ -48,6 +48,7 @@ class BrokenExportTest : public QObject {
 
 private slots:
     void tornPartsComeAsClosedPieces();
+    void piecesThatAKnifeCutKeepTheirFaces();
     void crumbsAreWrittenWithWhatTheyCameOff();
     void crackedPartsInOnePieceSaySo();
     void crackedPartsThatAreFoldedSayWhyTheyAreFlat();
@@ -84,6 +85,68 @@ void BrokenExportTest::tornPartsComeAsClosedPieces()
             volume += part.volume;
         }
         QVERIFY2(std::abs(volume / model.parts.front().volume - 1) < 0.01, qPrintable(QString::number(volume)));
+    }
+}
+
+/// Cut along a plane, along a curved surface, and twice; the pieces bent and moved apart.
+void BrokenExportTest::piecesThatAKnifeCutKeepTheirFaces()
+{
+    const Model model = example("bar.step");
+    const maps::Identity still;
+    const Box box = boxOf(model);
+    const Vec3 center = box.center();
+    using Height = std::function<double(const Vec3&)>;
+    const Height plane = [&](const Vec3& at) { return (at - center).dot(Vec3(1, 0.3, 0.2).normalized()) - 0.0007; };
+    const Height curved = [&](const Vec3& at) {
+        const double y = at.y() - center.y();
+        return at.x() - center.x() - 20 * y * y - 0.1 * (at.z() - center.z());
+    };
+    const Height left = [&](const Vec3& at) { return at.x() - center.x() + 0.021; };
+    const Height right = [&](const Vec3& at) { return at.x() - center.x() - 0.0213; };
+    for (const std::vector<Height>& cuts : {std::vector{plane}, std::vector{curved}, std::vector{left, right}}) {
+        ExportJob job = jobOf(model, &still);
+        PartToExport& whole = job.parts.front();
+        const Lattice& lattice = whole.aggregate->lattice;
+        auto broken = std::make_shared<std::vector<BrokenConnection>>();
+        for (const Height& height : cuts) {
+            const auto across =
+                brokenAcross(*whole.aggregate, [&](const Vec3& at) { return height(at) < 0 ? 0.0 : 1.0; });
+            for (const BrokenConnection& one : *across) {
+                const Vec3 lower = lattice.position(one.lower);
+                const Vec3 way = lattice.direction(static_cast<int>(one.direction));
+                double low = 0;
+                double high = 1;
+                for (int n = 0; n < 50; ++n) {
+                    const double middle = 0.5 * (low + high);
+                    ((height(lower + middle * way) < 0) == (height(lower) < 0) ? low : high) = middle;
+                }
+                broken->push_back({one, std::clamp(low, 1e-6, 1 - 1e-6)});
+            }
+        }
+        whole.broken = broken;
+        for (ObjectIndex i = 0; i < whole.displacements.size(); ++i) { // apart from each other, and bent
+            const Vec3 at = lattice.position(i);
+            const auto piece =
+                static_cast<double>(std::ranges::count_if(cuts, [&](const Height& height) { return height(at) >= 0; }));
+            whole.displacements[i] =
+                Vec3(0.01 * piece, 0, 3 * (at.x() - center.x()) * (at.x() - center.x()) * (piece > 0 ? 1 : -1));
+        }
+        job = withPieces(std::move(job), 6000, TaskControl::none(), true);
+        QCOMPARE(job.parts.size(), cuts.size() + 1);
+        const ExportedFile file = exportCad(FormatKind::Step, jobFromBytes(jobToBytes(job)), TaskControl::none());
+        QVERIFY(file.report.isSound());
+        double rest = 0;
+        for (const PartExportReport& part : file.report.parts) {
+            QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.c_str());
+            QVERIFY(part.closed && part.valid && part.freeEdges == 0);
+            QVERIFY2(part.largestDeviation <= part.tolerance, qPrintable(QString::number(part.largestDeviation)));
+            QVERIFY2(std::abs(part.volumeError()) < 1e-3, qPrintable(QString::number(part.volumeError())));
+            // The ends of the bar have five of its faces and where they were cut, its middle four and both cuts.
+            QCOMPARE(part.facesAfter, 6);
+            rest += part.restVolume;
+        }
+        QVERIFY2(std::abs(rest / model.parts.front().volume - 1) < 1e-4,
+                 qPrintable(QString::number(rest / model.parts.front().volume - 1)));
     }
 }
 
