@@ -219,7 +219,8 @@ private:
         };
         const auto isTouch = [&](const SurfaceContacts::Touch& touch) {
             return touch.body < m_bodies.size() && touch.point < SurfaceContacts::pointCount(fillingOf(touch.body)) &&
-                   isFriction(touch.friction) && std::abs(touch.side) <= 1 && isAmount(touch.kept) && isAmount(touch.pressed);
+                   isFriction(touch.friction) && std::abs(touch.side) <= 1 && isAmount(touch.kept) &&
+                   isAmount(touch.pressed);
         };
         const auto isHold = [&](const CuttingEdges::Hold& hold) {
             return hold.surface < m_moment.tools.size() && hold.force.allFinite();

@@ -20,8 +20,13 @@ namespace {
 constexpr int corrections = 1;
 constexpr int surfaceCorrections = 4;
 constexpr double edgeShare = 0.7; // of the spacing: edges of the surface that is filled
-constexpr std::size_t mostTriangles = 400'000;
 constexpr std::size_t pointsPerBlock = 512;
+
+/// Of the surface that is filled. A body of few objects has many more only where it is torn about, and filling that takes minutes.
+std::size_t mostTriangles(const Aggregate& aggregate)
+{
+    return std::clamp<std::size_t>(200 * aggregate.size(), 20'000, 400'000);
+}
 
 /// Fits the map of the skin of some carriers to where their body has come.
 class ShapeFit {
@@ -99,7 +104,7 @@ private:
             });
             return m_places;
         };
-        TriangleMesh mesh = refineWhereCarried(surface, edge, mostTriangles, carry);
+        TriangleMesh mesh = refineWhereCarried(surface, edge, mostTriangles(m_present), carry);
         carry(mesh.vertices);
         if (m_known && m_known->mesh.vertices == mesh.vertices) {
             m_fit = m_known;
@@ -219,7 +224,7 @@ TriangleMesh surfaceWhenFilled(const TriangleMesh& surface, const Aggregate& agg
     if (!aggregate.former)
         return surface;
     CarriedSurface carried =
-        carriedSurface(surface, *aggregate.former, edgeShare * aggregate.lattice.spacing, mostTriangles);
+        carriedSurface(surface, *aggregate.former, edgeShare * aggregate.lattice.spacing, mostTriangles(aggregate));
     carried.mesh.vertices = std::move(carried.places);
     return std::move(carried.mesh);
 }

@@ -97,11 +97,15 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
 
     row("event after the end", with("events", R"([{"time_s": 3, "gravity_m_s2": [0, 0, 0]}])"),
         "events[0].time_s must be a number between 0 and 2, got 3.");
+    row("plane without a direction",
+        with("events", R"([{"time_s": 1, "cut": {"point_mm": [0, 0, 0], "normal": [0, 0, 0]}}])"),
+        "events[0].cut.normal must not be 0: it says which way the plane faces.");
     row("event of nothing", with("events", R"([{"time_s": 1}])"),
         "events[0] must have exactly one of the keys material, remove_fixture, remove_manipulator, gravity_m_s2, "
         "renormalize, body_kind, floor, integrator, pace, add_fixture, move_fixture, add_manipulator, "
         "move_manipulator, "
-        "place_manipulator, reshape_manipulator, add_load, change_load, remove_load, find_balance_s, refill, reset, "
+        "place_manipulator, reshape_manipulator, add_load, change_load, remove_load, find_balance_s, refill, cut, "
+        "reset, "
         "keep_moment.");
     row("two events in one", with("events", R"([{"time_s": 1, "renormalize": {}, "gravity_m_s2": [0, 0, 0]}])"),
         "events[0] must have only one of the keys gravity_m_s2 and renormalize.");

@@ -101,7 +101,8 @@ std::vector<json> fullRecipes()
                    {"time_s": 0, "gravity_m_s2": [0, 0, 0]},
                    {"time_s": 0, "renormalize": {"body": "lid", "box_mm": [0, 0, 0, 1, 1, 1], "duration_s": 1}},
                    {"time_s": 0, "body_kind": {"body": "lid", "kind": "glue"}},
-                   {"time_s": 0, "find_balance_s": 0.1}, {"time_s": 0, "refill": {"body": "lid", "spacing_mm": 2}}],
+                   {"time_s": 0, "find_balance_s": 0.1}, {"time_s": 0, "refill": {"body": "lid", "spacing_mm": 2}},
+                   {"time_s": 0, "cut": {"body": "lid", "point_mm": [1, 2, 3], "normal": [0, 0, 1]}}],
         "exports": [{"file": "a.step", "unit": "mm", "tolerance_mm": 0.1, "ap214": true, "report": false},
                     {"file": "b.PNG", "width": 20, "height": 20, "view": "front", "show_tools": false},
                     {"file": "c/d.png", "view": [0, 1, 0]}]})");
@@ -172,6 +173,7 @@ const std::vector<std::pair<std::string, std::string>>& objects()
         {"/$defs/renormalize", "/events/4/renormalize"},
         {"/$defs/changeOfKind", "/events/5/body_kind"},
         {"/$defs/refill", "/events/7/refill"},
+        {"/$defs/cut", "/events/8/cut"},
         {"/$defs/exportedFile", "/exports/0"},
         {"/$defs/picture", "/exports/1"},
     };
