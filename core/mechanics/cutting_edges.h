@@ -77,7 +77,7 @@ private:
                    double margin) const;
     void findMaterial(const Edge& edge, Point& point, std::span<const ContactBody> bodies) const;
     void findUncut(Edge& edge, const CuttingFrame& frame, std::span<const ContactBody> bodies) const;
-    static std::vector<Vec3> trailOf(const Edge& edge, const std::vector<Vec3>& now,
+    static std::vector<Vec3> trailOf(const Edge& edge, const std::vector<Vec3>& forwards,
                                      std::span<const ContactBody> bodies);
     static void addCuts(const Edge& edge, const Nearby& nearby, const CuttingFrame& frame,
                         const std::vector<Vec3>& trail, const std::vector<Vec3>& now, const ContactBody& body,

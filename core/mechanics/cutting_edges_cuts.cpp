@@ -17,8 +17,7 @@ constexpr double overlap = 0.15;
 constexpr double sureSide = 0.5;
 // Those that lie in the plane, but for rounding, are all above it [spacings].
 constexpr double inPlane = 1e-3;
-// An edge that goes further than this in a step cuts [spacings]: while it holds with less than this share of its limit, the second.
-constexpr double leastWay = 1e-4;
+// A wire that does not push with this share of its limit cuts when it goes further than this in a step [spacings].
 constexpr double clearWay = 1e-2;
 constexpr double slippingShare = 0.8;
 constexpr double wakeOfWire = 1.5; // behind it [spacings]
@@ -119,8 +118,9 @@ private:
 
 } // namespace
 
-/// Where the points of an edge were in the material when the step began, with everything where it is now.
-std::vector<Vec3> CuttingEdges::trailOf(const Edge& edge, const std::vector<Vec3>& now,
+/// Where the points of an edge were in the material when the step began, with everything where it is now, and a little behind that.
+/// @param forwards per point: the way that it goes, unit; 0: just there
+std::vector<Vec3> CuttingEdges::trailOf(const Edge& edge, const std::vector<Vec3>& forwards,
                                         std::span<const ContactBody> bodies)
 {
     std::vector<Vec3> trail;
@@ -132,9 +132,7 @@ std::vector<Vec3> CuttingEdges::trailOf(const Edge& edge, const std::vector<Vec3
         }
         const ContactBody& body = bodies[point.body];
         const Vec3 place = point.spread.at(body.state->position);
-        const Vec3 way = place - now[p];
-        const double far = way.norm() > leastWay * body.spacing() ? overlap * body.spacing() : 0;
-        trail.push_back(place + far * way.stableNormalized());
+        trail.push_back(place - overlap * body.spacing() * forwards[p]);
     }
     return trail;
 }
@@ -148,21 +146,22 @@ std::vector<std::vector<BrokenConnection>> CuttingEdges::cuts(std::span<const Co
         std::vector<Vec3> now;
         for (const Point& point : edge.points)
             now.push_back(pose.toWorld(point.place));
-        const std::vector<Vec3> trail = trailOf(edge, now, bodies);
+        const std::vector<Vec3> there = trailOf(edge, std::vector<Vec3>(now.size(), Vec3::Zero()), bodies);
         Vec3 way = Vec3::Zero();
-        for (std::size_t p = 0; p < now.size(); ++p)
-            way += now[p] - trail[p];
-        const CuttingFrame frame(edge.blade, pose, way);
-        double held = 0;
+        Vec3 held = Vec3::Zero();
         double limit = 0;
-        for (const Point& point : edge.points) {
-            held += point.hold.norm();
-            limit += point.limit;
+        for (std::size_t p = 0; p < now.size(); ++p) {
+            way += now[p] - there[p];
+            held += pose.rotation * edge.points[p].hold;
+            limit += edge.points[p].limit;
         }
-        // Of a wire that stands still nobody knows which way it cuts.
-        const double least = edge.blade.isWire() && held < slippingShare * limit ? clearWay : leastWay;
+        // A wire goes where it pushes as hard as it can; else, of one that hardly moves, nobody knows which way it cuts.
+        const bool isSlipping = limit > 0 && held.norm() >= slippingShare * limit;
+        const CuttingFrame frame(edge.blade, pose, isSlipping ? held : way);
+        const std::vector<Vec3> trail = trailOf(edge, std::vector<Vec3>(now.size(), frame.forward), bodies);
         for (const Nearby& nearby : edge.nearby)
-            if (way.norm() > least * bodies[nearby.body].spacing() * static_cast<double>(now.size()))
+            if (!edge.blade.isWire() || isSlipping ||
+                way.norm() > clearWay * bodies[nearby.body].spacing() * static_cast<double>(now.size()))
                 addCuts(edge, nearby, frame, trail, now, bodies[nearby.body], all[nearby.body]);
     }
     for (std::vector<BrokenConnection>& ofBody : all) { // two edges may have gone through the same

@@ -203,6 +203,22 @@ private slots:
         QCOMPARE(simulation.components(), std::size_t{1});
     }
 
+    void aKnifeThatGoesSlowlyInShortStepsCutsToo()
+    {
+        for (const bool isWire : {false, true}) {
+            Scene scene = cutting(gel(50), 90, isWire);
+            scene.integrator = Integrator::semiImplicitEuler;
+            scene.manipulators[0].speedLimit = 2e-3;
+            scene.manipulators[0].pose.position.z() -= 0.9e-3;
+            Simulation simulation(scene);
+            while (simulation.health().ok && depthOf(*simulation.snapshot()) < 0.5e-3)
+                for (int n = 0; n < 100; ++n)
+                    simulation.step();
+            QVERIFY(simulation.timeStep() * 2e-3 < 1e-4 * spacing);
+            QVERIFY(simulation.snapshot()->broken > 3);
+        }
+    }
+
     void materialWithoutToughnessIsNotCut()
     {
         Simulation simulation(cutting(gel(0)));
