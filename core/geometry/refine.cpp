@@ -13,6 +13,11 @@ namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
+// What carries a surface stretches it by no more than this; where it seems to, it jumps there, and splitting does not help.
+constexpr double largestStretch = 16;
+// Where it jumps along an edge, triangles on it would be split without end. Edges need few passes to be half as long.
+constexpr int mostPasses = 16;
+
 std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b)
 {
     return (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
@@ -22,10 +27,12 @@ std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b)
 class Splitter {
 public:
     /// @param places of the vertices, which lengths are of
-    Splitter(const TriangleMesh& mesh, const std::vector<Vec3>& places, double maximumEdge)
+    /// @param leastEdge of the mesh itself: shorter ones stay
+    Splitter(const TriangleMesh& mesh, const std::vector<Vec3>& places, double maximumEdge, double leastEdge)
         : m_mesh(mesh)
         , m_places(places)
         , m_maximumSquared(maximumEdge * maximumEdge)
+        , m_leastSquared(leastEdge * leastEdge)
     {
         m_result.vertices = mesh.vertices;
         m_result.triangles.reserve(mesh.triangles.size() * 2);
@@ -43,7 +50,8 @@ public:
 private:
     std::optional<std::uint32_t> middle(std::uint32_t a, std::uint32_t b)
     {
-        if ((m_places[a] - m_places[b]).squaredNorm() <= m_maximumSquared)
+        if ((m_places[a] - m_places[b]).squaredNorm() <= m_maximumSquared ||
+            (m_mesh.vertices[a] - m_mesh.vertices[b]).squaredNorm() < m_leastSquared)
             return std::nullopt;
         const auto next = static_cast<std::uint32_t>(m_result.vertices.size());
         const auto [place, isNew] = m_middle.try_emplace(edgeKey(a, b), next);
@@ -104,6 +112,7 @@ private:
     const TriangleMesh& m_mesh;
     const std::vector<Vec3>& m_places;
     double m_maximumSquared;
+    double m_leastSquared;
     TriangleMesh m_result;
     std::unordered_map<std::uint64_t, std::uint32_t> m_middle;
 };
@@ -150,22 +159,26 @@ TriangleMesh refineWhereCarried(const TriangleMesh& mesh, double maximumEdge, st
     double longest = std::max(edge, longestEdge(mesh, places));
     if (!std::isfinite(longest))
         throw std::runtime_error("A point of the surface is nowhere.");
+    int passes = 0;
     while (result.triangles.size() < most) {
-        Splitter splitter(result, carry(result.vertices), std::max(edge, 0.5 * longest));
+        Splitter splitter(result, carry(result.vertices), std::max(edge, 0.5 * longest), maximumEdge / largestStretch);
         TriangleMesh next = splitter.split();
-        if (splitter.hasSplit())
+        if (splitter.hasSplit() && passes < mostPasses) {
             result = std::move(next);
-        else if (0.5 * longest <= edge)
+            ++passes;
+        } else if (0.5 * longest <= edge) {
             break;
-        else
+        } else {
             longest *= 0.5;
+            passes = 0;
+        }
     }
     return result;
 }
 
 TriangleMesh halveEdges(const TriangleMesh& mesh)
 {
-    return Splitter(mesh, mesh.vertices, 0).split();
+    return Splitter(mesh, mesh.vertices, 0, 0).split();
 }
 
 } // namespace knead

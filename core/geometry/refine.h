@@ -15,7 +15,8 @@ namespace knead {
 /// @pre maximumEdge > 0
 TriangleMesh refine(const TriangleMesh& mesh, double maximumEdge, std::size_t maximumTriangles = 400'000);
 
-/// The same, where the surface is carried elsewhere: edges are as long as there.
+/// The same, where the surface is carried elsewhere: edges are as long as there. Where they get 16 times as long as they are in the
+/// mesh, the surface is torn, and they stay.
 /// @throws std::runtime_error, in a sentence, when a vertex is carried nowhere
 /// @param carry where vertices are taken, as many as it is given; those that it was given before come first again
 TriangleMesh refineWhereCarried(const TriangleMesh& mesh, double maximumEdge, std::size_t maximumTriangles,

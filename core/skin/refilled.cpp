@@ -4,11 +4,13 @@
 #include "core/geometry/refine.h"
 #include "core/mechanics/point_spread.h"
 #include "core/skin/skin.h"
+#include "core/skin/surface_fit.h"
 #include "core/task/parallel.h"
 #include "core/vicinity/point_grid.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace knead {
@@ -18,15 +20,7 @@ namespace {
 // A fit of moving least squares smooths what it is given; doing it again with what is missing takes much of that back, and what is
 // rough in it too.
 constexpr int corrections = 1;
-constexpr int surfaceCorrections = 4;
-constexpr double edgeShare = 0.7; // of the spacing: edges of the surface that is filled
 constexpr std::size_t pointsPerBlock = 512;
-
-/// Of the surface that is filled. A body of few objects has many more only where it is torn about, and filling that takes minutes.
-std::size_t mostTriangles(const Aggregate& aggregate)
-{
-    return std::clamp<std::size_t>(200 * aggregate.size(), 20'000, 400'000);
-}
 
 /// Fits the map of the skin of some carriers to where their body has come.
 class ShapeFit {
@@ -47,7 +41,7 @@ public:
         fitCarriers();
         if (move)
             move(m_places);
-        fitSurface();
+        fitToSurface(m_fit->surface, m_places, m_fitted);
         now = m_fit->mesh;
         m_fit->surface.evaluate(m_fitted, now.vertices);
         return std::make_shared<const FormerShape>(m_carriers, std::move(m_fitted));
@@ -78,13 +72,41 @@ private:
             m_formerPlaces[unknownAt[i]] = found[i];
     }
 
-    Vec3 touchingPlace(const Vec3& place) const
+    /// Trilinearly between the objects around it; none where no cell around has all of its objects.
+    std::optional<Vec3> touchingPlace(const Vec3& place) const
     {
+        const auto spread = spreadOf(m_present.lattice, place);
+        if (!spread)
+            return {};
         Vec3 now = place;
-        if (const auto spread = spreadOf(m_present.lattice, place))
-            for (std::uint32_t n = 0; n < spread->count; ++n)
-                now += spread->weights[n] * m_displacements[spread->objects[n]];
+        for (std::uint32_t n = 0; n < spread->count; ++n)
+            now += spread->weights[n] * m_displacements[spread->objects[n]];
         return now;
+    }
+
+    /// Of former places from a first one on. Where nothing touches, as their skin has it.
+    void findTouchingPlaces(std::size_t begin)
+    {
+        std::vector<std::uint8_t> isKnown(m_places.size() - begin, 0);
+        forEachBlock(isKnown.size(), pointsPerBlock, [&](std::size_t first, std::size_t end) {
+            for (std::size_t i = first; i < end; ++i)
+                if (const auto place = touchingPlace(m_formerPlaces[begin + i])) {
+                    m_places[begin + i] = *place;
+                    isKnown[i] = 1;
+                }
+        });
+        std::vector<Vec3> others;
+        for (std::size_t i = 0; i < isKnown.size(); ++i)
+            if (isKnown[i] == 0)
+                others.push_back(m_formerPlaces[begin + i]);
+        if (others.empty())
+            return;
+        const Skin skin = Skin::ofPlacesWhenFilled(m_present, others);
+        skin.evaluate(m_displacements, others);
+        auto other = others.begin();
+        for (std::size_t i = 0; i < isKnown.size(); ++i)
+            if (isKnown[i] == 0)
+                m_places[begin + i] = *other++;
     }
 
     /// Where it touches, edges are short enough.
@@ -98,13 +120,10 @@ private:
             const std::size_t begin = m_places.size();
             addFormerPlaces(vertices);
             m_places.resize(vertices.size());
-            forEachBlock(vertices.size() - begin, pointsPerBlock, [&](std::size_t first, std::size_t end) {
-                for (std::size_t i = begin + first; i < begin + end; ++i)
-                    m_places[i] = touchingPlace(m_formerPlaces[i]);
-            });
+            findTouchingPlaces(begin);
             return m_places;
         };
-        TriangleMesh mesh = refineWhereCarried(surface, edge, mostTriangles(m_present), carry);
+        TriangleMesh mesh = refineWhereCarried(surface, edge, mostRefilledTriangles(m_present), carry);
         carry(mesh.vertices);
         if (m_known && m_known->mesh.vertices == mesh.vertices) {
             m_fit = m_known;
@@ -140,34 +159,6 @@ private:
         }
     }
 
-    /// What the surface lacks is shared out to the carriers that it has it from, again and again (SIRT).
-    void fitSurface()
-    {
-        const Skin& skin = m_fit->surface;
-        std::vector<Vec3> places(skin.size());
-        std::vector<Vec3> change(m_fitted.size());
-        std::vector<double> weight(m_fitted.size());
-        for (int n = 0; n < surfaceCorrections; ++n) {
-            skin.evaluate(m_fitted, places);
-            std::fill(change.begin(), change.end(), Vec3::Zero());
-            std::fill(weight.begin(), weight.end(), 0.0);
-            for (std::size_t p = 0; p < skin.size(); ++p) {
-                const Vec3 lack = m_places[p] - places[p];
-                double sum = 0;
-                for (const Skin::Influence& influence : skin.influences(p))
-                    sum += std::abs(static_cast<double>(influence.weight));
-                for (const Skin::Influence& influence : skin.influences(p)) {
-                    const auto share = static_cast<double>(influence.weight);
-                    change[influence.object] += share / sum * lack;
-                    weight[influence.object] += std::abs(share);
-                }
-            }
-            for (std::size_t i = 0; i < change.size(); ++i)
-                if (weight[i] > 0)
-                    m_fitted[i] += change[i] / weight[i];
-        }
-    }
-
     const Aggregate& m_present;
     std::span<const Vec3> m_displacements;
     std::shared_ptr<const FormerShape> m_former; ///< null: the opened part itself
@@ -187,7 +178,7 @@ std::shared_ptr<const Aggregate> refilled(const TriangleMesh& surface, const std
                                           std::shared_ptr<const ShapeFitting>& fitting, const MovePlaces& move,
                                           TaskControl& control)
 {
-    ShapeFit fit(surface, present, displacements, edgeShare * spacing, std::move(fitting));
+    ShapeFit fit(surface, present, displacements, refilledEdge * spacing, std::move(fitting));
     fitting = fit.fitting();
     TriangleMesh now;
     std::shared_ptr<const FormerShape> shape = fit.shape(move, now);
@@ -223,8 +214,8 @@ TriangleMesh surfaceWhenFilled(const TriangleMesh& surface, const Aggregate& agg
 {
     if (!aggregate.former)
         return surface;
-    CarriedSurface carried =
-        carriedSurface(surface, *aggregate.former, edgeShare * aggregate.lattice.spacing, mostTriangles(aggregate));
+    CarriedSurface carried = carriedSurface(surface, *aggregate.former, refilledEdge * aggregate.lattice.spacing,
+                                            mostRefilledTriangles(aggregate));
     carried.mesh.vertices = std::move(carried.places);
     return std::move(carried.mesh);
 }
