@@ -94,7 +94,10 @@ struct CommandMaker {
             made.push_back(SetBodyKind{body, change.kind});
     }
     void operator()(const ChangeGravity& change) { made.push_back(SetGravity{change.gravity}); }
-    void operator()(const ChangeFloor& change) { made.push_back(SetFloor{change.height, change.friction}); }
+    void operator()(const ChangeFloor& change)
+    {
+        made.push_back(SetFloor{change.height, change.friction, change.adhesion});
+    }
     void operator()(const ChangePace& change) { made.push_back(SetPace{change.pace}); }
     void operator()(const ChangeIntegrator& change) { made.push_back(SetIntegrator{change.integrator}); }
     void operator()(const AddRecipeFixture& add)
@@ -135,7 +138,8 @@ struct CommandMaker {
                                       .speedLimit = form.speedLimit,
                                       .forceLimit = form.forceLimit,
                                       .kind = form.kind,
-                                      .part = form.part};
+                                      .part = form.part,
+                                      .adhesion = form.adhesion};
         });
     }
     void operator()(const TakeManipulatorAway& away)

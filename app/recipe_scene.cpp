@@ -150,6 +150,7 @@ void setWorld(const Recipe& recipe, Scene& scene)
     if (recipe.floor) {
         scene.floorHeight = recipe.floor->height;
         scene.floorFriction = recipe.floor->friction;
+        scene.floorAdhesion = recipe.floor->adhesion;
     }
     scene.touching = recipe.touching;
     scene.integrator = recipe.analysis == Analysis::equilibrium ? Integrator::implicitEuler : recipe.integrator;

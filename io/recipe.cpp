@@ -50,11 +50,13 @@ std::vector<std::pair<std::string, Material>> readBodyMaterials(const JsonNode& 
 
 RecipeFloor readFloor(const JsonNode& node)
 {
-    node.allowOnly({"height_mm", "friction"});
+    node.allowOnly({"height_mm", "friction", "adhesion_pa"});
     RecipeFloor floor;
     floor.height = node.at("height_mm").thousandth();
     if (const auto friction = node.find("friction"))
         floor.friction = friction->number(0, 2);
+    if (const auto adhesion = node.find("adhesion_pa"))
+        floor.adhesion = adhesion->number(0, 1e9);
     return floor;
 }
 

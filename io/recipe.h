@@ -89,6 +89,7 @@ struct RecipeManipulator : Manipulator {
 struct RecipeFloor {
     double height = 0; ///< z [m]
     double friction = 0.4;
+    double adhesion = 0; ///< [Pa]
 };
 
 /// Things that can happen at a time of the run.
@@ -120,6 +121,7 @@ struct ChangeGravity {
 struct ChangeFloor {
     std::optional<double> height; ///< z [m]; none: there is no floor
     double friction = 0.4;
+    double adhesion = 0; ///< [Pa]
 };
 struct ChangeIntegrator {
     Integrator integrator = Integrator::semiImplicitEuler;

@@ -54,12 +54,14 @@ RecipeAction readChangeOfKind(const JsonNode& node)
 
 RecipeAction readChangeOfFloor(const JsonNode& node)
 {
-    node.allowOnly({"height_mm", "friction"});
+    node.allowOnly({"height_mm", "friction", "adhesion_pa"});
     ChangeFloor action;
     if (const auto height = node.find("height_mm"))
         action.height = height->thousandth();
     if (const auto friction = node.find("friction"))
         action.friction = friction->number(0, 2);
+    if (const auto adhesion = node.find("adhesion_pa"))
+        action.adhesion = adhesion->number(0, 1e9);
     return action;
 }
 

@@ -84,12 +84,15 @@ void readLimits(const JsonNode& node, RecipeManipulator& manipulator)
         manipulator.speedLimit = limit->positiveThousandth();
     if (const auto limit = node.find("force_limit_n"))
         manipulator.forceLimit = limit->positive();
+    if (const auto adhesion = node.find("adhesion_pa"))
+        manipulator.adhesion = adhesion->number(0, 1e9);
 }
 
 const std::vector<std::string>& formKeys()
 {
     static const std::vector<std::string> keys{"name",        "kind",     "size_mm",          "part_file",
-                                               "part_number", "friction", "speed_limit_mm_s", "force_limit_n"};
+                                               "part_number", "friction", "speed_limit_mm_s", "force_limit_n",
+                                               "adhesion_pa"};
     return keys;
 }
 

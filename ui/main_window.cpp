@@ -341,7 +341,8 @@ void MainWindow::setGravity(bool on)
 
 void MainWindow::setFloor(bool on)
 {
-    SetFloor command;
+    const Snapshot& now = *m_document.frame()->snapshot;
+    SetFloor command{{}, now.floorFriction, now.floorAdhesion};
     if (on)
         command.height = m_document.content().box.min().z();
     m_document.post(command);

@@ -212,7 +212,8 @@ private:
             return std::pair(a.first, a.second) >= std::pair(b.first, b.second);
         };
         const auto isFriction = [](const FrictionMemory& friction) {
-            return friction.hold.allFinite() && isAmount(friction.pressure);
+            return friction.hold.allFinite() && std::isfinite(friction.pressure) &&
+                   (friction.pressure >= 0 || friction.sticks);
         };
         const auto isHeld = [&](const Contacts::Memory::Held& held) {
             return isObject(held.first) && isObject(held.second) && isFriction(held.friction);
@@ -242,8 +243,9 @@ private:
                                  m.energy.toolWork, m.energy.numerical, m.energy.turnover, m.placedEnergy};
         return all(ledger, [](double value) { return std::isfinite(value); }) && m.gravity.norm() <= strongestGravity &&
                (!m.floorHeight || std::abs(*m.floorHeight) <= farthestFloor) && isWithin(m.floorFriction, 0, 2) &&
-               isAmount(m.time) && isPositive(m.timeStep) && m.timeStep <= longestTimeStep &&
-               isWithin(m.lastStep, 0, longestTimeStep) && isPositive(m.stableStep) && isPositive(m.crowding);
+               isWithin(m.floorAdhesion, 0, 1e9) && isAmount(m.time) && isPositive(m.timeStep) &&
+               m.timeStep <= longestTimeStep && isWithin(m.lastStep, 0, longestTimeStep) && isPositive(m.stableStep) &&
+               isPositive(m.crowding);
     }
 
     const Moment& m_moment;

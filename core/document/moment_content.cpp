@@ -60,10 +60,12 @@ void joint(Stream& bytes, Of<Stream, Joint>& joint)
 }
 
 template <typename Stream>
-void friction(Stream& bytes, Of<Stream, FrictionMemory>& memory)
+void friction(Stream& bytes, Of<Stream, FrictionMemory>& memory, std::uint32_t version)
 {
     bytes(memory.hold);
     bytes(memory.pressure);
+    if (version >= 8)
+        bytes(memory.sticks);
 }
 
 /// What version 4 knows beside.
@@ -73,13 +75,13 @@ void frictions(Stream& bytes, Of<Stream, Contacts::Memory>& memory, std::uint32_
     bytes.list(memory.holds, [&](auto& held) {
         objectRef(bytes, held.first);
         objectRef(bytes, held.second);
-        friction(bytes, held.friction);
+        friction(bytes, held.friction, version);
     });
     bytes.list(memory.touches, [&](auto& touch) {
         bytes(touch.surface);
         bytes(touch.body);
         bytes(touch.point);
-        friction(bytes, touch.friction);
+        friction(bytes, touch.friction, version);
         bytes(touch.kept);
         bytes(touch.pressed);
         if (version >= 7)
@@ -226,6 +228,8 @@ void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std
     bytes(moment.gravity);
     bytes.optional(moment.floorHeight, [&](auto& height) { bytes(height); });
     bytes(moment.floorFriction);
+    if (version >= 8)
+        bytes(moment.floorAdhesion);
     bytes(moment.wantedIntegrator, Integrator::automatic);
     bytes(moment.integrator, Integrator::implicitEuler);
     bytes(moment.integratorReason);

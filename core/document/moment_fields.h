@@ -90,7 +90,7 @@ void motion(Stream& bytes, Of<Stream, Motion>& motion)
 }
 
 template <typename Stream>
-void manipulator(Stream& bytes, Of<Stream, Manipulator>& tool, const ToolParts& parts)
+void manipulator(Stream& bytes, Of<Stream, Manipulator>& tool, const ToolParts& parts, std::uint32_t version)
 {
     bytes(tool.name);
     bytes(tool.size);
@@ -101,13 +101,15 @@ void manipulator(Stream& bytes, Of<Stream, Manipulator>& tool, const ToolParts& 
     motion(bytes, tool.motion);
     bytes(tool.kind, ToolKind::part);
     toolPart(bytes, tool.part, parts);
+    if (version >= 8)
+        bytes(tool.adhesion);
 }
 
 template <typename Stream>
 void toolRun(Stream& bytes, Of<Stream, ToolRun>& tool, const ToolParts& parts, std::uint32_t version)
 {
-    manipulator(bytes, tool.manipulator, parts);
-    manipulator(bytes, tool.start, parts);
+    manipulator(bytes, tool.manipulator, parts, version);
+    manipulator(bytes, tool.start, parts, version);
     for (auto* vector : {&tool.force, &tool.meanForce, &tool.meanTorque})
         bytes(*vector);
     if constexpr (Stream::isReader)

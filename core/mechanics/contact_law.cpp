@@ -35,12 +35,23 @@ double frictionPressure(double before, double normalForce, const ContactParamete
     return normalForce + (before - normalForce) * std::exp(-step.duration / parameters.frictionDelay);
 }
 
+/// Of ends that are apart and stick: the spring yields at the adhesion.
+ContactSpring stickingSpring(double gap, const ContactParameters& parameters)
+{
+    const double k = parameters.stiffness;
+    const double longest = parameters.adhesion / k;
+    const double stretch = std::min(gap, longest);
+    return {.force = -k * stretch,
+            .slope = gap < longest ? k : 0,
+            .energy = 0.5 * k * stretch * stretch + parameters.adhesion * (gap - stretch)};
+}
+
 } // namespace
 
-ContactSpring contactSpring(double overlap, const ContactParameters& parameters)
+ContactSpring contactSpring(double overlap, const ContactParameters& parameters, bool sticks)
 {
     if (overlap <= 0)
-        return {};
+        return sticks ? stickingSpring(-overlap, parameters) : ContactSpring{};
     const double k = parameters.stiffness;
     const double felt = std::min(overlap, parameters.largestOverlap);
     const double d = std::min(felt, parameters.steepest);
@@ -79,20 +90,25 @@ ContactResult clingingForce(const ContactState& state, const ContactParameters& 
 
 ContactResult contactForce(const ContactState& state, const ContactParameters& parameters, const ContactStep& step)
 {
-    if (state.overlap <= 0 && step.clings && !state.memory.isEmpty())
+    const bool sticks = parameters.adhesion > 0 && (state.overlap > 0 || state.memory.sticks);
+    if (state.overlap <= 0 && !sticks && step.clings && !state.memory.isEmpty())
         return clingingForce(state, parameters, step);
     ContactResult result;
-    if (state.overlap <= 0) {
-        result.memory = parted(state.memory, parameters, step);
-        return result;
-    }
     ContactParameters tried = parameters;
     tried.steepest = std::min(parameters.steepest, step.steepest * parameters.stiffening);
-    const ContactSpring spring = contactSpring(state.overlap, tried);
-    result.steepness = std::min(state.overlap, parameters.steepest) / parameters.stiffening;
+    const ContactSpring spring = contactSpring(state.overlap, tried, sticks);
+    const double farthest = std::max(parameters.adhesion / parameters.stiffness, parameters.adhesionReach);
+    const bool isTornOff = sticks && step.remembers() && -state.overlap >= farthest;
+    if (state.overlap <= 0 && (!sticks || isTornOff)) {
+        result.memory = parted(state.memory, parameters, step);
+        result.released = spring.energy;
+        return result;
+    }
+    const double adhesion = sticks ? parameters.adhesion : 0;
+    result.steepness = std::clamp(state.overlap, 0.0, parameters.steepest) / parameters.stiffening;
     const double normalSpeed = state.relativeVelocity.dot(state.normal);
-    double normalForce = std::max(0.0, spring.force - parameters.damping * normalSpeed);
-    if (!step.isImplicit() && parameters.mass > 0) {
+    double normalForce = std::max(-adhesion, spring.force - parameters.damping * normalSpeed);
+    if (!step.isImplicit() && parameters.mass > 0 && state.overlap > 0) {
         const double turned =
             std::min(state.overlap, parameters.steepest) / step.duration + std::max(0.0, -normalSpeed);
         normalForce = std::min(normalForce, mostTurned * parameters.mass * turned / step.duration);
@@ -103,18 +119,20 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
     result.slope = spring.slope;
 
     const Vec3 slide = state.relativeVelocity - normalSpeed * state.normal;
-    const double sideways = step.duration * spring.force / state.overlap;
+    const double secant = state.overlap > 0 ? spring.force / state.overlap : parameters.stiffness;
+    const double sideways = step.duration * secant;
     const Vec3& before = state.memory.hold;
     const Vec3 held = before - before.dot(state.normal) * state.normal + sideways * slide;
     const Vec3 sticking = held + parameters.damping * slide;
     const double wanted = sticking.norm();
     result.memory.pressure = frictionPressure(state.memory.pressure, normalForce, parameters, step);
-    const double limit = parameters.friction * result.memory.pressure;
+    result.memory.sticks = sticks;
+    const double limit = parameters.friction * std::max(0.0, result.memory.pressure + adhesion);
     const double grip = wanted > limit ? limit / wanted : 1; // 1 sticks, less slips
     result.friction = -grip * sticking;
     result.memory.hold = grip * held;
     result.damping += result.friction;
-    if (step.isTrial && normalForce > 0) {
+    if (step.isTrial && normalForce > -adhesion) {
         const Mat3 dyad = state.normal * state.normal.transpose();
         result.resistance = (step.duration * spring.slope + parameters.damping) * dyad +
                             grip * (sideways + parameters.damping) * (Mat3::Identity() - dyad);

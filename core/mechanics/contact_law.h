@@ -19,6 +19,10 @@ struct ContactParameters {
     /// That the contact acts on [kg]: an explicit scheme pushes no harder than what turns it back within the step, so that a fast
     /// blow on a spring that has stiffened since the time step was chosen does not shoot it away. 0: no such limit.
     double mass = 0;
+    /// Tension that ends bear which have touched, F_A, by the spring without its stiffening [N]: it stays what it is until they part.
+    /// 0: they push only.
+    double adhesion = 0;
+    double adhesionReach = 0; ///< gap at which they part, if not that at which the spring bears F_A is larger [m]
     /// Beyond it the spring force stays what it is there, so that bodies placed inside each other do not shoot apart [m].
     double largestOverlap = std::numeric_limits<double>::infinity();
 };
@@ -29,14 +33,16 @@ struct ContactSpring {
     double slope = 0;  ///< df/dd [N/m]
     double energy = 0; ///< integral of f [J]
 };
-ContactSpring contactSpring(double overlap, const ContactParameters& parameters);
+/// @param sticks whether its ends have touched and hold on to each other: apart they pull, up to the adhesion
+ContactSpring contactSpring(double overlap, const ContactParameters& parameters, bool sticks = false);
 
 /// What friction remembers from step to step.
 struct FrictionMemory {
     Vec3 hold = Vec3::Zero(); ///< what its spring held against at the end of the last step [N]
     double pressure = 0;      ///< F_P, the normal force that it goes by [N]
+    bool sticks = false;      ///< the ends touched, and have not been torn apart since: see ContactParameters::adhesion
 
-    bool isEmpty() const { return pressure == 0 && hold.isZero(0); }
+    bool isEmpty() const { return pressure == 0 && hold.isZero(0) && !sticks; }
 };
 
 /// How the two ends of a contact lie and move.
@@ -77,6 +83,7 @@ struct ContactResult {
     Vec3 damping = Vec3::Zero();  ///< of damper and friction [N]; what it does on the relative motion is lost
     Vec3 friction = Vec3::Zero(); ///< the part of damping that is friction [N]
     double energy = 0;            ///< stored in the spring [J]
+    double released = 0;          ///< and what was, of ends that stuck and have parted [J]
     double slope = 0;             ///< of the spring [N/m]
     double steepness = 0;         ///< d / d0, of no more than d1
 
@@ -89,7 +96,8 @@ struct ContactResult {
 };
 
 /// Force of a contact connection, eqs (2), (5) and (7) with signs repaired, per connection.
-/// Contacts push only: the sum of spring and damper is clamped at 0.
+/// Contacts push only: the sum of spring and damper is clamped at 0. Where there is adhesion they pull as well, up to it, once they
+/// have touched; and friction goes by the pressure and the adhesion together, u (F_P + F_A).
 ///
 /// Friction remembers (Cundall and Strack 1979): a spring as stiff as the contact is, f / d, holds against the slide since the
 /// ends met, and gives way where that exceeds u F_P. So what sticks does not creep, at rest as well as in the limit of

@@ -118,6 +118,7 @@ std::vector<std::string> manipulatorProblems(const Manipulator& manipulator)
             "its place must be numbers, within 10 km.");
     require(within(manipulator.friction, 0, 2), "friction must lie between 0 and 2.");
     require(within(manipulator.speedLimit, 1e-6, 100), "the speed limit must lie between 0.001 mm/s and 100 m/s.");
+    require(manipulator.adhesion >= 0 && manipulator.adhesion <= 1e9, "the adhesion must lie between 0 and 1e9 Pa.");
     require(manipulator.forceLimit > 0, "the force limit must be greater than 0 N.");
     if (const auto* follow = std::get_if<FollowKeyFrames>(&manipulator.motion)) {
         require(!follow->frames.empty(), "a key-framed motion needs at least one frame.");

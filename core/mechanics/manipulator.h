@@ -44,6 +44,7 @@ struct Manipulator {
     Motion motion;
     ToolKind kind = ToolKind::box;
     std::shared_ptr<const ToolPart> part; ///< for ToolKind::part
+    double adhesion = 0; ///< tension that what touched it bears [Pa], 0 .. 1e9; 0: nothing sticks to it
 
     ToolShape shape() const { return {kind, size, part}; }
 };

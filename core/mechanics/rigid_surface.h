@@ -17,6 +17,7 @@ struct RigidSurface {
     Vec3 velocity = Vec3::Zero();        ///< of the center [m/s]
     Vec3 angularVelocity = Vec3::Zero(); ///< [rad/s]
     double friction = 0;
+    double adhesion = 0; ///< tension that what touched it bears [Pa]
 
     SurfacePoint nearest(const Vec3& place) const;
     Vec3 velocityAt(const Vec3& place) const { return velocity + angularVelocity.cross(place - pose.position); }

@@ -33,6 +33,9 @@ constexpr double rigidStiffening = 10;
 // apart, and is not shot away [spacings].
 constexpr double mostLoose = 0.25;
 
+// What sticks to a surface comes off at this gap: less would peel off from its edges, one point after the other [spacings].
+constexpr double adhesionReach = 0.1;
+
 // What is put into material pushes it out at this share of the speed of sound: a strain of a hundredth.
 constexpr double pushShare = 0.01;
 
@@ -116,6 +119,7 @@ void SurfaceContacts::updateParameters(std::span<const ContactBody> bodies, doub
             point.parameters.stiffening = std::numeric_limits<double>::infinity();
         if (point.isLoose)
             point.parameters.largestOverlap = mostLoose * a;
+        point.adhesionReach = adhesionReach * a;
         point.pushSpeed = point.isLoose ? 0 : pushShare * material.soundSpeed();
     }
 }

@@ -113,10 +113,20 @@ double SurfaceContacts::energyOf(std::span<const ContactBody> bodies, std::span<
             const Point& point = m_points[near.point];
             const Vec3 place = point.spread.at(bodies[point.body].state->position);
             const double overlap = point.reach - nearest(near, *surface, place).distance - near.kept;
-            energy += contactSpring(overlap, point.parameters).energy;
+            energy += contactSpring(overlap, parametersOf(point, *surface), near.friction.sticks).energy;
         }
     }
     return energy;
+}
+
+/// Only skins stick.
+ContactParameters SurfaceContacts::parametersOf(const Point& point, const RigidSurface& surface)
+{
+    ContactParameters parameters = point.parameters;
+    parameters.friction = std::sqrt(parameters.friction * surface.friction);
+    parameters.adhesion = point.isSkin ? surface.adhesion * point.area : 0;
+    parameters.adhesionReach = point.adhesionReach;
+    return parameters;
 }
 
 double SurfaceContacts::energy(std::span<const ContactBody> bodies, std::span<const RigidSurface> surfaces) const
@@ -314,10 +324,12 @@ void SurfaceContacts::keepInside(std::span<const ContactBody> bodies, std::span<
         }
 }
 
+/// Ends of broken connections keep how deep they are, and wait for nothing.
 bool SurfaceContacts::isWaiting() const
 {
-    return std::any_of(m_near.begin(), m_near.end(), [](const std::vector<Near>& ofSurface) {
-        return std::any_of(ofSurface.begin(), ofSurface.end(), [](const Near& near) { return near.kept > 0; });
+    return std::any_of(m_near.begin(), m_near.end(), [this](const std::vector<Near>& ofSurface) {
+        return std::any_of(ofSurface.begin(), ofSurface.end(),
+                           [this](const Near& near) { return near.kept > 0 && !m_points[near.point].isLoose; });
     });
 }
 
@@ -352,24 +364,27 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
         near.kept = near.pressed = 0;
     const double kept = step.isStatic ? 0 : near.kept;
     const bool isApart = !(depth > kept);
-    if (isApart && !(step.clings && !near.friction.isEmpty())) {
+    if (isApart && !near.friction.sticks && !(step.clings && !near.friction.isEmpty())) {
         if (step.remembers())
             near.friction = parted(near.friction, point.parameters, step);
         return;
     }
     const Vec3 surfaceVelocity = surface.velocityAt(place);
-    ContactParameters parameters = point.parameters;
-    parameters.friction = std::sqrt(parameters.friction * surface.friction);
+    const ContactParameters parameters = parametersOf(point, surface);
+    const bool stuck = near.friction.sticks && parameters.adhesion > 0;
     const ContactResult result =
         contactForce({.overlap = depth - kept,
                       .normal = nearest.normal,
                       .relativeVelocity = point.spread.at(state.velocity) - surfaceVelocity,
-                      .memory = {toWorld(surface, near.friction.hold), near.friction.pressure}},
+                      .memory = {toWorld(surface, near.friction.hold), near.friction.pressure, near.friction.sticks}},
                      parameters, step);
+    report.fracture += result.released;
     point.spread.add(result.spring, state.force);
     point.spread.add(result.damping, state.damping);
     if (step.remembers())
-        near.friction = {toLocal(surface, result.memory.hold), result.memory.pressure};
+        near.friction = {toLocal(surface, result.memory.hold), result.memory.pressure, result.memory.sticks};
+    if (isApart && stuck && !result.memory.sticks)
+        return;
     const Vec3 force = result.force();
     load.force -= force;
     load.torque -= (place - surface.pose.position).cross(force);
@@ -381,7 +396,7 @@ void SurfaceContacts::press(const ContactBody& body, Near& near, const RigidSurf
             report.frictions.push_back(
                 {{point.body, point.spread.objects[n]}, point.spread.weights[n] * result.friction, surfaceVelocity});
     ++report.count;
-    report.clinging += isApart ? 1 : 0;
+    report.clinging += isApart && !stuck ? 1 : 0;
     report.steepness = std::max(report.steepness, result.steepness);
     crowd.add(body, point.body, point.spread, result.slope);
     if (step.isTrial)

@@ -86,9 +86,10 @@ private:
         std::uint32_t body = 0;
         std::uint32_t number = 0;
         PointSpread spread;
-        double area = 0;      ///< [m^2]
-        double reach = 0;     ///< it touches so far from its place [m]
-        double pushSpeed = 0; ///< at which it comes out of a tool that was put there [m/s]
+        double area = 0;          ///< [m^2]
+        double reach = 0;         ///< it touches so far from its place [m]
+        double adhesionReach = 0; ///< see ContactParameters [m]
+        double pushSpeed = 0;     ///< at which it comes out of a tool that was put there [m/s]
         bool isSkin = false;
         bool isActive = true;
         bool isLoose = false; ///< end of a broken connection
@@ -105,6 +106,7 @@ private:
         std::int8_t side = 0;       ///< of a knife that cuts its material: 1, -1; 0: none does
     };
 
+    static ContactParameters parametersOf(const Point& point, const RigidSurface& surface);
     static SurfacePoint nearest(const Near& near, const RigidSurface& surface, const Vec3& place);
     static bool waitsForEdge(Near& near, const Point& point, const RigidSurface& surface, const Vec3& place);
     static std::int8_t sideOf(const Point& point, const ContactBody& body, const RigidSurface& surface);

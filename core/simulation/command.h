@@ -34,6 +34,7 @@ struct SetGravity {
 struct SetFloor {
     std::optional<double> height;
     double friction = 0.4;
+    double adhesion = 0; ///< [Pa]
 };
 /// Gets the next free ToolId: 0, 1, 2 ... in order of adding.
 struct AddManipulator {
@@ -54,6 +55,7 @@ struct ReshapeManipulator {
     double forceLimit = std::numeric_limits<double>::infinity();
     ToolKind kind = ToolKind::box;
     std::shared_ptr<const ToolPart> part = nullptr; ///< for ToolKind::part
+    double adhesion = 0;                            ///< [Pa]
 };
 /// At once, while paused; the tool does not push on the way.
 struct PlaceManipulator {

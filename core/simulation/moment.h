@@ -95,6 +95,7 @@ struct Moment {
     Vec3 gravity = Vec3::Zero();
     std::optional<double> floorHeight;
     double floorFriction = 0;
+    double floorAdhesion = 0; ///< [Pa]
     Integrator wantedIntegrator = Integrator::semiImplicitEuler;
     Integrator integrator = Integrator::semiImplicitEuler; ///< in use; never automatic
     std::string integratorReason;

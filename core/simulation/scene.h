@@ -82,6 +82,7 @@ struct Scene {
     Vec3 gravity = Vec3::Zero();           ///< [m/s^2]
     std::optional<double> floorHeight;     ///< z of a fixed floor [m]
     double floorFriction = 0.4;
+    double floorAdhesion = 0; ///< tension that what touched it bears [Pa], 0 .. 1e9; 0: nothing sticks to it
     Touching touching = Touching::separate;
 
     Integrator integrator = Integrator::semiImplicitEuler;

@@ -44,12 +44,14 @@ std::vector<RigidSurface> Simulation::State::surfaces() const
                            .pose = tool->manipulator.pose,
                            .velocity = tool->velocity,
                            .angularVelocity = tool->angularVelocity,
-                           .friction = tool->manipulator.friction});
+                           .friction = tool->manipulator.friction,
+                           .adhesion = tool->manipulator.adhesion});
     if (floorHeight)
         all.push_back({.id = RigidSurface::floorId,
                        .isFloor = true,
                        .pose = {Vec3(0, 0, *floorHeight), Quaternion::Identity()},
-                       .friction = floorFriction});
+                       .friction = floorFriction,
+                       .adhesion = floorAdhesion});
     return all;
 }
 

@@ -78,8 +78,11 @@ public:
             throw std::runtime_error("The height of the floor must lie between -10 and 10 km.");
         if (!(command.friction >= 0 && command.friction <= 2))
             throw std::runtime_error("The friction of the floor must lie between 0 and 2.");
+        if (!(command.adhesion >= 0 && command.adhesion <= 1e9))
+            throw std::runtime_error("The adhesion of the floor must lie between 0 and 1e9 Pa.");
         m_state.floorHeight = command.height;
         m_state.floorFriction = command.friction;
+        m_state.floorAdhesion = command.adhesion;
         m_state.contacts->invalidate();
     }
     void operator()(const AddManipulator& command) const
@@ -107,6 +110,7 @@ public:
             manipulator.friction = command.friction;
             manipulator.speedLimit = command.speedLimit;
             manipulator.forceLimit = command.forceLimit;
+            manipulator.adhesion = command.adhesion;
         };
         change(command.tool, reshape);
         reshape(tool(command.tool).start);

@@ -31,6 +31,7 @@ Moment Simulation::State::moment() const
                   .gravity = gravity,
                   .floorHeight = floorHeight,
                   .floorFriction = floorFriction,
+                  .floorAdhesion = floorAdhesion,
                   .wantedIntegrator = wantedIntegrator,
                   .integrator = integrator,
                   .integratorReason = integratorReason,
@@ -110,6 +111,7 @@ void Simulation::State::restore(const Moment& moment)
     gravity = moment.gravity;
     floorHeight = moment.floorHeight;
     floorFriction = moment.floorFriction;
+    floorAdhesion = moment.floorAdhesion;
     wantedIntegrator = moment.wantedIntegrator;
     integrator = moment.integrator;
     integratorReason = moment.integratorReason;

@@ -80,6 +80,7 @@ Simulation::State::State(Scene scene)
     , gravity(scene.gravity)
     , floorHeight(scene.floorHeight)
     , floorFriction(scene.floorFriction)
+    , floorAdhesion(scene.floorAdhesion)
     , touching(scene.touching)
     , wantedIntegrator(scene.integrator)
     , integrator(scene.integrator)
@@ -93,6 +94,7 @@ Simulation::State::State(Scene scene)
     require(gravity.norm() <= strongestGravity, "Gravity must not be stronger than 10000 m/s^2.");
     require(!floorHeight || std::abs(*floorHeight) <= farthestFloor,
             "The height of the floor must lie between -10 and 10 km.");
+    require(floorAdhesion >= 0 && floorAdhesion <= 1e9, "The adhesion of the floor must lie between 0 and 1e9 Pa.");
     require(floorFriction >= 0 && floorFriction <= 2, "The friction of the floor must lie between 0 and 2.");
     require(usableTimeStep(wantedTimeStep), "The time step must lie between 1e-9 and 1 s.");
     require(usableTimeStep(massScalingTimeStep), "The time step of mass scaling must lie between 1e-9 and 1 s.");

@@ -107,6 +107,7 @@ ToolState stateOf(ToolId id, ToolRun& tool)
             .friction = tool.manipulator.friction,
             .speedLimit = tool.manipulator.speedLimit,
             .forceLimit = tool.manipulator.forceLimit,
+            .adhesion = tool.manipulator.adhesion,
             .force = tool.meanForce,
             .torque = tool.meanTorque,
             .peakForce = tool.peakForce};
@@ -207,6 +208,8 @@ std::shared_ptr<Snapshot> Simulation::snapshot()
     shot->solverIterations = state.isImplicit() ? state.solverIterations : 0;
     shot->gravity = state.gravity;
     shot->floorHeight = state.floorHeight;
+    shot->floorFriction = state.floorFriction;
+    shot->floorAdhesion = state.floorAdhesion;
     shot->health = state.health;
     shot->notice = state.notice;
     shot->stages = state.clock.take();

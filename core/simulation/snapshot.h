@@ -89,6 +89,7 @@ struct ToolState {
     double friction = 0;
     double speedLimit = 0;      ///< [m/s]
     double forceLimit = 0;      ///< [N]; infinite: none
+    double adhesion = 0;        ///< [Pa]; 0: nothing sticks to it
     Vec3 force = Vec3::Zero();  ///< of the material on the tool, mean over the frame [N]
     Vec3 torque = Vec3::Zero(); ///< about its center [N m]
     double peakForce = 0;       ///< largest force since the start [N]
@@ -139,6 +140,8 @@ struct Snapshot {
     std::vector<Vec3> fixtureForces;   ///< of the material on them, same order, in the last step [N]
     Vec3 gravity = Vec3::Zero();
     std::optional<double> floorHeight;
+    double floorFriction = 0;
+    double floorAdhesion = 0; ///< [Pa]
     EnergyLedger energy;
     Vec3 momentum = Vec3::Zero();        ///< [kg m/s]
     Vec3 angularMomentum = Vec3::Zero(); ///< about the origin [kg m^2/s]

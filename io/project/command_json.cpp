@@ -50,6 +50,7 @@ void describe(Fields& fields, Field<Fields, SetFloor> command)
 {
     fields("height_m", command.height);
     fields("friction", command.friction);
+    fields.numberIfAny("adhesion_pa", command.adhesion);
 }
 
 template <>
@@ -89,6 +90,7 @@ void describe(Fields& fields, Field<Fields, ReshapeManipulator> command)
     fields("friction", command.friction);
     fields("speed_limit_m_s", command.speedLimit);
     fields("force_limit_n", command.forceLimit);
+    fields.numberIfAny("adhesion_pa", command.adhesion);
 }
 
 template <>

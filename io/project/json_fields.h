@@ -55,6 +55,12 @@ public:
 
     void operator()(const char* key, bool value) { put(key, value ? "true" : "false"); }
     void flag(const char* key, bool value, bool /*missing*/) { (*this)(key, value); }
+    /// Left out where it is 0.
+    void numberIfAny(const char* key, double value)
+    {
+        if (value != 0)
+            (*this)(key, value);
+    }
     void operator()(const char* key, double value);
     void operator()(const char* key, std::uint32_t value) { put(key, std::to_string(value)); }
     void operator()(const char* key, std::uint64_t value) { put(key, std::to_string(value)); }
@@ -141,6 +147,12 @@ public:
     {
         const auto node = m_node.find(key);
         value = node ? node->boolean() : missing;
+    }
+    void numberIfAny(const char* key, double& value) const
+    {
+        value = 0;
+        if (m_node.find(key))
+            (*this)(key, value);
     }
     void operator()(const char* key, double& value) const;
     void operator()(const char* key, std::uint32_t& value) const;

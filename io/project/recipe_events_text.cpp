@@ -114,6 +114,8 @@ public:
         if (command.height)
             floor.millimeters("height_mm", *command.height);
         floor.number("friction", command.friction);
+        if (command.adhesion > 0)
+            floor.number("adhesion_pa", command.adhesion);
         finish(event().put("floor", floor.take()));
     }
     void operator()(const AddManipulator& command)
@@ -140,7 +142,8 @@ public:
                                .speedLimit = command.speedLimit,
                                .forceLimit = command.forceLimit,
                                .kind = command.kind,
-                               .part = command.part};
+                               .part = command.part,
+                               .adhesion = command.adhesion};
         finish(event().put("reshape_manipulator", m_words.reshaping(form, m_words.names.tool(command.tool)).take()));
     }
     void operator()(const PlaceManipulator& command)

@@ -239,11 +239,13 @@ private:
             m_document.put("gravity_m_s2", '[' + exactText(m_scene.gravity.x()) + ", " +
                                                exactText(m_scene.gravity.y()) + ", " + exactText(m_scene.gravity.z()) +
                                                ']');
-        if (m_scene.floorHeight)
-            m_document.put("floor", ObjectText()
-                                        .millimeters("height_mm", *m_scene.floorHeight)
-                                        .number("friction", m_scene.floorFriction)
-                                        .take());
+        if (m_scene.floorHeight) {
+            ObjectText floor;
+            floor.millimeters("height_mm", *m_scene.floorHeight).number("friction", m_scene.floorFriction);
+            if (m_scene.floorAdhesion > 0)
+                floor.number("adhesion_pa", m_scene.floorAdhesion);
+            m_document.put("floor", floor.take());
+        }
         m_document.put("integrator", quoted(wordFor(m_scene.integrator, integratorWords())));
         m_document.put("refilling", m_scene.refilling ? "true" : "false");
         if (m_scene.vicinity != VicinityMethod::uniformGrid)

@@ -102,6 +102,8 @@ ObjectText RecipeWords::reshaping(const Manipulator& form, const std::string& na
     text.number("friction", form.friction).millimeters("speed_limit_mm_s", form.speedLimit);
     if (std::isfinite(form.forceLimit))
         text.number("force_limit_n", form.forceLimit);
+    if (form.adhesion > 0)
+        text.number("adhesion_pa", form.adhesion);
     return text;
 }
 

@@ -80,6 +80,7 @@ void describe(Fields& fields, Field<Fields, Manipulator> tool)
     fields("friction", tool.friction);
     fields("speed_limit_m_s", tool.speedLimit);
     fields("force_limit_n", tool.forceLimit);
+    fields.numberIfAny("adhesion_pa", tool.adhesion);
     describeVariant(fields, "motion", tool.motion);
 }
 
@@ -205,6 +206,7 @@ void describe(Fields& fields, Field<Fields, Scene> scene)
     fields("gravity_m_s2", scene.gravity);
     fields("floor_m", scene.floorHeight);
     fields("floor_friction", scene.floorFriction);
+    fields.numberIfAny("floor_adhesion_pa", scene.floorAdhesion);
     fields.choice("touching", scene.touching, touchingWords());
     fields.choice("integrator", scene.integrator, integratorWords());
     fields.choice("vicinity", scene.vicinity, vicinityWords());

@@ -36,6 +36,7 @@ struct Settler {
     {
         scene.floorHeight = command.height;
         scene.floorFriction = command.friction;
+        scene.floorAdhesion = command.adhesion;
         return true;
     }
     bool operator()(const SetIntegrator& command) const

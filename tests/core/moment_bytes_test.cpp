@@ -118,11 +118,51 @@ std::ptrdiff_t restOf(const Moment& moment)
     return 1 + 1 + 4 + static_cast<std::ptrdiff_t>(moment.health.message.size());
 }
 
+/// Bytes of a moment of first fillings without what sticks to tools and floor: as version 7 had them.
+Bytes beforeSticking(const Moment& moment)
+{
+    const Bytes whole = momentToBytes(moment);
+    std::vector<std::pair<std::size_t, std::ptrdiff_t>> gone; // where, and how much
+    const auto forget = [&](std::ptrdiff_t size, const auto& change) {
+        Moment other = moment;
+        change(other);
+        gone.emplace_back(firstDifference(whole, momentToBytes(other)), size);
+    };
+    const auto inverted = [](double value) { return std::bit_cast<double>(~std::bit_cast<std::uint64_t>(value)); };
+    for (std::size_t t = 0; t < moment.tools.size(); ++t) {
+        if (!moment.tools[t])
+            continue;
+        for (Manipulator ToolRun::*tool : {&ToolRun::manipulator, &ToolRun::start})
+            forget(8, [&](Moment& other) {
+                double& adhesion = (*other.tools[t].*tool).adhesion;
+                adhesion = inverted(adhesion);
+            });
+    }
+    forget(8, [&](Moment& other) { other.floorAdhesion = inverted(other.floorAdhesion); });
+    for (std::size_t h = 0; h < moment.contacts.holds.size(); ++h)
+        forget(1, [&](Moment& other) {
+            bool& sticks = other.contacts.holds[h].friction.sticks;
+            sticks = !sticks;
+        });
+    for (std::size_t t = 0; t < moment.contacts.touches.size(); ++t)
+        forget(1, [&](Moment& other) {
+            bool& sticks = other.contacts.touches[t].friction.sticks;
+            sticks = !sticks;
+        });
+    std::sort(gone.rbegin(), gone.rend()); // the last one first, so that places stay what they are
+    Bytes bytes = whole;
+    for (const auto& [place, count] : gone) {
+        const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(place);
+        bytes.erase(first, first + count);
+    }
+    return bytes;
+}
+
 /// Bytes of a moment of bodies of one material each, of which nothing is broken or being cut, without toughness and what knives hold:
 /// as version 6 had them.
 Bytes beforeCutting(const Moment& moment)
 {
-    Bytes bytes = momentToBytes(moment);
+    Bytes bytes = beforeSticking(moment);
     const auto end = bytes.end() - restOf(moment);
     bytes.erase(end - 4, end);
     // Each touch ends with the side of a knife that it is on; the pace comes behind the last one.
@@ -275,6 +315,16 @@ private slots:
         QVERIFY(std::equal(read.begin(), read.end(), numbers.begin()));
         QVERIFY(std::signbit(read[1]));
         QVERIFY(reader.atEnd());
+    }
+
+    void momentsOfTheSeventhVersionAreRead()
+    {
+        Middle middle(kinds()[0]);
+        Bytes old = beforeSticking(*middle.moment);
+        putSizes(old, 7);
+        const Moment read = momentFromBytes(old, middle.scene.bodies, middle.parts);
+        QCOMPARE(momentHash(read), momentHash(*middle.moment));
+        QCOMPARE(read.floorAdhesion, 0.0);
     }
 
     void momentsOfTheSixthVersionAreRead()

@@ -51,8 +51,8 @@ inline auto members(const FollowKeyFrames& v)
 }
 inline auto members(const Manipulator& v)
 {
-    const auto& [a, b, c, d, e, f, g, h, i] = v;
-    return std::tie(a, b, c, d, e, f, g, h, i);
+    const auto& [a, b, c, d, e, f, g, h, i, j] = v;
+    return std::tie(a, b, c, d, e, f, g, h, i, j);
 }
 inline auto members(const Fixture& v)
 {
@@ -91,8 +91,8 @@ inline auto members(const Body& v)
 }
 inline auto members(const Scene& v)
 {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = v;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = v;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
 }
 inline auto members(const Lattice& v)
 {
@@ -140,8 +140,8 @@ inline auto members(const SetGravity& v)
 }
 inline auto members(const SetFloor& v)
 {
-    const auto& [a, b] = v;
-    return std::tie(a, b);
+    const auto& [a, b, c] = v;
+    return std::tie(a, b, c);
 }
 inline auto members(const AddManipulator& v)
 {
@@ -160,8 +160,8 @@ inline auto members(const SetManipulatorMotion& v)
 }
 inline auto members(const ReshapeManipulator& v)
 {
-    const auto& [a, b, c, d, e, f, g] = v;
-    return std::tie(a, b, c, d, e, f, g);
+    const auto& [a, b, c, d, e, f, g, h] = v;
+    return std::tie(a, b, c, d, e, f, g, h);
 }
 inline auto members(const PlaceManipulator& v)
 {

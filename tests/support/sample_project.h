@@ -107,6 +107,7 @@ inline Manipulator partManipulator(const std::shared_ptr<const ToolPart>& part)
     manipulator.part = part;
     manipulator.size = part->size();
     manipulator.forceLimit = std::numeric_limits<double>::infinity();
+    manipulator.adhesion = 250.5;
     return manipulator;
 }
 
@@ -131,6 +132,7 @@ inline std::vector<RecordedCommand> commands(const std::shared_ptr<const ToolPar
         Renormalize{1, {5}, third},
         SetGravity{Vec3(-0.0, tiny, -huge)},
         SetFloor{-0.1, 0.2},
+        SetFloor{-0.1, third, 1e4 * third},
         SetFloor{std::nullopt, 0.3},
         AddManipulator{manipulator("turning", DriveAt{Vec3(1, 2, third), Vec3(3, 2, 1)})},
         AddManipulator{partManipulator(part)},
@@ -144,7 +146,8 @@ inline std::vector<RecordedCommand> commands(const std::shared_ptr<const ToolPar
                            .speedLimit = 0.3,
                            .forceLimit = 7,
                            .kind = ToolKind::part,
-                           .part = part},
+                           .part = part,
+                           .adhesion = 12.5},
         PlaceManipulator{1, pose(0.9)},
         AddFixture{{"grip \"a\"", 0, {0, 4, 5, 6}, Vec3(0.1, 0, -0.0)}},
         RemoveFixture{1},
@@ -195,6 +198,7 @@ inline ProjectStart start(const std::shared_ptr<const ToolPart>& part)
     scene.gravity = Vec3(0, -0.0, -9.81);
     scene.floorHeight = -third;
     scene.floorFriction = 0.7;
+    scene.floorAdhesion = 1e3 / 3.0;
     scene.touching = Touching::glued;
     scene.integrator = Integrator::automatic;
     scene.vicinity = VicinityMethod::medianPartition;

@@ -321,11 +321,14 @@ PreparedContent prepareRefill(const Content& before, double spacing, const Snaps
                                       .forceLimit = tool.forceLimit,
                                       .motion = HoldStill{},
                                       .kind = tool.kind,
-                                      .part = tool.part});
+                                      .part = tool.part,
+                                      .adhesion = tool.adhesion});
     scene.fixtures = sceneFixtures(content, fixtures);
     scene.gravity = now.gravity;
     scene.integrator = now.wantedIntegrator;
     scene.floorHeight = now.floorHeight;
+    scene.floorFriction = now.floorFriction;
+    scene.floorAdhesion = now.floorAdhesion;
     return withFrame(std::move(content), std::move(scene));
 }
 

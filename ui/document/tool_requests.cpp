@@ -88,6 +88,7 @@ ToolState ToolRequests::asked(const ToolState& tool) const
         result.friction = shape->friction;
         result.speedLimit = shape->speedLimit;
         result.forceLimit = shape->forceLimit;
+        result.adhesion = shape->adhesion;
     }
     return result;
 }

@@ -1,5 +1,6 @@
 #include "ui/panels/simulation_panel.h"
 
+#include "ui/document/table_kinds.h"
 #include "ui/panels/form.h"
 
 #include <QCheckBox>
@@ -56,6 +57,7 @@ SimulationPanel::SimulationPanel(Document& document, QAction* keepUp, bool choos
     QFormLayout* form = makeForm(this);
     makeTimeRows(form);
     makeGravityRows(form);
+    makeTableRows(form);
     makeDampingRows(form);
     makeStepRows(form, keepUp);
     if (choosesThreads)
@@ -97,6 +99,33 @@ void SimulationPanel::makeGravityRows(QFormLayout* form)
         connect(m_gravity[axis], &QuantityField::committed, this, &SimulationPanel::commitGravity);
         form->addRow(tr("Along %1").arg(axes[axis]), m_gravity[axis]);
     }
+}
+
+void SimulationPanel::makeTableRows(QFormLayout* form)
+{
+    form->addRow(makeHeading(tr("Table"), this));
+    m_table = makeChoice("tableKind", this);
+    m_table->addItem(tr("None"));
+    for (const TableKind& kind : tableKinds()) {
+        m_table->addItem(QCoreApplication::translate("TableKinds", kind.name));
+        m_table->setItemData(m_table->count() - 1, QCoreApplication::translate("TableKinds", kind.tip),
+                             Qt::ToolTipRole);
+    }
+    m_table->setPlaceholderText(tr("Own numbers"));
+    connect(m_table, &QComboBox::activated, this, &SimulationPanel::chooseTable);
+    form->addRow(tr("Surface"), m_table);
+    m_tableFriction = makeField(Quantity::Number, "tableFriction", this);
+    m_tableFriction->setRange(0, 2);
+    m_tableFriction->setToolTip(tr("In a contact it is the geometric mean with that of the material"));
+    connect(m_tableFriction, &QuantityField::committed, this,
+            [this](double number) { commitTable(number, m_tableAdhesion->value()); });
+    form->addRow(tr("Friction"), m_tableFriction);
+    m_tableAdhesion = makeField(Quantity::Pressure, "tableAdhesion", this);
+    m_tableAdhesion->setRange(0, 1e9);
+    m_tableAdhesion->setToolTip(tr("Tension that holds down what has touched the table; 0: nothing sticks to it"));
+    connect(m_tableAdhesion, &QuantityField::committed, this,
+            [this](double number) { commitTable(m_tableFriction->value(), number); });
+    form->addRow(tr("Adhesion"), m_tableAdhesion);
 }
 
 void SimulationPanel::makeDampingRows(QFormLayout* form)
@@ -166,7 +195,7 @@ void SimulationPanel::documentChanged(Document::Change what)
     if (what == Document::Change::Content ||
         what == Document::Change::Moment) { // what was posted before is not to come
         m_postedIntegrator.reset();
-        m_gravityRequest = m_dampingRequest = 0;
+        m_gravityRequest = m_tableRequest = m_dampingRequest = 0;
     }
     if (what != Document::Change::Selection && what != Document::Change::Fixtures && what != Document::Change::History)
         showState();
@@ -180,6 +209,8 @@ void SimulationPanel::showState()
     m_step->setText(formatReading(now.timeStep, Quantity::Time));
     if (m_document.hasSeen(m_gravityRequest))
         showGravity(now.gravity);
+    if (m_document.hasSeen(m_tableRequest))
+        showTable(now);
     if (m_document.hasSeen(m_dampingRequest))
         showDamping(now);
     if (!m_postedIntegrator || *m_postedIntegrator == now.wantedIntegrator || !now.notice.empty()) {
@@ -198,6 +229,17 @@ void SimulationPanel::showGravity(const Vec3& gravity)
     const auto planet = std::find_if(planets.begin(), planets.end(),
                                      [&](const Planet& one) { return gravity == Vec3(0, 0, -one.gravity); });
     m_planet->setCurrentIndex(planet == planets.end() ? -1 : static_cast<int>(planet - planets.begin()));
+}
+
+void SimulationPanel::showTable(const Snapshot& now)
+{
+    const bool isThere = now.floorHeight.has_value();
+    const int kind = tableKindOf(now.floorFriction, now.floorAdhesion);
+    m_table->setCurrentIndex(!isThere ? 0 : kind < 0 ? -1 : kind + 1);
+    for (QuantityField* field : {m_tableFriction, m_tableAdhesion})
+        field->setEnabled(isThere);
+    m_tableFriction->setValue(now.floorFriction);
+    m_tableAdhesion->setValue(now.floorAdhesion);
 }
 
 /// A field without a number where the bodies differ.
@@ -223,6 +265,26 @@ void SimulationPanel::choosePlanet(int index)
 {
     const Planet& planet = planets[static_cast<std::size_t>(index)];
     m_document.post(SetGravity{Vec3(0, 0, planet.gravity == 0 ? 0 : -planet.gravity)});
+}
+
+void SimulationPanel::chooseTable(int index)
+{
+    const Snapshot& now = *m_document.frame()->snapshot;
+    if (index == 0) {
+        m_document.post(SetFloor{{}, now.floorFriction, now.floorAdhesion});
+        m_tableRequest = m_document.requests();
+    } else {
+        const TableKind& kind = tableKinds()[static_cast<std::size_t>(index) - 1];
+        commitTable(kind.friction, kind.adhesion);
+    }
+}
+
+/// Where it is, or below the part as it was opened.
+void SimulationPanel::commitTable(double friction, double adhesion)
+{
+    const std::optional<double> height = m_document.frame()->snapshot->floorHeight;
+    m_document.post(SetFloor{height.value_or(m_document.content().box.min().z()), friction, adhesion});
+    m_tableRequest = m_document.requests();
 }
 
 void SimulationPanel::commitGravity()

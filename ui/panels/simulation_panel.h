@@ -38,16 +38,20 @@ signals:
 private:
     void makeTimeRows(QFormLayout* form);
     void makeGravityRows(QFormLayout* form);
+    void makeTableRows(QFormLayout* form);
     void makeDampingRows(QFormLayout* form);
     void makeStepRows(QFormLayout* form, QAction* keepUp);
     void makeThreadRow(QFormLayout* form);
     void documentChanged(Document::Change what);
     void showState();
     void showGravity(const Vec3& gravity);
+    void showTable(const Snapshot& now);
     void showDamping(const Snapshot& now);
     void chooseSpeed(int index);
     void choosePlanet(int index);
     void chooseIntegrator(int index);
+    void chooseTable(int index);
+    void commitTable(double friction, double adhesion);
     void commitGravity();
     void commitDamping(double Material::*value, double number, const QString& name);
 
@@ -58,6 +62,9 @@ private:
     QComboBox* m_speed = nullptr;
     QComboBox* m_planet = nullptr;
     std::array<QuantityField*, 3> m_gravity{};
+    QComboBox* m_table = nullptr;
+    QuantityField* m_tableFriction = nullptr;
+    QuantityField* m_tableAdhesion = nullptr;
     QuantityField* m_damping = nullptr;
     QuantityField* m_shapeDamping = nullptr;
     QComboBox* m_integrator = nullptr;
@@ -65,6 +72,7 @@ private:
     QComboBox* m_threads = nullptr;               ///< null: no such choice
     std::optional<Integrator> m_postedIntegrator; ///< until a snapshot shows it
     std::uint64_t m_gravityRequest = 0;           ///< the last one, which a frame must have seen
+    std::uint64_t m_tableRequest = 0;
     std::uint64_t m_dampingRequest = 0;
     std::vector<Material> m_damped; ///< as posted last
 };

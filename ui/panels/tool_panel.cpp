@@ -42,6 +42,7 @@ ToolPanel::ToolPanel(Document& document, QWidget* parent)
     , m_speed(makeField(Quantity::Speed, "toolSpeed", this))
     , m_forceLimit(makeField(Quantity::Force, "toolForceLimit", this))
     , m_friction(makeField(Quantity::Number, "toolFriction", this))
+    , m_adhesion(makeField(Quantity::Pressure, "toolAdhesion", this))
     , m_force(makeReading("toolForce", this))
     , m_peak(makeReading("toolPeakForce", this))
 {
@@ -73,15 +74,19 @@ ToolPanel::ToolPanel(Document& document, QWidget* parent)
     m_forceLimit->setRange(1e-9, 1e12);
     m_forceLimit->setStatusTip(tr("The tool stalls rather than push harder"));
     m_friction->setRange(0, 2);
+    m_adhesion->setRange(0, 1e9);
+    m_adhesion->setStatusTip(tr("Tension that holds what has touched the tool; 0: nothing sticks to it"));
     for (const auto& [field, value] : {std::pair(m_speed, &ToolState::speedLimit),
                                        {m_forceLimit, &ToolState::forceLimit},
-                                       {m_friction, &ToolState::friction}})
+                                       {m_friction, &ToolState::friction},
+                                       {m_adhesion, &ToolState::adhesion}})
         connect(field, &QuantityField::committed, this, [this, value](double number) {
             m_document.reshapeTool(m_tool, [=](ToolState& tool) { tool.*value = number; });
         });
     form->addRow(tr("Speed limit"), m_speed);
     form->addRow(tr("Force limit"), m_forceLimit);
     form->addRow(tr("Friction"), m_friction);
+    form->addRow(tr("Adhesion"), m_adhesion);
 
     auto* remove = new QPushButton(icon("delete"), tr("Remove tool"), this);
     remove->setObjectName("removeTool");
@@ -103,6 +108,7 @@ void ToolPanel::documentChanged(Document::Change what)
         m_speed->restore();
         m_forceLimit->restore();
         m_friction->restore();
+        m_adhesion->restore();
     }
     showTool();
 }
@@ -124,6 +130,7 @@ void ToolPanel::showTool()
     m_speed->setValue(tool->speedLimit);
     m_forceLimit->setValue(tool->forceLimit);
     m_friction->setValue(tool->friction);
+    m_adhesion->setValue(tool->adhesion);
 }
 
 /// Only the measures that the form has can be typed.

@@ -37,6 +37,7 @@ private:
     QuantityField* m_speed;
     QuantityField* m_forceLimit;
     QuantityField* m_friction;
+    QuantityField* m_adhesion;
     QLabel* m_force;
     QLabel* m_peak;
 };
