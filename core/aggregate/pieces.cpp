@@ -92,4 +92,14 @@ Aggregate extract(const Aggregate& aggregate, std::span<const ObjectIndex> objec
     return part;
 }
 
+std::shared_ptr<const Aggregate> withoutBroken(const std::shared_ptr<const Aggregate>& aggregate,
+                                               std::span<const BrokenConnection> broken)
+{
+    if (broken.empty())
+        return aggregate;
+    std::vector<ObjectIndex> all(aggregate->size());
+    std::iota(all.begin(), all.end(), ObjectIndex{0});
+    return std::make_shared<const Aggregate>(extract(*aggregate, all, brokenDirections(*aggregate, broken)));
+}
+
 } // namespace knead

@@ -4,6 +4,7 @@
 #include "core/aggregate/connection_id.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,10 @@ Pieces findPieces(const Aggregate& aggregate, std::span<const BrokenConnection> 
 
 /// Per object: bit d is set where the connection in direction d is broken.
 std::vector<std::uint16_t> brokenDirections(const Aggregate& aggregate, std::span<const BrokenConnection> broken);
+
+/// An aggregate without some of its connections; itself where there are none of these.
+std::shared_ptr<const Aggregate> withoutBroken(const std::shared_ptr<const Aggregate>& aggregate,
+                                               std::span<const BrokenConnection> broken);
 
 /// Some of the objects of an aggregate as an aggregate of their own, without the broken connections. Weights and volumes
 /// are those of the whole, meshVolume and filledVolume what these objects have of it; cells are not counted.

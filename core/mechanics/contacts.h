@@ -135,6 +135,9 @@ public:
     /// Whether time alone changes something: skins that are pressed together heal, material is pushed out of a tool that was put there.
     bool isWaiting() const;
 
+    /// Whether material is being pushed out of a tool that was put into it.
+    bool isPushingOut() const { return m_surfaceContacts.isWaiting(); }
+
     const Joints& joints() const { return m_joints; }
     const VicinityStatistics& statistics() const { return m_statistics; } ///< of the last listing
     std::size_t listings() const { return m_listings; }                   ///< of pairs, so far

@@ -55,6 +55,7 @@ struct TensorBody {
     LaneVector<double> yieldStress; ///< [Pa]
     LaneVector<double> hardening;   ///< [Pa]
     LaneVector<double> flowTime;    ///< [s]
+    LaneVector<double> shearDamage; ///< see kernels::TensorLawNumbers
 
     std::unique_ptr<RubberBody> rubber; ///< null: nothing is rubberlike
 

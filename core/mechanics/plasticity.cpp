@@ -63,6 +63,12 @@ double workOfObjects(const TensorBody& body)
     return work;
 }
 
+/// What heals is not tired by being kneaded to and fro.
+double shearDamageOf(const Material& material)
+{
+    return material.heals() ? 0 : 0.5;
+}
+
 } // namespace
 
 void StructuralConnections::findTensorNumbers()
@@ -77,7 +83,8 @@ void StructuralConnections::findTensorNumbers()
     findRubber();
     if (m_materials->isUniform())
         return;
-    for (auto* numbers : {&body.shear, &body.bulk, &body.yieldStress, &body.hardening, &body.flowTime})
+    for (auto* numbers :
+         {&body.shear, &body.bulk, &body.yieldStress, &body.hardening, &body.flowTime, &body.shearDamage})
         numbers->assign(count, 0);
     std::vector<double> shape(count, 0);     // sum of w |o|^2 over all connections that were made
     std::vector<double> stiffness(count, 0); // sum of k |o|^2
@@ -108,6 +115,7 @@ void StructuralConnections::findTensorNumbers()
         body.yieldStress[i] = yieldStressOf(material);
         body.hardening[i] = material.hardening;
         body.flowTime[i] = material.relaxationTime;
+        body.shearDamage[i] = shearDamageOf(material);
     }
 }
 
@@ -124,7 +132,8 @@ kernels::TensorLawNumbers StructuralConnections::tensorNumbers() const
             .tensionShare = number(body.tensionShare, 1),
             .yieldStress = number(body.yieldStress, yieldStressOf(own)),
             .hardening = number(body.hardening, own.hardening),
-            .flowTime = number(body.flowTime, own.relaxationTime)};
+            .flowTime = number(body.flowTime, own.relaxationTime),
+            .shearDamage = number(body.shearDamage, shearDamageOf(own))};
 }
 
 void StructuralConnections::applyTensorLaw(const VectorArray& position, const kernels::FlowResult* flow,

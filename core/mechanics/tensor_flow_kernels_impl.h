@@ -121,9 +121,11 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
     const Lanes amount = flows ? within * (norm - yield) / (2 * modulus * (1 + hardening / (3 * modulus))) : all(0);
     const Lanes share = flows ? 1 - 2 * modulus * amount / norm : all(1);
     const Lanes grown = rootTwoThirds * amount;
-    // 1/2 + 3/2 sigma_m / sigma_eq of the stress afterwards, sigma_eq = sqrt(3/2) |s|.
+    // Triaxiality is sigma_m / sigma_eq of the stress afterwards, sigma_eq = sqrt(3/2) |s|.
     const Lanes equivalent = 1.2247448713915890 * squareRoot(squared) * share + 1e-300;
-    const Lanes counted = smaller(larger(0.5 + 1.5 * trial.numbers.bulk * g.theta / equivalent, all(0)), all(1));
+    const Lanes sheared = valuesOf(arguments.numbers.shearDamage, i);
+    const Lanes drawn = sheared + 3 * (1 - sheared) * trial.numbers.bulk * g.theta / equivalent;
+    const Lanes counted = smaller(larger(drawn, 2 * sheared - 1), all(1));
 
     Symmetric relaxed;
     for (int n = 0; n < 6; ++n)
@@ -138,7 +140,7 @@ KNEAD_INLINE bool flowOfVector(const TensorLawArguments& arguments, std::size_t 
         write(flow.metric[n], after.m[n]);
     }
     write(flow.equivalentStrain, alpha + grown);
-    write(flow.damage, damage + counted * grown);
+    write(flow.damage, larger(damage + counted * grown, all(0)));
     write(flow.share, share);
     forEachDirection([&]<int d>() __attribute__((always_inline)) {
         if (((a.forward | a.backward) >> d & 1U) != 0)

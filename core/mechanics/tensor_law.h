@@ -67,6 +67,7 @@ struct TensorLawNumbers {
     ObjectNumber yieldStress;  ///< sigma_y [Pa]; infinite: does not yield
     ObjectNumber hardening;    ///< H [Pa]
     ObjectNumber flowTime;     ///< tau [s]
+    ObjectNumber shearDamage;  ///< p, see PlasticState::damage
 };
 
 /// The plastic state of the objects. Null where nothing has flowed yet: C = I, alpha = 0.
@@ -74,8 +75,9 @@ struct PlasticState {
     const double* const* metric;    ///< 6: uu vv ww uv uw vw of C, in lattice axes; det C = 1
     const double* equivalentStrain; ///< alpha
     const double*
-        damage; ///< alpha that counts towards breaking: d alpha clamp(1/2 + 3/2 triaxiality, 0, 1), which is d alpha
-                ///< in tension, half of it in shear, nothing in compression
+        damage; ///< D >= 0, alpha that counts towards breaking: d alpha clamp(p + 3 (1 - p) triaxiality, 2 p - 1, 1).
+                ///< With p = 1/2 that is d alpha in tension, half of it in shear, nothing in compression; with p = 0,
+                ///< of material that heals, what it has been drawn out net: nothing in shear, and compression undoes it
 };
 
 /// What a flow finds. Arrays begin at object 0, all of them are written for the objects of the run.

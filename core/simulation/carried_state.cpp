@@ -148,7 +148,7 @@ StructuralConnections::Changes CarriedState::changes(const MaterialMap& material
     std::vector<Vec3> displacements(from.size());
     for (ObjectIndex i = 0; i < from.size(); ++i)
         displacements[i] = m_state.position.at(i) - from.lattice.position(i);
-    const ObjectStrains strains(from, displacements, relaxed);
+    const ObjectStrains strains(from, displacements, relaxed, old.broken);
     std::vector<Vec6> elastic(from.size());
     forEachBlock(from.size(), objectsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)

@@ -1,4 +1,5 @@
 // Filling bodies anew in the shape that they have, while they are worked on; and going back to the first filling.
+#include "core/mechanics/carried_touches.h"
 #include "core/simulation/carried_state.h"
 #include "core/simulation/simulation_state.h"
 #include "core/skin/refilled.h"
@@ -19,6 +20,9 @@ constexpr std::uint64_t implicitLooksInterval = 3;
 // A cell is bad from here on: corners that are flat, edges that are long.
 constexpr double leastCorner = 0.3;
 constexpr double largestStretch = 3;
+// What has cracks is filled as the surface around it says, which closes those that gape: they must not have grown to more than this
+// share of the volume that the body had at first.
+constexpr double mostGaping = 0.02;
 // And beyond this it is not material any more, which the look at the health of the state finds.
 constexpr double beyondStretch = 30;
 
@@ -28,14 +32,6 @@ VectorArray placesOf(const std::vector<Vec3>& places)
     for (std::size_t i = 0; i < places.size(); ++i)
         array.set(i, places[i]);
     return array;
-}
-
-VectorArray nodesOf(const Aggregate& aggregate)
-{
-    VectorArray nodes(aggregate.size());
-    for (ObjectIndex i = 0; i < nodes.size(); ++i)
-        nodes.set(i, aggregate.lattice.position(i));
-    return nodes;
 }
 
 /// Those of the other filling that lie nearest to one of these.
@@ -56,8 +52,24 @@ MaterialMap carried(const MaterialMap& materials, const std::vector<ObjectIndex>
     return {materials.materials(), std::move(indices)};
 }
 
+/// Whether a filling connects two objects.
+bool areConnected(const Aggregate& aggregate, const std::vector<BrokenConnection>& broken, ObjectIndex lower,
+                  ObjectIndex upper)
+{
+    const Lattice::Node& from = aggregate.lattice.nodes[lower];
+    const Lattice::Node& to = aggregate.lattice.nodes[upper];
+    const Lattice::Node step{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+    const auto* const direction = std::ranges::find(Lattice::directions, step);
+    if (direction == Lattice::directions.end())
+        return false;
+    const auto d = static_cast<std::uint32_t>(direction - Lattice::directions.begin());
+    const auto isSame = [&](const ConnectionId& id) { return id == ConnectionId{d, lower}; };
+    return !aggregate.weight[d].empty() && aggregate.weight[d][lower] > 0 && std::ranges::none_of(broken, isSame);
+}
+
 /// Objects of the body have other numbers; what they had to do with each other is the filling's now.
-void renumber(Contacts::Memory& memory, BodyId body, const std::vector<ObjectIndex>& newOfOld)
+void renumber(Contacts::Memory& memory, BodyId body, const std::vector<ObjectIndex>& newOfOld,
+              const Aggregate& aggregate, const std::vector<BrokenConnection>& broken)
 {
     const auto isOfBody = [&](const auto& pair) { return pair.first.body == body || pair.second.body == body; };
     std::erase_if(memory.keptLengths, isOfBody);
@@ -73,6 +85,10 @@ void renumber(Contacts::Memory& memory, BodyId body, const std::vector<ObjectInd
     for (Joint& joint : memory.joints)
         if (joint.second < joint.first)
             std::swap(joint.first, joint.second);
+    std::erase_if(memory.joints, [&](const Joint& joint) {
+        return joint.healed && joint.first.body == body && joint.second.body == body &&
+               areConnected(aggregate, broken, joint.first.object, joint.second.object);
+    });
     const auto ends = [](const Joint& joint) { return std::pair(joint.first, joint.second); };
     std::ranges::stable_sort(memory.joints, {}, ends);
     const auto doubles = std::ranges::unique(memory.joints, {}, ends);
@@ -85,7 +101,7 @@ void renumber(Contacts::Memory& memory, BodyId body, const std::vector<ObjectInd
 std::string Simulation::State::whyNotRefilled(BodyId id) const
 {
     const Body& body = bodies[id];
-    const BodyRun& run = *runs[id];
+    BodyRun& run = *runs[id];
     const std::string name = "\"" + body.name + "\" ";
     if (!body.surface)
         return name + "has no surface that it could be filled from.";
@@ -96,14 +112,19 @@ std::string Simulation::State::whyNotRefilled(BodyId id) const
     if (!run.connections.yields())
         return name +
                "is elastic: it keeps its shape at rest, and is not filled anew. Let it yield, or re-normalize it.";
-    if (!run.connections.changes().broken.empty())
-        return name + "has cracks, which another filling would close.";
+    const bool heals = run.materials.largest([](const Material& material) { return material.healingTime; }) > 0;
+    if (!heals && !run.connections.changes().broken.empty())
+        return name + "has cracks, which another filling would blur: only what heals is filled anew with them.";
+    if (run.pieces.find(run.connections, id, contacts->joints()).count > findPieces(*body.aggregate).count)
+        return name + "is in pieces, which another filling would make one.";
+    if (gapingVolume(id) > 0.5 * mostGaping * firstFillings[id]->filledVolume)
+        return name + "has cracks that gape, which another filling would close.";
     for (LoadId load = 0; load < loads.size(); ++load)
         if (loads.isThere(load) && loads.run(load).load.body == id && loads.run(load).load.faces.empty())
             return name + "has a load on a box, which says nothing of its present shape. Put it on faces.";
     if (!std::isfinite(largestSpeed(run.state)))
         return name + "moves out of all bounds.";
-    if (contacts->isWaiting())
+    if (contacts->isPushingOut())
         return name + "is still being pushed out of a tool that was put into it.";
     return {};
 }
@@ -127,16 +148,24 @@ std::unique_ptr<BodyRun> Simulation::State::replaceRun(BodyId id, std::shared_pt
 
 /// Puts another filling in the place of the one of a body. Everything but its state is made again; fixtures, regions, loads, joints
 /// and re-normalizations under way keep to the material.
+/// @param changes of the new filling, which it takes over; null: it is whole and relaxed, and touches nothing
+/// @param broken connections of it that are to be cut
 /// @param oldOfNew per new object, the old one that lies where it does; newOfOld the other way
 /// @return what there was before
 std::unique_ptr<BodyRun> Simulation::State::takeFilling(BodyId id, std::shared_ptr<const Aggregate> aggregate,
                                                         const std::vector<ObjectIndex>& oldOfNew,
-                                                        const std::vector<ObjectIndex>& newOfOld)
+                                                        const std::vector<ObjectIndex>& newOfOld,
+                                                        StructuralConnections::Changes* changes,
+                                                        const std::vector<BrokenConnection>& broken)
 {
     const bool wasFirst = isFirstFilling(id);
+    const std::shared_ptr<const Aggregate> formerFilling = bodies[id].aggregate;
     std::unique_ptr<BodyRun> before = replaceRun(id, std::move(aggregate));
     runs[id]->materials = carried(before->materials, oldOfNew);
-    runs[id]->connections.updateMaterials();
+    if (changes != nullptr)
+        runs[id]->connections.restore(std::move(*changes));
+    else
+        runs[id]->connections.updateMaterials();
     for (auto& fixture : fixtures)
         if (fixture && fixture->body == id) {
             if (wasFirst)
@@ -152,7 +181,12 @@ std::unique_ptr<BodyRun> Simulation::State::takeFilling(BodyId id, std::shared_p
         }
     takeLoads(id);
     Contacts::Memory memory = contacts->memory();
-    renumber(memory, id, newOfOld);
+    std::vector<SurfaceContacts::Touch> touches;
+    if (changes != nullptr)
+        touches = carriedTouches(memory.touches, id, *formerFilling, before->state.position, *bodies[id].aggregate,
+                                 surfaces());
+    renumber(memory, id, newOfOld, *bodies[id].aggregate, broken);
+    memory.touches.insert(memory.touches.end(), touches.begin(), touches.end());
     contacts = std::make_unique<Contacts>(contactBodies(), vicinity, memory);
     contacts->setScheme({}, isImplicit());
     return before;
@@ -214,6 +248,38 @@ Contacts::Report Simulation::State::lookAtContacts()
     return {.energy = report.energy, .count = report.count};
 }
 
+/// Between the sides of cracks within a piece that have not grown together, about [m^3]: a flat one of one spacing squared goes through
+/// five connections.
+double Simulation::State::gapingVolume(BodyId id) const
+{
+    const BodyRun& run = *runs[id];
+    const Lattice& lattice = bodies[id].aggregate->lattice;
+    const Pieces& pieces = runs[id]->pieces.find(run.connections, id, contacts->joints());
+    std::vector<std::uint8_t> isHealed(run.state.size(), 0);
+    for (const auto& [first, second] : grownTogether(id))
+        isHealed[first] = isHealed[second] = 1;
+    double volume = 0;
+    for (const BrokenConnection& broken : run.connections.changes().broken) {
+        const auto [lower, upper] = run.connections.endsOf(broken);
+        if (pieces.ofObject[lower] != pieces.ofObject[upper] || isHealed[lower] != 0 || isHealed[upper] != 0)
+            continue;
+        const double length = (run.state.position.at(upper) - run.state.position.at(lower)).norm();
+        const double gap = length - lattice.direction(static_cast<int>(broken.direction)).norm();
+        volume += std::max(0.0, gap) * lattice.spacing * lattice.spacing / 5;
+    }
+    return volume;
+}
+
+/// Objects of a body that healing joined.
+std::vector<GrownTogether> Simulation::State::grownTogether(BodyId id) const
+{
+    std::vector<GrownTogether> healed;
+    for (const Joint& joint : contacts->joints().all())
+        if (joint.healed && joint.first.body == id && joint.second.body == id)
+            healed.emplace_back(joint.first.object, joint.second.object);
+    return healed;
+}
+
 /// @param spacing [m]; 0: as it is
 void Simulation::State::refill(BodyId id, double spacing)
 {
@@ -223,19 +289,28 @@ void Simulation::State::refill(BodyId id, double spacing)
     for (ObjectIndex i = 0; i < displacements.size(); ++i)
         displacements[i] = run.state.position.at(i) - bodies[id].aggregate->lattice.position(i);
     const double finest = spacing > 0 ? spacing : bodies[id].aggregate->lattice.spacing;
+    const std::vector<BrokenConnection>& broken = run.connections.changes().broken;
     std::shared_ptr<const ShapeFitting> fitting = run.fitting;
-    std::shared_ptr<const Aggregate> aggregate =
+    const std::shared_ptr<const Aggregate> aggregate =
         refilled(*bodies[id].surface, bodies[id].aggregate, displacements, finest, fitting, outOfTools(id));
-
+    const double grown = aggregate->filledVolume / firstFillings[id]->filledVolume - 1;
+    if (!broken.empty() && !(grown < mostGaping))
+        throw std::runtime_error("its cracks gape, and would be filled.");
     const CarriedState state(run.connections, run.state, *aggregate);
     StructuralConnections::Changes changes = state.changes(run.materials);
     const VectorArray nodes = nodesOf(*aggregate);
+    const std::vector<BrokenConnection> cracks =
+        carriedCracks({*bodies[id].aggregate, run.state.position, broken, grownTogether(id)}, *aggregate, nodes);
     const std::vector<ObjectIndex> oldOfNew = nearestPoints(run.state.position, nodes, finest);
     const std::vector<ObjectIndex> newOfOld = nearestPoints(nodes, run.state.position, finest);
-    const std::unique_ptr<BodyRun> old = takeFilling(id, aggregate, oldOfNew, newOfOld); // which `state` reads
+    const std::unique_ptr<BodyRun> old =
+        takeFilling(id, aggregate, oldOfNew, newOfOld, &changes, cracks); // which `state` reads
     BodyRun& filled = *runs[id];
     filled.fitting = std::move(fitting);
-    filled.connections.restore(std::move(changes));
+    if (!cracks.empty()) { // their sides keep the distance that they have
+        filled.connections.cut(filled.state, cracks, 0);
+        touchWhereBroken();
+    }
     setMasses();
     filled.state.velocity = state.velocities(filled.state.mass);
     holdFixtures();
@@ -250,14 +325,17 @@ void Simulation::State::refill(BodyId id, double spacing)
 /// Bodies whose cells are no good any more.
 void Simulation::State::refillWhereBad()
 {
-    if (!refilling || step % (isImplicit() ? implicitLooksInterval : looksInterval) != 0)
+    const std::uint64_t interval = isImplicit() ? implicitLooksInterval : looksInterval;
+    if (!refilling || step % interval != 0)
         return;
     for (BodyId id = 0; id < bodies.size(); ++id) {
         BodyRun& run = *runs[id];
         if (!bodies[id].surface || !run.deforms() || !run.connections.yields())
             continue;
-        if (!run.cells)
-            run.cells = std::make_unique<const CellShapes>(*bodies[id].aggregate);
+        const std::vector<BrokenConnection>& broken = run.connections.changes().broken;
+        if (!run.cells || run.brokenInCells != broken.size())
+            run.cells = std::make_unique<const CellShapes>(*withoutBroken(bodies[id].aggregate, broken));
+        run.brokenInCells = broken.size();
         const CellQuality quality = run.cells->quality([&](ObjectIndex i) { return run.state.position.at(i); });
         const bool isBad = quality.leastCorner < leastCorner || quality.largestStretch > largestStretch;
         if (!isBad || !(quality.largestStretch < beyondStretch) || !whyNotRefilled(id).empty())
@@ -284,7 +362,7 @@ void Simulation::State::takeFirstFilling(BodyId id)
     const VectorArray nodes = nodesOf(present);
     const std::vector<ObjectIndex> oldOfNew = nearestPoints(nodes, then, present.lattice.spacing);
     const std::vector<ObjectIndex> newOfOld = nearestPoints(then, nodes, present.lattice.spacing);
-    takeFilling(id, firstFillings[id], oldOfNew, newOfOld);
+    takeFilling(id, firstFillings[id], oldOfNew, newOfOld, nullptr, {});
     for (auto& fixture : fixtures)
         if (fixture && fixture->body == id && !fixture->whenOpened.empty())
             fixture->objects = std::exchange(fixture->whenOpened, {});

@@ -11,6 +11,7 @@
 #include "core/simulation/simulation.h"
 #include "core/simulation/simulation_loads.h"
 #include "core/simulation/stage_clock.h"
+#include "core/skin/carried_cracks.h"
 #include "core/skin/refilled.h"
 
 #include <deque>
@@ -36,6 +37,7 @@ struct BodyRun {
     PiecesOfBody pieces;
     std::shared_ptr<const ShapeFitting> fitting; ///< of its filling, for the next one; null: not known
     std::unique_ptr<const CellShapes> cells;     ///< null: not looked at yet
+    std::size_t brokenInCells = 0;               ///< connections that had broken then
     std::shared_ptr<const std::vector<BrokenConnection>>
         published;                               ///< what was broken in the snapshot before; null: none
     std::shared_ptr<const RelaxedState> relaxed; ///< in the snapshot before; null: there was none
@@ -122,7 +124,11 @@ struct Simulation::State {
     std::string whyNotRefilled(BodyId body) const;
     std::unique_ptr<BodyRun> takeFilling(BodyId body, std::shared_ptr<const Aggregate> aggregate,
                                          const std::vector<ObjectIndex>& oldOfNew,
-                                         const std::vector<ObjectIndex>& newOfOld);
+                                         const std::vector<ObjectIndex>& newOfOld,
+                                         StructuralConnections::Changes* changes,
+                                         const std::vector<BrokenConnection>& broken);
+    std::vector<GrownTogether> grownTogether(BodyId body) const;
+    double gapingVolume(BodyId body) const;
     bool isFirstFilling(BodyId body) const;
     std::unique_ptr<BodyRun> replaceRun(BodyId body, std::shared_ptr<const Aggregate> aggregate);
     void takeLoads(BodyId body);
@@ -168,6 +174,7 @@ struct Simulation::State {
     Vec3 gravity = Vec3::Zero();
     std::optional<double> floorHeight;
     double floorFriction = 0;
+    double floorAdhesion = 0;
     Touching touching = Touching::separate;
     Integrator wantedIntegrator = Integrator::semiImplicitEuler;
     Integrator integrator = Integrator::semiImplicitEuler; ///< in use; never automatic

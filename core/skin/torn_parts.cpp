@@ -6,10 +6,12 @@
 #include "core/skin/carried_fragments.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/fragments.h"
+#include "core/skin/opened_state.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace knead {
@@ -152,12 +154,29 @@ PartToExport smoothPiece(const PartToExport& whole, const Fragment& fragment, st
     return piece;
 }
 
+/// A body that was filled anew is cut where it was opened, for smooth faces. Fields, which its present objects have, are lost with that.
+void takeOpened(PartToExport& whole)
+{
+    if (!whole.aggregate->former || findPieces(*whole.aggregate, *whole.broken).count < 2)
+        return;
+    std::optional<OpenedState> opened = openedState(*whole.aggregate, whole.displacements, *whole.broken);
+    if (!opened || findPieces(*opened->aggregate, opened->broken).count < 2)
+        return;
+    whole.aggregate = std::move(opened->aggregate);
+    whole.displacements = std::move(opened->displacements);
+    whole.broken = std::make_shared<const std::vector<BrokenConnection>>(std::move(opened->broken));
+    whole.relaxed = nullptr;
+    whole.loaded.clear();
+}
+
 /// The pieces of one part; none when it hangs together, of which the part then says what is cracked.
 std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangles, bool keepsFaces,
                                    TaskControl& control)
 {
     if (whole.aggregate == nullptr || whole.broken == nullptr || whole.broken->empty())
         return {};
+    if (keepsFaces && whole.part.exact)
+        takeOpened(whole);
     const double spacing = whole.aggregate->lattice.spacing;
     TriangleMesh skin;
     if (const auto& former = whole.aggregate->former) {

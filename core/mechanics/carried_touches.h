@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/mechanics/surface_contacts.h"
+
+namespace knead {
+
+/// What the skin of a body remembers of the surfaces that it touches, taken over by its next filling: each new point has the share of
+/// its area in what the nearest old one remembers, and all together as much pressure as there was. So friction goes on, and what sticks
+/// sticks.
+/// @param touches of all bodies, before
+/// @param before, position what the body was, and where its objects are [m]
+/// @param after its objects lie at their nodes
+/// @return those of this body, for the points of `after`
+std::vector<SurfaceContacts::Touch> carriedTouches(std::span<const SurfaceContacts::Touch> touches, std::uint32_t body,
+                                                   const Aggregate& before, const VectorArray& position,
+                                                   const Aggregate& after, std::span<const RigidSurface> surfaces);
+
+} // namespace knead
