@@ -3435,6 +3435,34 @@ Simuliert: %2, Schritt %3
         <source>knives do not cut it</source>
         <translation>Messer schneiden es nicht</translation>
     </message>
+    <message>
+        <source>Softer to the left, as warm or wet clay; firmer to the right, as cold or dry clay</source>
+        <translation>Nach links weicher, wie warmer oder nasser Ton; nach rechts fester, wie kalter oder trockener Ton</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-fach</translation>
+    </message>
+    <message>
+        <source>Softer / firmer</source>
+        <translation>Weicher / fester</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>wie es ist</translation>
+    </message>
+    <message>
+        <source>Firmness of %1 as it was</source>
+        <translation>Festigkeit von %1 wie zuvor</translation>
+    </message>
+    <message>
+        <source>%1 softer</source>
+        <translation>%1 weicher</translation>
+    </message>
+    <message>
+        <source>%1 firmer</source>
+        <translation>%1 fester</translation>
+    </message>
 </context>
 <context>
     <name>MaterialStore</name>
@@ -5121,6 +5149,30 @@ Simuliert: %2, Schritt %3
         <source>%1 of all bodies</source>
         <translation>%1 aller Körper</translation>
     </message>
+    <message>
+        <source>Table</source>
+        <translation>Tisch</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>In a contact it is the geometric mean with that of the material</source>
+        <translation>In einem Kontakt gilt das geometrische Mittel mit der des Materials</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Tension that holds down what has touched the table; 0: nothing sticks to it</source>
+        <translation>Zugspannung, mit der festgehalten wird, was den Tisch berührt hat; 0: nichts klebt daran</translation>
+    </message>
+    <message>
+        <source>Adhesion</source>
+        <translation>Haftung</translation>
+    </message>
 </context>
 <context>
     <name>StatusReadings</name>
@@ -5246,6 +5298,33 @@ Simuliert: %2, Schritt %3
     <message>
         <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
         <translation>Der Grafiktreiber zeichnet nur für das Fenster, deshalb kann nichts aufgezeichnet werden. Starten Sie Knead mit LIBGL_ALWAYS_SOFTWARE=1 in seiner Umgebung, um ohne den Treiber aufzuzeichnen.</translation>
+    </message>
+</context>
+<context>
+    <name>TableKinds</name>
+    <message>
+        <source>Smooth</source>
+        <translation>Glatt</translation>
+    </message>
+    <message>
+        <source>Parts slide on it, as on glass</source>
+        <translation>Teile gleiten darauf, wie auf Glas</translation>
+    </message>
+    <message>
+        <source>Rough</source>
+        <translation>Rau</translation>
+    </message>
+    <message>
+        <source>Parts hardly slide, and are lifted off freely</source>
+        <translation>Teile gleiten kaum und lassen sich frei abheben</translation>
+    </message>
+    <message>
+        <source>Sticky</source>
+        <translation>Klebrig</translation>
+    </message>
+    <message>
+        <source>Parts stay where they are: it takes 20 kPa to lift them off</source>
+        <translation>Teile bleiben, wo sie sind: Erst 20 kPa heben sie ab</translation>
     </message>
 </context>
 <context>
@@ -5413,6 +5492,14 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Remove tool</source>
         <translation>Werkzeug entfernen</translation>
+    </message>
+    <message>
+        <source>Tension that holds what has touched the tool; 0: nothing sticks to it</source>
+        <translation>Zugspannung, die festhält, was das Werkzeug berührt hat; 0: nichts klebt daran</translation>
+    </message>
+    <message>
+        <source>Adhesion</source>
+        <translation>Haftung</translation>
     </message>
 </context>
 <context>

@@ -3435,6 +3435,34 @@ Simulé&#xa0;: %2, pas %3
         <source>knives do not cut it</source>
         <translation>les couteaux ne la coupent pas</translation>
     </message>
+    <message>
+        <source>Softer to the left, as warm or wet clay; firmer to the right, as cold or dry clay</source>
+        <translation>À gauche plus mou, comme une argile chaude ou humide ; à droite plus ferme, comme une argile froide ou sèche</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1 fois</translation>
+    </message>
+    <message>
+        <source>Softer / firmer</source>
+        <translation>Plus mou / plus ferme</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>tel quel</translation>
+    </message>
+    <message>
+        <source>Firmness of %1 as it was</source>
+        <translation>Fermeté de %1 comme avant</translation>
+    </message>
+    <message>
+        <source>%1 softer</source>
+        <translation>%1 plus mou</translation>
+    </message>
+    <message>
+        <source>%1 firmer</source>
+        <translation>%1 plus ferme</translation>
+    </message>
 </context>
 <context>
     <name>MaterialStore</name>
@@ -5121,6 +5149,30 @@ Simulé&#xa0;: %2, pas %3
         <source>%1 of all bodies</source>
         <translation>%1 de tous les corps</translation>
     </message>
+    <message>
+        <source>Table</source>
+        <translation>Table</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>In a contact it is the geometric mean with that of the material</source>
+        <translation>Dans un contact, c&apos;est la moyenne géométrique avec celle du matériau</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Frottement</translation>
+    </message>
+    <message>
+        <source>Tension that holds down what has touched the table; 0: nothing sticks to it</source>
+        <translation>Traction qui retient ce qui a touché la table ; 0 : rien n&apos;y colle</translation>
+    </message>
+    <message>
+        <source>Adhesion</source>
+        <translation>Adhérence</translation>
+    </message>
 </context>
 <context>
     <name>StatusReadings</name>
@@ -5246,6 +5298,33 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
         <translation>Le pilote graphique ne dessine que pour la fenêtre, rien ne peut donc être enregistré. Démarrez Knead avec LIBGL_ALWAYS_SOFTWARE=1 dans son environnement pour enregistrer sans le pilote.</translation>
+    </message>
+</context>
+<context>
+    <name>TableKinds</name>
+    <message>
+        <source>Smooth</source>
+        <translation>Lisse</translation>
+    </message>
+    <message>
+        <source>Parts slide on it, as on glass</source>
+        <translation>Les pièces y glissent, comme sur du verre</translation>
+    </message>
+    <message>
+        <source>Rough</source>
+        <translation>Rugueuse</translation>
+    </message>
+    <message>
+        <source>Parts hardly slide, and are lifted off freely</source>
+        <translation>Les pièces glissent à peine et se soulèvent librement</translation>
+    </message>
+    <message>
+        <source>Sticky</source>
+        <translation>Collante</translation>
+    </message>
+    <message>
+        <source>Parts stay where they are: it takes 20 kPa to lift them off</source>
+        <translation>Les pièces restent en place : il faut 20 kPa pour les soulever</translation>
     </message>
 </context>
 <context>
@@ -5413,6 +5492,14 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Remove tool</source>
         <translation>Supprimer l&apos;outil</translation>
+    </message>
+    <message>
+        <source>Tension that holds what has touched the tool; 0: nothing sticks to it</source>
+        <translation>Traction qui retient ce qui a touché l&apos;outil ; 0 : rien n&apos;y colle</translation>
+    </message>
+    <message>
+        <source>Adhesion</source>
+        <translation>Adhérence</translation>
     </message>
 </context>
 <context>

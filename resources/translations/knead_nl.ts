@@ -3435,6 +3435,34 @@ Gesimuleerd: %2, stap %3
         <source>knives do not cut it</source>
         <translation>messen snijden het niet</translation>
     </message>
+    <message>
+        <source>Softer to the left, as warm or wet clay; firmer to the right, as cold or dry clay</source>
+        <translation>Naar links zachter, zoals warme of natte klei; naar rechts steviger, zoals koude of droge klei</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1 maal</translation>
+    </message>
+    <message>
+        <source>Softer / firmer</source>
+        <translation>Zachter / steviger</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>zoals het is</translation>
+    </message>
+    <message>
+        <source>Firmness of %1 as it was</source>
+        <translation>Stevigheid van %1 zoals het was</translation>
+    </message>
+    <message>
+        <source>%1 softer</source>
+        <translation>%1 zachter</translation>
+    </message>
+    <message>
+        <source>%1 firmer</source>
+        <translation>%1 steviger</translation>
+    </message>
 </context>
 <context>
     <name>MaterialStore</name>
@@ -5121,6 +5149,30 @@ Gesimuleerd: %2, stap %3
         <source>%1 of all bodies</source>
         <translation>%1 van alle lichamen</translation>
     </message>
+    <message>
+        <source>Table</source>
+        <translation>Tafel</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oppervlak</translation>
+    </message>
+    <message>
+        <source>In a contact it is the geometric mean with that of the material</source>
+        <translation>In een contact geldt het meetkundig gemiddelde met die van het materiaal</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Wrijving</translation>
+    </message>
+    <message>
+        <source>Tension that holds down what has touched the table; 0: nothing sticks to it</source>
+        <translation>Trekspanning die vasthoudt wat de tafel heeft geraakt; 0: niets plakt eraan</translation>
+    </message>
+    <message>
+        <source>Adhesion</source>
+        <translation>Hechting</translation>
+    </message>
 </context>
 <context>
     <name>StatusReadings</name>
@@ -5246,6 +5298,33 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
         <translation>Het grafische stuurprogramma tekent alleen voor het venster, dus er kan niets worden opgenomen. Start Knead met LIBGL_ALWAYS_SOFTWARE=1 in zijn omgeving om zonder het stuurprogramma op te nemen.</translation>
+    </message>
+</context>
+<context>
+    <name>TableKinds</name>
+    <message>
+        <source>Smooth</source>
+        <translation>Glad</translation>
+    </message>
+    <message>
+        <source>Parts slide on it, as on glass</source>
+        <translation>Onderdelen glijden erop, zoals op glas</translation>
+    </message>
+    <message>
+        <source>Rough</source>
+        <translation>Ruw</translation>
+    </message>
+    <message>
+        <source>Parts hardly slide, and are lifted off freely</source>
+        <translation>Onderdelen glijden nauwelijks en laten zich vrij optillen</translation>
+    </message>
+    <message>
+        <source>Sticky</source>
+        <translation>Plakkerig</translation>
+    </message>
+    <message>
+        <source>Parts stay where they are: it takes 20 kPa to lift them off</source>
+        <translation>Onderdelen blijven waar ze zijn: er is 20 kPa nodig om ze op te tillen</translation>
     </message>
 </context>
 <context>
@@ -5413,6 +5492,14 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Remove tool</source>
         <translation>Gereedschap verwijderen</translation>
+    </message>
+    <message>
+        <source>Tension that holds what has touched the tool; 0: nothing sticks to it</source>
+        <translation>Trekspanning die vasthoudt wat het gereedschap heeft geraakt; 0: niets plakt eraan</translation>
+    </message>
+    <message>
+        <source>Adhesion</source>
+        <translation>Hechting</translation>
     </message>
 </context>
 <context>

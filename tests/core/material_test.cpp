@@ -1,3 +1,4 @@
+#include "core/aggregate/firmness.h"
 #include "core/aggregate/material.h"
 
 #include <QtTest>
@@ -20,6 +21,25 @@ private slots:
         steel.youngsModulus = 2.1e11;
         steel.density = 7850;
         QVERIFY(std::abs(steel.soundSpeed() - 5172) < 1);
+    }
+
+    void firmerMaterialYieldsAndTearsAtTheSameStrains()
+    {
+        Material clay{.youngsModulus = 5e5};
+        clay.yieldStress = 1e4;
+        clay.tensileStrength = 1e5;
+        clay.toughness = 50;
+        clay.adhesion = 1000;
+        clay.healingTime = 0.3;
+        const Material dry = firmer(clay, 2);
+        QCOMPARE(dry.yieldStress / dry.youngsModulus, clay.yieldStress / clay.youngsModulus);
+        QCOMPARE(dry.tensileStrength, 2e5);
+        QCOMPARE(dry.toughness, 100.0);
+        QCOMPARE(dry.adhesion, clay.adhesion);
+        QCOMPARE(dry.healingTime, clay.healingTime);
+        QCOMPARE(firmer(dry, 0.5), clay);
+        QVERIFY(materialProblems(firmer(clay, 1e9)).empty());
+        QVERIFY(materialProblems(firmer(clay, 1e-9)).empty());
     }
 
     void elasticConstantsAgreeWithEachOther()

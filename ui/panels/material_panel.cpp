@@ -55,6 +55,7 @@ MaterialPanel::MaterialPanel(Document& document, MaterialStore& store, QWidget* 
     makeForm(this);
     makeBodyRows();
     makePresetRows();
+    makeFirmnessRow();
     makeFactRows();
     makeMaterialRows();
     makeFillingRows();
@@ -223,6 +224,7 @@ void MaterialPanel::showMaterial()
     m_material = material;
     for (const auto& [value, field] : m_fields)
         field->setValue(material.*value);
+    findFirmness();
     showPreset();
 }
 

@@ -13,6 +13,7 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QSlider;
 class QToolButton;
 
 namespace knead {
@@ -35,6 +36,7 @@ signals:
 private:
     void makeBodyRows();
     void makePresetRows();
+    void makeFirmnessRow();
     void makeFactRows();
     void makeMaterialRows();
     void makeFillingRows();
@@ -51,6 +53,10 @@ private:
     std::optional<std::size_t> ownPreset() const;
     void showSpacing(double spacing);
     void choosePreset(int index);
+    void layOnTable();
+    void showFirmnessReading(int notch);
+    void findFirmness();
+    void chooseFirmness(int notch);
     void chooseKind(int index);
     void commit(double Material::*value, double number);
     void post(const QString& what);
@@ -72,6 +78,10 @@ private:
     QToolButton* m_rename = nullptr;
     QToolButton* m_delete = nullptr;
     QLabel* m_source = nullptr;
+    QWidget* m_firmnessRow = nullptr;
+    QSlider* m_firmness = nullptr;
+    QLabel* m_firmnessReading = nullptr;
+    Material m_firmBase; ///< what the slider is in the middle of
     QLabel* m_soundSpeed = nullptr;
     QLabel* m_stableStep = nullptr;
     QLabel* m_ratio = nullptr;

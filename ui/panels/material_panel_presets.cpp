@@ -2,6 +2,7 @@
 #include "ui/panels/material_panel.h"
 
 #include "ui/dialogs/material_comparison_dialog.h"
+#include "ui/document/table_kinds.h"
 #include "ui/materials/material_store.h"
 #include "ui/materials/material_swatch.h"
 #include "ui/panels/form.h"
@@ -80,7 +81,7 @@ void MaterialPanel::makePresetRows()
 
 void MaterialPanel::showPreset()
 {
-    const auto preset = m_store.find(m_material, m_chosenName);
+    const auto preset = m_store.find(isKneaded(m_material) ? m_firmBase : m_material, m_chosenName);
     m_preset->setCurrentIndex(preset ? static_cast<int>(*preset) : -1);
     const auto own = ownPreset();
     m_rename->setEnabled(own.has_value());
@@ -107,11 +108,29 @@ std::optional<std::size_t> MaterialPanel::ownPreset() const
 void MaterialPanel::choosePreset(int index)
 {
     const MaterialPreset& preset = m_store.all()[static_cast<std::size_t>(index)];
-    m_material = preset.material;
+    m_material = m_firmBase = preset.material;
     m_chosenName = QString::fromStdString(preset.name);
     for (const auto& [value, field] : m_fields)
         field->restore();
+    m_document.beginGesture();
     post(tr("Material of %1 → %2").arg(m_name->text(), materialName(preset)));
+    if (isKneaded(m_material))
+        layOnTable();
+    m_document.endGesture();
+}
+
+/// What is kneaded lies on a table that holds it, under its weight: unless a person said otherwise, something holds it, or the work has
+/// begun.
+void MaterialPanel::layOnTable()
+{
+    const Snapshot& now = *m_document.frame()->snapshot;
+    const bool isUntouched =
+        now.step == 0 && now.floorHeight && now.gravity.isZero() && now.fixtures.empty() && now.floorAdhesion == 0;
+    if (!isUntouched)
+        return;
+    const TableKind& sticky = tableKinds()[stickyTable];
+    m_document.post(SetGravity{Vec3(0, 0, -9.81)});
+    m_document.post(SetFloor{now.floorHeight, sticky.friction, sticky.adhesion});
 }
 
 /// A dialog that the window does not wait for.
