@@ -181,6 +181,7 @@ void MainWindow::makeMenus()
     const auto choice = [this](const char* name) { return findChild<QComboBox*>(name); };
     simulation->addMenu(menuOf(choice("simulationSpeed"), tr("Speed"), this));
     simulation->addMenu(menuOf(choice("gravityPreset"), tr("Gravity as on"), this));
+    simulation->addMenu(menuOf(choice("tableKind"), tr("Table"), this));
     simulation->addMenu(menuOf(choice("integrator"), tr("Integrator"), this));
     simulation->addAction(a.keepUp);
     simulation->addSeparator();

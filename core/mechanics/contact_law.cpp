@@ -119,8 +119,8 @@ ContactResult contactForce(const ContactState& state, const ContactParameters& p
     result.slope = spring.slope;
 
     const Vec3 slide = state.relativeVelocity - normalSpeed * state.normal;
-    const double secant = state.overlap > 0 ? spring.force / state.overlap : parameters.stiffness;
-    const double sideways = step.duration * secant;
+    const double sideways =
+        state.overlap > 0 ? step.duration * spring.force / state.overlap : step.duration * parameters.stiffness;
     const Vec3& before = state.memory.hold;
     const Vec3 held = before - before.dot(state.normal) * state.normal + sideways * slide;
     const Vec3 sticking = held + parameters.damping * slide;

@@ -2988,6 +2988,10 @@ Simuliert: %2, Schritt %3
         <source>Turn the section plane on (Shift+S) and put it where the cut shall be.</source>
         <translation>Schalten Sie die Schnittebene ein (Umschalt+S) und setzen Sie sie dorthin, wo geschnitten werden soll.</translation>
     </message>
+    <message>
+        <source>Table</source>
+        <translation>Tisch</translation>
+    </message>
 </context>
 <context>
     <name>MaterialComparisonDialog</name>

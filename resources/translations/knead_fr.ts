@@ -2988,6 +2988,10 @@ Simulé&#xa0;: %2, pas %3
         <source>Turn the section plane on (Shift+S) and put it where the cut shall be.</source>
         <translation>Activez le plan de coupe (Maj+S) et placez-le là où il faut couper.</translation>
     </message>
+    <message>
+        <source>Table</source>
+        <translation>Table</translation>
+    </message>
 </context>
 <context>
     <name>MaterialComparisonDialog</name>

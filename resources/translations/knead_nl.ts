@@ -2988,6 +2988,10 @@ Gesimuleerd: %2, stap %3
         <source>Turn the section plane on (Shift+S) and put it where the cut shall be.</source>
         <translation>Zet het doorsnedevlak aan (Shift+S) en plaats het waar gesneden moet worden.</translation>
     </message>
+    <message>
+        <source>Table</source>
+        <translation>Tafel</translation>
+    </message>
 </context>
 <context>
     <name>MaterialComparisonDialog</name>

@@ -107,6 +107,7 @@ private slots:
             {"sectionAxis", {"sectionX", "sectionY", "sectionZ", "sectionEye"}},
             {"simulationSpeed", {"simulationSpeed-0", "simulationSpeed-8"}},
             {"gravityPreset", {"gravityPreset-0", "gravityPreset-4"}},
+            {"tableKind", {"tableKind-0", "tableKind-3"}},
             {"integrator", {"integrator-0", "integrator-3"}},
             {"filmRate", {"filmRate-0", "filmRate-6"}},
             {"spaceMouseDrives", {"spaceMouseTool"}},

@@ -205,6 +205,8 @@ private slots:
             simulation.post(SetManipulatorMotion{0, GoTo{pose}});
             run(simulation, 0.6);
         }
+        simulation.snapshot(); // forces are means since the one before
+        simulation.step();
         const auto shot = simulation.snapshot();
         QVERIFY2(shot->health.ok, shot->health.message.c_str());
         QVERIFY(shot->refills > 2);

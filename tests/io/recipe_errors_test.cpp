@@ -39,7 +39,8 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
         "manipulators[0] must have the key \"position_mm\".");
     row("unknown key", withManipulator(R"({"name": "a", "size": [1, 2, 3]})"),
         "manipulators[0].size is not a known key; allowed here: name, kind, size_mm, part_file, part_number, "
-        "friction, speed_limit_mm_s, force_limit_n, position_mm, rotation_deg, rotation_wxyz, keyframes, motion.");
+        "friction, speed_limit_mm_s, force_limit_n, adhesion_pa, position_mm, rotation_deg, rotation_wxyz, keyframes, "
+        "motion.");
     row("unknown kind", withManipulator(R"({"name": "a", "kind": "cone"})"),
         "manipulators[0].kind must be one of box, ball, cylinder, wedge, plate, part, got \"cone\".");
     row("ball with edges", withManipulator(R"({"name": "a", "kind": "ball", "size_mm": [1, 2, 3]})"),
