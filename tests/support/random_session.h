@@ -47,8 +47,7 @@ inline Command anyCommand(fuzz::Random& random)
     case 4:
         return SetGravity{Vec3(0, 0, number(-20, 0))};
     case 5:
-        return SetFloor{random.chance(50) ? std::optional(-2.5 * lumpSpacing) : std::nullopt, 0.4,
-                        random.chance(50) ? 1e4 : 0};
+        return SetFloor{random.chance(50) ? std::optional(-2.5 * lumpSpacing) : std::nullopt};
     case 6:
         return AddManipulator{ball};
     case 7:
