@@ -6,12 +6,22 @@
 #include "core/skin/skin.h"
 #include "core/vicinity/point_grid.h"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace knead {
 
 namespace {
 
 // The skin of the carriers smooths what it is given; doing it again with what is missing takes much of that back.
 constexpr int corrections = 1;
+// A cut is a plane through so many known places of it.
+constexpr std::size_t cutsAround = 8;
+constexpr double nearestEnd = 1e-6; // of a cut, by the length of a connection
 
 std::vector<Vec3> restOf(const Aggregate& aggregate)
 {
@@ -44,6 +54,76 @@ std::vector<Vec3> skinned(const Skin& skin, std::span<const Vec3> displacements)
     return places;
 }
 
+/// Where knives went through connections of a filling.
+std::vector<Vec3> placesOfCuts(const Aggregate& aggregate, std::span<const BrokenConnection> broken)
+{
+    std::vector<Vec3> places;
+    for (const BrokenConnection& one : broken)
+        if (one.isCut())
+            places.push_back(aggregate.lattice.position(one.lower) +
+                             one.cutAt * aggregate.lattice.direction(static_cast<int>(one.direction)));
+    return places;
+}
+
+/// What a former shape takes to some places, by Newton's method from the carrier that is nearest to each.
+std::vector<Vec3> opened(const FormerShape& former, const std::vector<Vec3>& places, std::span<const Vec3> rest,
+                         std::span<const Vec3> then)
+{
+    constexpr int steps = 6;
+    const double spacing = former.carriers()->lattice.spacing;
+    const double small = 1e-3 * spacing;
+    std::vector<Vec3> found;
+    for (const ObjectIndex nearest : nearestPoints(arrayOf(then), arrayOf(places), spacing))
+        found.push_back(rest[nearest]);
+    std::vector<Vec3> here(found.size());
+    std::array<std::vector<Vec3>, 3> beside;
+    for (int n = 0; n < steps; ++n) {
+        former.evaluate(found, here);
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            std::vector<Vec3>& moved = beside[static_cast<std::size_t>(axis)];
+            moved = found;
+            for (Vec3& place : moved)
+                place[axis] += small;
+            former.evaluate(std::vector<Vec3>(moved), moved);
+        }
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            Mat3 gradient;
+            for (Eigen::Index axis = 0; axis < 3; ++axis)
+                gradient.col(axis) = (beside[static_cast<std::size_t>(axis)][i] - here[i]) / small;
+            const Vec3 step = gradient.partialPivLu().solve(places[i] - here[i]);
+            if (step.allFinite())
+                found[i] += std::min(1.0, spacing / (step.norm() + 1e-300)) * step;
+        }
+    }
+    return found;
+}
+
+/// Has connections cut where the plane through the nearest of some places crosses them.
+void cutExactly(const Aggregate& aggregate, const std::vector<Vec3>& cuts, std::vector<BrokenConnection>& broken)
+{
+    const Lattice& lattice = aggregate.lattice;
+    const VectorArray points = arrayOf(cuts);
+    const PointGrid grid(points, lattice.spacing);
+    std::vector<PointGrid::Found> found;
+    for (BrokenConnection& one : broken) {
+        if (!one.isCut())
+            continue;
+        const Vec3 lower = lattice.position(one.lower);
+        const Vec3 way = lattice.direction(static_cast<int>(one.direction));
+        grid.nearest(lower + one.cutAt * way, cutsAround, found);
+        Vec3 middle = Vec3::Zero();
+        for (const PointGrid::Found& each : found)
+            middle += cuts[each.point] / static_cast<double>(found.size());
+        Mat3 spread = Mat3::Zero();
+        for (const PointGrid::Found& each : found)
+            spread += (cuts[each.point] - middle) * (cuts[each.point] - middle).transpose();
+        const Vec3 normal = Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors().col(0);
+        const double along = way.dot(normal);
+        if (std::abs(along) > 0.05 * way.norm())
+            one.cutAt = std::clamp((middle - lower).dot(normal) / along, nearestEnd, 1 - nearestEnd);
+    }
+}
+
 } // namespace
 
 std::vector<BrokenConnection> brokenInFormer(const Aggregate& present, std::span<const BrokenConnection> broken)
@@ -51,8 +131,14 @@ std::vector<BrokenConnection> brokenInFormer(const Aggregate& present, std::span
     if (!present.former || broken.empty())
         return {};
     const Aggregate& carriers = *present.former->carriers();
+    const std::vector<Vec3> rest = restOf(carriers);
+    const std::vector<Vec3> then = placesWhenFilled(present, rest);
     const VectorArray nodes = nodesOf(present);
-    return carriedCracks({present, nodes, broken}, carriers, arrayOf(placesWhenFilled(present, restOf(carriers))));
+    std::vector<BrokenConnection> carried = carriedCracks({present, nodes, broken}, carriers, arrayOf(then));
+    const std::vector<Vec3> cut = placesOfCuts(present, broken);
+    if (cut.size() >= cutsAround)
+        cutExactly(carriers, opened(*present.former, cut, rest, then), carried);
+    return carried;
 }
 
 std::optional<OpenedState> openedState(const Aggregate& present, std::span<const Vec3> displacements,

@@ -1,3 +1,4 @@
+#include "core/skin/refilled.h"
 #include "core/skin/torn_parts.h"
 #include "io/export/job_file.h"
 #include "support/export_jobs.h"
@@ -49,6 +50,7 @@ class BrokenExportTest : public QObject {
 private slots:
     void tornPartsComeAsClosedPieces();
     void piecesThatAKnifeCutKeepTheirFaces();
+    void piecesOfABodyThatWasFilledAnewKeepTheirFaces();
     void crumbsAreWrittenWithWhatTheyCameOff();
     void crackedPartsInOnePieceSaySo();
     void crackedPartsThatAreFoldedSayWhyTheyAreFlat();
@@ -148,6 +150,50 @@ void BrokenExportTest::piecesThatAKnifeCutKeepTheirFaces()
         QVERIFY2(std::abs(rest / model.parts.front().volume - 1) < 1e-4,
                  qPrintable(QString::number(rest / model.parts.front().volume - 1)));
     }
+}
+
+/// Bent, filled anew as it was then, cut along a plane, and the pieces moved apart.
+void BrokenExportTest::piecesOfABodyThatWasFilledAnewKeepTheirFaces()
+{
+    const Model model = example("bar.step");
+    const Vec3 center = boxOf(model).center();
+    const auto bent = [&](const Vec3& at) { return Vec3(0, 0, 3 * (at.x() - center.x()) * (at.x() - center.x())); };
+    const auto height = [&](const Vec3& at) { return (at - center).dot(Vec3(1, 0.3, 0.2).normalized()) - 0.0007; };
+    const maps::Identity still;
+    ExportJob job = jobOf(model, &still);
+    PartToExport& whole = job.parts.front();
+    for (ObjectIndex i = 0; i < whole.displacements.size(); ++i)
+        whole.displacements[i] = bent(whole.aggregate->lattice.position(i));
+    std::shared_ptr<const ShapeFitting> fitting;
+    whole.aggregate =
+        refilled(whole.part.mesh, whole.aggregate, whole.displacements, whole.aggregate->lattice.spacing, fitting);
+    const Lattice& lattice = whole.aggregate->lattice;
+    auto broken = std::make_shared<std::vector<BrokenConnection>>();
+    const auto across = brokenAcross(*whole.aggregate, [&](const Vec3& at) { return height(at) < 0 ? 0.0 : 1.0; });
+    for (const BrokenConnection& one : *across) {
+        const double low = height(lattice.position(one.lower));
+        const double high = height(lattice.position(one.lower) + lattice.direction(static_cast<int>(one.direction)));
+        broken->push_back({one, std::clamp(low / (low - high), 1e-6, 1 - 1e-6)});
+    }
+    whole.broken = broken;
+    whole.displacements.assign(lattice.size(), Vec3::Zero());
+    for (ObjectIndex i = 0; i < lattice.size(); ++i)
+        whole.displacements[i].x() = height(lattice.position(i)) < 0 ? 0 : 0.01;
+    job = withPieces(std::move(job), 6000, TaskControl::none(), true);
+    QCOMPARE(job.parts.size(), std::size_t{2});
+    const ExportedFile file = exportCad(FormatKind::Step, jobFromBytes(jobToBytes(job)), TaskControl::none());
+    QVERIFY(file.report.isSound());
+    double rest = 0;
+    for (const PartExportReport& part : file.report.parts) {
+        QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.c_str());
+        QVERIFY(part.closed && part.valid && part.freeEdges == 0);
+        QVERIFY2(part.largestDeviation <= part.tolerance, qPrintable(QString::number(part.largestDeviation)));
+        QVERIFY2(std::abs(part.volumeError()) < 1e-3, qPrintable(QString::number(part.volumeError())));
+        QCOMPARE(part.facesAfter, 6);
+        rest += part.restVolume;
+    }
+    QVERIFY2(std::abs(rest / model.parts.front().volume - 1) < 1e-4,
+             qPrintable(QString::number(rest / model.parts.front().volume - 1)));
 }
 
 void BrokenExportTest::crumbsAreWrittenWithWhatTheyCameOff()
