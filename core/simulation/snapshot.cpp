@@ -9,6 +9,9 @@ namespace knead {
 
 double EnergyLedger::imbalanceShare() const
 {
+    constexpr double nothing = 1e-18; // rounding of a body at rest [J]: a share of that says nothing
+    if (std::abs(imbalance) < nothing && created() < nothing)
+        return 0;
     const double most = std::max({turnover, std::abs(toolWork), std::abs(imbalance)});
     return most > 0 ? std::max(std::abs(imbalance), created()) / std::max(most, created()) : 0;
 }
