@@ -8,6 +8,7 @@
 #include "core/skin/carried_cracks.h"
 #include "core/skin/refilled.h"
 #include "support/changed_moment.h"
+#include "support/kneaded_clay.h"
 #include "support/random_strokes.h"
 #include "support/scenes.h"
 
@@ -21,28 +22,6 @@ namespace {
 
 constexpr double spacing = 3e-3; // [m]
 const Vec3 size(0.045, 0.036, 0.024);
-
-Material clay()
-{
-    Material material{.density = 1700, .youngsModulus = 5e5, .poissonRatio = 0.45, .dampingRatio = 0.2};
-    material.shapeDamping = 20;
-    material.friction = 0.5;
-    material.yieldStress = 1e4;
-    material.relaxationTime = 0.002;
-    return material;
-}
-
-/// As it is pressed by hand: it tears, sticks and heals.
-Material modelingClay()
-{
-    Material material = clay();
-    material.tensileStrength = 1e5;
-    material.elongationAtBreak = 3;
-    material.toughness = 50;
-    material.adhesion = 1000;
-    material.healingTime = 0.3;
-    return material;
-}
 
 Body lump(const Material& material, double fineness = spacing)
 {
@@ -148,7 +127,7 @@ private slots:
     void aCrackIsCarriedToAnyLattice()
     {
         QFETCH(double, fineness);
-        const Body whole = lump(clay());
+        const Body whole = lump(scenes::kneadedClay());
         const Aggregate& before = *whole.aggregate;
         // Another lattice: of a surface that was moved by part of a spacing.
         TriangleMesh moved = shapes::box(size);
@@ -178,7 +157,7 @@ private slots:
 
     void whatHealedIsOneAgain()
     {
-        const Body whole = lump(clay());
+        const Body whole = lump(scenes::kneadedClay());
         const Aggregate& body = *whole.aggregate;
         const auto broken = crack(body, 0.1e-3, -1, false);
         std::vector<GrownTogether> healed;
@@ -197,7 +176,7 @@ private slots:
     void aLumpWithASlitIsKneadedOn()
     {
         Scene scene;
-        Material late = clay();
+        Material late = scenes::kneadedClay();
         late.healingTime = 1000; // it would heal, but not now
         scene.bodies.push_back(lump(late));
         scene.integrator = Integrator::implicitEuler;
@@ -236,7 +215,7 @@ private slots:
     void whatWasCutAndHealedIsKneadedOnAsOne()
     {
         Scene scene;
-        scene.bodies.push_back(lump(modelingClay()));
+        scene.bodies.push_back(lump(scenes::modelingClay()));
         scene.gravity = Vec3(0, 0, -9.81);
         scene.floorHeight = -0.5 * size.z();
         scene.floorFriction = 1;
@@ -263,7 +242,7 @@ private slots:
     void clayIsNotTiredByBeingKneadedToAndFro()
     {
         for (const bool heals : {true, false}) {
-            Material material = clay();
+            Material material = scenes::kneadedClay();
             material.elongationAtBreak = 0.5;
             material.tensileStrength = 1e6;
             material.healingTime = heals ? 1 : 0;
@@ -294,7 +273,7 @@ private slots:
     {
         constexpr double coarse = 4e-3;
         Scene scene;
-        scene.bodies.push_back(lump(modelingClay(), coarse));
+        scene.bodies.push_back(lump(scenes::modelingClay(), coarse));
         scene.gravity = Vec3(0, 0, -9.81);
         scene.floorHeight = -0.5 * size.z();
         scene.floorFriction = 1;

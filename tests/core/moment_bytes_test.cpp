@@ -118,11 +118,23 @@ std::ptrdiff_t restOf(const Moment& moment)
     return 1 + 1 + 4 + static_cast<std::ptrdiff_t>(moment.health.message.size());
 }
 
+using Stretches = std::vector<std::pair<std::size_t, std::ptrdiff_t>>; // where, and how much
+
+Bytes without(Bytes bytes, Stretches gone)
+{
+    std::sort(gone.rbegin(), gone.rend()); // the last one first, so that places stay what they are
+    for (const auto& [place, count] : gone) {
+        const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(place);
+        bytes.erase(first, first + count);
+    }
+    return bytes;
+}
+
 /// Bytes of a moment of first fillings without what sticks to tools and floor: as version 7 had them.
 Bytes beforeSticking(const Moment& moment)
 {
     const Bytes whole = momentToBytes(moment);
-    std::vector<std::pair<std::size_t, std::ptrdiff_t>> gone; // where, and how much
+    Stretches gone;
     const auto forget = [&](std::ptrdiff_t size, const auto& change) {
         Moment other = moment;
         change(other);
@@ -149,13 +161,7 @@ Bytes beforeSticking(const Moment& moment)
             bool& sticks = other.contacts.touches[t].friction.sticks;
             sticks = !sticks;
         });
-    std::sort(gone.rbegin(), gone.rend()); // the last one first, so that places stay what they are
-    Bytes bytes = whole;
-    for (const auto& [place, count] : gone) {
-        const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(place);
-        bytes.erase(first, first + count);
-    }
-    return bytes;
+    return without(whole, std::move(gone));
 }
 
 /// Bytes of a moment of bodies of one material each, of which nothing is broken or being cut, without toughness and what knives hold:
@@ -186,7 +192,7 @@ Bytes beforeCutting(const Moment& moment)
 Bytes beforeRefilling(const Moment& moment)
 {
     const Bytes whole = beforeCutting(moment);
-    std::vector<std::pair<std::size_t, std::ptrdiff_t>> gone; // where, and how much
+    Stretches gone;
     for (std::size_t b = 0; b < moment.bodies.size(); ++b) {
         Moment other = moment;
         other.bodies[b].kind = moment.bodies[b].kind == BodyKind::glue ? BodyKind::rigid : BodyKind::glue;
@@ -199,13 +205,7 @@ Bytes beforeRefilling(const Moment& moment)
         other.fixtures[f]->whenOpened = {1};
         gone.emplace_back(firstDifference(whole, beforeCutting(other)), 4);
     }
-    std::sort(gone.rbegin(), gone.rend()); // the last one first, so that places stay what they are
-    Bytes bytes = whole;
-    for (const auto& [place, count] : gone) {
-        const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(place);
-        bytes.erase(first, first + count);
-    }
-    return bytes;
+    return without(whole, std::move(gone));
 }
 
 /// Bytes of a moment without the pace, and with what tools kept of their limits: as version 4 had them.

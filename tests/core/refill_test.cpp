@@ -9,6 +9,7 @@
 #include "core/skin/refilled.h"
 #include "support/changed_moment.h"
 #include "support/fuzz_random.h"
+#include "support/kneaded_clay.h"
 #include "support/scenes.h"
 
 #include <QTest>
@@ -22,17 +23,7 @@ namespace {
 constexpr double spacing = 3e-3; // [m]
 const Vec3 size(0.045, 0.036, 0.024);
 
-Material clay()
-{
-    Material material{.density = 1700, .youngsModulus = 5e5, .poissonRatio = 0.45, .dampingRatio = 0.2};
-    material.shapeDamping = 20;
-    material.friction = 0.5;
-    material.yieldStress = 1e4;
-    material.relaxationTime = 0.002;
-    return material;
-}
-
-Body lump(const Material& material = clay())
+Body lump(const Material& material = scenes::kneadedClay())
 {
     const TriangleMesh mesh = shapes::box(size);
     Body body = scenes::body(mesh, spacing, material, "lump");
@@ -177,7 +168,7 @@ private slots:
             const Vec3 limb(0.06, 0.018, 0.018);
             const TriangleMesh mesh = shapes::box(limb);
             Scene scene;
-            scene.bodies.push_back(scenes::body(mesh, spacing, clay(), "limb"));
+            scene.bodies.push_back(scenes::body(mesh, spacing, scenes::kneadedClay(), "limb"));
             scene.bodies[0].surface = std::make_shared<const TriangleMesh>(mesh);
             const Aggregate& aggregate = *scene.bodies[0].aggregate;
             scene.fixtures.push_back({"foot", 0, objectsInBox(aggregate, Box(Vec3(-1, -1, -1), Vec3(-0.02, 1, 1)))});
@@ -253,7 +244,7 @@ private slots:
     void whatIsHeldAndMadeOfSomethingElseStaysSo()
     {
         Scene scene = dent();
-        Material stiff = clay();
+        Material stiff = scenes::kneadedClay();
         stiff.yieldStress = 5e4;
         const std::vector<ObjectIndex> left =
             objectsInBox(*scene.bodies[0].aggregate, Box(Vec3(-1, -1, -1), Vec3(-0.2 * size.x(), 1, 1)));

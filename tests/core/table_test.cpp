@@ -3,6 +3,7 @@
 
 #include "core/mechanics/contact_law.h"
 #include "core/simulation/moment.h"
+#include "support/kneaded_clay.h"
 #include "support/scenes.h"
 
 #include <QTest>
@@ -176,17 +177,8 @@ private slots:
     void aLumpThatWasDentedDeeplyStaysOnAStickyTable()
     {
         const Vec3 lump(0.045, 0.036, 0.024);
-        Material clay{.density = 1700, .youngsModulus = 5e5, .poissonRatio = 0.45, .dampingRatio = 0.2};
-        clay.shapeDamping = 20;
-        clay.friction = 0.5;
-        clay.yieldStress = 1e4;
-        clay.relaxationTime = 0.002;
-        clay.tensileStrength = 1e5;
-        clay.elongationAtBreak = 3;
-        clay.adhesion = 1000;
-        clay.healingTime = 0.3;
         Scene scene;
-        scene.bodies.push_back(scenes::body(shapes::box(lump), 3e-3, clay, "lump"));
+        scene.bodies.push_back(scenes::body(shapes::box(lump), 3e-3, scenes::modelingClay(), "lump"));
         scene.bodies[0].surface = std::make_shared<const TriangleMesh>(shapes::box(lump));
         scene.floorHeight = -0.5 * lump.z();
         scene.floorAdhesion = 2e4;
