@@ -75,18 +75,29 @@ struct CommandMaker {
     {
         for (BodyObjects& at : objectsWithin(ready, change.body, change.box, change.objects, place()))
             made.push_back(SetMaterial{at.body, change.material.on(ready.scene.bodies[at.body].material),
-                                       change.box ? present(at) : std::move(at.objects)});
+                                       present(at.body, at.objects, change.objects)});
     }
-    /// What was chosen by a place in the opened part, in the filling that the body has by now; numbers are those of now.
-    std::vector<ObjectIndex> present(const BodyObjects& at) const
+    /// What was chosen in the first filling of a body, in the one that it has by now.
+    /// @throws std::runtime_error where numbers are those of another filling
+    std::vector<ObjectIndex> present(BodyId body, const std::vector<ObjectIndex>& objects,
+                                     const std::optional<RecipeObjects>& numbers) const
     {
-        return objectsInFilling(*bodies[at.body].aggregate, at.objects);
+        const Aggregate& aggregate = *bodies[body].aggregate;
+        if (!numbers || !numbers->isFilledAnew)
+            return objectsInFilling(aggregate, objects);
+        if (!aggregate.former || aggregate.size() != numbers->of)
+            throw std::runtime_error(place() + " names objects of a body that was filled anew with " +
+                                     std::to_string(numbers->of) + ", and here it " +
+                                     (aggregate.former ? "was filled anew with " : "is filled with the first ") +
+                                     std::to_string(aggregate.size()) +
+                                     ". Name a box instead, or keep the spacing and what is done before.");
+        return objects;
     }
     void operator()(const RenormalizeBodies& wanted)
     {
         for (BodyObjects& at : objectsWithin(ready, wanted.body, wanted.box, wanted.objects, place()))
             if (!wanted.body.empty() || bodies[at.body].kind == BodyKind::deformable)
-                made.push_back(Renormalize{at.body, wanted.box ? present(at) : std::move(at.objects), wanted.duration});
+                made.push_back(Renormalize{at.body, present(at.body, at.objects, wanted.objects), wanted.duration});
     }
     void operator()(const ChangeBodyKind& change)
     {
@@ -103,8 +114,7 @@ struct CommandMaker {
     void operator()(const AddRecipeFixture& add)
     {
         for (Fixture& fixture : fixturesOf(recipe, add.fixture, ready)) {
-            if (!add.fixture.objects)
-                fixture.objects = objectsInFilling(*bodies[fixture.body].aggregate, fixture.objects);
+            fixture.objects = present(fixture.body, fixture.objects, add.fixture.objects);
             made.push_back(AddFixture{std::move(fixture)});
         }
     }

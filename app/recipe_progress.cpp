@@ -23,6 +23,18 @@ bool wasDue(const RecipeEvent& event, const Moment& moment)
     return moment.step > 0 && moment.time - 0.5 * moment.timeStep >= event.time;
 }
 
+/// Whether it is of objects that there are only when the event is due.
+bool namesLaterFilling(const RecipeAction& action)
+{
+    const auto isLater = [](const std::optional<RecipeObjects>& objects) { return objects && objects->isFilledAnew; };
+    if (const auto* change = std::get_if<ChangeMaterial>(&action))
+        return isLater(change->objects);
+    if (const auto* wanted = std::get_if<RenormalizeBodies>(&action))
+        return isLater(wanted->objects);
+    const auto* add = std::get_if<AddRecipeFixture>(&action);
+    return add != nullptr && isLater(add->fixture.objects);
+}
+
 } // namespace
 
 RecipeProgress::RecipeProgress(const Recipe& recipe, const RecipeScene& ready)
@@ -110,7 +122,8 @@ void checkEvents(const Recipe& recipe, const RecipeScene& ready)
 {
     const EventCommands events(recipe, ready);
     for (std::size_t i = 0; i < recipe.events.size(); ++i)
-        events.commandsOf(i, ready.scene.bodies);
+        if (!namesLaterFilling(recipe.events[i].action))
+            events.commandsOf(i, ready.scene.bodies);
 }
 
 } // namespace knead

@@ -190,7 +190,7 @@ void requireFilling(const RecipeObjects& objects, std::size_t bodies, std::size_
 {
     if (bodies != 1)
         throw UnusableInput(place + " names objects of one body among several; add the key body.");
-    if (objects.of != count)
+    if (!objects.isFilledAnew && objects.of != count)
         throw UnusableInput(place + " names objects of a body that is filled with " + std::to_string(objects.of) +
                             ", and here it is filled with " + std::to_string(count) +
                             ". Name a box instead, or keep the spacing.");

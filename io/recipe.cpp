@@ -68,6 +68,15 @@ void checkNameIsNew(const JsonNode& node, const std::vector<Named>& others, cons
         node.at("name").fail("is used twice: \"" + name + "\".");
 }
 
+/// What is held from the start on is named in the first filling.
+RecipeFixture readFirstFixture(const JsonNode& node)
+{
+    RecipeFixture fixture = readRecipeFixture(node);
+    if (fixture.objects && fixture.objects->isFilledAnew)
+        node.at("filled_anew").fail("belongs to events: at the start nothing has been filled anew.");
+    return fixture;
+}
+
 /// A list whose items have names, each used once.
 template <class Read>
 auto readNamed(const JsonNode& node, Read read)
@@ -168,7 +177,7 @@ void readBodies(const JsonNode& root, const std::vector<MaterialPreset>& presets
     if (const auto node = root.find("structural_friction"))
         recipe.structuralFriction = node->number(0, 2);
     if (const auto node = root.find("fixtures"))
-        recipe.fixtures = readNamed(*node, readRecipeFixture);
+        recipe.fixtures = readNamed(*node, readFirstFixture);
     if (const auto node = root.find("loads"))
         recipe.loads = readNamed(*node, readRecipeLoad);
 }

@@ -47,6 +47,7 @@ struct RecipeBody {
 struct RecipeObjects {
     std::vector<ObjectIndex> numbers; ///< ascending
     std::size_t of = 0;               ///< how many objects the body has in that filling
+    bool isFilledAnew = false;        ///< it is the one that the body has by then, not its first
 };
 
 /// A region of bodies: at CAD faces, everything in a box, or objects one by one.

@@ -38,7 +38,7 @@ void readWhere(const JsonNode& node, Action& action)
 
 RecipeAction readRenormalize(const JsonNode& node)
 {
-    node.allowOnly({"body", "box_mm", "objects", "objects_in_body", "duration_s"});
+    node.allowOnly({"body", "box_mm", "objects", "objects_in_body", "filled_anew", "duration_s"});
     RenormalizeBodies action;
     readWhere(node, action);
     if (const auto duration = node.find("duration_s"))
@@ -238,7 +238,7 @@ std::optional<JsonNode> pathIn(const JsonNode& move)
 
 std::vector<RecipeEvent> readRecipeEvent(const JsonNode& node, const EventContext& context)
 {
-    std::vector<std::string> allowed{"time_s", "step", "body", "box_mm", "objects", "objects_in_body"};
+    std::vector<std::string> allowed{"time_s", "step", "body", "box_mm", "objects", "objects_in_body", "filled_anew"};
     for (const ActionReader& reader : actionReaders())
         allowed.push_back(reader.key);
     node.allowOnly(allowed);
@@ -246,7 +246,7 @@ std::vector<RecipeEvent> readRecipeEvent(const JsonNode& node, const EventContex
     const ActionReader& reader = readerFor(node);
     const JsonNode action = node.at(reader.key);
     if (reader.key != "material")
-        for (const char* detail : {"body", "box_mm", "objects", "objects_in_body"})
+        for (const char* detail : {"body", "box_mm", "objects", "objects_in_body", "filled_anew"})
             if (const auto found = node.find(detail))
                 found->fail("belongs to a change of material only.");
     if (reader.key == "move_manipulator")

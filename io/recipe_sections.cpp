@@ -80,9 +80,13 @@ std::optional<RecipeObjects> readRecipeObjects(const JsonNode& node)
     const auto count = node.find("objects_in_body");
     if (list.has_value() != count.has_value())
         node.fail("must have both of the keys objects and objects_in_body, or none.");
+    if (const auto anew = node.find("filled_anew"); anew && !list)
+        anew->fail("belongs to objects.");
     if (!list)
         return std::nullopt;
     RecipeObjects objects{{}, count->count(mostObjects)};
+    if (const auto anew = node.find("filled_anew"))
+        objects.isFilledAnew = anew->boolean();
     for (const JsonNode& item : list->items()) {
         const auto [first, last] = readStretch(item);
         if (last < first || last >= objects.of || (!objects.numbers.empty() && first <= objects.numbers.back()))
@@ -153,8 +157,8 @@ RecipeBody readRecipeBody(const JsonNode& node, const std::string& name)
 
 RecipeFixture readRecipeFixture(const JsonNode& node)
 {
-    node.allowOnly(
-        {"name", "body", "faces", "box_mm", "objects", "objects_in_body", "velocity_mm_s", "turn", "moment_center_mm"});
+    node.allowOnly({"name", "body", "faces", "box_mm", "objects", "objects_in_body", "filled_anew", "velocity_mm_s",
+                    "turn", "moment_center_mm"});
     RecipeFixture fixture{readRegion(node)};
     if (const auto velocity = node.find("velocity_mm_s"))
         fixture.velocity = readMillimeters(*velocity, fastestStart);

@@ -156,6 +156,8 @@ using Command =
 struct RecordedCommand {
     std::uint64_t step = 0;
     Command command;
+    /// Of the body whose objects the command names, where it had been filled anew by then; 0: they are those of its first filling.
+    std::uint32_t objectsInBody = 0;
 };
 
 } // namespace knead

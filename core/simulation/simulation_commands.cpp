@@ -321,6 +321,18 @@ bool placesTool(const Command& command)
     return isOneOf<AddManipulator, PlaceManipulator, ReshapeManipulator, SetFloor, Reset>(command);
 }
 
+/// Of which body a command names objects by their numbers.
+std::optional<BodyId> bodyOfNumbers(const Command& command)
+{
+    if (const auto* change = std::get_if<SetMaterial>(&command); change != nullptr && !change->objects.empty())
+        return change->body;
+    if (const auto* wanted = std::get_if<Renormalize>(&command); wanted != nullptr && !wanted->objects.empty())
+        return wanted->body;
+    if (const auto* add = std::get_if<AddFixture>(&command))
+        return add->fixture.body;
+    return std::nullopt;
+}
+
 } // namespace
 
 void Simulation::State::setKind(BodyId body, BodyKind kind)
@@ -345,7 +357,9 @@ void Simulation::State::carryOut(const Command& command)
     std::visit(Executor(*this), command);
     if (!leavesBodies(command))
         implicit.reset();
-    recording.push_back({before, command});
+    const std::optional<BodyId> body = bodyOfNumbers(command);
+    const bool isLater = body && !isFirstFilling(*body);
+    recording.push_back({before, command, isLater ? static_cast<std::uint32_t>(bodies[*body].aggregate->size()) : 0});
 }
 
 void Simulation::State::applyCommands()

@@ -235,6 +235,7 @@ void describe(Fields& fields, Field<Fields, RecordedCommand> recorded)
 {
     fields("step", recorded.step);
     describeVariant(fields, "command", recorded.command);
+    fields.numberIfAny("objects_in_body", recorded.objectsInBody);
 }
 
 // --- lists of them ------------------------------------------------------------------------------------------------------

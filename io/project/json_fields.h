@@ -56,7 +56,8 @@ public:
     void operator()(const char* key, bool value) { put(key, value ? "true" : "false"); }
     void flag(const char* key, bool value, bool /*missing*/) { (*this)(key, value); }
     /// Left out where it is 0.
-    void numberIfAny(const char* key, double value)
+    template <class Number>
+    void numberIfAny(const char* key, Number value)
     {
         if (value != 0)
             (*this)(key, value);
@@ -148,7 +149,8 @@ public:
         const auto node = m_node.find(key);
         value = node ? node->boolean() : missing;
     }
-    void numberIfAny(const char* key, double& value) const
+    template <class Number>
+    void numberIfAny(const char* key, Number& value) const
     {
         value = 0;
         if (m_node.find(key))

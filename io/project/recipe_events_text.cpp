@@ -73,6 +73,7 @@ public:
     {
         for (const RecordedCommand& recorded : gesture.commands) {
             m_step = recorded.step;
+            m_objectsInBody = recorded.objectsInBody;
             m_isLast = &recorded == &gesture.commands.back();
             m_name = gesture.name;
             std::visit(*this, recorded.command);
@@ -153,7 +154,10 @@ public:
         putPose(place, command.pose);
         finish(event().put("place_manipulator", place.take()));
     }
-    void operator()(const AddFixture& command) { finish(event().put("add_fixture", m_words.fixture(command.fixture))); }
+    void operator()(const AddFixture& command)
+    {
+        finish(event().put("add_fixture", m_words.fixture(command.fixture, m_objectsInBody)));
+    }
     void operator()(const RemoveFixture& command)
     {
         finish(event().text("remove_fixture", m_words.names.fixture(command.fixture)));
@@ -234,13 +238,16 @@ private:
     void putBody(ObjectText& text, BodyId body, const std::vector<ObjectIndex>& objects) const
     {
         text.text("body", m_words.names.body(body));
-        if (!objects.empty())
+        if (!objects.empty() && m_objectsInBody > 0)
+            putLaterObjects(text, m_objectsInBody, objects);
+        else if (!objects.empty())
             putObjects(text, m_words.aggregateOf(body), objects);
     }
 
     const RecipeWords& m_words;
     std::vector<std::string> m_texts;
     std::uint64_t m_step = 0;
+    std::uint32_t m_objectsInBody = 0; ///< see RecordedCommand
     bool m_isLast = false;
     std::string m_name;
     std::unique_ptr<PathText> m_path; ///< under way

@@ -24,8 +24,9 @@ struct RecipeWords {
     /// The id of a bundled material, or the numbers that differ from another one.
     std::string material(const Material& material, const Material& base) const;
     std::string manipulator(const Manipulator& manipulator) const; ///< and gives the next tool its name
-    std::string fixture(const Fixture& fixture) const;             ///< and gives the next fixture its name
-    std::string load(const Load& load) const;                      ///< and gives the next load its name
+    /// And gives the next fixture its name. @param objectsInBody see RecordedCommand
+    std::string fixture(const Fixture& fixture, std::uint32_t objectsInBody = 0) const;
+    std::string load(const Load& load) const; ///< and gives the next load its name
     ObjectText reshaping(const Manipulator& form, const std::string& name) const;
 };
 

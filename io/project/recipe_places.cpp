@@ -15,11 +15,11 @@ constexpr double boxMargin = 0.25;     // [a] around objects, so that rounding l
 constexpr double readableStep = 1e-6;  // [m]: a thousandth of a millimeter
 
 /// As the simulation takes them: each once, and none that is not there.
-std::vector<ObjectIndex> inOrder(std::vector<ObjectIndex> objects, const Aggregate& aggregate)
+std::vector<ObjectIndex> inOrder(std::vector<ObjectIndex> objects, std::size_t count)
 {
     std::sort(objects.begin(), objects.end());
     objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
-    std::erase_if(objects, [&](ObjectIndex object) { return object >= aggregate.size(); });
+    std::erase_if(objects, [&](ObjectIndex object) { return object >= count; });
     if (objects.empty())
         throw std::runtime_error("a fixture holds no object of its body.");
     return objects;
@@ -72,7 +72,7 @@ std::string listOf(const std::vector<std::uint32_t>& numbers)
 void putObjects(ObjectText& text, const Aggregate& aggregate, const TriangleMesh& mesh,
                 std::vector<ObjectIndex> objects)
 {
-    objects = inOrder(std::move(objects), aggregate);
+    objects = inOrder(std::move(objects), aggregate.size());
     const std::vector<std::uint32_t> faces = facesOf(aggregate, mesh, objects);
     if (faces.empty())
         return putObjects(text, aggregate, std::move(objects));
@@ -81,12 +81,19 @@ void putObjects(ObjectText& text, const Aggregate& aggregate, const TriangleMesh
 
 void putObjects(ObjectText& text, const Aggregate& aggregate, std::vector<ObjectIndex> objects)
 {
-    objects = inOrder(std::move(objects), aggregate);
+    objects = inOrder(std::move(objects), aggregate.size());
     if (const std::optional<Box> box = boxOf(aggregate, objects)) {
         text.millimeters("box_mm", *box);
         return;
     }
     text.put("objects", stretchesText(objects)).put("objects_in_body", std::to_string(aggregate.size()));
+}
+
+void putLaterObjects(ObjectText& text, std::uint32_t count, std::vector<ObjectIndex> objects)
+{
+    text.put("objects", stretchesText(inOrder(std::move(objects), count)))
+        .put("objects_in_body", std::to_string(count))
+        .put("filled_anew", "true");
 }
 
 } // namespace knead

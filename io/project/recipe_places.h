@@ -17,4 +17,7 @@ void putObjects(ObjectText& text, const Aggregate& aggregate, const TriangleMesh
 /// The same where faces are not among the choices.
 void putObjects(ObjectText& text, const Aggregate& aggregate, std::vector<ObjectIndex> objects);
 
+/// The same of a body that was filled anew by then, of which no more is known than how many objects it has.
+void putLaterObjects(ObjectText& text, std::uint32_t count, std::vector<ObjectIndex> objects);
+
 } // namespace knead

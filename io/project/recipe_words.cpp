@@ -119,13 +119,16 @@ std::string RecipeWords::manipulator(const Manipulator& manipulator) const
     return text.take();
 }
 
-std::string RecipeWords::fixture(const Fixture& fixture) const
+std::string RecipeWords::fixture(const Fixture& fixture, std::uint32_t objectsInBody) const
 {
     ObjectText text;
     text.text("name", names.addFixture(fixture.name));
     if (names.hasManyBodies())
         text.text("body", names.body(fixture.body));
-    putObjects(text, aggregateOf(fixture.body), meshOf(fixture.body), fixture.objects);
+    if (objectsInBody > 0)
+        putLaterObjects(text, objectsInBody, fixture.objects);
+    else
+        putObjects(text, aggregateOf(fixture.body), meshOf(fixture.body), fixture.objects);
     if (fixture.velocity != Vec3::Zero())
         text.millimeters("velocity_mm_s", fixture.velocity);
     putTurn(text, fixture.turn);

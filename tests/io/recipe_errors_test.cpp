@@ -193,6 +193,11 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
         "fixtures[0] must have both of the keys objects and objects_in_body, or none.");
     row("objects backwards", with("fixtures", R"([{"name": "a", "objects": [[7, 9], 8], "objects_in_body": 20}])"),
         "fixtures[0].objects[1] must go on upwards, below objects_in_body, got 8.");
+    row("objects of later", with("fixtures", R"([{"name": "a", "objects": [8], "objects_in_body": 20,
+        "filled_anew": true}])"),
+        "fixtures[0].filled_anew belongs to events: at the start nothing has been filled anew.");
+    row("a later filling of nothing", withEvent(R"({"step": 1, "renormalize": {"body": "a", "filled_anew": true}})"),
+        "events[0].renormalize.filled_anew belongs to objects.");
     row("added twice", with("events", R"([{"step": 1, "add_fixture": {"name": "a", "faces": [1]}},
         {"step": 1, "add_fixture": {"name": "a", "faces": [1]}}])"),
         "events[1].add_fixture.name is used twice: \"a\".");

@@ -74,7 +74,11 @@ json session()
                    {"step": 9, "place_manipulator": {"name": "c", "position_mm": [0, 0, 9], "rotation_deg": [0, 0, 9]}},
                    {"step": 9, "reshape_manipulator": {"name": "c", "kind": "cylinder", "size_mm": [3, 4], "friction": 1,
                     "speed_limit_mm_s": 9, "force_limit_n": 9}},
-                   {"step": 9, "keep_moment": ""}, {"step": 9, "reset": true}]})");
+                   {"step": 9, "keep_moment": ""}, {"step": 9, "reset": true},
+                   {"step": 1, "renormalize": {"body": "lid", "objects": [1], "objects_in_body": 22, "filled_anew": true}},
+                   {"step": 1, "material": "clay", "body": "lid", "objects": [1], "objects_in_body": 22, "filled_anew": true},
+                   {"step": 1, "add_fixture": {"name": "late", "body": "lid", "objects": [1], "objects_in_body": 22,
+                    "filled_anew": true}}]})");
 }
 
 /// Recipes that together have everything in them.

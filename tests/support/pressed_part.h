@@ -16,7 +16,8 @@ inline Scene restingScene(const Model& model, double spacing)
     for (const Part& part : model.parts) {
         scene.bodies.push_back({.name = part.name,
                                 .aggregate = std::make_shared<const Aggregate>(fill(part.mesh, {.spacing = spacing})),
-                                .material = scenes::soft()});
+                                .material = scenes::soft(),
+                                .surface = std::make_shared<const TriangleMesh>(part.mesh)});
         floor = std::min(floor, part.box.min().z());
     }
     scene.floorHeight = floor;

@@ -240,8 +240,8 @@ inline auto members(const FindBalance& v)
 }
 inline auto members(const RecordedCommand& v)
 {
-    const auto& [a, b] = v;
-    return std::tie(a, b);
+    const auto& [a, b, c] = v;
+    return std::tie(a, b, c);
 }
 inline auto members(const HistoryRecord& v)
 {

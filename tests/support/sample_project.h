@@ -170,6 +170,7 @@ inline std::vector<RecordedCommand> commands(const std::shared_ptr<const ToolPar
     std::vector<RecordedCommand> recorded;
     for (const Command& command : all)
         recorded.push_back({1000 * recorded.size(), command});
+    recorded.front().objectsInBody = 77;
     recorded.back().step = (1ULL << 53U) - 1;
     return recorded;
 }
