@@ -48,7 +48,7 @@ std::vector<Vec3> displacementsOf(const Snapshot::BodyState& body)
     std::vector<Vec3> displacements = body.displacements();
     if (!body.aggregate->former)
         return displacements;
-    const Lattice& first = body.aggregate->former->carriers()->lattice;
+    const Lattice& first = firstFillingOf(*body.aggregate).lattice;
     std::vector<Vec3> opened;
     for (ObjectIndex i = 0; i < first.size(); ++i)
         opened.push_back(first.position(i));

@@ -78,6 +78,10 @@ void writeRefilled(ByteWriter& bytes, const Aggregate& aggregate)
     numbers(bytes, aggregate.depth, count);
     bytes.plainList(aggregate.face);
     skin(bytes, aggregate.skin);
+    const Aggregate& carriedBy = *aggregate.former->carriers();
+    bytes(carriedBy.former != nullptr);
+    if (carriedBy.former)
+        writeRefilled(bytes, carriedBy);
     const std::vector<Vec3>& displacements = aggregate.former->displacements();
     VectorArray carriers(displacements.size());
     for (std::size_t i = 0; i < displacements.size(); ++i)
@@ -85,7 +89,10 @@ void writeRefilled(ByteWriter& bytes, const Aggregate& aggregate)
     bytes.numbers(carriers, carriers.size());
 }
 
-std::shared_ptr<const Aggregate> readRefilled(ByteReader& bytes, const std::shared_ptr<const Aggregate>& first)
+namespace {
+
+std::shared_ptr<const Aggregate> readStage(ByteReader& bytes, const std::shared_ptr<const Aggregate>& first,
+                                           std::uint32_t version, int stage)
 {
     auto aggregate = std::make_shared<Aggregate>();
     lattice(bytes, aggregate->lattice);
@@ -108,18 +115,32 @@ std::shared_ptr<const Aggregate> readRefilled(ByteReader& bytes, const std::shar
         !std::all_of(aggregate->volume.begin(), aggregate->volume.end(), isMaterial) ||
         !areSoundPoints(aggregate->skin, aggregate->lattice))
         throw std::runtime_error("a filling is not as it can be");
+    bool isLater = false;
+    if (version >= 9)
+        bytes(isLater);
+    if (isLater && stage == FormerShape::mostStages)
+        throw std::runtime_error("a former shape has too many before it");
+    const std::shared_ptr<const Aggregate> carriedBy = isLater ? readStage(bytes, first, version, stage + 1) : first;
     VectorArray carriers;
-    bytes.numbers(carriers, first->size());
-    std::vector<Vec3> displacements(first->size());
-    if (carriers.size() != first->size())
+    bytes.numbers(carriers, carriedBy->size());
+    std::vector<Vec3> displacements(carriedBy->size());
+    if (carriers.size() != carriedBy->size())
         throw std::runtime_error("a former shape has no carriers");
     for (std::size_t i = 0; i < displacements.size(); ++i) {
         displacements[i] = carriers.at(i);
         if (!displacements[i].allFinite())
             throw std::runtime_error("a former shape is none");
     }
-    aggregate->former = std::make_shared<const FormerShape>(first, std::move(displacements));
+    aggregate->former = std::make_shared<const FormerShape>(carriedBy, std::move(displacements));
     return aggregate;
+}
+
+} // namespace
+
+std::shared_ptr<const Aggregate> readRefilled(ByteReader& bytes, const std::shared_ptr<const Aggregate>& first,
+                                              std::uint32_t version)
+{
+    return readStage(bytes, first, version, 1);
 }
 
 } // namespace knead

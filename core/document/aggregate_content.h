@@ -3,6 +3,7 @@
 #include "core/aggregate/aggregate.h"
 #include "core/document/byte_stream.h"
 
+#include <cstdint>
 #include <memory>
 
 namespace knead {
@@ -10,8 +11,10 @@ namespace knead {
 /// A filling that a body got while it was worked on, as bytes of a moment.
 void writeRefilled(ByteWriter& bytes, const Aggregate& aggregate);
 
-/// @param first the filling of the opened part, whose objects carry its former shape
+/// @param first the filling of the opened part, whose objects carry its former shape, or that of the filling which does
+/// @param version of the moment
 /// @throws std::runtime_error for what cannot be one
-std::shared_ptr<const Aggregate> readRefilled(ByteReader& bytes, const std::shared_ptr<const Aggregate>& first);
+std::shared_ptr<const Aggregate> readRefilled(ByteReader& bytes, const std::shared_ptr<const Aggregate>& first,
+                                              std::uint32_t version);
 
 } // namespace knead

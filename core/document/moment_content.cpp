@@ -264,7 +264,7 @@ std::shared_ptr<const Aggregate> nextFilling(ByteReader& bytes, const Body& body
     bool isRefilled = false;
     if (version >= 6)
         bytes(isRefilled);
-    return isRefilled ? readRefilled(bytes, body.aggregate) : nullptr;
+    return isRefilled ? readRefilled(bytes, body.aggregate, version) : nullptr;
 }
 
 } // namespace

@@ -12,7 +12,7 @@ namespace knead {
 /// strain, and what a run is measured by is kept, which begins anew in a moment of 1. 3: rubberlike material. 4: contacts know what
 /// friction holds against, which begins anew in older ones. 5: tools at their limit need no resistance, and steps have a pace. 6: bodies
 /// may have another filling than they were opened with.
-inline constexpr std::uint32_t momentVersion = 8;
+inline constexpr std::uint32_t momentVersion = 9;
 
 /// What momentToBytes() packs: all of a moment, value after value.
 Bytes momentContent(const Moment& moment);

@@ -32,8 +32,18 @@ double largestStretchOf(const Aggregate& aggregate, std::span<const Vec3> displa
 FormerShape::FormerShape(std::shared_ptr<const Aggregate> carriers, std::vector<Vec3> displacements)
     : m_carriers(std::move(carriers))
     , m_map(*m_carriers, std::move(displacements), mostBytesKept)
-    , m_largestStretch(largestStretchOf(*m_carriers, m_map.displacements()))
+    , m_stretch(largestStretchOf(*m_carriers, m_map.displacements()))
 {
+}
+
+double FormerShape::largestStretch() const
+{
+    return m_stretch * (m_carriers->former ? m_carriers->former->largestStretch() : 1);
+}
+
+const Aggregate& firstFillingOf(const Aggregate& aggregate)
+{
+    return aggregate.former ? firstFillingOf(*aggregate.former->carriers()) : aggregate;
 }
 
 std::vector<Vec3> placesWhenFilled(const Aggregate& aggregate, std::span<const Vec3> points)

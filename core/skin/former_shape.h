@@ -12,12 +12,19 @@
 namespace knead {
 
 /// What took an opened part to the shape that a body was filled from anew, as one smooth map: that of the skin (SkinMap) of objects
-/// which lie in the opened part, its carriers. However often a body is filled, there is one such map, and never a chain of them.
+/// which lie in the opened part, its carriers. However often a body is filled, there is one such map, and never a chain of them; only
+/// where it stretches more than its carriers can describe (mostStretch), the filling of then, which has a former shape of its own,
+/// carries what comes after.
 ///
 /// Immutable; its members may be called from any thread.
 class FormerShape final : public SmoothMap {
 public:
-    /// @param carriers a filling of the opened part itself, not of a former shape
+    /// Beyond which its carriers lie too far apart in what it makes.
+    static constexpr double mostStretch = 5;
+    /// So many follow each other at most; the last one then has to do.
+    static constexpr int mostStages = 4;
+
+    /// @param carriers a filling of the opened part itself, or of a former shape that stretches too much
     /// @param displacements one per carrier [m]
     FormerShape(std::shared_ptr<const Aggregate> carriers, std::vector<Vec3> displacements);
 
@@ -28,7 +35,11 @@ public:
     double featureSize() const override { return m_map.featureSize(); }
 
     /// By which a piece of the map as long as a spacing of the carriers gets longer at most, >= 1.
-    double largestStretch() const { return m_largestStretch; }
+    double largestStretch() const;
+    /// The same from where the carriers were filled.
+    double stretchOfCarriers() const { return m_stretch; }
+    /// How many there are of them, this one and those of its carriers, >= 1.
+    int stages() const { return 1 + (m_carriers->former ? m_carriers->former->stages() : 0); }
 
     const std::shared_ptr<const Aggregate>& carriers() const { return m_carriers; }
     const std::vector<Vec3>& displacements() const { return m_map.displacements(); }
@@ -36,8 +47,11 @@ public:
 private:
     std::shared_ptr<const Aggregate> m_carriers;
     SkinMap m_map;
-    double m_largestStretch = 1;
+    double m_stretch = 1;
 };
+
+/// Of a body: a filling of the opened part itself, whose objects lie where they were opened.
+const Aggregate& firstFillingOf(const Aggregate& aggregate);
 
 /// Points of an opened part where an aggregate was filled from: its former shape, or where they are.
 std::vector<Vec3> placesWhenFilled(const Aggregate& aggregate, std::span<const Vec3> points);

@@ -128,7 +128,7 @@ void cutExactly(const Aggregate& aggregate, const std::vector<Vec3>& cuts, std::
 
 std::vector<BrokenConnection> brokenInFormer(const Aggregate& present, std::span<const BrokenConnection> broken)
 {
-    if (!present.former || broken.empty())
+    if (!present.former || present.former->carriers()->former || broken.empty())
         return {};
     const Aggregate& carriers = *present.former->carriers();
     const std::vector<Vec3> rest = restOf(carriers);
@@ -144,7 +144,7 @@ std::vector<BrokenConnection> brokenInFormer(const Aggregate& present, std::span
 std::optional<OpenedState> openedState(const Aggregate& present, std::span<const Vec3> displacements,
                                        std::span<const BrokenConnection> broken)
 {
-    if (!present.former)
+    if (!present.former || present.former->carriers()->former)
         return {};
     const FormerShape& former = *present.former;
     OpenedState opened{former.carriers(), former.displacements(), brokenInFormer(present, broken)};

@@ -29,7 +29,7 @@ public:
              std::span<const Vec3> displacements, double edge, std::shared_ptr<const ShapeFitting> known)
         : m_present(*present)
         , m_displacements(displacements)
-        , m_former(present->former)
+        , m_former(goesOn(*present) ? present->former : nullptr)
         , m_carriers(m_former ? m_former->carriers() : present)
         , m_known(m_former ? std::move(known) : nullptr)
     {
@@ -50,26 +50,38 @@ public:
     const std::shared_ptr<const ShapeFitting>& fitting() const { return m_fit; }
 
 private:
-    /// Where the former shape has points of the opened part: the first ones are likely those that were asked for last time.
+    /// Whether the carriers of its former shape can carry what it has come to as well; else its own objects have to.
+    static bool goesOn(const Aggregate& present)
+    {
+        return present.former && (present.former->stretchOfCarriers() <= FormerShape::mostStretch ||
+                                  present.former->stages() == FormerShape::mostStages);
+    }
+
+    /// Where carriers and former shape have points of the opened part: the first ones are likely those that were asked for last time.
     void addFormerPlaces(const std::vector<Vec3>& vertices)
     {
         const std::size_t begin = m_formerPlaces.size();
         m_formerPlaces.resize(vertices.size());
+        m_carrierPlaces.resize(vertices.size());
         std::vector<Vec3> unknown;
         std::vector<std::size_t> unknownAt;
         for (std::size_t i = begin; i < vertices.size(); ++i) {
             if (i < m_knownPlaces.size() && m_known->mesh.vertices[i] == vertices[i]) {
+                m_carrierPlaces[i] = m_known->surface.points()[i];
                 m_formerPlaces[i] = m_knownPlaces[i];
             } else {
                 unknown.push_back(vertices[i]);
                 unknownAt.push_back(i);
             }
         }
-        std::vector<Vec3> found = unknown;
+        const std::vector<Vec3> carried = placesWhenFilled(*m_carriers, unknown);
+        std::vector<Vec3> found = carried;
         if (m_former) // to the bits of those that are known
-            Skin(*m_carriers, unknown).evaluate(m_former->displacements(), found);
-        for (std::size_t i = 0; i < found.size(); ++i)
+            Skin::ofPlacesWhenFilled(*m_carriers, carried).evaluate(m_former->displacements(), found);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            m_carrierPlaces[unknownAt[i]] = carried[i];
             m_formerPlaces[unknownAt[i]] = found[i];
+        }
     }
 
     /// Trilinearly between the objects around it; none where no cell around has all of its objects.
@@ -129,9 +141,10 @@ private:
             m_fit = m_known;
             return;
         }
-        Skin ofSurface(*m_carriers, mesh.vertices);
-        m_fit = std::make_shared<const ShapeFitting>(ShapeFitting{
-            m_known ? m_known->carriers : Skin(*m_carriers, nodes()), std::move(mesh), std::move(ofSurface)});
+        Skin ofSurface = Skin::ofPlacesWhenFilled(*m_carriers, m_carrierPlaces);
+        m_fit = std::make_shared<const ShapeFitting>(
+            ShapeFitting{m_known ? m_known->carriers : Skin::ofPlacesWhenFilled(*m_carriers, nodes()), std::move(mesh),
+                         std::move(ofSurface)});
     }
 
     std::vector<Vec3> nodes() const
@@ -161,14 +174,15 @@ private:
 
     const Aggregate& m_present;
     std::span<const Vec3> m_displacements;
-    std::shared_ptr<const FormerShape> m_former; ///< null: the opened part itself
+    std::shared_ptr<const FormerShape> m_former; ///< whose carriers go on; null: the present objects are the carriers
     std::shared_ptr<const Aggregate> m_carriers;
     std::shared_ptr<const ShapeFitting> m_known;
     std::shared_ptr<const ShapeFitting> m_fit;
-    std::vector<Vec3> m_knownPlaces;  ///< of the vertices of m_known, in the former shape
-    std::vector<Vec3> m_formerPlaces; ///< of the vertices of m_fit, in the former shape
-    std::vector<Vec3> m_places;       ///< where they are now
-    std::vector<Vec3> m_fitted;       ///< displacements of the carriers
+    std::vector<Vec3> m_knownPlaces;   ///< of the vertices of m_known, in the former shape
+    std::vector<Vec3> m_carrierPlaces; ///< of the vertices of m_fit, where the carriers were filled
+    std::vector<Vec3> m_formerPlaces;  ///< the same in the former shape
+    std::vector<Vec3> m_places;        ///< where they are now
+    std::vector<Vec3> m_fitted;        ///< displacements of the carriers
 };
 
 } // namespace
@@ -191,7 +205,7 @@ std::vector<ObjectIndex> objectsInFilling(const Aggregate& aggregate, const std:
 {
     if (!aggregate.former)
         return first;
-    const Lattice& carriers = aggregate.former->carriers()->lattice;
+    const Lattice& carriers = firstFillingOf(aggregate).lattice;
     std::vector<Vec3> opened(carriers.size());
     for (ObjectIndex i = 0; i < opened.size(); ++i)
         opened[i] = carriers.position(i);

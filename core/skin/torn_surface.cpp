@@ -58,6 +58,8 @@ std::vector<FragmentObjects> objectsOf(const Aggregate& present, const Aggregate
 std::optional<TornSurface> tornSurface(const Aggregate& aggregate, const TriangleMesh& opened,
                                        std::span<const BrokenConnection> broken, TaskControl& control)
 {
+    if (aggregate.former && aggregate.former->carriers()->former)
+        return {}; // its cracks are not followed back so far
     const Aggregate& first = aggregate.former ? *aggregate.former->carriers() : aggregate;
     const std::vector<BrokenConnection> brokenAtFirst =
         aggregate.former ? brokenInFormer(aggregate, broken)

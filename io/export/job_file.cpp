@@ -48,6 +48,25 @@ std::shared_ptr<Aggregate> nextJobAggregate(BlockReader& blocks)
     return aggregate;
 }
 
+/// How many former shapes an aggregate has.
+int stagesOf(const Aggregate* aggregate)
+{
+    return aggregate != nullptr && aggregate->former ? aggregate->former->stages() : 0;
+}
+
+/// @return null: none
+std::shared_ptr<const FormerShape> nextFormer(BlockReader& blocks, int stages)
+{
+    if (stages == 0)
+        return nullptr;
+    if (stages > FormerShape::mostStages)
+        blocks.fail("a part has too many former shapes");
+    const std::shared_ptr<Aggregate> carriers = nextJobAggregate(blocks);
+    std::vector<Vec3> displacements = blocks.nextArray<Vec3>();
+    carriers->former = nextFormer(blocks, stages - 1);
+    return std::make_shared<const FormerShape>(carriers, std::move(displacements));
+}
+
 Json toJson(const ExportOptions& options)
 {
     return {{"unit", options.unit},
@@ -156,7 +175,7 @@ std::string jobToBytes(const ExportJob& job)
                          {"sheets", part.cut ? part.cut->sheets.size() : 0},
                          {"spacing", part.cut ? part.cut->spacing : 0},
                          {"hasObjects", part.aggregate != nullptr},
-                         {"hasFormer", part.aggregate != nullptr && part.aggregate->former != nullptr}});
+                         {"formers", stagesOf(part.aggregate.get())}});
     }
     blocks.add(std::string_view(Json{{"options", toJson(job.options)}, {"parts", parts}}.dump()));
     blocks.add(std::string_view(modelToBytes(model)));
@@ -170,9 +189,10 @@ std::string jobToBytes(const ExportJob& job)
         if (part.aggregate != nullptr) {
             addAggregate(*part.aggregate, blocks);
             blocks.add(part.displacements);
-            if (const auto& former = part.aggregate->former) {
-                addAggregate(*former->carriers(), blocks);
-                blocks.add(former->displacements());
+            for (const Aggregate* filling = part.aggregate.get(); filling->former;
+                 filling = filling->former->carriers().get()) {
+                addAggregate(*filling->former->carriers(), blocks);
+                blocks.add(filling->former->displacements());
             }
         }
     }
@@ -209,10 +229,7 @@ ExportJob jobFromBytes(std::string_view bytes)
                 continue;
             const std::shared_ptr<Aggregate> aggregate = nextJobAggregate(blocks);
             part.displacements = blocks.nextArray<Vec3>();
-            if (json.at("parts").at(i).at("hasFormer").get<bool>()) {
-                const std::shared_ptr<const Aggregate> carriers = nextJobAggregate(blocks);
-                aggregate->former = std::make_shared<const FormerShape>(carriers, blocks.nextArray<Vec3>());
-            }
+            aggregate->former = nextFormer(blocks, json.at("parts").at(i).at("formers").get<int>());
             part.aggregate = aggregate;
         }
         return job;

@@ -164,7 +164,7 @@ FaceFixture FaceFixtures::faceFixtureOf(const Content& content, const Fixture& h
         if (known.name != held.name || known.body != held.body)
             continue;
         likely = &known;
-        const bool isThat = former ? objectsOf(content, known, *former->carriers()) == held.whenOpened
+        const bool isThat = former ? objectsOf(content, known, firstFillingOf(*former->carriers())) == held.whenOpened
                                    : objectsOf(content, known) == held.objects;
         if (isThat)
             return known;

@@ -31,8 +31,9 @@ std::vector<Vec3> placesOf(const std::vector<float>& floats)
 std::size_t memoryOf(const Aggregate& filling)
 {
     constexpr std::size_t perObject = sizeof(Lattice::Node) + (Lattice::isotropicCount + 2) * sizeof(double) + 4;
+    const Aggregate& carriers = *filling.former->carriers();
     return filling.size() * perObject + filling.skin.size() * sizeof(SkinPoint) +
-           filling.former->displacements().size() * sizeof(Vec3);
+           filling.former->displacements().size() * sizeof(Vec3) + (carriers.former ? memoryOf(carriers) : 0);
 }
 
 /// @param before the fillings of the frame before
