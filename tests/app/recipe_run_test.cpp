@@ -29,6 +29,7 @@ private slots:
     void whatIsShorterThanAFrameIsSimulated();
     void publishedScenesAreRepeated();
     void commandsThatMakeNoSenseAreWarnedOf();
+    void numbersOfALaterFillingFitThatOneOnly();
     void recipesThatDoNotFitThePartAreRefused_data();
     void recipesThatDoNotFitThePartAreRefused();
 };
@@ -349,6 +350,22 @@ void RecipeRunTest::commandsThatMakeNoSenseAreWarnedOf()
     const Outcome outcome = knead({"run", shop.write(recipe), "--json"});
     QCOMPARE(outcome.status, 0);
     QVERIFY2(outcome.errors.find("A rigid body has no stress to lose.") != std::string::npos, outcome.errors.c_str());
+}
+
+/// They mean nothing at the start, so that only the run itself can tell.
+void RecipeRunTest::numbersOfALaterFillingFitThatOneOnly()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe["events"] = {
+        {{"time_s", 0.05}, {"renormalize", {{"objects", {1}}, {"objects_in_body", 22}, {"filled_anew", true}}}}};
+    const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out")});
+    QVERIFY(outcome.status != 0);
+    QVERIFY2(
+        outcome.errors.find("events[0] names objects of a body that was filled anew with 22, and here it is filled "
+                            "with the first 425. Name a box instead, or keep the spacing and what is done before.") !=
+            std::string::npos,
+        outcome.errors.c_str());
 }
 
 void RecipeRunTest::recipesThatDoNotFitThePartAreRefused_data()
