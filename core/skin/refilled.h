@@ -25,7 +25,8 @@ struct ShapeFitting {
 ///
 /// The map that carries it is fitted anew to the carriers of the first filling (FormerShape), to where they have come, and at the
 /// surface to where that touches tools: trilinearly between objects. So the first one follows the objects within what their map
-/// smooths, and later ones lose what is finer than the spacing of the carriers in the opened part.
+/// smooths, and later ones lose what is finer than the spacing of the carriers in the opened part. Where that map stretches more than
+/// FormerShape::mostStretch, the present objects are the carriers from here on.
 /// @param surface of the opened part
 /// @param displacements one per object of `present` [m]
 /// @param spacing of the new filling [m], > 0

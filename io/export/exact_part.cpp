@@ -2,13 +2,12 @@
 
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/refine.h"
-#include "core/geometry/self_intersection.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/skin_map.h"
 #include "io/export/cut_shape.h"
 #include "io/export/divided_shape.h"
 #include "io/export/faceted_solid.h"
-#include "io/export/place_words.h"
+#include "io/export/surface_flaws.h"
 #include "io/face_integral.h"
 #include "io/tessellation.h"
 
@@ -20,9 +19,7 @@
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
 #include <stdexcept>
-#include <unordered_map>
 
 namespace knead {
 
@@ -30,10 +27,8 @@ namespace {
 
 constexpr double defaultTolerance = 1e-4;      // of the size of the part
 constexpr std::size_t mostTriangles = 400'000; // of the surface that volumes are compared with
-constexpr std::size_t mostCrossings = 50'000;  // pairs of triangles that are looked at more closely
-constexpr int mostHalvings = 8;
-constexpr double facetDeflection = 1.0 / 400; // of the size of a part that is written as flat faces
-constexpr double facetAngle = 0.35;           // [rad]
+constexpr double facetDeflection = 1.0 / 400;  // of the size of a part that is written as flat faces
+constexpr double facetAngle = 0.35;            // [rad]
 constexpr std::size_t wantedFacets = 10'000;
 constexpr std::size_t mostFacets = 60'000;
 constexpr double flatness = 0.1;      // of the tolerance, by which corners may be off a flat face
@@ -55,7 +50,7 @@ std::shared_ptr<const SmoothMap> mapOf(const PartToExport& part)
         return part.map;
     const bool moved = std::any_of(part.displacements.begin(), part.displacements.end(),
                                    [](const Vec3& displacement) { return displacement != Vec3::Zero(); });
-    if (part.aggregate == nullptr || !moved)
+    if (part.aggregate == nullptr || (!moved && !part.aggregate->former))
         return std::make_shared<InPlace>();
     return std::make_shared<SkinMap>(*part.aggregate, part.displacements);
 }
@@ -70,12 +65,6 @@ TriangleMesh refined(const PartToExport& part, const TriangleMesh& rest, std::si
     const double edge =
         part.map == nullptr ? part.aggregate->lattice.spacing : part.part.box.diagonal().norm() / triangleEdges;
     return refine(rest, edge, most);
-}
-
-TriangleMesh carried(const SmoothMap& map, TriangleMesh mesh)
-{
-    map.evaluate(std::vector<Vec3>(mesh.vertices), mesh.vertices);
-    return mesh;
 }
 
 /// What a closed surface holds once it is carried [m^3]. Chords cut volume off in proportion to the square of their length:
@@ -104,84 +93,6 @@ TriangleMesh facetsOf(const PartToExport& part, const SmoothMap& map, const Topo
         throw std::runtime_error("\"" + part.part.name + "\" would need " + std::to_string(facets.triangles.size()) +
                                  " flat faces, more than CAD programs can work with; export it as a mesh.");
     return facets;
-}
-
-/// A place at which the surface is folded: two triangles that lay nearly in a plane beside each other face opposite ways.
-/// @param now where the map takes `rest`
-std::optional<Vec3> foldOf(const TriangleMesh& rest, const TriangleMesh& now)
-{
-    constexpr double flat = 0.8;      // cosine between neighbors at rest
-    constexpr double thinnest = 0.02; // of its longest edge: slivers face anywhere
-    const auto normalOf = [](const TriangleMesh& mesh, std::size_t t) -> Vec3 {
-        const auto& [a, b, c] = mesh.triangles[t];
-        const Vec3 first = mesh.vertices[b] - mesh.vertices[a];
-        const Vec3 second = mesh.vertices[c] - mesh.vertices[a];
-        const Vec3 area = first.cross(second);
-        const double longest = std::max({first.squaredNorm(), second.squaredNorm(), (second - first).squaredNorm()});
-        return area.norm() > thinnest * longest ? Vec3(area.normalized()) : Vec3(Vec3::Zero());
-    };
-    std::unordered_map<std::uint64_t, std::size_t> triangleAt; // per edge: the first triangle of it
-    for (std::size_t t = 0; t < rest.triangles.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto [low, high] = std::minmax(rest.triangles[t][k], rest.triangles[t][(k + 1) % 3]);
-            const auto [place, isNew] = triangleAt.try_emplace(std::uint64_t{low} << 32U | high, t);
-            if (!isNew && normalOf(rest, t).dot(normalOf(rest, place->second)) > flat &&
-                normalOf(now, t).dot(normalOf(now, place->second)) < 0)
-                return now.vertices[low];
-        }
-    return std::nullopt;
-}
-
-/// The triangles of some pairs alone.
-TriangleMesh trianglesOf(const TriangleMesh& mesh, const Crossings& crossings)
-{
-    TriangleMesh some;
-    std::vector<std::uint32_t> place(mesh.vertices.size(), std::numeric_limits<std::uint32_t>::max());
-    std::vector<std::uint32_t> triangles;
-    for (const auto& pair : crossings.some)
-        triangles.insert(triangles.end(), pair.begin(), pair.end());
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-    for (const std::uint32_t triangle : triangles) {
-        TriangleMesh::Triangle corners = mesh.triangles[triangle];
-        for (std::uint32_t& corner : corners) {
-            if (place[corner] == std::numeric_limits<std::uint32_t>::max()) {
-                place[corner] = static_cast<std::uint32_t>(some.vertices.size());
-                some.vertices.push_back(mesh.vertices[corner]);
-            }
-            corner = place[corner];
-        }
-        some.triangles.push_back(corners);
-    }
-    return some;
-}
-
-/// Whether only chords cross, and not the surface that they stand for: then finer triangles cross less and less.
-bool isOfChords(const SmoothMap& map, const TriangleMesh& rest, const Crossings& found)
-{
-    TriangleMesh mesh = rest;
-    Crossings crossings = found;
-    for (int round = 0; round < mostHalvings && crossings.count <= crossings.some.size(); ++round) {
-        mesh = halveEdges(trianglesOf(mesh, crossings));
-        const std::size_t before = crossings.count;
-        crossings = findCrossings(carried(map, mesh), TaskControl::none(), mostCrossings);
-        if (crossings.count == 0 || crossings.count >= before)
-            break;
-    }
-    return crossings.count == 0;
-}
-
-/// Where the surface passes through itself although it did not at rest.
-/// @param rest the surface of the part, and the triangles that are carried to `now`
-void noteCrossings(const SmoothMap& map, const std::array<const TriangleMesh*, 2>& rest, const TriangleMesh& now,
-                   TaskControl& control, PartExportReport& report)
-{
-    const Crossings found = findCrossings(now, control, mostCrossings);
-    if (found.count == 0 || found.count <= findCrossings(*rest[0], control).count || isOfChords(map, *rest[1], found))
-        return;
-    report.crossesItself = true;
-    report.remarks.push_back("its surface passes through itself near " + placeWords(found.where.center()) +
-                             "; other programs may refuse that.");
 }
 
 TopoDS_Shape inMillimetres(const TopoDS_Shape& shape, double unit)
@@ -379,15 +290,10 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
         report.keptFaces = report.facesBefore;
         return ready;
     }
-    if (const auto fold = foldOf(rest, now)) {
-        makeFaceted(
-            part, "its material is folded over itself near " + placeWords(*fold) + "; smooth faces cannot follow that.",
-            ready);
-        return ready;
-    }
     noteCrossings(*ready.map, {&part.part.mesh, &rest}, now, control, report);
     TaskPortion bending(control, 0.2, 1);
     makeBent(part, choice, bending, ready);
+    noteFold(rest, now, report);
     return ready;
 }
 
