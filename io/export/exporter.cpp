@@ -102,6 +102,7 @@ Model readBackWithoutHoles(FormatKind kind, const std::string& bytes, const Expo
 struct Attempt {
     ExportedFile file;
     std::vector<std::optional<FaceManner>> next; ///< per part
+    std::vector<double> misses;                  ///< per part: how far one of its bent faces is off at most [m]
 };
 
 Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Choices& choices, TaskControl& control)
@@ -132,20 +133,35 @@ Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Choices& c
     for (ReadyPart& part : ready) {
         file.report.parts.push_back(std::move(part.report));
         attempt.next.push_back(part.next);
+        double miss = 0;
+        for (const MorphedFaceNote& note : part.notes)
+            miss = std::max(miss, 1e-3 * note.error);
+        attempt.misses.push_back(part.next ? miss : 0);
     }
     return attempt;
 }
 
-/// A sound part whose own faces were bent, and are no longer sound for who reads the file.
-bool isSpoilt(const PartToExport& part, const PartExportReport& report)
+// Faces that are off by so many tolerances, or hold so much of the volume too much or too little, are a shape of their own.
+constexpr double roughFaces = 20;
+constexpr double roughVolume = 2e-3;
+
+/// @param miss see Attempt [m]
+bool isRough(const PartExportReport& report, double miss)
+{
+    return std::max(miss, report.largestDeviation) > roughFaces * report.tolerance ||
+           std::abs(report.volumeError()) > roughVolume;
+}
+
+/// A sound part whose own faces were bent, and are no longer sound for who reads the file, or no longer what was meant.
+bool isSpoilt(const PartToExport& part, const PartExportReport& report, double miss)
 {
     return part.part.valid && part.part.watertight && report.form == PartExportReport::Form::exact &&
-           report.keptFaces < report.facesBefore && !report.isSound();
+           report.keptFaces < report.facesBefore && (!report.isSound() || isRough(report, miss));
 }
 
 /// Why bent faces are not good enough.
 /// @pre they are not sound
-std::string whyUnsound(const PartExportReport& report)
+std::string whyUnsound(const PartExportReport& report, double miss)
 {
     if (report.facesAfter == 0)
         return "its bent faces were not found again in the file when that was read back.";
@@ -155,9 +171,10 @@ std::string whyUnsound(const PartExportReport& report)
     if (!report.closed || report.freeEdges > 0)
         return bent + "leave gaps.";
     char text[100];
-    if (report.largestDeviation > report.tolerance)
-        std::snprintf(text, sizeof text, "are up to %.3g mm off the skin where %.3g mm are allowed.",
-                      1e3 * report.largestDeviation, 1e3 * report.tolerance);
+    const double off = std::max(report.largestDeviation, miss > roughFaces * report.tolerance ? miss : 0);
+    if (off > report.tolerance)
+        std::snprintf(text, sizeof text, "are up to %.3g mm off the skin where %.3g mm are allowed.", 1e3 * off,
+                      1e3 * report.tolerance);
     else
         std::snprintf(text, sizeof text, "enclose a volume %.2g %% off that of the skin.",
                       100 * std::abs(report.volumeError()));
@@ -165,9 +182,9 @@ std::string whyUnsound(const PartExportReport& report)
 }
 
 /// Whether flat faces would be better than those that came back. They pass through themselves as well, but leave no gaps.
-bool areFlatOnesBetter(const PartExportReport& report)
+bool areFlatOnesBetter(const PartExportReport& report, double miss)
 {
-    return !report.crossesItself || !report.valid || !report.closed || report.freeEdges > 0;
+    return !report.crossesItself || !report.valid || !report.closed || report.freeEdges > 0 || isRough(report, miss);
 }
 
 /// Chooses what is to be tried next. @return false when every part came back as well as it can
@@ -176,10 +193,11 @@ bool choose(const ExportJob& job, const Attempt& last, Choices& choices)
     bool isAny = false;
     for (std::size_t i = 0; i < job.parts.size(); ++i) {
         const PartExportReport& report = last.file.report.parts[i];
-        if (!last.next[i] || !isSpoilt(job.parts[i], report) ||
-            (*last.next[i] == FaceManner::flat && !areFlatOnesBetter(report)))
+        const double miss = last.misses[i];
+        if (!last.next[i] || !isSpoilt(job.parts[i], report, miss) ||
+            (*last.next[i] == FaceManner::flat && !areFlatOnesBetter(report, miss)))
             continue;
-        choices[i] = {*last.next[i], whyUnsound(report)};
+        choices[i] = {*last.next[i], whyUnsound(report, miss)};
         isAny = true;
     }
     return isAny;

@@ -27,6 +27,7 @@ private slots:
     void meshesBecomeSolidsOfFlatFaces();
     void facesFollowAFold();
     void facesFollowACrease();
+    void facesThatAreFarOffAreFlatOnes();
     void surfacesThatPassThroughThemselvesAreNamed();
     void igesKeepsNames();
     void facesThatAreNotFollowedAreNamed();
@@ -287,23 +288,26 @@ void ExporterTest::facesFollowAFold()
 /// A groove across the top of a body whose sides nearly touch.
 class CreaseMap final : public maps::PointMap {
 public:
-    explicit CreaseMap(const Box& box)
+    /// @param width of the groove, by the length of the box
+    explicit CreaseMap(const Box& box, double width = 0.006)
         : m_box(box)
+        , m_width(width * box.sizes().x())
     {
     }
-    double featureSize() const override { return 0.003 * m_box.sizes().x(); }
+    double featureSize() const override { return 0.5 * m_width; }
 
 protected:
     Vec3 place(const Vec3& point) const override
     {
         const Vec3 size = m_box.sizes();
-        const double x = (point.x() - m_box.center().x()) / (0.006 * size.x());
+        const double x = (point.x() - m_box.center().x()) / m_width;
         const double up = (point.z() - m_box.min().z()) / size.z();
         return point - Vec3(0, 0, 0.4 * size.z() * up * up * std::exp(-x * x));
     }
 
 private:
     Box m_box;
+    double m_width; ///< [m]
 };
 
 /// What lies on itself is no fold that faces could not follow.
@@ -317,6 +321,18 @@ void ExporterTest::facesFollowACrease()
     QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.c_str());
     QVERIFY(part.isSound() && part.facesAfter == part.facesBefore);
     QVERIFY(isFoldSaid(part) && !part.crossesItself);
+}
+
+/// Faces that miss what they stand for by more than a nuance are no result, sound as the solid may be.
+void ExporterTest::facesThatAreFarOffAreFlatOnes()
+{
+    const Model model = example("bar.step");
+    ExportJob job = jobOf(model, nullptr);
+    job.parts.front().map = std::make_shared<CreaseMap>(boxOf(model), 0.0003);
+    const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
+    const PartExportReport& part = file.report.parts.front();
+    QCOMPARE(part.form, PartExportReport::Form::faceted);
+    QVERIFY2(part.reason.find("% off that of the skin") != std::string::npos, part.reason.c_str());
 }
 
 /// The bar's ends are bent past each other, through one another. Triangles of its smooth faces leave gaps there.
