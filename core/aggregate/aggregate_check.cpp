@@ -47,6 +47,17 @@ bool areSoundWeights(const std::vector<double>& weights, const Lattice& lattice,
     return true;
 }
 
+bool areSoundBroken(std::span<const BrokenConnection> broken, const Aggregate& aggregate)
+{
+    const auto isNotBefore = [](const BrokenConnection& a, const BrokenConnection& b) { return !(a < b); };
+    return std::ranges::adjacent_find(broken, isNotBefore) == broken.end() &&
+           std::ranges::all_of(broken, [&](const BrokenConnection& one) {
+               return one.direction < Lattice::isotropicCount && one.lower < aggregate.size() &&
+                      aggregate.weight[one.direction].size() == aggregate.size() &&
+                      aggregate.weight[one.direction][one.lower] > 0 && one.cutAt >= 0 && one.cutAt < 1;
+           });
+}
+
 bool areSoundPoints(const std::vector<SkinPoint>& skin, const Lattice& lattice)
 {
     return std::all_of(skin.begin(), skin.end(), [&](const SkinPoint& point) {

@@ -317,12 +317,13 @@ CutCells::Slab withoutScraps(const CutCells& cells, std::size_t u, double minimu
 
 } // namespace
 
-CellGrid gridAround(const Box& box, double spacing)
+CellGrid gridAround(const Box& box, double spacing, std::optional<Eigen::Index> rowAxis)
 {
     CellGrid grid;
     Eigen::Index longest = 0;
     const Vec3 sides = box.sizes();
     sides.maxCoeff(&longest);
+    longest = rowAxis.value_or(longest);
     grid.frame.axes.setZero();
     grid.frame.spacing = spacing;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {

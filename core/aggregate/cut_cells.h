@@ -6,6 +6,7 @@
 #include "core/task/task_control.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct CellGrid {
 /// The smallest grid around a box, centered on it, with w along the longest side.
 /// A box whose sides are multiples of the spacing gets nodes on its faces, but for one that is a cell thick: it gets three layers
 /// of nodes, since what has two bends nearly twice too stiffly (1.8, with three 1.2).
-CellGrid gridAround(const Box& box, double spacing);
+/// @param rowAxis world axis that rows run along; none: that of the longest side
+CellGrid gridAround(const Box& box, double spacing, std::optional<Eigen::Index> rowAxis = {});
 
 class RowRepair;
 

@@ -172,7 +172,7 @@ Aggregate fillSurface(const TriangleMesh& mesh, HalfEdges halfEdges, const Surfa
     checkSize(properties, options);
 
     const double orientation = properties.volume < 0 ? -1 : 1;
-    const CellGrid grid = gridAround(properties.box, options.spacing);
+    const CellGrid grid = gridAround(properties.box, options.spacing, options.rowAxis);
     std::optional<RowRepair> repair;
     if (cleaned != nullptr)
         repair.emplace(mesh, halfEdges, grid, orientation);

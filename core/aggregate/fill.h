@@ -5,6 +5,7 @@
 #include "core/task/task_control.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace knead {
 
@@ -19,6 +20,8 @@ struct FillOptions {
     double minimumFraction = 0.25; ///< cells with less material are dropped; in thin walls, with less than half of it
     std::size_t maximumObjects = 20'000'000;
     DirtySurface dirty = DirtySurface::refuse;
+    std::optional<Eigen::Index>
+        rowAxis; ///< world axis that rows of the lattice run along; none: that of the longest side
 };
 
 /// Fills a closed surface with objects.

@@ -7,6 +7,14 @@
 
 namespace knead {
 
+ObjectIndex upperEnd(const Lattice& lattice, const ConnectionId& connection)
+{
+    const auto& segments = lattice.segments[connection.direction];
+    const auto segment =
+        std::ranges::partition_point(segments, [&](const auto& each) { return each.end <= connection.lower; });
+    return connection.lower + static_cast<ObjectIndex>(segment->offset);
+}
+
 std::vector<std::uint16_t> brokenDirections(const Aggregate& aggregate, std::span<const BrokenConnection> broken)
 {
     std::vector<std::uint16_t> bits(aggregate.size(), 0);

@@ -10,6 +10,9 @@
 
 namespace knead {
 
+/// The other object of a connection than the one that stores it. O(lg n).
+ObjectIndex upperEnd(const Lattice& lattice, const ConnectionId& connection);
+
 /// Which objects hang together.
 struct Pieces {
     std::vector<std::uint32_t> ofObject; ///< the piece of each object; pieces are numbered by their lowest object

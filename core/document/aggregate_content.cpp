@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
+#include <vector>
 
 namespace knead {
 
@@ -52,6 +53,16 @@ void skin(Stream& bytes, Of<Stream, std::vector<SkinPoint>>& points)
     });
 }
 
+template <typename Stream>
+void broken(Stream& bytes, Of<Stream, std::vector<BrokenConnection>>& connections)
+{
+    bytes.list(connections, [&](auto& connection) {
+        bytes(connection.direction);
+        bytes(connection.lower);
+        bytes(connection.cutAt);
+    });
+}
+
 /// All that is not per object.
 template <typename Stream>
 void measures(Stream& bytes, Of<Stream, Aggregate>& aggregate)
@@ -87,6 +98,7 @@ void writeRefilled(ByteWriter& bytes, const Aggregate& aggregate)
     for (std::size_t i = 0; i < displacements.size(); ++i)
         carriers.set(i, displacements[i]);
     bytes.numbers(carriers, carriers.size());
+    broken(bytes, aggregate.former->broken());
 }
 
 namespace {
@@ -131,7 +143,12 @@ std::shared_ptr<const Aggregate> readStage(ByteReader& bytes, const std::shared_
         if (!displacements[i].allFinite())
             throw std::runtime_error("a former shape is none");
     }
-    aggregate->former = std::make_shared<const FormerShape>(carriedBy, std::move(displacements));
+    std::vector<BrokenConnection> parted;
+    if (version >= 10)
+        broken(bytes, parted);
+    if (!areSoundBroken(parted, *carriedBy) || (isLater && !parted.empty()))
+        throw std::runtime_error("a former shape was parted where it could not be");
+    aggregate->former = std::make_shared<const FormerShape>(carriedBy, std::move(displacements), std::move(parted));
     return aggregate;
 }
 

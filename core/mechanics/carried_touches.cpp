@@ -18,7 +18,7 @@ using Touch = SurfaceContacts::Touch;
 
 /// Those of one surface.
 std::vector<Touch> carriedOnes(std::span<const Touch> old, const Aggregate& before, const VectorArray& position,
-                               const Aggregate& after, const RigidSurface& surface)
+                               const Aggregate& after, std::span<const Vec3> skin, const RigidSurface& surface)
 {
     std::vector<Vec3> found;
     std::vector<Touch> touching;
@@ -42,7 +42,7 @@ std::vector<Touch> carriedOnes(std::span<const Touch> old, const Aggregate& befo
     for (const Touch& touch : touching)
         was += touch.friction.pressure;
     for (std::uint32_t p = 0; p < after.skin.size(); ++p) {
-        const Vec3& place = after.skin[p].place;
+        const Vec3& place = skin[p];
         if (!reach.contains(place))
             continue;
         grid.nearest(place, 1, nearest);
@@ -70,7 +70,7 @@ std::vector<Touch> carriedOnes(std::span<const Touch> old, const Aggregate& befo
 } // namespace
 
 std::vector<Touch> carriedTouches(std::span<const Touch> touches, std::uint32_t body, const Aggregate& before,
-                                  const VectorArray& position, const Aggregate& after,
+                                  const VectorArray& position, const Aggregate& after, std::span<const Vec3> skin,
                                   std::span<const RigidSurface> surfaces)
 {
     std::vector<Touch> all;
@@ -80,7 +80,7 @@ std::vector<Touch> carriedTouches(std::span<const Touch> touches, std::uint32_t 
             if (touch.body == body && touch.surface == surface.id && touch.point < before.skin.size() &&
                 !touch.friction.isEmpty())
                 old.push_back(touch);
-        const std::vector<Touch> carried = carriedOnes(old, before, position, after, surface);
+        const std::vector<Touch> carried = carriedOnes(old, before, position, after, skin, surface);
         all.insert(all.end(), carried.begin(), carried.end());
     }
     return all;

@@ -9,10 +9,12 @@ namespace knead {
 /// sticks.
 /// @param touches of all bodies, before
 /// @param before, position what the body was, and where its objects are [m]
-/// @param after its objects lie at their nodes
+/// @param after what it is now
+/// @param skin where its points are now [m]
 /// @return those of this body, for the points of `after`
 std::vector<SurfaceContacts::Touch> carriedTouches(std::span<const SurfaceContacts::Touch> touches, std::uint32_t body,
                                                    const Aggregate& before, const VectorArray& position,
-                                                   const Aggregate& after, std::span<const RigidSurface> surfaces);
+                                                   const Aggregate& after, std::span<const Vec3> skin,
+                                                   std::span<const RigidSurface> surfaces);
 
 } // namespace knead

@@ -233,6 +233,21 @@ void Contacts::keepDistances()
     m_keptDistances = std::move(all);
 }
 
+void Contacts::keepDistancesOf(std::uint32_t body)
+{
+    std::vector<ContactPair> overlapping = findPairs(*m_vicinity, 0);
+    std::erase_if(overlapping, [&](const ContactPair& pair) {
+        return m_objects[pair.objects.first].ref.body != body && m_objects[pair.objects.second].ref.body != body;
+    });
+    for (ContactPair& pair : overlapping)
+        pair.nominalLength = lengthOf(pair);
+    std::vector<ContactPair> all;
+    std::set_union(overlapping.begin(), overlapping.end(), m_keptDistances.begin(), m_keptDistances.end(),
+                   std::back_inserter(all),
+                   [](const ContactPair& a, const ContactPair& b) { return a.objects < b.objects; });
+    m_keptDistances = std::move(all);
+}
+
 void Contacts::connectionsBroke(std::span<const RigidSurface> surfaces)
 {
     bool any = false;

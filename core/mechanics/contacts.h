@@ -79,6 +79,9 @@ public:
     /// as the materials, and as strong as the weaker one.
     void glueTouching();
 
+    /// Objects of a body are others: what they overlap with at once is where the old ones were, and keeps its distance.
+    void keepDistancesOf(std::uint32_t body);
+
     /// Ends of newly broken connections become contact objects; where they overlap now, they keep their distance.
     void connectionsBroke(std::span<const RigidSurface> surfaces);
 

@@ -44,11 +44,12 @@ Mat3 exponential(const Mat3& symmetric)
 
 } // namespace
 
-CarriedState::CarriedState(const StructuralConnections& before, const ObjectState& state, const Aggregate& aggregate)
+CarriedState::CarriedState(const StructuralConnections& before, const ObjectState& state, const NewFilling& filling)
     : m_before(before)
     , m_state(state)
-    , m_aggregate(aggregate)
-    , m_first(aggregate.size() + 1, 0)
+    , m_filling(filling)
+    , m_aggregate(*filling.aggregate)
+    , m_first(filling.aggregate->size() + 1, 0)
 {
     findAround();
 }
@@ -56,18 +57,34 @@ CarriedState::CarriedState(const StructuralConnections& before, const ObjectStat
 void CarriedState::findAround()
 {
     const double spacing = m_before.aggregate().lattice.spacing;
-    const PointGrid grid(m_state.position, spacing);
+    struct OldObjects {
+        std::vector<ObjectIndex> numbers;
+        VectorArray places;
+    };
+    std::vector<OldObjects> old(m_filling.pieces);
+    for (ObjectIndex i = 0; i < m_state.size(); ++i)
+        old[m_filling.pieceOfOld[i]].numbers.push_back(i);
+    std::vector<PointGrid> grids;
+    for (OldObjects& piece : old) {
+        piece.places.resize(piece.numbers.size());
+        for (std::size_t i = 0; i < piece.numbers.size(); ++i)
+            piece.places.set(i, m_state.position.at(piece.numbers[i]));
+        grids.emplace_back(piece.places, spacing);
+    }
     const std::size_t count = m_aggregate.size();
     std::vector<std::vector<Around>> lists(count);
     forEachBlock(count, objectsPerBlock, [&](std::size_t begin, std::size_t end) {
         std::vector<PointGrid::Found> found;
         std::vector<Vec3> offsets;
         for (std::size_t i = begin; i < end; ++i) {
-            const Vec3 place = m_aggregate.lattice.position(static_cast<ObjectIndex>(i));
-            grid.nearest(place, mostAround, found);
+            const Vec3 place = m_filling.places.at(i);
+            const std::uint32_t piece = m_filling.pieceOfNew[i];
+            grids[piece].nearest(place, mostAround, found);
             offsets.clear();
-            for (const PointGrid::Found& one : found)
+            for (PointGrid::Found& one : found) {
+                one.point = old[piece].numbers[one.point];
                 offsets.push_back((m_state.position.at(one.point) - place) / spacing);
+            }
             const std::vector<double> shares = shapeFunctions(offsets, supportShare * offsets.back().norm());
             for (std::size_t k = 0; k < found.size(); ++k)
                 if (shares[k] != 0)
@@ -89,14 +106,22 @@ VectorArray CarriedState::velocities(const LaneVector<double>& mass) const
         Vec3 angular = Vec3::Zero();
         Mat3 inertia = Mat3::Zero();
     };
-    const auto momentumOf = [](std::size_t count, auto&& massOf, auto&& placeOf, auto&& velocityOf) {
+    const auto momentumOf = [](const std::vector<std::uint32_t>& pieceOf, std::uint32_t piece, const auto& masses,
+                               const VectorArray& places, const VectorArray& velocities) {
         Momentum sum;
-        for (std::size_t i = 0; i < count; ++i) {
+        const auto massOf = [&](std::size_t i) { return static_cast<double>(masses[i]); };
+        const auto placeOf = [&](std::size_t i) { return places.at(i); };
+        const auto velocityOf = [&](std::size_t i) { return velocities.at(i); };
+        for (std::size_t i = 0; i < pieceOf.size(); ++i) {
+            if (pieceOf[i] != piece)
+                continue;
             sum.mass += massOf(i);
             sum.center += massOf(i) * placeOf(i);
         }
         sum.center /= sum.mass;
-        for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t i = 0; i < pieceOf.size(); ++i) {
+            if (pieceOf[i] != piece)
+                continue;
             const Vec3 arm = placeOf(i) - sum.center;
             const double m = massOf(i);
             sum.linear += m * velocityOf(i);
@@ -118,19 +143,18 @@ VectorArray CarriedState::velocities(const LaneVector<double>& mass) const
         }
         velocities.set(i, sum.cwiseMax(low).cwiseMin(high));
     }
-    const Momentum before = momentumOf(
-        m_state.size(), [&](std::size_t i) { return m_state.mass[i]; },
-        [&](std::size_t i) { return m_state.position.at(i); }, [&](std::size_t i) { return m_state.velocity.at(i); });
-    const auto place = [&](std::size_t i) { return m_aggregate.lattice.position(static_cast<ObjectIndex>(i)); };
-    const Momentum now = momentumOf(
-        velocities.size(), [&](std::size_t i) { return mass[i]; }, place,
-        [&](std::size_t i) { return velocities.at(i); });
-    // The same velocity of the whole, and the same turn: mass may differ in the last digits of the volume.
-    const Vec3 push = before.linear / before.mass - now.linear / now.mass;
-    const Vec3 spin = before.inertia.ldlt().solve(before.angular) - now.inertia.ldlt().solve(now.angular);
-    if (push.allFinite() && spin.allFinite())
-        for (std::size_t i = 0; i < velocities.size(); ++i)
-            velocities.add(i, push + spin.cross(place(i) - now.center));
+    for (std::uint32_t piece = 0; piece < m_filling.pieces; ++piece) {
+        const Momentum before =
+            momentumOf(m_filling.pieceOfOld, piece, m_state.mass, m_state.position, m_state.velocity);
+        const Momentum now = momentumOf(m_filling.pieceOfNew, piece, mass, m_filling.places, velocities);
+        // The same velocity of the whole, and the same turn: mass may differ in the last digits of the volume.
+        const Vec3 push = before.linear / before.mass - now.linear / now.mass;
+        const Vec3 spin = before.inertia.ldlt().solve(before.angular) - now.inertia.ldlt().solve(now.angular);
+        if (push.allFinite() && spin.allFinite())
+            for (std::size_t i = 0; i < velocities.size(); ++i)
+                if (m_filling.pieceOfNew[i] == piece)
+                    velocities.add(i, push + spin.cross(m_filling.places.at(i) - now.center));
+    }
     return velocities;
 }
 
@@ -194,6 +218,7 @@ StructuralConnections::Changes CarriedState::changes(const MaterialMap& material
     });
 
     // What the map of the surface won or lost of the volume is compressed now, and comes out again.
+    // Of all pieces together: objects on both sides of a fresh cut do not say how much of each piece is theirs.
     double volume = 0;
     double volumeNow = 0;
     for (ObjectIndex i = 0; i < from.size(); ++i)

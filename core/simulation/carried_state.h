@@ -3,6 +3,7 @@
 #include "core/aggregate/aggregate.h"
 #include "core/mechanics/object_state.h"
 #include "core/mechanics/structural_connections.h"
+#include "core/skin/new_filling.h"
 
 #include <span>
 #include <vector>
@@ -10,7 +11,7 @@
 namespace knead {
 
 /// What objects of a body that is filled anew take over from those that were there before: numbers by moving least squares over
-/// the old objects around a new one, as they lie now.
+/// the old objects of its piece around a new one, as they lie now.
 ///
 /// Elastic strain goes with the material, not with the lattice: of H = ln sqrt(F C^-1 F^T) of the old objects, whose F is lost, the
 /// new ones have F = I and
@@ -19,10 +20,10 @@ namespace knead {
 class CarriedState {
 public:
     /// @param before with its state, both read while this lives
-    /// @param aggregate filled where the objects of `before` are now
-    CarriedState(const StructuralConnections& before, const ObjectState& state, const Aggregate& aggregate);
+    /// @param filling of where the objects of `before` are now, read while this lives
+    CarriedState(const StructuralConnections& before, const ObjectState& state, const NewFilling& filling);
 
-    /// Velocities, with the linear and angular momentum of before: whatever the fit lacks is a rigid motion more.
+    /// Velocities, each piece with the linear and angular momentum that it had: whatever the fit lacks is a rigid motion more.
     /// @param mass of the new objects [kg]
     VectorArray velocities(const LaneVector<double>& mass) const;
 
@@ -43,6 +44,7 @@ private:
 
     const StructuralConnections& m_before;
     const ObjectState& m_state;
+    const NewFilling& m_filling;
     const Aggregate& m_aggregate;
     std::vector<std::size_t> m_first;
     std::vector<Around> m_around;

@@ -1,8 +1,9 @@
 // Filling bodies anew in the shape that they have, while they are worked on; and going back to the first filling.
+#include "core/aggregate/pieces.h"
 #include "core/mechanics/carried_touches.h"
 #include "core/simulation/carried_state.h"
 #include "core/simulation/simulation_state.h"
-#include "core/skin/refilled.h"
+#include "core/skin/new_filling.h"
 #include "core/vicinity/point_grid.h"
 
 #include <algorithm>
@@ -52,19 +53,66 @@ MaterialMap carried(const MaterialMap& materials, const std::vector<ObjectIndex>
     return {materials.materials(), std::move(indices)};
 }
 
-/// Whether a filling connects two objects.
-bool areConnected(const Aggregate& aggregate, const std::vector<BrokenConnection>& broken, ObjectIndex lower,
-                  ObjectIndex upper)
-{
-    const Lattice::Node& from = aggregate.lattice.nodes[lower];
-    const Lattice::Node& to = aggregate.lattice.nodes[upper];
-    const Lattice::Node step{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-    const auto* const direction = std::ranges::find(Lattice::directions, step);
-    if (direction == Lattice::directions.end())
+/// What a filling connects.
+class Connected {
+public:
+    Connected(const Aggregate& aggregate, const std::vector<BrokenConnection>& broken)
+        : m_aggregate(aggregate)
+        , m_isBroken(brokenDirections(aggregate, broken))
+    {
+    }
+
+    /// Whether two objects hang together, directly or over a third one.
+    bool are(ObjectIndex first, ObjectIndex second) const
+    {
+        const Lattice::Node& from = m_aggregate.lattice.nodes[first];
+        const Lattice::Node& to = m_aggregate.lattice.nodes[second];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (std::abs(from[axis] - to[axis]) > 2)
+                return false;
+        if (areNeighbors(first, second))
+            return true;
+        for (std::size_t d = 0; d < Lattice::isotropicCount; ++d)
+            for (const std::int32_t sign : {-1, 1}) {
+                const Lattice::Node& o = Lattice::directions[d];
+                const ObjectIndex third =
+                    m_aggregate.lattice.find({from[0] + sign * o[0], from[1] + sign * o[1], from[2] + sign * o[2]});
+                if (third < m_aggregate.size() && areNeighbors(first, third) && areNeighbors(third, second))
+                    return true;
+            }
         return false;
-    const auto d = static_cast<std::uint32_t>(direction - Lattice::directions.begin());
-    const auto isSame = [&](const ConnectionId& id) { return id == ConnectionId{d, lower}; };
-    return !aggregate.weight[d].empty() && aggregate.weight[d][lower] > 0 && std::ranges::none_of(broken, isSame);
+    }
+
+private:
+    bool areNeighbors(ObjectIndex one, ObjectIndex other) const
+    {
+        const auto [lower, upper] = std::minmax(one, other);
+        const Lattice::Node& from = m_aggregate.lattice.nodes[lower];
+        const Lattice::Node& to = m_aggregate.lattice.nodes[upper];
+        const Lattice::Node step{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+        const auto* const direction = std::ranges::find(Lattice::directions, step);
+        if (direction == Lattice::directions.end())
+            return false;
+        const auto d = static_cast<std::size_t>(direction - Lattice::directions.begin());
+        return !m_aggregate.weight[d].empty() && m_aggregate.weight[d][lower] > 0 && (m_isBroken[lower] >> d & 1U) == 0;
+    }
+
+    const Aggregate& m_aggregate;
+    std::vector<std::uint16_t> m_isBroken;
+};
+
+/// Joints of a body are as much too long or too short between its new objects as they were between the old ones.
+/// @param placeBefore, placeNow of the old object, and of the new one in its place
+template <typename PlaceBefore, typename PlaceNow>
+void keepStretch(std::vector<Joint>& joints, BodyId body, PlaceBefore&& placeBefore, PlaceNow&& placeNow)
+{
+    constexpr double least = 0.1; // of their length
+    for (Joint& joint : joints)
+        if (joint.first.body == body || joint.second.body == body) {
+            const double before = (placeBefore(joint.second) - placeBefore(joint.first)).norm();
+            const double now = (placeNow(joint.second) - placeNow(joint.first)).norm();
+            joint.nominalLength = std::max(joint.nominalLength + now - before, least * now);
+        }
 }
 
 /// Objects of the body have other numbers; what they had to do with each other is the filling's now.
@@ -85,9 +133,10 @@ void renumber(Contacts::Memory& memory, BodyId body, const std::vector<ObjectInd
     for (Joint& joint : memory.joints)
         if (joint.second < joint.first)
             std::swap(joint.first, joint.second);
+    const Connected connected(aggregate, broken);
     std::erase_if(memory.joints, [&](const Joint& joint) {
-        return joint.healed && joint.first.body == body && joint.second.body == body &&
-               areConnected(aggregate, broken, joint.first.object, joint.second.object);
+        return joint.first.body == body && joint.second.body == body &&
+               connected.are(joint.first.object, joint.second.object);
     });
     const auto ends = [](const Joint& joint) { return std::pair(joint.first, joint.second); };
     std::ranges::stable_sort(memory.joints, {}, ends);
@@ -115,8 +164,10 @@ std::string Simulation::State::whyNotRefilled(BodyId id) const
     const bool heals = run.materials.largest([](const Material& material) { return material.healingTime; }) > 0;
     if (!heals && !run.connections.changes().broken.empty())
         return name + "has cracks, which another filling would blur: only what heals is filled anew with them.";
-    if (run.pieces.find(run.connections, id, contacts->joints()).count > findPieces(*body.aggregate).count)
-        return name + "is in pieces, which another filling would make one.";
+    const bool isDrawnOut = body.aggregate->former && body.aggregate->former->carriers()->former;
+    if (isDrawnOut &&
+        run.pieces.find(run.connections, id, contacts->joints()).count > findPieces(*body.aggregate).count)
+        return name + "came apart after its skin was drawn out far, where its pieces are not followed back.";
     if (gapingVolume(id) > 0.5 * mostGaping * firstFillings[id]->filledVolume)
         return name + "has cracks that gape, which another filling would close.";
     for (LoadId load = 0; load < loads.size(); ++load)
@@ -146,26 +197,12 @@ std::unique_ptr<BodyRun> Simulation::State::replaceRun(BodyId id, std::shared_pt
     return std::exchange(runs[id], std::make_unique<BodyRun>(plain));
 }
 
-/// Puts another filling in the place of the one of a body. Everything but its state is made again; fixtures, regions, loads, joints
-/// and re-normalizations under way keep to the material.
-/// @param changes of the new filling, which it takes over; null: it is whole and relaxed, and touches nothing
-/// @param broken connections of it that are to be cut
-/// @param oldOfNew per new object, the old one that lies where it does; newOfOld the other way
-/// @return what there was before
-std::unique_ptr<BodyRun> Simulation::State::takeFilling(BodyId id, std::shared_ptr<const Aggregate> aggregate,
-                                                        const std::vector<ObjectIndex>& oldOfNew,
-                                                        const std::vector<ObjectIndex>& newOfOld,
-                                                        StructuralConnections::Changes* changes,
-                                                        const std::vector<BrokenConnection>& broken)
+/// What of a body goes by its objects, for those of another filling: materials, fixtures and re-normalizations under way.
+/// @param before what it was
+void Simulation::State::carryObjects(BodyId id, const BodyRun& before, bool wasFirst,
+                                     const std::vector<ObjectIndex>& oldOfNew)
 {
-    const bool wasFirst = isFirstFilling(id);
-    const std::shared_ptr<const Aggregate> formerFilling = bodies[id].aggregate;
-    std::unique_ptr<BodyRun> before = replaceRun(id, std::move(aggregate));
-    runs[id]->materials = carried(before->materials, oldOfNew);
-    if (changes != nullptr)
-        runs[id]->connections.restore(std::move(*changes));
-    else
-        runs[id]->connections.updateMaterials();
+    runs[id]->materials = carried(before.materials, oldOfNew);
     for (auto& fixture : fixtures)
         if (fixture && fixture->body == id) {
             if (wasFirst)
@@ -180,15 +217,43 @@ std::unique_ptr<BodyRun> Simulation::State::takeFilling(BodyId id, std::shared_p
             annealing.marks = std::move(marks);
         }
     takeLoads(id);
-    Contacts::Memory memory = contacts->memory();
-    std::vector<SurfaceContacts::Touch> touches;
-    if (changes != nullptr)
-        touches = carriedTouches(memory.touches, id, *formerFilling, before->state.position, *bodies[id].aggregate,
-                                 surfaces());
-    renumber(memory, id, newOfOld, *bodies[id].aggregate, broken);
-    memory.touches.insert(memory.touches.end(), touches.begin(), touches.end());
+}
+
+void Simulation::State::takeContacts(const Contacts::Memory& memory)
+{
     contacts = std::make_unique<Contacts>(contactBodies(), vicinity, memory);
     contacts->setScheme({}, isImplicit());
+}
+
+/// Puts another filling in the place of the one of a body. Everything but its state is made again; fixtures, regions, loads, joints
+/// and re-normalizations under way keep to the material.
+/// @param changes of the new filling, which it takes over
+/// @return what there was before
+std::unique_ptr<BodyRun> Simulation::State::takeFilling(BodyId id, const NewFilling& filling,
+                                                        StructuralConnections::Changes changes)
+{
+    const bool wasFirst = isFirstFilling(id);
+    const std::shared_ptr<const Aggregate> formerFilling = bodies[id].aggregate;
+    std::unique_ptr<BodyRun> before = replaceRun(id, filling.aggregate);
+    runs[id]->state.position = filling.places;
+    carryObjects(id, *before, wasFirst, filling.oldOfNew);
+    runs[id]->connections.restore(std::move(changes));
+    Contacts::Memory memory = contacts->memory();
+    const std::vector<SurfaceContacts::Touch> touches = carriedTouches(
+        memory.touches, id, *formerFilling, before->state.position, *filling.aggregate, filling.skin, surfaces());
+    keepStretch(
+        memory.joints, id,
+        [&](const ObjectRef& end) {
+            return (end.body == id ? *before : *runs[end.body]).state.position.at(end.object);
+        },
+        [&](const ObjectRef& end) {
+            return end.body == id ? filling.places.at(filling.newOfOld[end.object])
+                                  : runs[end.body]->state.position.at(end.object);
+        });
+    renumber(memory, id, filling.newOfOld, *filling.aggregate, filling.cracks);
+    memory.touches.insert(memory.touches.end(), touches.begin(), touches.end());
+    takeContacts(memory);
+    contacts->keepDistancesOf(id);
     return before;
 }
 
@@ -290,25 +355,19 @@ void Simulation::State::refill(BodyId id, double spacing)
         displacements[i] = run.state.position.at(i) - bodies[id].aggregate->lattice.position(i);
     const double finest = spacing > 0 ? spacing : bodies[id].aggregate->lattice.spacing;
     const std::vector<BrokenConnection>& broken = run.connections.changes().broken;
-    std::shared_ptr<const ShapeFitting> fitting = run.fitting;
-    const std::shared_ptr<const Aggregate> aggregate =
-        refilled(*bodies[id].surface, bodies[id].aggregate, displacements, finest, fitting, outOfTools(id));
-    const double grown = aggregate->filledVolume / firstFillings[id]->filledVolume - 1;
+    const std::vector<GrownTogether> healed = grownTogether(id);
+    KnownFittings fittings = run.fittings;
+    NewFilling filling = newFilling({*bodies[id].surface, bodies[id].aggregate, displacements, broken, healed}, finest,
+                                    fittings, outOfTools(id));
+    const double grown = filling.aggregate->filledVolume / firstFillings[id]->filledVolume - 1;
     if (!broken.empty() && !(grown < mostGaping))
         throw std::runtime_error("its cracks gape, and would be filled.");
-    const CarriedState state(run.connections, run.state, *aggregate);
-    StructuralConnections::Changes changes = state.changes(run.materials);
-    const VectorArray nodes = nodesOf(*aggregate);
-    const std::vector<BrokenConnection> cracks =
-        carriedCracks({*bodies[id].aggregate, run.state.position, broken, grownTogether(id)}, *aggregate, nodes);
-    const std::vector<ObjectIndex> oldOfNew = nearestPoints(run.state.position, nodes, finest);
-    const std::vector<ObjectIndex> newOfOld = nearestPoints(nodes, run.state.position, finest);
-    const std::unique_ptr<BodyRun> old =
-        takeFilling(id, aggregate, oldOfNew, newOfOld, &changes, cracks); // which `state` reads
+    const CarriedState state(run.connections, run.state, filling);
+    const std::unique_ptr<BodyRun> old = takeFilling(id, filling, state.changes(run.materials)); // which `state` reads
     BodyRun& filled = *runs[id];
-    filled.fitting = std::move(fitting);
-    if (!cracks.empty()) { // their sides keep the distance that they have
-        filled.connections.cut(filled.state, cracks, 0);
+    filled.fittings = std::move(fittings);
+    if (!filling.cracks.empty()) { // their sides keep the distance that they have
+        filled.connections.cut(filled.state, filling.cracks, 0);
         touchWhereBroken();
     }
     setMasses();
@@ -355,14 +414,16 @@ void Simulation::State::takeFirstFilling(BodyId id)
         return;
     const Aggregate& present = *bodies[id].aggregate;
     const Aggregate& first = *firstFillings[id];
-    std::vector<Vec3> places(first.size());
-    for (ObjectIndex i = 0; i < places.size(); ++i)
-        places[i] = first.lattice.position(i);
-    const VectorArray then = placesOf(placesWhenFilled(present, places));
+    const VectorArray then = placesOf(firstFillingWhenFilled(present));
     const VectorArray nodes = nodesOf(present);
     const std::vector<ObjectIndex> oldOfNew = nearestPoints(nodes, then, present.lattice.spacing);
     const std::vector<ObjectIndex> newOfOld = nearestPoints(then, nodes, present.lattice.spacing);
-    takeFilling(id, firstFillings[id], oldOfNew, newOfOld, nullptr, {});
+    const std::unique_ptr<BodyRun> before = replaceRun(id, firstFillings[id]);
+    carryObjects(id, *before, false, oldOfNew);
+    runs[id]->connections.updateMaterials();
+    Contacts::Memory memory = contacts->memory();
+    renumber(memory, id, newOfOld, first, {});
+    takeContacts(memory);
     for (auto& fixture : fixtures)
         if (fixture && fixture->body == id && !fixture->whenOpened.empty())
             fixture->objects = std::exchange(fixture->whenOpened, {});

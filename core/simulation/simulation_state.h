@@ -12,7 +12,7 @@
 #include "core/simulation/simulation_loads.h"
 #include "core/simulation/stage_clock.h"
 #include "core/skin/carried_cracks.h"
-#include "core/skin/refilled.h"
+#include "core/skin/new_filling.h"
 
 #include <deque>
 #include <memory>
@@ -35,9 +35,9 @@ struct BodyRun {
     bool anchored = false;            ///< some object is held
     std::vector<FixtureId> gripOf;    ///< per object: the grip that moves it, if any does
     PiecesOfBody pieces;
-    std::shared_ptr<const ShapeFitting> fitting; ///< of its filling, for the next one; null: not known
-    std::unique_ptr<const CellShapes> cells;     ///< null: not looked at yet
-    std::size_t brokenInCells = 0;               ///< connections that had broken then
+    KnownFittings fittings;                  ///< of its filling, for the next one
+    std::unique_ptr<const CellShapes> cells; ///< null: not looked at yet
+    std::size_t brokenInCells = 0;           ///< connections that had broken then
     std::shared_ptr<const std::vector<BrokenConnection>>
         published;                               ///< what was broken in the snapshot before; null: none
     std::shared_ptr<const RelaxedState> relaxed; ///< in the snapshot before; null: there was none
@@ -122,11 +122,10 @@ struct Simulation::State {
     bool isOfThisScene(const Moment& moment) const;
     void restore(const Moment& moment);
     std::string whyNotRefilled(BodyId body) const;
-    std::unique_ptr<BodyRun> takeFilling(BodyId body, std::shared_ptr<const Aggregate> aggregate,
-                                         const std::vector<ObjectIndex>& oldOfNew,
-                                         const std::vector<ObjectIndex>& newOfOld,
-                                         StructuralConnections::Changes* changes,
-                                         const std::vector<BrokenConnection>& broken);
+    void carryObjects(BodyId body, const BodyRun& before, bool wasFirst, const std::vector<ObjectIndex>& oldOfNew);
+    void takeContacts(const Contacts::Memory& memory);
+    std::unique_ptr<BodyRun> takeFilling(BodyId body, const NewFilling& filling,
+                                         StructuralConnections::Changes changes);
     std::vector<GrownTogether> grownTogether(BodyId body) const;
     double gapingVolume(BodyId body) const;
     bool isFirstFilling(BodyId body) const;

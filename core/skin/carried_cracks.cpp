@@ -180,24 +180,18 @@ void keepCrumbs(const Aggregate& aggregate, std::vector<BrokenConnection>& broke
     std::vector<std::size_t> size(pieces.count, 0);
     for (const std::uint32_t piece : pieces.ofObject)
         ++size[piece];
-    const auto upperOf = [&](const BrokenConnection& connection) {
-        const auto& segments = aggregate.lattice.segments[connection.direction];
-        const auto segment = std::ranges::partition_point(
-            segments, [&](const Lattice::Segment& each) { return each.end <= connection.lower; });
-        return connection.lower + static_cast<ObjectIndex>(segment->offset);
-    };
     std::map<std::uint32_t, std::map<std::uint32_t, int>>
         neighbors; // of crumbs: how many connections lead to which piece
     for (const BrokenConnection& connection : broken) {
         const std::uint32_t lower = pieces.ofObject[connection.lower];
-        const std::uint32_t upper = pieces.ofObject[upperOf(connection)];
+        const std::uint32_t upper = pieces.ofObject[upperEnd(aggregate.lattice, connection)];
         for (const auto& [crumb, other] : {std::pair(lower, upper), std::pair(upper, lower)})
             if (size[crumb] < leastObjects && size[other] >= leastObjects)
                 ++neighbors[crumb][other];
     }
     std::erase_if(broken, [&](const BrokenConnection& connection) {
         const std::uint32_t lower = pieces.ofObject[connection.lower];
-        const std::uint32_t upper = pieces.ofObject[upperOf(connection)];
+        const std::uint32_t upper = pieces.ofObject[upperEnd(aggregate.lattice, connection)];
         for (const auto& [crumb, other] : {std::pair(lower, upper), std::pair(upper, lower)})
             if (const auto found = neighbors.find(crumb); found != neighbors.end() && crumb != other) {
                 const auto most =

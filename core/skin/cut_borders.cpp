@@ -1,5 +1,7 @@
 #include "core/skin/cut_borders.h"
 
+#include "core/aggregate/pieces.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -15,14 +17,6 @@ constexpr std::size_t mostPoints = 24;
 constexpr std::size_t leastPoints = 4;
 // Points that lie in a line say nothing about a plane: least share of their second by their first principal moment.
 constexpr double leastBreadth = 0.02;
-
-ObjectIndex upperEnd(const Lattice& lattice, const ConnectionId& connection)
-{
-    const auto& segments = lattice.segments[connection.direction];
-    const auto segment = std::partition_point(segments.begin(), segments.end(),
-                                              [&](const auto& s) { return s.end <= connection.lower; });
-    return connection.lower + static_cast<ObjectIndex>(segment->offset);
-}
 
 } // namespace
 

@@ -1,6 +1,8 @@
 #include "core/skin/former_shape.h"
 
+#include "core/aggregate/pieces.h"
 #include "core/geometry/refine.h"
+#include "core/skin/skin.h"
 
 #include <algorithm>
 #include <utility>
@@ -29,10 +31,13 @@ double largestStretchOf(const Aggregate& aggregate, std::span<const Vec3> displa
 
 } // namespace
 
-FormerShape::FormerShape(std::shared_ptr<const Aggregate> carriers, std::vector<Vec3> displacements)
+FormerShape::FormerShape(std::shared_ptr<const Aggregate> carriers, std::vector<Vec3> displacements,
+                         std::vector<BrokenConnection> broken)
     : m_carriers(std::move(carriers))
-    , m_map(*m_carriers, std::move(displacements), mostBytesKept)
-    , m_stretch(largestStretchOf(*m_carriers, m_map.displacements()))
+    , m_broken(std::move(broken))
+    , m_connected(withoutBroken(m_carriers, m_broken))
+    , m_map(*m_connected, std::move(displacements), mostBytesKept)
+    , m_stretch(largestStretchOf(*m_connected, m_map.displacements()))
 {
 }
 
@@ -44,6 +49,37 @@ double FormerShape::largestStretch() const
 const Aggregate& firstFillingOf(const Aggregate& aggregate)
 {
     return aggregate.former ? firstFillingOf(*aggregate.former->carriers()) : aggregate;
+}
+
+std::vector<Vec3> firstFillingWhenFilled(const Aggregate& aggregate)
+{
+    const Aggregate& first = firstFillingOf(aggregate);
+    std::vector<Vec3> places(first.size());
+    for (ObjectIndex i = 0; i < places.size(); ++i)
+        places[i] = first.lattice.position(i);
+    if (!aggregate.former || !aggregate.former->isInPieces())
+        return placesWhenFilled(aggregate, places);
+    const std::vector<BrokenConnection>& broken = aggregate.former->broken();
+    const std::vector<std::uint16_t> isBroken = brokenDirections(first, broken);
+    std::vector<std::vector<ObjectIndex>> ofPiece;
+    const Pieces pieces = findPieces(first, broken);
+    ofPiece.resize(pieces.count);
+    for (ObjectIndex i = 0; i < first.size(); ++i)
+        ofPiece[pieces.ofObject[i]].push_back(i);
+    for (const std::vector<ObjectIndex>& objects : ofPiece) {
+        const Aggregate piece = extract(first, objects, isBroken);
+        std::vector<Vec3> there(objects.size());
+        std::vector<Vec3> displacements(objects.size());
+        for (std::size_t i = 0; i < objects.size(); ++i) {
+            there[i] = places[objects[i]];
+            displacements[i] = aggregate.former->displacements()[objects[i]];
+        }
+        const Skin skin(piece, there);
+        skin.evaluate(displacements, there);
+        for (std::size_t i = 0; i < objects.size(); ++i)
+            places[objects[i]] = there[i];
+    }
+    return places;
 }
 
 std::vector<Vec3> placesWhenFilled(const Aggregate& aggregate, std::span<const Vec3> points)

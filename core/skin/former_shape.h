@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/aggregate/aggregate.h"
+#include "core/aggregate/connection_id.h"
 #include "core/geometry/smooth_map.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/skin/skin_map.h"
@@ -16,6 +17,9 @@ namespace knead {
 /// where it stretches more than its carriers can describe (mostStretch), the filling of then, which has a former shape of its own,
 /// carries what comes after.
 ///
+/// A body that had come apart then was filled anew piece by piece, and each piece has a map of its own, of those carriers that hang
+/// together in it. Which piece a place on a crack belongs to it does not say: surfaces are cut first, see openedPieces().
+///
 /// Immutable; its members may be called from any thread.
 class FormerShape final : public SmoothMap {
 public:
@@ -26,7 +30,9 @@ public:
 
     /// @param carriers a filling of the opened part itself, or of a former shape that stretches too much
     /// @param displacements one per carrier [m]
-    FormerShape(std::shared_ptr<const Aggregate> carriers, std::vector<Vec3> displacements);
+    /// @param broken connections of the carriers that parted the pieces that were filled; empty: it was in one piece
+    FormerShape(std::shared_ptr<const Aggregate> carriers, std::vector<Vec3> displacements,
+                std::vector<BrokenConnection> broken = {});
 
     void evaluate(std::span<const Vec3> points, std::span<Vec3> places) const override
     {
@@ -43,15 +49,22 @@ public:
 
     const std::shared_ptr<const Aggregate>& carriers() const { return m_carriers; }
     const std::vector<Vec3>& displacements() const { return m_map.displacements(); }
+    const std::vector<BrokenConnection>& broken() const { return m_broken; }
+    bool isInPieces() const { return !m_broken.empty(); }
 
 private:
     std::shared_ptr<const Aggregate> m_carriers;
+    std::vector<BrokenConnection> m_broken;
+    std::shared_ptr<const Aggregate> m_connected; ///< the carriers without these
     SkinMap m_map;
     double m_stretch = 1;
 };
 
 /// Of a body: a filling of the opened part itself, whose objects lie where they were opened.
 const Aggregate& firstFillingOf(const Aggregate& aggregate);
+
+/// Where the objects of the first filling of a body were when this one was made, each as its piece was [m].
+std::vector<Vec3> firstFillingWhenFilled(const Aggregate& aggregate);
 
 /// Points of an opened part where an aggregate was filled from: its former shape, or where they are.
 std::vector<Vec3> placesWhenFilled(const Aggregate& aggregate, std::span<const Vec3> points);

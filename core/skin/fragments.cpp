@@ -33,10 +33,7 @@ std::vector<std::uint32_t> joinDust(const Aggregate& aggregate, const Pieces& pi
 {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> connections; // between dust and any other
     for (const ConnectionId& connection : broken) {
-        const auto& segments = aggregate.lattice.segments[connection.direction];
-        const auto segment = std::partition_point(segments.begin(), segments.end(),
-                                                  [&](const auto& s) { return s.end <= connection.lower; });
-        const ObjectIndex upper = connection.lower + static_cast<ObjectIndex>(segment->offset);
+        const ObjectIndex upper = upperEnd(aggregate.lattice, connection);
         const std::uint32_t a = pieces.ofObject[connection.lower];
         const std::uint32_t b = pieces.ofObject[upper];
         if (a == b)

@@ -12,6 +12,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <utility>
 
 namespace knead {
 
@@ -22,6 +25,8 @@ constexpr int corrections = 1;
 // A cut is a plane through so many known places of it.
 constexpr std::size_t cutsAround = 8;
 constexpr double nearestEnd = 1e-6; // of a cut, by the length of a connection
+// Neighbors of before that a cut parted are together again within so many spacings.
+constexpr double farthestMeeting = 2.5;
 
 std::vector<Vec3> restOf(const Aggregate& aggregate)
 {
@@ -124,21 +129,85 @@ void cutExactly(const Aggregate& aggregate, const std::vector<Vec3>& cuts, std::
     }
 }
 
+/// What parted the pieces that a body was filled from, but for those that have grown together there.
+std::vector<BrokenConnection> stillParted(const Aggregate& present, const std::vector<Vec3>& then,
+                                          const Regrown& regrown)
+{
+    const std::vector<BrokenConnection>& parted = present.former->broken();
+    if (parted.empty() || regrown.pairs.empty())
+        return parted;
+    const Aggregate& carriers = *present.former->carriers();
+    const Pieces pieces = findPieces(carriers, parted);
+    const double spacing = present.lattice.spacing;
+    const std::vector<ObjectIndex> nearest = nearestPoints(nodesOf(present), arrayOf(then), spacing);
+    const std::vector<ObjectIndex> carrierOf = nearestPoints(arrayOf(then), nodesOf(present), spacing);
+    struct Seam {
+        std::size_t connections = 0; ///< that were parted
+        std::size_t straight = 0;    ///< of them, along an axis of the lattice
+        std::size_t meeting = 0;     ///< of these, whose ends are together now
+        std::size_t pairs = 0;       ///< that have grown together
+    };
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Seam> seams;
+    const auto seamOf = [&](ObjectIndex one, ObjectIndex other) -> Seam& {
+        return seams[std::minmax({pieces.ofObject[one], pieces.ofObject[other]})];
+    };
+    for (const BrokenConnection& one : parted) {
+        const ObjectIndex upper = upperEnd(carriers.lattice, one);
+        Seam& seam = seamOf(one.lower, upper);
+        ++seam.connections;
+        if (one.direction >= 3)
+            continue;
+        ++seam.straight;
+        const Vec3 lowerNow = then[one.lower] + regrown.displacements[nearest[one.lower]];
+        const Vec3 upperNow = then[upper] + regrown.displacements[nearest[upper]];
+        if ((upperNow - lowerNow).norm() < farthestMeeting * spacing)
+            ++seam.meeting;
+    }
+    for (const auto& [first, second] : regrown.pairs)
+        ++seamOf(carrierOf[first], carrierOf[second]).pairs;
+    const auto isWhole = [](const Seam& seam) {
+        return 3 * seam.meeting > 2 * seam.straight && 5 * seam.pairs > seam.connections;
+    };
+    std::vector<BrokenConnection> left;
+    std::copy_if(parted.begin(), parted.end(), std::back_inserter(left), [&](const BrokenConnection& one) {
+        return !isWhole(seamOf(one.lower, upperEnd(carriers.lattice, one)));
+    });
+    return left;
+}
+
 } // namespace
 
-std::vector<BrokenConnection> brokenInFormer(const Aggregate& present, std::span<const BrokenConnection> broken)
+std::vector<BrokenConnection> brokenInFirst(const Aggregate& present, std::span<const BrokenConnection> broken,
+                                            const Regrown& regrown)
 {
-    if (!present.former || present.former->carriers()->former || broken.empty())
-        return {};
-    const Aggregate& carriers = *present.former->carriers();
-    const std::vector<Vec3> rest = restOf(carriers);
-    const std::vector<Vec3> then = placesWhenFilled(present, rest);
     const VectorArray nodes = nodesOf(present);
-    std::vector<BrokenConnection> carried = carriedCracks({present, nodes, broken}, carriers, arrayOf(then));
+    if (!present.former) {
+        if (regrown.pairs.empty()) {
+            std::vector<BrokenConnection> all(broken.begin(), broken.end());
+            std::sort(all.begin(), all.end());
+            return all;
+        }
+        return carriedCracks({present, nodes, broken, regrown.pairs}, present, nodes);
+    }
+    const Aggregate& carriers = *present.former->carriers();
+    if (carriers.former || (broken.empty() && !present.former->isInPieces()))
+        return {};
+    const std::vector<Vec3> then = firstFillingWhenFilled(present);
+    std::vector<BrokenConnection> all = stillParted(present, then, regrown);
+    if (broken.empty())
+        return all;
+    std::vector<BrokenConnection> carried =
+        carriedCracks({present, nodes, broken, regrown.pairs}, carriers, arrayOf(then));
     const std::vector<Vec3> cut = placesOfCuts(present, broken);
     if (cut.size() >= cutsAround)
-        cutExactly(carriers, opened(*present.former, cut, rest, then), carried);
-    return carried;
+        cutExactly(carriers, opened(*present.former, cut, restOf(carriers), then), carried);
+    // What leads from one of the former pieces to another is no concern of the present cracks.
+    const Pieces parted = findPieces(carriers, present.former->broken());
+    std::copy_if(carried.begin(), carried.end(), std::back_inserter(all), [&](const BrokenConnection& one) {
+        return parted.ofObject[one.lower] == parted.ofObject[upperEnd(carriers.lattice, one)];
+    });
+    std::sort(all.begin(), all.end());
+    return all;
 }
 
 std::optional<OpenedState> openedState(const Aggregate& present, std::span<const Vec3> displacements,
@@ -147,10 +216,10 @@ std::optional<OpenedState> openedState(const Aggregate& present, std::span<const
     if (!present.former || present.former->carriers()->former)
         return {};
     const FormerShape& former = *present.former;
-    OpenedState opened{former.carriers(), former.displacements(), brokenInFormer(present, broken)};
+    OpenedState opened{former.carriers(), former.displacements(), brokenInFirst(present, broken)};
     const Aggregate& carriers = *opened.aggregate;
     const Pieces pieces = findPieces(carriers, opened.broken);
-    const std::vector<Vec3> then = placesWhenFilled(present, restOf(carriers));
+    const std::vector<Vec3> then = firstFillingWhenFilled(present);
     const std::vector<ObjectIndex> nearest = nearestPoints(arrayOf(then), nodesOf(present), present.lattice.spacing);
     const std::vector<std::uint16_t> isBroken = brokenDirections(present, broken);
     const std::vector<std::uint16_t> wasBroken = brokenDirections(carriers, opened.broken);

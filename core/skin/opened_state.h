@@ -2,6 +2,7 @@
 
 #include "core/aggregate/aggregate.h"
 #include "core/aggregate/connection_id.h"
+#include "core/skin/carried_cracks.h"
 
 #include <memory>
 #include <optional>
@@ -25,7 +26,18 @@ struct OpenedState {
 std::optional<OpenedState> openedState(const Aggregate& present, std::span<const Vec3> displacements,
                                        std::span<const BrokenConnection> broken);
 
-/// Connections of the carriers of a former shape that cracks of the present filling have come between. Empty without a former shape.
-std::vector<BrokenConnection> brokenInFormer(const Aggregate& present, std::span<const BrokenConnection> broken);
+/// What of a body has grown together.
+struct Regrown {
+    std::span<const GrownTogether> pairs = {}; ///< of the present filling
+    std::span<const Vec3> displacements = {};  ///< of its objects since it was filled [m]; empty only without pairs
+};
+
+/// Connections of the first filling that cracks have come between, those that parted what the present one was filled from included.
+/// Pieces that have grown together where they were parted are one again; those that did elsewhere stay apart. Empty where the former
+/// shape follows another one, through which cracks are not followed back.
+/// @param broken of `present`
+/// @return ascending
+std::vector<BrokenConnection> brokenInFirst(const Aggregate& present, std::span<const BrokenConnection> broken,
+                                            const Regrown& regrown = {});
 
 } // namespace knead

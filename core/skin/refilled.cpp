@@ -1,8 +1,10 @@
 #include "core/skin/refilled.h"
 
 #include "core/aggregate/fill.h"
+#include "core/aggregate/pieces.h"
 #include "core/geometry/refine.h"
 #include "core/mechanics/point_spread.h"
+#include "core/skin/opened_pieces.h"
 #include "core/skin/skin.h"
 #include "core/skin/surface_fit.h"
 #include "core/task/parallel.h"
@@ -26,14 +28,14 @@ constexpr std::size_t pointsPerBlock = 512;
 class ShapeFit {
 public:
     ShapeFit(const TriangleMesh& surface, const std::shared_ptr<const Aggregate>& present,
-             std::span<const Vec3> displacements, double edge, std::shared_ptr<const ShapeFitting> known)
+             std::span<const Vec3> displacements, const RefillManner& manner, std::shared_ptr<const ShapeFitting> known)
         : m_present(*present)
         , m_displacements(displacements)
-        , m_former(goesOn(*present) ? present->former : nullptr)
+        , m_former(goesOn(*present, manner) ? present->former : nullptr)
         , m_carriers(m_former ? m_former->carriers() : present)
         , m_known(m_former ? std::move(known) : nullptr)
     {
-        splitSurface(surface, edge);
+        splitSurface(surface, refilledEdge * manner.spacing);
     }
 
     std::shared_ptr<const FormerShape> shape(const MovePlaces& move, TriangleMesh& now)
@@ -51,10 +53,11 @@ public:
 
 private:
     /// Whether the carriers of its former shape can carry what it has come to as well; else its own objects have to.
-    static bool goesOn(const Aggregate& present)
+    static bool goesOn(const Aggregate& present, const RefillManner& manner)
     {
-        return present.former && (present.former->stretchOfCarriers() <= FormerShape::mostStretch ||
-                                  present.former->stages() == FormerShape::mostStages);
+        return present.former &&
+               (manner.keepsCarriers || present.former->stretchOfCarriers() <= FormerShape::mostStretch ||
+                present.former->stages() == FormerShape::mostStages);
     }
 
     /// Where carriers and former shape have points of the opened part: the first ones are likely those that were asked for last time.
@@ -188,15 +191,16 @@ private:
 } // namespace
 
 std::shared_ptr<const Aggregate> refilled(const TriangleMesh& surface, const std::shared_ptr<const Aggregate>& present,
-                                          std::span<const Vec3> displacements, double spacing,
+                                          std::span<const Vec3> displacements, const RefillManner& manner,
                                           std::shared_ptr<const ShapeFitting>& fitting, const MovePlaces& move,
                                           TaskControl& control)
 {
-    ShapeFit fit(surface, present, displacements, refilledEdge * spacing, std::move(fitting));
+    ShapeFit fit(surface, present, displacements, manner, std::move(fitting));
     fitting = fit.fitting();
     TriangleMesh now;
     std::shared_ptr<const FormerShape> shape = fit.shape(move, now);
-    Aggregate aggregate = fill(now, {.spacing = spacing, .dirty = DirtySurface::windingNumber}, control);
+    Aggregate aggregate = fill(
+        now, {.spacing = manner.spacing, .dirty = DirtySurface::windingNumber, .rowAxis = manner.rowAxis}, control);
     aggregate.former = std::move(shape);
     return std::make_shared<const Aggregate>(std::move(aggregate));
 }
@@ -205,11 +209,7 @@ std::vector<ObjectIndex> objectsInFilling(const Aggregate& aggregate, const std:
 {
     if (!aggregate.former)
         return first;
-    const Lattice& carriers = firstFillingOf(aggregate).lattice;
-    std::vector<Vec3> opened(carriers.size());
-    for (ObjectIndex i = 0; i < opened.size(); ++i)
-        opened[i] = carriers.position(i);
-    const std::vector<Vec3> then = placesWhenFilled(aggregate, opened);
+    const std::vector<Vec3> then = firstFillingWhenFilled(aggregate);
     VectorArray places(then.size());
     for (std::size_t i = 0; i < then.size(); ++i)
         places.set(i, then[i]);
@@ -228,10 +228,24 @@ TriangleMesh surfaceWhenFilled(const TriangleMesh& surface, const Aggregate& agg
 {
     if (!aggregate.former)
         return surface;
-    CarriedSurface carried = carriedSurface(surface, *aggregate.former, refilledEdge * aggregate.lattice.spacing,
-                                            mostRefilledTriangles(aggregate));
-    carried.mesh.vertices = std::move(carried.places);
-    return std::move(carried.mesh);
+    const double edge = refilledEdge * aggregate.lattice.spacing;
+    const std::size_t most = mostRefilledTriangles(aggregate);
+    const auto carriedBy = [&](const TriangleMesh& mesh, const SmoothMap& map) {
+        CarriedSurface carried = carriedSurface(mesh, map, edge, most);
+        carried.mesh.vertices = std::move(carried.places);
+        return std::move(carried.mesh);
+    };
+    const FormerShape& former = *aggregate.former;
+    if (!former.isInPieces())
+        return carriedBy(surface, former);
+    const OpenedPieces apart = openedPieces(aggregate, surface, {});
+    const std::vector<std::uint16_t> isBroken = brokenDirections(*former.carriers(), apart.broken);
+    TriangleMesh all;
+    for (const OpenedPiece& piece : apart.pieces)
+        append(all, carriedBy(piece.mesh, FormerShape(std::make_shared<const Aggregate>(
+                                                          extract(*former.carriers(), piece.carriers, isBroken)),
+                                                      pickedOf(former.displacements(), piece.carriers))));
+    return all;
 }
 
 } // namespace knead

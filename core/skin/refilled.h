@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace knead {
@@ -20,6 +21,13 @@ struct ShapeFitting {
     Skin surface;      ///< of its vertices
 };
 
+/// How the shape of a body is filled anew.
+struct RefillManner {
+    double spacing = 0;                       ///< of the new filling [m], > 0
+    std::optional<Eigen::Index> rowAxis = {}; ///< as in FillOptions
+    bool keepsCarriers = false;               ///< those of its former shape, however far these have been drawn apart
+};
+
 /// Fills the shape that a body has now: the surface of the opened part, carried to where the objects are, becomes the one that is
 /// filled. Surfaces that have come to overlap are filled as one where they wind around material.
 ///
@@ -29,13 +37,12 @@ struct ShapeFitting {
 /// FormerShape::mostStretch, the present objects are the carriers from here on.
 /// @param surface of the opened part
 /// @param displacements one per object of `present` [m]
-/// @param spacing of the new filling [m], > 0
 /// @param fitting of the filling before, or null; afterwards that of this one. It saves time and changes no bit
 /// @param move what the surface keeps clear of; null: nothing
 /// @return with its former shape, never null
 /// @throws std::runtime_error, in a sentence, when the shape cannot be filled; Cancelled
 std::shared_ptr<const Aggregate> refilled(const TriangleMesh& surface, const std::shared_ptr<const Aggregate>& present,
-                                          std::span<const Vec3> displacements, double spacing,
+                                          std::span<const Vec3> displacements, const RefillManner& manner,
                                           std::shared_ptr<const ShapeFitting>& fitting,
                                           const MovePlaces& move = nullptr, TaskControl& control = TaskControl::none());
 
@@ -43,7 +50,8 @@ std::shared_ptr<const Aggregate> refilled(const TriangleMesh& surface, const std
 /// @param first objects of the first filling, ascending
 std::vector<ObjectIndex> objectsInFilling(const Aggregate& aggregate, const std::vector<ObjectIndex>& first);
 
-/// The surface of an opened part as an aggregate was filled from it: split and carried, or as it is.
+/// The surface of an opened part as an aggregate was filled from it: split and carried, or as it is. That of a body that was in pieces
+/// is the surfaces of all of these.
 TriangleMesh surfaceWhenFilled(const TriangleMesh& surface, const Aggregate& aggregate);
 
 } // namespace knead

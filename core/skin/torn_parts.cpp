@@ -42,14 +42,6 @@ Part pieceOf(const Part& whole, TriangleMesh mesh, std::size_t number)
     return piece;
 }
 
-ObjectIndex upperEnd(const Lattice& lattice, const ConnectionId& connection)
-{
-    const auto& segments = lattice.segments[connection.direction];
-    const auto segment = std::partition_point(segments.begin(), segments.end(),
-                                              [&](const auto& s) { return s.end <= connection.lower; });
-    return connection.lower + static_cast<ObjectIndex>(segment->offset);
-}
-
 /// What a person should know about a part that is cracked and in one piece: where and how far its skin is stretched.
 std::string crackRemark(const PartToExport& part)
 {
@@ -154,11 +146,19 @@ PartToExport smoothPiece(const PartToExport& whole, const Fragment& fragment, st
     return piece;
 }
 
-/// A body that was filled anew is cut where it was opened, for smooth faces. Fields, which its present objects have, are lost with that.
+bool wasInPieces(const PartToExport& whole)
+{
+    return whole.aggregate->former && whole.aggregate->former->isInPieces();
+}
+
+/// A body that was filled anew is cut where it was opened, for smooth faces, or since it was in pieces before. Fields, which its present
+/// objects have, are lost with that.
 void takeOpened(PartToExport& whole)
 {
     if (!whole.aggregate->former || findPieces(*whole.aggregate, *whole.broken).count < 2)
         return;
+    if (whole.relaxed && wasInPieces(whole))
+        whole.remarks.emplace_back("its pieces were filled anew: their fields are left out.");
     std::optional<OpenedState> opened = openedState(*whole.aggregate, whole.displacements, *whole.broken);
     if (!opened || findPieces(*opened->aggregate, opened->broken).count < 2)
         return;
@@ -173,9 +173,13 @@ void takeOpened(PartToExport& whole)
 std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangles, bool keepsFaces,
                                    TaskControl& control)
 {
-    if (whole.aggregate == nullptr || whole.broken == nullptr || whole.broken->empty())
+    const bool isCracked = whole.broken != nullptr && !whole.broken->empty();
+    if (whole.aggregate == nullptr || (!isCracked && !wasInPieces(whole)))
         return {};
-    if (keepsFaces && whole.part.exact)
+    if (!isCracked)
+        whole.broken = std::make_shared<const std::vector<BrokenConnection>>();
+    const bool isFitted = whole.aggregate->former && ((keepsFaces && whole.part.exact) || wasInPieces(whole));
+    if (isFitted)
         takeOpened(whole);
     const double spacing = whole.aggregate->lattice.spacing;
     TriangleMesh skin;
@@ -193,8 +197,9 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
         remarkOnDust(fragments.front(), whole.remarks);
         return {};
     }
-    std::vector<CarriedFragment> now = carried(*whole.aggregate, fragments, *whole.broken, whole.displacements,
-                                               whole.relaxed.get(), whole.loaded, control);
+    std::vector<CarriedFragment> now =
+        carried(*whole.aggregate, fragments, *whole.broken, whole.displacements, whole.relaxed.get(), whole.loaded,
+                isFitted && !whole.aggregate->former, control);
     std::vector<std::vector<Vec3>> sheets;
     if (keepsFaces && whole.part.exact && !whole.aggregate->former)
         sheets = sheetsOf(whole, fragmentOfObjects(*whole.aggregate, fragments));

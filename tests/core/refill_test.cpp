@@ -390,28 +390,49 @@ private slots:
     }
 
     /// They say nothing of what carries a former shape, which is the first filling.
-    void momentsOfTheEighthVersionAreRead()
+    void momentsOfEarlierVersionsAreRead_data()
     {
+        QTest::addColumn<int>("version");
+        QTest::newRow("8: one former shape") << 8;
+        QTest::newRow("9: none in pieces") << 9;
+    }
+    void momentsOfEarlierVersionsAreRead()
+    {
+        QFETCH(int, version);
         const Scene scene = dent();
         Simulation simulation(scene);
         drive(simulation, 0.5 * (deep + scene.manipulators[0].pose.position));
         const MomentPointer moment = simulation.keepMoment();
         QCOMPARE(moment->bodies[0].refilled->former->stages(), 1);
-        Bytes old = momentToBytes(*moment);
-        Moment staged = *moment; // whose bytes differ first where that is said
-        Aggregate filling = *moment->bodies[0].refilled;
-        filling.former = std::make_shared<const FormerShape>(moment->bodies[0].refilled,
-                                                             std::vector<Vec3>(filling.size(), Vec3::Zero()));
-        staged.bodies[0].refilled = std::make_shared<const Aggregate>(std::move(filling));
         constexpr std::size_t header = 36; // mark, version, two sizes, checksum
-        const Bytes other = momentToBytes(staged);
-        const auto differs = std::mismatch(old.begin() + header, old.end(), other.begin() + header);
-        old.erase(differs.first);
+        // Other moments, whose bytes differ first where that is said which there was not.
+        const auto firstOther = [&](const std::function<void(Aggregate&)>& change) {
+            Moment other = *moment;
+            Aggregate filling = *moment->bodies[0].refilled;
+            change(filling);
+            other.bodies[0].refilled = std::make_shared<const Aggregate>(std::move(filling));
+            const Bytes is = momentToBytes(*moment);
+            const Bytes would = momentToBytes(other);
+            return std::mismatch(is.begin() + header, is.end(), would.begin() + header).first - is.begin();
+        };
+        const auto isLater = firstOther([&](Aggregate& filling) {
+            filling.former = std::make_shared<const FormerShape>(moment->bodies[0].refilled,
+                                                                 std::vector<Vec3>(filling.size(), Vec3::Zero()));
+        });
+        const auto parted = firstOther([&](Aggregate& filling) {
+            filling.former =
+                std::make_shared<const FormerShape>(filling.former->carriers(), filling.former->displacements(),
+                                                    std::vector<BrokenConnection>{{{0, 0}, 0}});
+        });
+        Bytes old = momentToBytes(*moment);
+        old.erase(old.begin() + parted, old.begin() + parted + sizeof(std::uint32_t));
+        if (version < 9)
+            old.erase(old.begin() + isLater);
         const auto put = [&](std::size_t place, std::uint64_t number, std::size_t size) {
             for (std::size_t i = 0; i < size; ++i)
                 old[place + i] = static_cast<std::byte>(number >> (8 * i));
         };
-        put(8, 8, 4);
+        put(8, static_cast<std::uint64_t>(version), 4);
         put(12, old.size() - header, 8);
         put(20, old.size() - header, 8);
         put(28, checksumOf(std::span(old).subspan(header)), 8);

@@ -1,4 +1,5 @@
-#include "core/skin/refilled.h"
+#include "core/geometry/mass_properties.h"
+#include "core/skin/new_filling.h"
 #include "core/skin/torn_parts.h"
 #include "io/export/job_file.h"
 #include "support/export_jobs.h"
@@ -51,6 +52,7 @@ private slots:
     void tornPartsComeAsClosedPieces();
     void piecesThatAKnifeCutKeepTheirFaces();
     void piecesOfABodyThatWasFilledAnewKeepTheirFaces();
+    void piecesThatWereFilledAnewKeepTheirFaces();
     void crumbsAreWrittenWithWhatTheyCameOff();
     void crackedPartsInOnePieceSaySo();
     void crackedPartsThatAreFoldedSayWhyTheyAreFlat();
@@ -165,8 +167,8 @@ void BrokenExportTest::piecesOfABodyThatWasFilledAnewKeepTheirFaces()
     for (ObjectIndex i = 0; i < whole.displacements.size(); ++i)
         whole.displacements[i] = bent(whole.aggregate->lattice.position(i));
     std::shared_ptr<const ShapeFitting> fitting;
-    whole.aggregate =
-        refilled(whole.part.mesh, whole.aggregate, whole.displacements, whole.aggregate->lattice.spacing, fitting);
+    whole.aggregate = refilled(whole.part.mesh, whole.aggregate, whole.displacements,
+                               {.spacing = whole.aggregate->lattice.spacing}, fitting);
     const Lattice& lattice = whole.aggregate->lattice;
     auto broken = std::make_shared<std::vector<BrokenConnection>>();
     const auto across = brokenAcross(*whole.aggregate, [&](const Vec3& at) { return height(at) < 0 ? 0.0 : 1.0; });
@@ -194,6 +196,70 @@ void BrokenExportTest::piecesOfABodyThatWasFilledAnewKeepTheirFaces()
     }
     QVERIFY2(std::abs(rest / model.parts.front().volume - 1) < 1e-4,
              qPrintable(QString::number(rest / model.parts.front().volume - 1)));
+}
+
+/// Cut along a plane, moved apart, bent and filled anew piece by piece, and bent on.
+void BrokenExportTest::piecesThatWereFilledAnewKeepTheirFaces()
+{
+    const Model model = example("bar.step");
+    const Vec3 center = boxOf(model).center();
+    const auto height = [&](const Vec3& at) { return (at - center).dot(Vec3(1, 0.3, 0.2).normalized()) - 0.0007; };
+    const maps::Identity still;
+    ExportJob cut = jobOf(model, &still);
+    PartToExport& whole = cut.parts.front();
+    const Lattice& lattice = whole.aggregate->lattice;
+    std::vector<BrokenConnection> broken;
+    const auto across = brokenAcross(*whole.aggregate, [&](const Vec3& at) { return height(at) < 0 ? 0.0 : 1.0; });
+    for (const BrokenConnection& one : *across) {
+        const double low = height(lattice.position(one.lower));
+        const double high = height(lattice.position(one.lower) + lattice.direction(static_cast<int>(one.direction)));
+        broken.push_back({one, std::clamp(low / (low - high), 1e-6, 1 - 1e-6)});
+    }
+    for (ObjectIndex i = 0; i < lattice.size(); ++i) {
+        const Vec3 at = lattice.position(i);
+        const double side = height(at) < 0 ? 0 : 1;
+        whole.displacements[i] = Vec3(0.01 * side, 0, 2 * (at.x() - center.x()) * (at.x() - center.x()));
+    }
+    KnownFittings fittings;
+    const NewFilling filling =
+        newFilling({whole.part.mesh, whole.aggregate, whole.displacements, broken, {}}, lattice.spacing, fittings);
+    QCOMPARE(filling.pieces, 2U);
+    QVERIFY(filling.aggregate->former->isInPieces());
+    QVERIFY(std::abs(filling.aggregate->meshVolume / model.parts.front().volume - 1) < 1e-3);
+    whole.aggregate = filling.aggregate;
+    whole.displacements.resize(filling.aggregate->size());
+    for (ObjectIndex i = 0; i < filling.aggregate->size(); ++i) {
+        const Vec3 here = filling.places.at(i);
+        const Vec3 on = here + Vec3(0, filling.pieceOfNew[i] == 0 ? 0 : 0.002, (here.x() - center.x()) * 0.1);
+        whole.displacements[i] = on - filling.aggregate->lattice.position(i);
+    }
+    for (const bool isCad : {true, false}) {
+        ExportJob job = withPieces(cut, 6000, TaskControl::none(), isCad);
+        QCOMPARE(job.parts.size(), std::size_t{2});
+        if (!isCad) {
+            double volume = 0;
+            for (const PartToExport& part : job.parts) {
+                QVERIFY(isWatertight(part.part.mesh));
+                volume += massProperties(part.part.mesh).volume;
+            }
+            QVERIFY2(std::abs(volume / model.parts.front().volume - 1) < 1e-3,
+                     qPrintable(QString::number(volume / model.parts.front().volume - 1)));
+            continue;
+        }
+        const ExportedFile file = exportCad(FormatKind::Step, jobFromBytes(jobToBytes(job)), TaskControl::none());
+        QVERIFY(file.report.isSound());
+        double rest = 0;
+        for (const PartExportReport& part : file.report.parts) {
+            QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.c_str());
+            QVERIFY(part.closed && part.valid && part.freeEdges == 0);
+            QVERIFY2(part.largestDeviation <= part.tolerance, qPrintable(QString::number(part.largestDeviation)));
+            QVERIFY2(std::abs(part.volumeError()) < 1e-3, qPrintable(QString::number(part.volumeError())));
+            QCOMPARE(part.facesAfter, 6);
+            rest += part.restVolume;
+        }
+        QVERIFY2(std::abs(rest / model.parts.front().volume - 1) < 1e-4,
+                 qPrintable(QString::number(rest / model.parts.front().volume - 1)));
+    }
 }
 
 void BrokenExportTest::crumbsAreWrittenWithWhatTheyCameOff()

@@ -101,7 +101,7 @@ void ExporterTest::whatWasJustFilledAnewLeavesAsItIs()
     PartToExport& part = job.parts.front();
     const double spacing = part.aggregate->lattice.spacing;
     std::shared_ptr<const ShapeFitting> fitting;
-    part.aggregate = refilled(part.part.mesh, part.aggregate, part.displacements, spacing, fitting, {});
+    part.aggregate = refilled(part.part.mesh, part.aggregate, part.displacements, {.spacing = spacing}, fitting, {});
     part.displacements.assign(part.aggregate->size(), Vec3::Zero());
     auto later = std::make_shared<Aggregate>(*part.aggregate);
     later->former = std::make_shared<const FormerShape>(part.aggregate, part.displacements);

@@ -1,11 +1,13 @@
 // The fillings that a body has had: what is drawn and measured of each is made once.
 #include "core/aggregate/pieces.h"
 #include "core/geometry/mass_properties.h"
+#include "core/skin/former_shape.h"
 #include "core/skin/torn_surface.h"
 #include "ui/document/content.h"
 
 #include <algorithm>
 #include <mutex>
+#include <span>
 #include <utility>
 
 namespace knead {
@@ -100,18 +102,20 @@ std::shared_ptr<const ContentBody> tornAs(const std::shared_ptr<const ContentBod
                                           const std::shared_ptr<const std::vector<BrokenConnection>>& broken)
 {
     const std::shared_ptr<const ContentBody>& whole = filled->whole ? filled->whole : filled;
-    if (!broken || broken->empty())
-        return whole;
     const std::shared_ptr<const Aggregate>& aggregate = whole->aggregate;
+    const bool wasInPieces = aggregate->former && aggregate->former->isInPieces();
+    if ((!broken || broken->empty()) && !wasInPieces)
+        return whole;
+    const std::span<const BrokenConnection> cracks = broken ? *broken : std::span<const BrokenConnection>();
     if (auto known = whole->fillings->findTorn(
             [&](const auto& torn) { return torn.aggregate == aggregate && torn.broken == broken; }))
         return known;
-    Pieces pieces = findPieces(*aggregate, *broken);
+    Pieces pieces = findPieces(*aggregate, cracks);
     auto body = whole->fillings->findTorn(
         [&](const auto& torn) { return torn.aggregate == aggregate && torn.pieceOfObject == pieces.ofObject; });
     if (!body) {
         body = whole;
-        if (auto surface = isWatertight(whole->mesh) ? tornSurface(*aggregate, whole->mesh, *broken) : std::nullopt) {
+        if (auto surface = isWatertight(whole->mesh) ? tornSurface(*aggregate, whole->mesh, cracks) : std::nullopt) {
             auto torn = std::make_shared<ContentBody>(*whole);
             torn->mesh = std::move(surface->mesh);
             torn->render = renderMesh(torn->mesh);

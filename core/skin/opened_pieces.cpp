@@ -1,0 +1,56 @@
+#include "core/skin/opened_pieces.h"
+
+#include "core/aggregate/pieces.h"
+#include "core/skin/carried_fragments.h"
+#include "core/skin/fragments.h"
+#include "core/vicinity/point_grid.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace knead {
+
+OpenedPieces openedPieces(const Aggregate& present, const TriangleMesh& opened,
+                          std::span<const BrokenConnection> broken, const Regrown& regrown, TaskControl& control)
+{
+    OpenedPieces all;
+    if (present.former && present.former->carriers()->former)
+        return all; // its cracks are not followed back so far
+    const Aggregate& first = firstFillingOf(present);
+    all.broken = brokenInFirst(present, broken, regrown);
+    std::vector<Fragment> fragments = fragmentsOf(first, opened, all.broken, {}, control);
+    all.isUnknown = std::ranges::any_of(fragments, &Fragment::isUncut);
+    if (fragments.size() < 2)
+        return all;
+    all.ofFirst.resize(first.size());
+    const std::vector<std::uint16_t> isBroken = brokenDirections(first, all.broken);
+    for (std::uint32_t f = 0; f < fragments.size(); ++f) {
+        Fragment& fragment = fragments[f];
+        for (const std::vector<ObjectIndex>* list : {&fragment.objects, &fragment.dust})
+            for (const ObjectIndex object : *list)
+                all.ofFirst[object] = f;
+        std::vector<ObjectIndex> carriers = carriersOf(first, fragment, isBroken);
+        all.pieces.push_back({std::move(fragment.mesh), std::move(carriers), {}});
+    }
+    if (!present.former) {
+        all.ofPresent = all.ofFirst;
+        for (OpenedPiece& piece : all.pieces)
+            piece.present = piece.carriers;
+        return all;
+    }
+    const std::vector<Vec3> then = firstFillingWhenFilled(present);
+    VectorArray places(then.size());
+    for (std::size_t i = 0; i < then.size(); ++i)
+        places.set(i, then[i]);
+    all.ofPresent = pickedOf(all.ofFirst, nearestPoints(places, nodesOf(present), present.lattice.spacing));
+    for (ObjectIndex i = 0; i < all.ofPresent.size(); ++i)
+        all.pieces[all.ofPresent[i]].present.push_back(i);
+    const auto isLost = [](const OpenedPiece& piece) { return piece.present.empty(); };
+    if (std::ranges::any_of(all.pieces, isLost)) {
+        all.pieces.clear();
+        all.isUnknown = true;
+    }
+    return all;
+}
+
+} // namespace knead

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/aggregate/aggregate.h"
+#include "core/aggregate/connection_id.h"
+#include "core/geometry/triangle_mesh.h"
+#include "core/skin/former_shape.h"
+#include "core/skin/opened_state.h"
+#include "core/task/task_control.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace knead {
+
+/// A piece of a body that has come apart, at rest as it was opened.
+struct OpenedPiece {
+    TriangleMesh mesh;                 ///< closed; faces as in Fragment
+    std::vector<ObjectIndex> carriers; ///< of the first filling: those that do not dangle, ascending
+    std::vector<ObjectIndex> present;  ///< objects of the present filling that carry it, ascending
+};
+
+/// The pieces of a body, and what parted them.
+struct OpenedPieces {
+    std::vector<BrokenConnection> broken; ///< of the first filling
+    std::vector<OpenedPiece> pieces;      ///< two or more; none where it hangs together, or what is said below
+    bool isUnknown = false;               ///< its cracks could not be made surfaces, or a piece has no objects now
+    std::vector<std::uint32_t> ofFirst;   ///< per object of the first filling: its piece
+    std::vector<std::uint32_t> ofPresent; ///< the same of the present one
+};
+
+/// Objects of a present filling belong to the piece of the object of the first one that was nearest when it was filled.
+/// @param opened closed surface of the opened part
+/// @param broken of `present`
+/// @throws Cancelled
+OpenedPieces openedPieces(const Aggregate& present, const TriangleMesh& opened,
+                          std::span<const BrokenConnection> broken, const Regrown& regrown = {},
+                          TaskControl& control = TaskControl::none());
+
+/// Values of some objects.
+template <typename Values>
+auto pickedOf(const Values& values, std::span<const ObjectIndex> objects)
+{
+    std::vector<std::decay_t<decltype(values[0])>> some;
+    some.reserve(objects.size());
+    for (const ObjectIndex object : objects)
+        some.push_back(values[object]);
+    return some;
+}
+
+} // namespace knead
