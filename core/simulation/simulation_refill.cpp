@@ -1,9 +1,11 @@
 // Filling bodies anew in the shape that they have, while they are worked on; and going back to the first filling.
 #include "core/aggregate/pieces.h"
+#include "core/geometry/disjoint_sets.h"
 #include "core/mechanics/carried_touches.h"
 #include "core/simulation/carried_state.h"
 #include "core/simulation/simulation_state.h"
 #include "core/skin/new_filling.h"
+#include "core/skin/regrown.h"
 #include "core/vicinity/point_grid.h"
 
 #include <algorithm>
@@ -319,30 +321,46 @@ double Simulation::State::gapingVolume(BodyId id) const
 {
     const BodyRun& run = *runs[id];
     const Lattice& lattice = bodies[id].aggregate->lattice;
-    const Pieces& pieces = runs[id]->pieces.find(run.connections, id, contacts->joints());
+    const std::vector<BrokenConnection>& broken = run.connections.changes().broken;
+    if (broken.empty())
+        return 0;
+    const Pieces pieces = findPieces(*bodies[id].aggregate, broken);
+    DisjointSets one(pieces.count);
     std::vector<std::uint8_t> isHealed(run.state.size(), 0);
-    for (const auto& [first, second] : grownTogether(id))
+    for (const auto& [first, second] : grownTogether(id)) {
         isHealed[first] = isHealed[second] = 1;
+        one.join(pieces.ofObject[first], pieces.ofObject[second]);
+    }
     double volume = 0;
-    for (const BrokenConnection& broken : run.connections.changes().broken) {
-        const auto [lower, upper] = run.connections.endsOf(broken);
-        if (pieces.ofObject[lower] != pieces.ofObject[upper] || isHealed[lower] != 0 || isHealed[upper] != 0)
+    for (const BrokenConnection& each : broken) {
+        const auto [lower, upper] = run.connections.endsOf(each);
+        if (one.find(pieces.ofObject[lower]) != one.find(pieces.ofObject[upper]) || isHealed[lower] != 0 ||
+            isHealed[upper] != 0)
             continue;
         const double length = (run.state.position.at(upper) - run.state.position.at(lower)).norm();
-        const double gap = length - lattice.direction(static_cast<int>(broken.direction)).norm();
+        const double gap = length - lattice.direction(static_cast<int>(each.direction)).norm();
         volume += std::max(0.0, gap) * lattice.spacing * lattice.spacing / 5;
     }
     return volume;
 }
 
-/// Objects of a body that healing joined.
+/// Objects of a body that healing joined, but for those of pieces that only hold on to each other.
 std::vector<GrownTogether> Simulation::State::grownTogether(BodyId id) const
 {
     std::vector<GrownTogether> healed;
     for (const Joint& joint : contacts->joints().all())
         if (joint.healed && joint.first.body == id && joint.second.body == id)
             healed.emplace_back(joint.first.object, joint.second.object);
-    return healed;
+    return regrown(*bodies[id].aggregate, displacementsOf(id), runs[id]->connections.changes().broken, healed);
+}
+
+/// Of the objects of a body since it was filled [m].
+std::vector<Vec3> Simulation::State::displacementsOf(BodyId id) const
+{
+    std::vector<Vec3> displacements(runs[id]->state.size());
+    for (ObjectIndex i = 0; i < displacements.size(); ++i)
+        displacements[i] = runs[id]->state.position.at(i) - bodies[id].aggregate->lattice.position(i);
+    return displacements;
 }
 
 /// @param spacing [m]; 0: as it is
@@ -350,9 +368,7 @@ void Simulation::State::refill(BodyId id, double spacing)
 {
     BodyRun& run = *runs[id];
     const double before = storedEnergy().imbalance;
-    std::vector<Vec3> displacements(run.state.size());
-    for (ObjectIndex i = 0; i < displacements.size(); ++i)
-        displacements[i] = run.state.position.at(i) - bodies[id].aggregate->lattice.position(i);
+    const std::vector<Vec3> displacements = displacementsOf(id);
     const double finest = spacing > 0 ? spacing : bodies[id].aggregate->lattice.spacing;
     const std::vector<BrokenConnection>& broken = run.connections.changes().broken;
     const std::vector<GrownTogether> healed = grownTogether(id);

@@ -251,8 +251,8 @@ NewFilling fillingOfPieces(const BodyToFill& body, const OpenedPieces& apart, do
 }
 
 /// Pieces that are one again have the map that the first filling of the body has where they are now.
-std::shared_ptr<const Aggregate> regrown(const BodyToFill& body, const RefillManner& manner, const MovePlaces& move,
-                                         TaskControl& control)
+std::shared_ptr<const Aggregate> filledAsOne(const BodyToFill& body, const RefillManner& manner, const MovePlaces& move,
+                                             TaskControl& control)
 {
     const auto opened = openedState(*body.aggregate, body.displacements, body.broken);
     if (!opened)
@@ -269,8 +269,7 @@ NewFilling newFilling(const BodyToFill& body, double spacing, KnownFittings& fit
     const Aggregate& old = *body.aggregate;
     const bool wasApart = old.former && old.former->isInPieces();
     if (wasApart || findPieces(old, body.broken).count > findPieces(old).count) {
-        const OpenedPieces apart =
-            openedPieces(old, body.surface, body.broken, {body.healed, body.displacements}, control);
+        const OpenedPieces apart = openedPieces(old, body.surface, body.broken, body.healed, control);
         if (apart.isUnknown)
             throw std::runtime_error("its cracks could not be made surfaces.");
         if (!apart.pieces.empty()) {
@@ -279,7 +278,7 @@ NewFilling newFilling(const BodyToFill& body, double spacing, KnownFittings& fit
     }
     if (wasApart) {
         fittings = {};
-        return wholeFilling(body, regrown(body, {.spacing = spacing}, move, control));
+        return wholeFilling(body, filledAsOne(body, {.spacing = spacing}, move, control));
     }
     return wholeFilling(body, refilled(body.surface, body.aggregate, body.displacements, {.spacing = spacing},
                                        fittings.whole, move, control));

@@ -17,7 +17,7 @@ struct BodyToFill {
     const std::shared_ptr<const Aggregate>& aggregate;
     std::span<const Vec3> displacements; ///< one per object since it was filled [m]
     std::span<const BrokenConnection> broken;
-    std::span<const GrownTogether> healed; ///< what hangs together again
+    std::span<const GrownTogether> healed; ///< what makes pieces one again, see regrown()
 };
 
 /// Another filling of a body, and what of it belongs to what of the one before.

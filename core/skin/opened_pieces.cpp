@@ -11,13 +11,14 @@
 namespace knead {
 
 OpenedPieces openedPieces(const Aggregate& present, const TriangleMesh& opened,
-                          std::span<const BrokenConnection> broken, const Regrown& regrown, TaskControl& control)
+                          std::span<const BrokenConnection> broken, std::span<const GrownTogether> healed,
+                          TaskControl& control)
 {
     OpenedPieces all;
     if (present.former && present.former->carriers()->former)
         return all; // its cracks are not followed back so far
     const Aggregate& first = firstFillingOf(present);
-    all.broken = brokenInFirst(present, broken, regrown);
+    all.broken = brokenInFirst(present, broken, healed);
     std::vector<Fragment> fragments = fragmentsOf(first, opened, all.broken, {}, control);
     all.isUnknown = std::ranges::any_of(fragments, &Fragment::isUncut);
     if (fragments.size() < 2)

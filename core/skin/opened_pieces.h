@@ -32,9 +32,10 @@ struct OpenedPieces {
 /// Objects of a present filling belong to the piece of the object of the first one that was nearest when it was filled.
 /// @param opened closed surface of the opened part
 /// @param broken of `present`
+/// @param healed of its objects: what makes pieces one again, see regrown()
 /// @throws Cancelled
 OpenedPieces openedPieces(const Aggregate& present, const TriangleMesh& opened,
-                          std::span<const BrokenConnection> broken, const Regrown& regrown = {},
+                          std::span<const BrokenConnection> broken, std::span<const GrownTogether> healed = {},
                           TaskControl& control = TaskControl::none());
 
 /// Values of some objects.

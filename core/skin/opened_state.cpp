@@ -1,6 +1,7 @@
 #include "core/skin/opened_state.h"
 
 #include "core/aggregate/pieces.h"
+#include "core/geometry/disjoint_sets.h"
 #include "core/skin/carried_cracks.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/skin.h"
@@ -13,8 +14,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <map>
-#include <utility>
 
 namespace knead {
 
@@ -25,8 +24,6 @@ constexpr int corrections = 1;
 // A cut is a plane through so many known places of it.
 constexpr std::size_t cutsAround = 8;
 constexpr double nearestEnd = 1e-6; // of a cut, by the length of a connection
-// Neighbors of before that a cut parted are together again within so many spacings.
-constexpr double farthestMeeting = 2.5;
 
 std::vector<Vec3> restOf(const Aggregate& aggregate)
 {
@@ -129,75 +126,49 @@ void cutExactly(const Aggregate& aggregate, const std::vector<Vec3>& cuts, std::
     }
 }
 
-/// What parted the pieces that a body was filled from, but for those that have grown together there.
+/// What parted the pieces that a body was filled from, but for those that have grown together.
 std::vector<BrokenConnection> stillParted(const Aggregate& present, const std::vector<Vec3>& then,
-                                          const Regrown& regrown)
+                                          std::span<const BrokenConnection> broken,
+                                          std::span<const GrownTogether> healed)
 {
     const std::vector<BrokenConnection>& parted = present.former->broken();
-    if (parted.empty() || regrown.pairs.empty())
+    if (parted.empty() || healed.empty())
         return parted;
-    const Aggregate& carriers = *present.former->carriers();
-    const Pieces pieces = findPieces(carriers, parted);
-    const double spacing = present.lattice.spacing;
-    const std::vector<ObjectIndex> nearest = nearestPoints(nodesOf(present), arrayOf(then), spacing);
-    const std::vector<ObjectIndex> carrierOf = nearestPoints(arrayOf(then), nodesOf(present), spacing);
-    struct Seam {
-        std::size_t connections = 0; ///< that were parted
-        std::size_t straight = 0;    ///< of them, along an axis of the lattice
-        std::size_t meeting = 0;     ///< of these, whose ends are together now
-        std::size_t pairs = 0;       ///< that have grown together
-    };
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Seam> seams;
-    const auto seamOf = [&](ObjectIndex one, ObjectIndex other) -> Seam& {
-        return seams[std::minmax({pieces.ofObject[one], pieces.ofObject[other]})];
-    };
-    for (const BrokenConnection& one : parted) {
-        const ObjectIndex upper = upperEnd(carriers.lattice, one);
-        Seam& seam = seamOf(one.lower, upper);
-        ++seam.connections;
-        if (one.direction >= 3)
-            continue;
-        ++seam.straight;
-        const Vec3 lowerNow = then[one.lower] + regrown.displacements[nearest[one.lower]];
-        const Vec3 upperNow = then[upper] + regrown.displacements[nearest[upper]];
-        if ((upperNow - lowerNow).norm() < farthestMeeting * spacing)
-            ++seam.meeting;
-    }
-    for (const auto& [first, second] : regrown.pairs)
-        ++seamOf(carrierOf[first], carrierOf[second]).pairs;
-    const auto isWhole = [](const Seam& seam) {
-        return 3 * seam.meeting > 2 * seam.straight && 5 * seam.pairs > seam.connections;
-    };
+    const Pieces pieces = findPieces(present, broken);
+    DisjointSets one(pieces.count);
+    for (const auto& [first, second] : healed)
+        one.join(pieces.ofObject[first], pieces.ofObject[second]);
+    const Lattice& lattice = present.former->carriers()->lattice;
+    const std::vector<ObjectIndex> nearest = nearestPoints(nodesOf(present), arrayOf(then), present.lattice.spacing);
+    const auto pieceOf = [&](ObjectIndex carrier) { return one.find(pieces.ofObject[nearest[carrier]]); };
     std::vector<BrokenConnection> left;
-    std::copy_if(parted.begin(), parted.end(), std::back_inserter(left), [&](const BrokenConnection& one) {
-        return !isWhole(seamOf(one.lower, upperEnd(carriers.lattice, one)));
-    });
+    std::copy_if(parted.begin(), parted.end(), std::back_inserter(left),
+                 [&](const BrokenConnection& each) { return pieceOf(each.lower) != pieceOf(upperEnd(lattice, each)); });
     return left;
 }
 
 } // namespace
 
 std::vector<BrokenConnection> brokenInFirst(const Aggregate& present, std::span<const BrokenConnection> broken,
-                                            const Regrown& regrown)
+                                            std::span<const GrownTogether> healed)
 {
     const VectorArray nodes = nodesOf(present);
     if (!present.former) {
-        if (regrown.pairs.empty()) {
+        if (healed.empty()) {
             std::vector<BrokenConnection> all(broken.begin(), broken.end());
             std::sort(all.begin(), all.end());
             return all;
         }
-        return carriedCracks({present, nodes, broken, regrown.pairs}, present, nodes);
+        return carriedCracks({present, nodes, broken, healed}, present, nodes);
     }
     const Aggregate& carriers = *present.former->carriers();
     if (carriers.former || (broken.empty() && !present.former->isInPieces()))
         return {};
     const std::vector<Vec3> then = firstFillingWhenFilled(present);
-    std::vector<BrokenConnection> all = stillParted(present, then, regrown);
+    std::vector<BrokenConnection> all = stillParted(present, then, broken, healed);
     if (broken.empty())
         return all;
-    std::vector<BrokenConnection> carried =
-        carriedCracks({present, nodes, broken, regrown.pairs}, carriers, arrayOf(then));
+    std::vector<BrokenConnection> carried = carriedCracks({present, nodes, broken, healed}, carriers, arrayOf(then));
     const std::vector<Vec3> cut = placesOfCuts(present, broken);
     if (cut.size() >= cutsAround)
         cutExactly(carriers, opened(*present.former, cut, restOf(carriers), then), carried);

@@ -26,18 +26,12 @@ struct OpenedState {
 std::optional<OpenedState> openedState(const Aggregate& present, std::span<const Vec3> displacements,
                                        std::span<const BrokenConnection> broken);
 
-/// What of a body has grown together.
-struct Regrown {
-    std::span<const GrownTogether> pairs = {}; ///< of the present filling
-    std::span<const Vec3> displacements = {};  ///< of its objects since it was filled [m]; empty only without pairs
-};
-
 /// Connections of the first filling that cracks have come between, those that parted what the present one was filled from included.
-/// Pieces that have grown together where they were parted are one again; those that did elsewhere stay apart. Empty where the former
-/// shape follows another one, through which cracks are not followed back.
+/// Empty where the former shape follows another one, through which cracks are not followed back.
 /// @param broken of `present`
+/// @param healed of its objects: what makes pieces one again, see regrown()
 /// @return ascending
 std::vector<BrokenConnection> brokenInFirst(const Aggregate& present, std::span<const BrokenConnection> broken,
-                                            const Regrown& regrown = {});
+                                            std::span<const GrownTogether> healed = {});
 
 } // namespace knead

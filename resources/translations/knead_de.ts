@@ -3142,6 +3142,14 @@ Simuliert: %2, Schritt %3
         <source>Nylon PA12</source>
         <translation>Nylon PA12</translation>
     </message>
+    <message>
+        <source>Putty</source>
+        <translation>Kitt</translation>
+    </message>
+    <message>
+        <source>Warm wax</source>
+        <translation>Warmes Wachs</translation>
+    </message>
 </context>
 <context>
     <name>MaterialPanel</name>
@@ -5354,6 +5362,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>... and %1 before</source>
         <translation>... und %1 davor</translation>
+    </message>
+    <message>
+        <source>Filled anew</source>
+        <translation>Neu gefüllt</translation>
     </message>
 </context>
 <context>

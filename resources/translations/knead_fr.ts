@@ -3142,6 +3142,14 @@ Simulé&#xa0;: %2, pas %3
         <source>Nylon PA12</source>
         <translation>Nylon PA12</translation>
     </message>
+    <message>
+        <source>Putty</source>
+        <translation>Mastic</translation>
+    </message>
+    <message>
+        <source>Warm wax</source>
+        <translation>Cire tiède</translation>
+    </message>
 </context>
 <context>
     <name>MaterialPanel</name>
@@ -5354,6 +5362,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>... and %1 before</source>
         <translation>... et %1 avant</translation>
+    </message>
+    <message>
+        <source>Filled anew</source>
+        <translation>Rempli à nouveau</translation>
     </message>
 </context>
 <context>

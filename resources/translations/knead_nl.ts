@@ -3142,6 +3142,14 @@ Gesimuleerd: %2, stap %3
         <source>Nylon PA12</source>
         <translation>Nylon PA12</translation>
     </message>
+    <message>
+        <source>Putty</source>
+        <translation>Stopverf</translation>
+    </message>
+    <message>
+        <source>Warm wax</source>
+        <translation>Warme was</translation>
+    </message>
 </context>
 <context>
     <name>MaterialPanel</name>
@@ -5354,6 +5362,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>... and %1 before</source>
         <translation>... en %1 ervoor</translation>
+    </message>
+    <message>
+        <source>Filled anew</source>
+        <translation>Opnieuw gevuld</translation>
     </message>
 </context>
 <context>

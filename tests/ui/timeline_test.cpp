@@ -317,6 +317,29 @@ private slots:
         QVERIFY(timelineOf(history, {}, false).pictureAt(0) == nullptr);
     }
 
+    void fillingsAreMarkedWhereTheyWereSeenFirst()
+    {
+        const std::shared_ptr<const Aggregate> opened = std::make_shared<const Aggregate>();
+        const std::shared_ptr<const Aggregate> later = std::make_shared<const Aggregate>();
+        const auto shot = [](double time, const std::shared_ptr<const Aggregate>& filling, std::uint32_t resets = 0) {
+            Snapshot snapshot = frameAt(time, 100, resets);
+            snapshot.bodies[0].aggregate = filling;
+            return snapshot;
+        };
+        History history(at(0));
+        Film film;
+        film.add(shot(0.5, opened));
+        film.add(shot(1, opened));
+        film.append(history.append(at(1)), stepAt(1));
+        film.add(shot(1.25, later));
+        film.add(shot(1.5, later));
+        film.add(shot(0.25, opened, 1)); // a reset takes the first filling again, which is none
+        const Timeline line = timelineOf(history, film, true);
+        QCOMPARE(line.fillings, std::vector{1.25});
+        QVERIFY(line.isFilledAnewAt(1.2, 0.06) && line.isFilledAnewAt(1.3, 0.06));
+        QVERIFY(!line.isFilledAnewAt(1.2, 0.04) && !line.isFilledAnewAt(1.3, 0.04));
+    }
+
     void betweenPicturesThingsMoveStraight()
     {
         const auto shot = [](double time, double x) {

@@ -52,6 +52,19 @@ private:
     std::uint32_t m_run = 0;
 };
 
+/// Where a body is another filling than in the picture before, of the same run.
+std::vector<double> fillingsIn(const std::vector<Timeline::Picture>& pictures)
+{
+    std::vector<double> places;
+    for (std::size_t i = 1; i < pictures.size(); ++i) {
+        const FilmFrame& before = *pictures[i - 1].frame;
+        const FilmFrame& now = *pictures[i].frame;
+        if (before.run == now.run && before.fillings.size() == now.fillings.size() && before.fillings != now.fillings)
+            places.push_back(pictures[i].at);
+    }
+    return places;
+}
+
 } // namespace
 
 const Timeline::Picture* Timeline::pictureAt(double at) const
@@ -87,6 +100,12 @@ const Timeline::Tick* Timeline::tickNear(double at, double reach) const
     return nearest;
 }
 
+bool Timeline::isFilledAnewAt(double at, double reach) const
+{
+    const auto first = std::lower_bound(fillings.begin(), fillings.end(), at - reach);
+    return first != fillings.end() && *first <= at + reach;
+}
+
 Timeline timelineOf(const History& history, const Film& film, bool isUnderWay)
 {
     Timeline line;
@@ -113,6 +132,7 @@ Timeline timelineOf(const History& history, const Film& film, bool isUnderWay)
         line.present = place.at();
     }
     line.end = place.at();
+    line.fillings = fillingsIn(line.pictures);
     return line;
 }
 

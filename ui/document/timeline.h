@@ -25,6 +25,7 @@ struct Timeline {
     };
     std::vector<Tick> ticks;       ///< the first one at 0
     std::vector<Picture> pictures; ///< in order
+    std::vector<double> fillings;  ///< where bodies have been filled anew since the picture before, ascending [s]
     double present = 0;            ///< of the simulation [s]
     double end = 0;                ///< [s]
 
@@ -33,6 +34,8 @@ struct Timeline {
     /// What is seen at a place: between pictures that lie close together, something between them; null without any.
     FilmFramePointer frameAt(double at) const;
     const Tick* tickNear(double at, double reach) const; ///< the nearest within reach; null: none
+    /// Whether a body was filled anew within reach of a place.
+    bool isFilledAnewAt(double at, double reach) const;
 };
 
 /// @param isUnderWay something is being done, or is no entry yet: what was done from here before is no longer ahead

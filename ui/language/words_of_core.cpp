@@ -59,6 +59,8 @@ namespace {
                                                          QT_TRANSLATE_NOOP("MaterialName", "Silicone, Shore A 40"),
                                                          QT_TRANSLATE_NOOP("MaterialName", "Silicone, Shore A 50"),
                                                          QT_TRANSLATE_NOOP("MaterialName", "Silicone, Shore A 60"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "Putty"),
+                                                         QT_TRANSLATE_NOOP("MaterialName", "Warm wax"),
                                                          QT_TRANSLATE_NOOP("MaterialName", "Water clay"),
                                                          QT_TRANSLATE_NOOP("MaterialName", "Oil clay"),
                                                          QT_TRANSLATE_NOOP("MaterialName", "TPU 85A"),

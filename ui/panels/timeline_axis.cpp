@@ -110,6 +110,7 @@ void TimelineAxis::paintEvent(QPaintEvent* /*event*/)
     if (m_timeline.ticks.empty())
         return;
     paintFilm(painter);
+    paintFillings(painter);
     paintTicks(painter);
     paintHeads(painter);
 }
@@ -162,6 +163,17 @@ void TimelineAxis::paintFilm(QPainter& painter) const
     }
 }
 
+/// Small, for they say what the program did, and not a person.
+void TimelineAxis::paintFillings(QPainter& painter) const
+{
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 1.5));
+    for (const double at : m_timeline.fillings) {
+        const QPoint place = placeOf(at);
+        painter.drawLine(QPointF(place.x() + 0.5, place.y() + bandHeight / 2 + 2),
+                         QPointF(place.x() + 0.5, place.y() + bandHeight / 2 + 6));
+    }
+}
+
 /// Stars over lines: much can happen at one time.
 void TimelineAxis::paintTicks(QPainter& painter) const
 {
@@ -202,7 +214,7 @@ QString TimelineAxis::textAt(double at) const
 {
     const Timeline::Tick* near = m_timeline.tickNear(at, 1e-9);
     if (near == nullptr)
-        return timeText(at);
+        return timeText(at) + (m_timeline.isFilledAnewAt(at, reach()) ? '\n' + tr("Filled anew") : QString());
     QStringList names;
     for (const Timeline::Tick& tick : m_timeline.ticks)
         if (std::abs(tick.at - near->at) < 1e-9)

@@ -9,7 +9,8 @@
 
 namespace knead {
 
-/// Simulated time from left to right: entries as ticks, key moments as stars, what was filmed as a band, and where one is. A
+/// Simulated time from left to right: entries as ticks, key moments as stars, what was filmed as a band, small ticks below it where
+/// bodies were filled anew, and where one is. A
 /// click or a drag looks there; what that means is up to the panel.
 class TimelineAxis final : public QWidget {
     Q_OBJECT
@@ -43,6 +44,7 @@ private:
     double reach() const; ///< how near to a tick counts as on it [s]
     void paintRuler(QPainter& painter) const;
     void paintFilm(QPainter& painter) const;
+    void paintFillings(QPainter& painter) const;
     void paintTicks(QPainter& painter) const;
     void paintHeads(QPainter& painter) const;
     QString textAt(double at) const;
