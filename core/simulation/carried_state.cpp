@@ -1,5 +1,6 @@
 #include "core/simulation/carried_state.h"
 
+#include "core/aggregate/pieces.h"
 #include "core/mechanics/object_strain.h"
 #include "core/skin/shape_functions.h"
 #include "core/task/parallel.h"
@@ -18,6 +19,9 @@ namespace {
 constexpr std::size_t objectsPerBlock = 256;
 constexpr std::size_t mostAround = 16; // old objects that one new object is told by
 constexpr double supportShare = 1.15;  // of the distance to the last of them
+
+constexpr int connectionsOfCorner = 6; // that an object has at least in a sound lattice
+constexpr double mostDilatation = 0.5; // elastic, in a body with cracks: beyond it is none of the material
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
@@ -40,6 +44,24 @@ Mat3 exponential(const Mat3& symmetric)
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(symmetric);
     return solver.eigenvectors() * solver.eigenvalues().array().exp().matrix().asDiagonal() *
            solver.eigenvectors().transpose();
+}
+
+/// Per object.
+std::vector<int> liveConnections(const Aggregate& aggregate, std::span<const BrokenConnection> broken)
+{
+    std::vector<int> count(aggregate.size(), connectionsOfCorner);
+    if (broken.empty())
+        return count;
+    std::fill(count.begin(), count.end(), 0);
+    const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+        for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
+            for (ObjectIndex i = segment.begin; i < segment.end; ++i)
+                if (aggregate.weight[d][i] > 0 && (isBroken[i] >> d & 1U) == 0) {
+                    ++count[i];
+                    ++count[i + static_cast<ObjectIndex>(segment.offset)];
+                }
+    return count;
 }
 
 } // namespace
@@ -173,10 +195,17 @@ StructuralConnections::Changes CarriedState::changes(const MaterialMap& material
     for (ObjectIndex i = 0; i < from.size(); ++i)
         displacements[i] = m_state.position.at(i) - from.lattice.position(i);
     const ObjectStrains strains(from, displacements, relaxed, old.broken);
-    std::vector<Vec6> elastic(from.size());
+    // What hangs on a few connections beside cracks says nothing of how the material around it is strained.
+    const std::vector<int> connections = liveConnections(from, old.broken);
+    std::vector<Vec6> elastic(from.size(), Vec6::Zero());
     forEachBlock(from.size(), objectsPerBlock, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            elastic[i] = packed(strains.elastic(static_cast<ObjectIndex>(i)).strain);
+        for (std::size_t i = begin; i < end; ++i) {
+            if (connections[i] < connectionsOfCorner)
+                continue;
+            const Mat3 strain = strains.elastic(static_cast<ObjectIndex>(i)).strain;
+            if (old.broken.empty() || std::abs(strain.trace()) < mostDilatation)
+                elastic[i] = packed(strain);
+        }
     });
 
     const std::size_t count = m_aggregate.size();

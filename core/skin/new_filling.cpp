@@ -61,7 +61,7 @@ struct OldPiece {
                 there.push_back(now.at(i));
             }
         places = arrayOf(there);
-        aggregate = extract(*body.aggregate, objects, std::vector<std::uint16_t>(pieceOf.size(), 0));
+        aggregate = wholePiece(*body.aggregate, objects);
         for (BrokenConnection one : body.broken)
             if (pieceOf[one.lower] == piece && pieceOf[upperEnd(body.aggregate->lattice, one)] == piece) {
                 one.lower = numbers[one.lower];
@@ -103,7 +103,7 @@ public:
         findSegments(m_all.lattice);
         const double sum = m_all.filledVolume;
         m_all.repair.doubtfulShare = sum > 0 ? m_all.repair.doubtfulShare / sum : 0;
-        m_all.former = std::make_shared<const FormerShape>(m_first, std::move(m_moved), m_apart.broken);
+        m_all.former = std::make_shared<const FormerShape>(m_first, std::move(m_moved), m_apart.parting);
         m_filling.aggregate = std::make_shared<const Aggregate>(std::move(m_all));
         return std::move(m_filling);
     }
@@ -225,13 +225,10 @@ NewFilling wholeFilling(const BodyToFill& body, std::shared_ptr<const Aggregate>
 NewFilling fillingOfPieces(const BodyToFill& body, const OpenedPieces& apart, double spacing, KnownFittings& fittings,
                            const MovePlaces& move, TaskControl& control)
 {
-    if (fittings.parted != apart.broken)
-        fittings = {.whole = nullptr, .parted = apart.broken, .pieces = {}};
+    fittings.whole = nullptr;
     fittings.pieces.resize(apart.pieces.size());
     const Aggregate& old = *body.aggregate;
     const Aggregate& first = firstFillingOf(old);
-    const std::vector<std::uint16_t> isBroken = brokenDirections(old, body.broken);
-    const std::vector<std::uint16_t> wasBroken = brokenDirections(first, apart.broken);
     RefillManner manner{.spacing = spacing, .rowAxis = {}, .keepsCarriers = true};
     Eigen::Index rows = 0;
     old.lattice.axes.col(2).maxCoeff(&rows);
@@ -239,13 +236,16 @@ NewFilling fillingOfPieces(const BodyToFill& body, const OpenedPieces& apart, do
     FillingOfPieces all(body, apart);
     for (std::size_t f = 0; f < apart.pieces.size(); ++f) {
         const OpenedPiece& piece = apart.pieces[f];
-        Aggregate present = extract(old, piece.present, isBroken);
+        Aggregate present = wholePiece(old, piece.present);
         if (old.former)
             present.former = std::make_shared<const FormerShape>(
-                std::make_shared<const Aggregate>(extract(first, piece.carriers, wasBroken)),
+                std::make_shared<const Aggregate>(wholePiece(first, piece.carriers)),
                 pickedOf(old.former->displacements(), piece.carriers));
+        KnownFittings::OfPiece& known = fittings.pieces[f];
+        if (known.carriers != piece.carriers)
+            known = {piece.carriers, nullptr};
         all.add(refilled(piece.mesh, std::make_shared<const Aggregate>(std::move(present)),
-                         pickedOf(body.displacements, piece.present), manner, fittings.pieces[f], move, control));
+                         pickedOf(body.displacements, piece.present), manner, known.fitting, move, control));
     }
     return all.result();
 }

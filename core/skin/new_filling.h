@@ -39,8 +39,11 @@ struct NewFilling {
 /// What of the fits of former shapes goes on from one filling to the next. It saves time and changes no bit.
 struct KnownFittings {
     std::shared_ptr<const ShapeFitting> whole;
-    std::vector<BrokenConnection> parted; ///< connections of the first filling between these:
-    std::vector<std::shared_ptr<const ShapeFitting>> pieces;
+    struct OfPiece {
+        std::vector<ObjectIndex> carriers; ///< objects of the first filling that it is for
+        std::shared_ptr<const ShapeFitting> fitting;
+    };
+    std::vector<OfPiece> pieces;
 };
 
 /// Fills a body as it is now: see refilled(). What has come apart is filled piece by piece, never across a crack; pieces that have grown

@@ -18,13 +18,13 @@ OpenedPieces openedPieces(const Aggregate& present, const TriangleMesh& opened,
     if (present.former && present.former->carriers()->former)
         return all; // its cracks are not followed back so far
     const Aggregate& first = firstFillingOf(present);
-    all.broken = brokenInFirst(present, broken, healed);
-    std::vector<Fragment> fragments = fragmentsOf(first, opened, all.broken, {}, control);
+    all.parting = brokenInFirst(present, broken, healed);
+    std::vector<Fragment> fragments = fragmentsOf(first, opened, all.parting, {}, control);
     all.isUnknown = std::ranges::any_of(fragments, &Fragment::isUncut);
     if (fragments.size() < 2)
         return all;
     all.ofFirst.resize(first.size());
-    const std::vector<std::uint16_t> isBroken = brokenDirections(first, all.broken);
+    const std::vector<std::uint16_t> isBroken = brokenDirections(first, all.parting);
     for (std::uint32_t f = 0; f < fragments.size(); ++f) {
         Fragment& fragment = fragments[f];
         for (const std::vector<ObjectIndex>* list : {&fragment.objects, &fragment.dust})
@@ -33,6 +33,9 @@ OpenedPieces openedPieces(const Aggregate& present, const TriangleMesh& opened,
         std::vector<ObjectIndex> carriers = carriersOf(first, fragment, isBroken);
         all.pieces.push_back({std::move(fragment.mesh), std::move(carriers), {}});
     }
+    std::erase_if(all.parting, [&](const BrokenConnection& one) {
+        return all.ofFirst[one.lower] == all.ofFirst[upperEnd(first.lattice, one)];
+    });
     if (!present.former) {
         all.ofPresent = all.ofFirst;
         for (OpenedPiece& piece : all.pieces)
@@ -52,6 +55,11 @@ OpenedPieces openedPieces(const Aggregate& present, const TriangleMesh& opened,
         all.isUnknown = true;
     }
     return all;
+}
+
+Aggregate wholePiece(const Aggregate& aggregate, std::span<const ObjectIndex> objects)
+{
+    return extract(aggregate, objects, std::vector<std::uint16_t>(aggregate.size(), 0));
 }
 
 } // namespace knead

@@ -22,11 +22,11 @@ struct OpenedPiece {
 
 /// The pieces of a body, and what parted them.
 struct OpenedPieces {
-    std::vector<BrokenConnection> broken; ///< of the first filling
-    std::vector<OpenedPiece> pieces;      ///< two or more; none where it hangs together, or what is said below
-    bool isUnknown = false;               ///< its cracks could not be made surfaces, or a piece has no objects now
-    std::vector<std::uint32_t> ofFirst;   ///< per object of the first filling: its piece
-    std::vector<std::uint32_t> ofPresent; ///< the same of the present one
+    std::vector<BrokenConnection> parting; ///< of the first filling: those from one piece to another, ascending
+    std::vector<OpenedPiece> pieces;       ///< two or more; none where it hangs together, or what is said below
+    bool isUnknown = false;                ///< its cracks could not be made surfaces, or a piece has no objects now
+    std::vector<std::uint32_t> ofFirst;    ///< per object of the first filling: its piece
+    std::vector<std::uint32_t> ofPresent;  ///< the same of the present one
 };
 
 /// Objects of a present filling belong to the piece of the object of the first one that was nearest when it was filled.
@@ -37,6 +37,9 @@ struct OpenedPieces {
 OpenedPieces openedPieces(const Aggregate& present, const TriangleMesh& opened,
                           std::span<const BrokenConnection> broken, std::span<const GrownTogether> healed = {},
                           TaskControl& control = TaskControl::none());
+
+/// Objects of one piece as an aggregate of their own, whatever cracks are in it.
+Aggregate wholePiece(const Aggregate& aggregate, std::span<const ObjectIndex> objects);
 
 /// Values of some objects.
 template <typename Values>

@@ -1,7 +1,6 @@
 #include "core/skin/refilled.h"
 
 #include "core/aggregate/fill.h"
-#include "core/aggregate/pieces.h"
 #include "core/geometry/refine.h"
 #include "core/mechanics/point_spread.h"
 #include "core/skin/opened_pieces.h"
@@ -239,12 +238,12 @@ TriangleMesh surfaceWhenFilled(const TriangleMesh& surface, const Aggregate& agg
     if (!former.isInPieces())
         return carriedBy(surface, former);
     const OpenedPieces apart = openedPieces(aggregate, surface, {});
-    const std::vector<std::uint16_t> isBroken = brokenDirections(*former.carriers(), apart.broken);
     TriangleMesh all;
     for (const OpenedPiece& piece : apart.pieces)
-        append(all, carriedBy(piece.mesh, FormerShape(std::make_shared<const Aggregate>(
-                                                          extract(*former.carriers(), piece.carriers, isBroken)),
-                                                      pickedOf(former.displacements(), piece.carriers))));
+        append(all,
+               carriedBy(piece.mesh,
+                         FormerShape(std::make_shared<const Aggregate>(wholePiece(*former.carriers(), piece.carriers)),
+                                     pickedOf(former.displacements(), piece.carriers))));
     return all;
 }
 

@@ -18,7 +18,6 @@ std::optional<TornSurface> tornSurface(const Aggregate& aggregate, const Triangl
         return {};
     const Aggregate& first = firstFillingOf(aggregate);
     const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
-    const std::vector<std::uint16_t> wasBroken = brokenDirections(first, apart.broken);
     TriangleMesh mesh;
     std::vector<Skin> skins;
     std::vector<std::vector<ObjectIndex>> numbers;
@@ -29,7 +28,7 @@ std::optional<TornSurface> tornSurface(const Aggregate& aggregate, const Triangl
         append(mesh, piece.mesh);
         std::vector<Vec3> places = piece.mesh.vertices;
         if (aggregate.former)
-            Skin(extract(first, piece.carriers, wasBroken), piece.mesh.vertices)
+            Skin(wholePiece(first, piece.carriers), piece.mesh.vertices)
                 .evaluate(pickedOf(aggregate.former->displacements(), piece.carriers), places);
         numbers.push_back(piece.present);
         skins.push_back(
