@@ -79,7 +79,6 @@ struct FieldSource {
     const ObjectStrains& body;
     std::span<const ObjectIndex> loaded;
     bool isWanted;
-    bool isFitted; ///< the displacements of the objects are those of a skin
 };
 
 /// @param numbers of the part's objects in the body
@@ -95,8 +94,6 @@ CarriedFragment carriedBy(const Aggregate& part, const Fragment& fragment, std::
     if (source.isWanted)
         result.fields =
             skinFields(skin, SkinStress(part, fragment.mesh, numbers, straining), moved, source.body, source.loaded);
-    if (source.isFitted)
-        return result;
     const double expected = volumeRatio(part, source.body, numbers) * fragment.volume;
     if (std::abs(volumeAt(fragment.mesh, result.places) - expected) <= volumeSlack * expected)
         return result;
@@ -126,13 +123,13 @@ std::vector<ObjectIndex> carriersOf(const Aggregate& aggregate, const Fragment& 
 
 std::vector<CarriedFragment> carried(const Aggregate& aggregate, std::span<const Fragment> fragments,
                                      std::span<const BrokenConnection> broken, std::span<const Vec3> displacement,
-                                     const RelaxedState* relaxed, std::span<const ObjectIndex> loaded, bool isFitted,
+                                     const RelaxedState* relaxed, std::span<const ObjectIndex> loaded,
                                      TaskControl& control)
 {
     const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
     const RelaxedState unknown{.materials = MaterialMap({}, aggregate.size())};
     const ObjectStrains body(aggregate, displacement, relaxed != nullptr ? *relaxed : unknown, broken);
-    const FieldSource source{.body = body, .loaded = loaded, .isWanted = relaxed != nullptr, .isFitted = isFitted};
+    const FieldSource source{.body = body, .loaded = loaded, .isWanted = relaxed != nullptr};
     std::vector<CarriedFragment> result;
     const auto count = static_cast<double>(fragments.size());
     for (const Fragment& fragment : fragments) {

@@ -27,15 +27,14 @@ std::vector<ObjectIndex> carriersOf(const Aggregate& aggregate, const Fragment& 
                                     std::span<const std::uint16_t> isBroken);
 
 /// Carries each fragment by its own objects alone, those that do not dangle, along connections that still hold. A skin is taken for what it is when it
-/// holds the volume that the deformation of the well connected objects says, within 1 %; or where it is that already.
+/// holds the volume that the deformation of the well connected objects says, within 1 %.
 /// @param displacement per object of the aggregate [m]
 /// @param relaxed of the body, for the fields; null: none are made
 /// @param loaded objects of the body that something holds or presses on, for the fields
-/// @param isFitted the displacements are those that a skin takes, not what the objects have moved by
 /// @return per fragment. @throws Cancelled
 std::vector<CarriedFragment> carried(const Aggregate& aggregate, std::span<const Fragment> fragments,
                                      std::span<const BrokenConnection> broken, std::span<const Vec3> displacement,
                                      const RelaxedState* relaxed = nullptr, std::span<const ObjectIndex> loaded = {},
-                                     bool isFitted = false, TaskControl& control = TaskControl::none());
+                                     TaskControl& control = TaskControl::none());
 
 } // namespace knead

@@ -31,7 +31,7 @@ OpenedPieces openedPieces(const Aggregate& present, const TriangleMesh& opened,
             for (const ObjectIndex object : *list)
                 all.ofFirst[object] = f;
         std::vector<ObjectIndex> carriers = carriersOf(first, fragment, isBroken);
-        all.pieces.push_back({std::move(fragment.mesh), std::move(carriers), {}});
+        all.pieces.push_back({std::move(fragment.mesh), std::move(carriers), {}, fragment.dust.size()});
     }
     std::erase_if(all.parting, [&](const BrokenConnection& one) {
         return all.ofFirst[one.lower] == all.ofFirst[upperEnd(first.lattice, one)];

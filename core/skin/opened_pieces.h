@@ -18,6 +18,7 @@ struct OpenedPiece {
     TriangleMesh mesh;                 ///< closed; faces as in Fragment
     std::vector<ObjectIndex> carriers; ///< of the first filling: those that do not dangle, ascending
     std::vector<ObjectIndex> present;  ///< objects of the present filling that carry it, ascending
+    std::size_t dust = 0;              ///< objects of the first filling in it that are of pieces without a shape
 };
 
 /// The pieces of a body, and what parted them.

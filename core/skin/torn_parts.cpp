@@ -6,7 +6,8 @@
 #include "core/skin/carried_fragments.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/fragments.h"
-#include "core/skin/opened_state.h"
+#include "core/skin/opened_pieces.h"
+#include "core/skin/skin_map.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -68,15 +69,15 @@ std::string crackRemark(const PartToExport& part)
 }
 
 /// Of pieces without a shape of their own, so that nobody looks for them in vain.
-void remarkOnDust(const Fragment& fragment, std::vector<std::string>& remarks)
+void remarkOnDust(std::size_t objects, bool isUncut, std::vector<std::string>& remarks)
 {
-    if (fragment.isUncut)
+    if (isUncut)
         remarks.push_back("its cracks could not be made into surfaces: other pieces of it are written as one with it; "
                           "objects in them: " +
-                          std::to_string(fragment.dust.size()) + ".");
-    else if (!fragment.dust.empty())
+                          std::to_string(objects) + ".");
+    else if (objects > 0)
         remarks.push_back("pieces too small for a shape of their own are written as part of it; objects in them: " +
-                          std::to_string(fragment.dust.size()) + ".");
+                          std::to_string(objects) + ".");
 }
 
 /// Which fragment each object belongs to.
@@ -91,11 +92,11 @@ std::vector<std::uint32_t> fragmentOfObjects(const Aggregate& aggregate, const s
 }
 
 /// What knives went through, a sheet for each two fragments that it parted; none where anything tore.
-std::vector<std::vector<Vec3>> sheetsOf(const PartToExport& whole, const std::vector<std::uint32_t>& fragmentOf)
+std::vector<std::vector<Vec3>> sheetsOf(const Lattice& lattice, std::span<const BrokenConnection> broken,
+                                        const std::vector<std::uint32_t>& fragmentOf)
 {
-    const Lattice& lattice = whole.aggregate->lattice;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Vec3>> sheets;
-    for (const BrokenConnection& connection : *whole.broken) {
+    for (const BrokenConnection& connection : broken) {
         const std::uint32_t lower = fragmentOf[connection.lower];
         const std::uint32_t upper = fragmentOf[upperEnd(lattice, connection)];
         const std::pair ends(std::min(lower, upper), std::max(lower, upper));
@@ -113,13 +114,12 @@ std::vector<std::vector<Vec3>> sheetsOf(const PartToExport& whole, const std::ve
 }
 
 /// Objects of each fragment that are far from where it was cut and from the skin.
-std::vector<Vec3> placesWithin(const PartToExport& whole, const Fragment& fragment,
+std::vector<Vec3> placesWithin(const Aggregate& aggregate, const std::vector<ObjectIndex>& objects,
                                const std::vector<std::vector<Vec3>>& sheets)
 {
     constexpr std::size_t wanted = 12;
-    const Aggregate& aggregate = *whole.aggregate;
     std::vector<std::pair<double, ObjectIndex>> rank;
-    for (const ObjectIndex object : fragment.objects) {
+    for (const ObjectIndex object : objects) {
         double clear = aggregate.depth[object];
         for (const std::vector<Vec3>& sheet : sheets)
             for (const Vec3& point : sheet)
@@ -133,6 +133,84 @@ std::vector<Vec3> placesWithin(const PartToExport& whole, const Fragment& fragme
     return places;
 }
 
+/// Where the pieces of a part were cut; none where anything tore.
+/// @param objects of each of them in `first`, the filling of the opened part
+std::vector<std::shared_ptr<const PieceCut>> cutsOf(const Aggregate& first,
+                                                    const std::vector<std::vector<Vec3>>& sheets,
+                                                    const std::vector<std::vector<ObjectIndex>>& objects)
+{
+    std::vector<std::shared_ptr<const PieceCut>> cuts(objects.size());
+    if (sheets.empty())
+        return cuts;
+    std::vector<std::vector<Vec3>> within;
+    for (const std::vector<ObjectIndex>& each : objects)
+        within.push_back(placesWithin(first, each, sheets));
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        PieceCut cut{.sheets = sheets, .inside = within[i], .outside = {}, .spacing = first.lattice.spacing};
+        for (std::size_t other = 0; other < objects.size(); ++other)
+            if (other != i)
+                cut.outside.insert(cut.outside.end(), within[other].begin(), within[other].end());
+        cuts[i] = std::make_shared<const PieceCut>(std::move(cut));
+    }
+    return cuts;
+}
+
+std::string tornReason(std::size_t pieces)
+{
+    return "the part is torn; this is one of " + std::to_string(pieces) + " pieces.";
+}
+
+/// Of a body that was filled anew, each cut out of the opened part and carried by the former shape and the present objects. Fields,
+/// which the whole has, are left out. None where it hangs together, or where its cracks cannot be followed back.
+std::vector<PartToExport> piecesOfRefilled(const PartToExport& whole, std::size_t mostTriangles, bool keepsFaces,
+                                           TaskControl& control)
+{
+    const Aggregate& present = *whole.aggregate;
+    const double spacing = present.lattice.spacing;
+    OpenedPieces apart =
+        openedPieces(present, refine(whole.part.mesh, spacing, mostTriangles), *whole.broken, {}, control);
+    if (apart.pieces.empty())
+        return {};
+    const Aggregate& first = firstFillingOf(present);
+    std::vector<std::vector<ObjectIndex>> objects;
+    for (const OpenedPiece& piece : apart.pieces)
+        objects.push_back(piece.carriers);
+    std::vector<std::vector<Vec3>> sheets;
+    if (keepsFaces && whole.part.exact)
+        sheets = sheetsOf(first.lattice, apart.parting, apart.ofFirst);
+    const auto cuts = cutsOf(first, sheets, objects);
+    std::vector<PartToExport> pieces;
+    for (std::size_t i = 0; i < apart.pieces.size(); ++i) {
+        OpenedPiece& from = apart.pieces[i];
+        Aggregate own = wholePiece(present, from.present);
+        own.former =
+            std::make_shared<const FormerShape>(std::make_shared<const Aggregate>(wholePiece(first, from.carriers)),
+                                                pickedOf(present.former->displacements(), from.carriers));
+        const auto aggregate = std::make_shared<const Aggregate>(std::move(own));
+        std::vector<Vec3> displacements = pickedOf(whole.displacements, from.present);
+        if (!cuts[i]) {
+            CarriedSurface carried =
+                carriedSurface(from.mesh, SkinMap(*aggregate, std::move(displacements)), spacing, mostTriangles);
+            carried.mesh.vertices = std::move(carried.places);
+            PartToExport piece{.part = pieceOf(whole.part, std::move(carried.mesh), i + 1)};
+            piece.reason = tornReason(apart.pieces.size());
+            pieces.push_back(std::move(piece));
+        } else {
+            PartToExport piece{.part = pieceOf(whole.part, std::move(from.mesh), i + 1)};
+            piece.part.exact = whole.part.exact;
+            piece.aggregate = aggregate;
+            piece.displacements = std::move(displacements);
+            piece.cut = cuts[i];
+            pieces.push_back(std::move(piece));
+        }
+        pieces.back().density = whole.density;
+        remarkOnDust(from.dust, false, pieces.back().remarks);
+        if (whole.relaxed)
+            pieces.back().remarks.emplace_back("it was filled anew before: its fields are left out.");
+    }
+    return pieces;
+}
+
 /// A piece with the faces of its part, for whoever cuts these: its surface and its objects at rest.
 PartToExport smoothPiece(const PartToExport& whole, const Fragment& fragment, std::size_t number,
                          std::span<const std::uint16_t> isBroken)
@@ -141,49 +219,28 @@ PartToExport smoothPiece(const PartToExport& whole, const Fragment& fragment, st
     PartToExport piece{.part = pieceOf(whole.part, fragment.mesh, number)};
     piece.part.exact = whole.part.exact;
     piece.aggregate = std::make_shared<const Aggregate>(extract(*whole.aggregate, carriers, isBroken));
-    for (const ObjectIndex object : carriers)
-        piece.displacements.push_back(whole.displacements[object]);
+    piece.displacements = pickedOf(whole.displacements, carriers);
     return piece;
-}
-
-bool wasInPieces(const PartToExport& whole)
-{
-    return whole.aggregate->former && whole.aggregate->former->isInPieces();
-}
-
-/// A body that was filled anew is cut where it was opened, for smooth faces, or since it was in pieces before. Fields, which its present
-/// objects have, are lost with that.
-void takeOpened(PartToExport& whole)
-{
-    if (!whole.aggregate->former || findPieces(*whole.aggregate, *whole.broken).count < 2)
-        return;
-    if (whole.relaxed && wasInPieces(whole))
-        whole.remarks.emplace_back("its pieces were filled anew: their fields are left out.");
-    std::optional<OpenedState> opened = openedState(*whole.aggregate, whole.displacements, *whole.broken);
-    if (!opened || findPieces(*opened->aggregate, opened->broken).count < 2)
-        return;
-    whole.aggregate = std::move(opened->aggregate);
-    whole.displacements = std::move(opened->displacements);
-    whole.broken = std::make_shared<const std::vector<BrokenConnection>>(std::move(opened->broken));
-    whole.relaxed = nullptr;
-    whole.loaded.clear();
 }
 
 /// The pieces of one part; none when it hangs together, of which the part then says what is cracked.
 std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangles, bool keepsFaces,
                                    TaskControl& control)
 {
+    if (whole.aggregate == nullptr)
+        return {};
+    const auto& former = whole.aggregate->former;
     const bool isCracked = whole.broken != nullptr && !whole.broken->empty();
-    if (whole.aggregate == nullptr || (!isCracked && !wasInPieces(whole)))
+    if (!isCracked && !(former && former->isInPieces()))
         return {};
     if (!isCracked)
         whole.broken = std::make_shared<const std::vector<BrokenConnection>>();
-    const bool isFitted = whole.aggregate->former && ((keepsFaces && whole.part.exact) || wasInPieces(whole));
-    if (isFitted)
-        takeOpened(whole);
+    if (former)
+        if (auto pieces = piecesOfRefilled(whole, mostTriangles, keepsFaces, control); !pieces.empty())
+            return pieces;
     const double spacing = whole.aggregate->lattice.spacing;
     TriangleMesh skin;
-    if (const auto& former = whole.aggregate->former) {
+    if (former) {
         CarriedSurface surface = carriedSurface(whole.part.mesh, *former, spacing, mostTriangles);
         skin = std::move(surface.mesh);
         skin.vertices = std::move(surface.places);
@@ -192,33 +249,28 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
     }
     std::vector<Fragment> fragments = fragmentsOf(*whole.aggregate, skin, *whole.broken, {}, control);
     if (fragments.size() < 2) {
-        if (!fragments.front().isUncut)
+        if (!fragments.front().isUncut && isCracked)
             whole.remarks.push_back(crackRemark(whole));
-        remarkOnDust(fragments.front(), whole.remarks);
+        remarkOnDust(fragments.front().dust.size(), fragments.front().isUncut, whole.remarks);
         return {};
     }
-    std::vector<CarriedFragment> now =
-        carried(*whole.aggregate, fragments, *whole.broken, whole.displacements, whole.relaxed.get(), whole.loaded,
-                isFitted && !whole.aggregate->former, control);
+    std::vector<CarriedFragment> now = carried(*whole.aggregate, fragments, *whole.broken, whole.displacements,
+                                               whole.relaxed.get(), whole.loaded, control);
     std::vector<std::vector<Vec3>> sheets;
-    if (keepsFaces && whole.part.exact && !whole.aggregate->former)
-        sheets = sheetsOf(whole, fragmentOfObjects(*whole.aggregate, fragments));
-    std::vector<std::vector<Vec3>> within;
-    for (std::size_t i = 0; !sheets.empty() && i < fragments.size(); ++i)
-        within.push_back(placesWithin(whole, fragments[i], sheets));
+    if (keepsFaces && whole.part.exact && !former)
+        sheets = sheetsOf(whole.aggregate->lattice, *whole.broken, fragmentOfObjects(*whole.aggregate, fragments));
+    std::vector<std::vector<ObjectIndex>> objects;
+    for (const Fragment& fragment : fragments)
+        objects.push_back(fragment.objects);
+    const auto cuts = cutsOf(*whole.aggregate, sheets, objects);
     const std::vector<std::uint16_t> isBroken = brokenDirections(*whole.aggregate, *whole.broken);
     std::vector<PartToExport> pieces;
     for (std::size_t i = 0; i < fragments.size(); ++i) {
-        if (!sheets.empty() && !now[i].isRigid) {
+        if (cuts[i] && !now[i].isRigid) {
             PartToExport piece = smoothPiece(whole, fragments[i], i + 1, isBroken);
-            PieceCut cut{
-                .sheets = sheets, .inside = within[i], .outside = {}, .spacing = whole.aggregate->lattice.spacing};
-            for (std::size_t other = 0; other < fragments.size(); ++other)
-                if (other != i)
-                    cut.outside.insert(cut.outside.end(), within[other].begin(), within[other].end());
-            piece.cut = std::make_shared<const PieceCut>(std::move(cut));
+            piece.cut = cuts[i];
             piece.density = whole.density;
-            remarkOnDust(fragments[i], piece.remarks);
+            remarkOnDust(fragments[i].dust.size(), fragments[i].isUncut, piece.remarks);
             pieces.push_back(std::move(piece));
             continue;
         }
@@ -231,8 +283,8 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
             piece.remarks.emplace_back(
                 "too few of its objects hang together to say how it is deformed: it is written in "
                 "its shape at rest, moved as they have.");
-        remarkOnDust(fragments[i], piece.remarks);
-        piece.reason = "the part is torn; this is one of " + std::to_string(fragments.size()) + " pieces.";
+        remarkOnDust(fragments[i].dust.size(), fragments[i].isUncut, piece.remarks);
+        piece.reason = tornReason(fragments.size());
         pieces.push_back(std::move(piece));
     }
     return pieces;
