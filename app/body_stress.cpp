@@ -34,6 +34,9 @@ BodyStress bodyStress(const TriangleMesh& surface, const Snapshot& snapshot, Bod
     result.largest = static_cast<double>(*most);
     result.error = stresses.errorShare;
     result.place = mesh.vertices[static_cast<std::size_t>(most - stresses.vonMises.begin())];
+    if (state.aggregate->former &&
+        state.aggregate->former->isInPieces()) // which lie apart from each other in the lattice
+        Skin::ofPlacesWhenFilled(*state.aggregate, {result.place}).evaluate(displacements, {&result.place, 1});
     return result;
 }
 

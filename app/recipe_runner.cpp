@@ -7,6 +7,7 @@
 #include "app/whole_file.h"
 #include "core/simulation/simulation.h"
 #include "core/skin/former_shape.h"
+#include "core/skin/skin.h"
 #include "core/skin/skin_map.h"
 
 #include <algorithm>
@@ -53,7 +54,11 @@ std::vector<Vec3> displacementsOf(const Snapshot::BodyState& body)
     for (ObjectIndex i = 0; i < first.size(); ++i)
         opened.push_back(first.position(i));
     std::vector<Vec3> places(opened.size());
-    SkinMap(*body.aggregate, std::move(displacements)).evaluate(opened, places);
+    if (body.aggregate->former->isInPieces())
+        Skin::ofPlacesWhenFilled(*body.aggregate, firstFillingWhenFilled(*body.aggregate))
+            .evaluate(displacements, places);
+    else
+        SkinMap(*body.aggregate, std::move(displacements)).evaluate(opened, places);
     for (std::size_t i = 0; i < opened.size(); ++i)
         places[i] -= opened[i];
     return places;

@@ -46,7 +46,7 @@ Unpacked unpacked(ByteReader& bytes, std::span<const Body> bodies, const Packing
     bytes(packedSize);
     bytes(sum);
     const std::span<const std::byte> packed = bytes.next(packedSize);
-    if (!bytes.atEnd() || checksumOf(packed) != sum || size > mostBytes(bodies))
+    if (!bytes.atEnd() || momentSum(version, packed) != sum || size > mostBytes(bodies))
         throw std::runtime_error("its bytes are not those that were written");
     Bytes content = packing.unpack ? packing.unpack(packed, size) : Bytes(packed.begin(), packed.end());
     if (content.size() != size)
@@ -74,6 +74,12 @@ ToolParts toolPartsOf(const Scene& scene, std::span<const RecordedCommand> comma
     return parts;
 }
 
+/// Content of two versions may be the same, but must not pass for the other one.
+std::uint64_t momentSum(std::uint32_t version, std::span<const std::byte> packed)
+{
+    return checksumOf(packed) + (version < 10 ? 0 : version);
+}
+
 Bytes momentToBytes(const Moment& moment, const Packing& packing)
 {
     const Bytes content = momentContent(moment);
@@ -83,7 +89,7 @@ Bytes momentToBytes(const Moment& moment, const Packing& packing)
     header(momentVersion);
     header(static_cast<std::uint64_t>(content.size()));
     header(static_cast<std::uint64_t>(packed.size()));
-    header(checksumOf(packed));
+    header(momentSum(momentVersion, packed));
     Bytes bytes = header.take();
     bytes.insert(bytes.end(), packed.begin(), packed.end());
     return bytes;

@@ -4,6 +4,7 @@
 #include "core/simulation/command.h"
 #include "core/simulation/moment.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -25,6 +26,9 @@ using ToolParts = std::vector<std::shared_ptr<const ToolPart>>;
 
 /// All that tools of a scene or of commands are made of. A moment of a document has no others.
 ToolParts toolPartsOf(const Scene& scene, std::span<const RecordedCommand> commands);
+
+/// The checksum of what is packed, and of the version from 10 on: 64 bits.
+std::uint64_t momentSum(std::uint32_t version, std::span<const std::byte> packed);
 
 /// A moment as bytes, the same on any machine: a mark, a version, a checksum, then what is packed. Tool parts are not among
 /// them, only fingerprints of their surfaces.

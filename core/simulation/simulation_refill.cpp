@@ -2,6 +2,7 @@
 #include "core/aggregate/pieces.h"
 #include "core/geometry/disjoint_sets.h"
 #include "core/mechanics/carried_touches.h"
+#include "core/simulation/carried_contacts.h"
 #include "core/simulation/carried_state.h"
 #include "core/simulation/simulation_state.h"
 #include "core/skin/new_filling.h"
@@ -55,97 +56,6 @@ MaterialMap carried(const MaterialMap& materials, const std::vector<ObjectIndex>
     return {materials.materials(), std::move(indices)};
 }
 
-/// What a filling connects.
-class Connected {
-public:
-    Connected(const Aggregate& aggregate, const std::vector<BrokenConnection>& broken)
-        : m_aggregate(aggregate)
-        , m_isBroken(brokenDirections(aggregate, broken))
-    {
-    }
-
-    /// Whether two objects hang together, directly or over a third one.
-    bool are(ObjectIndex first, ObjectIndex second) const
-    {
-        const Lattice::Node& from = m_aggregate.lattice.nodes[first];
-        const Lattice::Node& to = m_aggregate.lattice.nodes[second];
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            if (std::abs(from[axis] - to[axis]) > 2)
-                return false;
-        if (areNeighbors(first, second))
-            return true;
-        for (std::size_t d = 0; d < Lattice::isotropicCount; ++d)
-            for (const std::int32_t sign : {-1, 1}) {
-                const Lattice::Node& o = Lattice::directions[d];
-                const ObjectIndex third =
-                    m_aggregate.lattice.find({from[0] + sign * o[0], from[1] + sign * o[1], from[2] + sign * o[2]});
-                if (third < m_aggregate.size() && areNeighbors(first, third) && areNeighbors(third, second))
-                    return true;
-            }
-        return false;
-    }
-
-private:
-    bool areNeighbors(ObjectIndex one, ObjectIndex other) const
-    {
-        const auto [lower, upper] = std::minmax(one, other);
-        const Lattice::Node& from = m_aggregate.lattice.nodes[lower];
-        const Lattice::Node& to = m_aggregate.lattice.nodes[upper];
-        const Lattice::Node step{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-        const auto* const direction = std::ranges::find(Lattice::directions, step);
-        if (direction == Lattice::directions.end())
-            return false;
-        const auto d = static_cast<std::size_t>(direction - Lattice::directions.begin());
-        return !m_aggregate.weight[d].empty() && m_aggregate.weight[d][lower] > 0 && (m_isBroken[lower] >> d & 1U) == 0;
-    }
-
-    const Aggregate& m_aggregate;
-    std::vector<std::uint16_t> m_isBroken;
-};
-
-/// Joints of a body are as much too long or too short between its new objects as they were between the old ones.
-/// @param placeBefore, placeNow of the old object, and of the new one in its place
-template <typename PlaceBefore, typename PlaceNow>
-void keepStretch(std::vector<Joint>& joints, BodyId body, PlaceBefore&& placeBefore, PlaceNow&& placeNow)
-{
-    constexpr double least = 0.1; // of their length
-    for (Joint& joint : joints)
-        if (joint.first.body == body || joint.second.body == body) {
-            const double before = (placeBefore(joint.second) - placeBefore(joint.first)).norm();
-            const double now = (placeNow(joint.second) - placeNow(joint.first)).norm();
-            joint.nominalLength = std::max(joint.nominalLength + now - before, least * now);
-        }
-}
-
-/// Objects of the body have other numbers; what they had to do with each other is the filling's now.
-void renumber(Contacts::Memory& memory, BodyId body, const std::vector<ObjectIndex>& newOfOld,
-              const Aggregate& aggregate, const std::vector<BrokenConnection>& broken)
-{
-    const auto isOfBody = [&](const auto& pair) { return pair.first.body == body || pair.second.body == body; };
-    std::erase_if(memory.keptLengths, isOfBody);
-    std::erase_if(memory.pressedTimes, isOfBody);
-    std::erase_if(memory.holds, isOfBody);
-    std::erase_if(memory.touches, [&](const SurfaceContacts::Touch& touch) { return touch.body == body; });
-    std::erase_if(memory.facingSlit, [&](const ObjectRef& object) { return object.body == body; });
-    for (Joint& joint : memory.joints)
-        for (ObjectRef* end : {&joint.first, &joint.second})
-            if (end->body == body)
-                end->object = newOfOld[end->object];
-    std::erase_if(memory.joints, [](const Joint& joint) { return joint.first == joint.second; });
-    for (Joint& joint : memory.joints)
-        if (joint.second < joint.first)
-            std::swap(joint.first, joint.second);
-    const Connected connected(aggregate, broken);
-    std::erase_if(memory.joints, [&](const Joint& joint) {
-        return joint.first.body == body && joint.second.body == body &&
-               connected.are(joint.first.object, joint.second.object);
-    });
-    const auto ends = [](const Joint& joint) { return std::pair(joint.first, joint.second); };
-    std::ranges::stable_sort(memory.joints, {}, ends);
-    const auto doubles = std::ranges::unique(memory.joints, {}, ends);
-    memory.joints.erase(doubles.begin(), doubles.end());
-}
-
 } // namespace
 
 /// A sentence; empty when it can.
@@ -164,12 +74,12 @@ std::string Simulation::State::whyNotRefilled(BodyId id) const
         return name +
                "is elastic: it keeps its shape at rest, and is not filled anew. Let it yield, or re-normalize it.";
     const bool heals = run.materials.largest([](const Material& material) { return material.healingTime; }) > 0;
-    if (!heals && !run.connections.changes().broken.empty())
+    if (!heals && isCrackedInPieces(id))
         return name + "has cracks, which another filling would blur: only what heals is filled anew with them.";
     const bool isDrawnOut = body.aggregate->former && body.aggregate->former->carriers()->former;
     if (isDrawnOut &&
         run.pieces.find(run.connections, id, contacts->joints()).count > findPieces(*body.aggregate).count)
-        return name + "came apart after its skin was drawn out far, where its pieces are not followed back.";
+        return name + "came apart after its skin was drawn out far: pieces of such a body are not filled anew.";
     if (gapingVolume(id) > 0.5 * mostGaping * firstFillings[id]->filledVolume)
         return name + "has cracks that gape, which another filling would close.";
     for (LoadId load = 0; load < loads.size(); ++load)
@@ -313,6 +223,17 @@ Contacts::Report Simulation::State::lookAtContacts()
         runs[b]->state.damping = std::move(before[b].second);
     }
     return {.energy = report.energy, .count = report.count};
+}
+
+/// Whether cracks go through any of the pieces of a body.
+bool Simulation::State::isCrackedInPieces(BodyId id) const
+{
+    const std::vector<BrokenConnection>& broken = runs[id]->connections.changes().broken;
+    const Pieces pieces = findPieces(*bodies[id].aggregate, broken);
+    return std::ranges::any_of(broken, [&](const BrokenConnection& each) {
+        const auto [lower, upper] = runs[id]->connections.endsOf(each);
+        return pieces.ofObject[lower] == pieces.ofObject[upper];
+    });
 }
 
 /// Between the sides of cracks within a piece that have not grown together, about [m^3]: a flat one of one spacing squared goes through

@@ -57,6 +57,15 @@ OpenedPieces openedPieces(const Aggregate& present, const TriangleMesh& opened,
     return all;
 }
 
+OpenedPieces piecesToShow(const Aggregate& present, const TriangleMesh& opened,
+                          std::span<const BrokenConnection> broken, TaskControl& control)
+{
+    OpenedPieces all = openedPieces(present, opened, broken, {}, control);
+    if (all.pieces.empty() && present.former && present.former->isInPieces())
+        all = openedPieces(present, opened, {}, {}, control);
+    return all;
+}
+
 Aggregate wholePiece(const Aggregate& aggregate, std::span<const ObjectIndex> objects)
 {
     return extract(aggregate, objects, std::vector<std::uint16_t>(aggregate.size(), 0));

@@ -39,6 +39,10 @@ OpenedPieces openedPieces(const Aggregate& present, const TriangleMesh& opened,
                           std::span<const BrokenConnection> broken, std::span<const GrownTogether> healed = {},
                           TaskControl& control = TaskControl::none());
 
+/// The same to be looked at: where cracks of a body that was filled in pieces cannot be made surfaces, as many as it was filled in.
+OpenedPieces piecesToShow(const Aggregate& present, const TriangleMesh& opened,
+                          std::span<const BrokenConnection> broken, TaskControl& control = TaskControl::none());
+
 /// Objects of one piece as an aggregate of their own, whatever cracks are in it.
 Aggregate wholePiece(const Aggregate& aggregate, std::span<const ObjectIndex> objects);
 

@@ -167,8 +167,7 @@ std::vector<PartToExport> piecesOfRefilled(const PartToExport& whole, std::size_
 {
     const Aggregate& present = *whole.aggregate;
     const double spacing = present.lattice.spacing;
-    OpenedPieces apart =
-        openedPieces(present, refine(whole.part.mesh, spacing, mostTriangles), *whole.broken, {}, control);
+    OpenedPieces apart = piecesToShow(present, refine(whole.part.mesh, spacing, mostTriangles), *whole.broken, control);
     if (apart.pieces.empty())
         return {};
     const Aggregate& first = firstFillingOf(present);

@@ -13,7 +13,7 @@ std::optional<TornSurface> tornSurface(const Aggregate& aggregate, const Triangl
                                        std::span<const BrokenConnection> broken, TaskControl& control)
 {
     TaskPortion breaking(control, 0, 0.5);
-    const OpenedPieces apart = openedPieces(aggregate, opened, broken, {}, breaking);
+    const OpenedPieces apart = piecesToShow(aggregate, opened, broken, breaking);
     if (apart.pieces.empty())
         return {};
     const Aggregate& first = firstFillingOf(aggregate);

@@ -87,7 +87,7 @@ constexpr std::size_t header = 36; // mark, version, two sizes, checksum
 /// Makes the checksum of what was damaged right, so that the damage itself has to be found.
 void sign(Bytes& bytes)
 {
-    const std::uint64_t sum = checksumOf(std::span(bytes).subspan(header));
+    const std::uint64_t sum = momentSum(static_cast<std::uint32_t>(bytes[8]), std::span(bytes).subspan(header));
     for (std::size_t i = 0; i < 8; ++i)
         bytes[header - 8 + i] = static_cast<std::byte>(sum >> (8 * i));
 }

@@ -2,6 +2,7 @@
 #include "support/thread_limit.h"
 
 #include "core/aggregate/cell_shapes.h"
+#include "core/aggregate/fill.h"
 #include "core/aggregate/pieces.h"
 #include "core/document/moment_bytes.h"
 #include "core/geometry/mass_properties.h"
@@ -9,8 +10,10 @@
 #include "core/simulation/moment.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/new_filling.h"
+#include "core/skin/regrown.h"
 #include "core/skin/torn_surface.h"
 #include "support/kneaded_clay.h"
+#include "support/random_strokes.h"
 #include "support/scenes.h"
 
 #include <QTest>
@@ -233,6 +236,80 @@ private slots:
             const double grown = massProperties(*mesh).volume / size.prod() - 1;
             QVERIFY2(std::abs(grown) < 2e-3, qPrintable(QString::number(grown)));
         }
+    }
+
+    /// Only what has grown together where it was parted, and most of it, makes pieces one again.
+    void piecesThatHoldOnToEachOtherStayPieces()
+    {
+        const Body lump = scenes::body(shapes::box(size), spacing, scenes::modelingClay(), "lump");
+        const Aggregate& aggregate = *lump.aggregate;
+        const auto isRight = [&](ObjectIndex object) { return aggregate.lattice.position(object).x() > 0.1e-3; };
+        std::vector<BrokenConnection> broken;
+        std::vector<GrownTogether> pairs;
+        std::vector<GrownTogether> within;
+        for (std::uint32_t d = 0; d < Lattice::directionCount; ++d)
+            for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
+                for (ObjectIndex lower = segment.begin; lower < segment.end; ++lower) {
+                    const ObjectIndex upper = lower + static_cast<ObjectIndex>(segment.offset);
+                    if (!(aggregate.weight[d][lower] > 0))
+                        continue;
+                    if (isRight(lower) == isRight(upper)) {
+                        within.emplace_back(lower, upper);
+                        continue;
+                    }
+                    broken.push_back({{d, lower}, 0.5});
+                    pairs.emplace_back(lower, upper);
+                }
+        QCOMPARE(findPieces(aggregate, broken).count, std::size_t{2});
+        std::vector<Vec3> displacements(aggregate.size(), Vec3::Zero());
+        const auto kept = [&](const std::vector<GrownTogether>& some) {
+            return regrown(aggregate, displacements, broken, some).size();
+        };
+        QCOMPARE(kept(pairs), pairs.size());
+        const std::vector<GrownTogether> few(pairs.begin(),
+                                             pairs.begin() + static_cast<std::ptrdiff_t>(pairs.size() / 10));
+        QCOMPARE(kept(few), std::size_t{0});
+        QCOMPARE(kept(within), within.size());
+        for (ObjectIndex i = 0; i < displacements.size(); ++i)
+            if (isRight(i))
+                displacements[i].y() = 5 * spacing; // as if it had been moved along the cut
+        QCOMPARE(kept(pairs), std::size_t{0});
+        QCOMPARE(kept(within), within.size());
+    }
+
+    /// The hand cuts and kneads what there is, whatever comes of it.
+    void aLumpIsCutAndKneadedAtRandom()
+    {
+        constexpr double coarse = 4e-3;
+        Scene scene = lumpOnTable(1);
+        scene.manipulators.clear();
+        scene.bodies[0].aggregate = std::make_shared<const Aggregate>(fill(shapes::box(size), {.spacing = coarse}));
+        Simulation simulation(scene);
+        scenes::RandomStrokes hand(simulation, 7);
+        fuzz::Random random(8);
+        const auto within = [&](double low, double high) {
+            return low + (high - low) * static_cast<double>(random.below(1 << 20)) / (1 << 20);
+        };
+        for (int n = 0; n < 6; ++n) {
+            if (n % 3 == 0) {
+                const auto shot = simulation.snapshot();
+                Box box;
+                for (const Vec3& place : shot->bodies[0].positions)
+                    box.extend(place);
+                const Vec3 at = box.center() + Vec3(within(-0.2, 0.2), within(-0.2, 0.2), 0).cwiseProduct(box.sizes());
+                simulation.post(Cut{0, at, Vec3(within(-1, 1), within(-1, 1), within(-0.5, 0.5))});
+                simulation.step();
+            }
+            QVERIFY2(hand.stroke(), simulation.health().message.c_str());
+        }
+        const auto shot = simulation.snapshot();
+        QVERIFY(shot->refills > 3);
+        const Snapshot::BodyState& body = shot->bodies[0];
+        QVERIFY(findPieces(*body.aggregate).count > 1);
+        QCOMPARE(cellsOf(body).inverted, std::size_t{0});
+        QVERIFY2(std::abs(body.aggregate->filledVolume / size.prod() - 1) < 5e-3,
+                 qPrintable(QString::number(body.aggregate->filledVolume / size.prod() - 1)));
+        QVERIFY2(shot->energy.imbalanceShare() < 0.05, qPrintable(QString::number(shot->energy.imbalanceShare())));
     }
 
     void momentsKeepThePiecesAndGoOnToTheSameBits()

@@ -31,9 +31,13 @@ std::vector<Vec3> placesOf(const std::vector<float>& floats)
 std::size_t memoryOf(const Aggregate& filling)
 {
     constexpr std::size_t perObject = sizeof(Lattice::Node) + (Lattice::isotropicCount + 2) * sizeof(double) + 4;
-    const Aggregate& carriers = *filling.former->carriers();
-    return filling.size() * perObject + filling.skin.size() * sizeof(SkinPoint) +
-           filling.former->displacements().size() * sizeof(Vec3) + (carriers.former ? memoryOf(carriers) : 0);
+    const FormerShape& former = *filling.former;
+    const Aggregate& carriers = *former.carriers();
+    const std::size_t own = filling.size() * perObject + filling.skin.size() * sizeof(SkinPoint) +
+                            former.displacements().size() * sizeof(Vec3);
+    const std::size_t parted = // which keeps its carriers as they are parted, too
+        former.isInPieces() ? carriers.size() * perObject + former.broken().size() * sizeof(BrokenConnection) : 0;
+    return own + parted + (carriers.former ? memoryOf(carriers) : 0);
 }
 
 /// @param before the fillings of the frame before
