@@ -74,7 +74,7 @@ std::string Simulation::State::whyNotRefilled(BodyId id) const
         return name +
                "is elastic: it keeps its shape at rest, and is not filled anew. Let it yield, or re-normalize it.";
     const bool heals = run.materials.largest([](const Material& material) { return material.healingTime; }) > 0;
-    if (!heals && isCrackedInPieces(id))
+    if (!heals && !run.connections.changes().broken.empty())
         return name + "has cracks, which another filling would blur: only what heals is filled anew with them.";
     const bool isDrawnOut = body.aggregate->former && body.aggregate->former->carriers()->former;
     if (isDrawnOut &&
@@ -223,17 +223,6 @@ Contacts::Report Simulation::State::lookAtContacts()
         runs[b]->state.damping = std::move(before[b].second);
     }
     return {.energy = report.energy, .count = report.count};
-}
-
-/// Whether cracks go through any of the pieces of a body.
-bool Simulation::State::isCrackedInPieces(BodyId id) const
-{
-    const std::vector<BrokenConnection>& broken = runs[id]->connections.changes().broken;
-    const Pieces pieces = findPieces(*bodies[id].aggregate, broken);
-    return std::ranges::any_of(broken, [&](const BrokenConnection& each) {
-        const auto [lower, upper] = runs[id]->connections.endsOf(each);
-        return pieces.ofObject[lower] == pieces.ofObject[upper];
-    });
 }
 
 /// Between the sides of cracks within a piece that have not grown together, about [m^3]: a flat one of one spacing squared goes through

@@ -128,7 +128,6 @@ struct Simulation::State {
                                          StructuralConnections::Changes changes);
     std::vector<GrownTogether> grownTogether(BodyId body) const;
     std::vector<Vec3> displacementsOf(BodyId body) const;
-    bool isCrackedInPieces(BodyId body) const;
     double gapingVolume(BodyId body) const;
     bool isFirstFilling(BodyId body) const;
     std::unique_ptr<BodyRun> replaceRun(BodyId body, std::shared_ptr<const Aggregate> aggregate);
