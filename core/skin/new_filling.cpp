@@ -28,6 +28,7 @@ VectorArray arrayOf(std::span<const Vec3> places)
 std::vector<Vec3> placesOf(const std::vector<SkinPoint>& points)
 {
     std::vector<Vec3> places;
+    places.reserve(points.size());
     for (const SkinPoint& point : points)
         places.push_back(point.place);
     return places;

@@ -108,6 +108,7 @@ std::vector<std::vector<Vec3>> sheetsOf(const Lattice& lattice, std::span<const 
                                connection.cutAt * lattice.direction(static_cast<int>(connection.direction)));
     }
     std::vector<std::vector<Vec3>> all;
+    all.reserve(sheets.size());
     for (auto& [ends, points] : sheets)
         all.push_back(std::move(points));
     return all;
@@ -143,6 +144,7 @@ std::vector<std::shared_ptr<const PieceCut>> cutsOf(const Aggregate& first,
     if (sheets.empty())
         return cuts;
     std::vector<std::vector<Vec3>> within;
+    within.reserve(objects.size());
     for (const std::vector<ObjectIndex>& each : objects)
         within.push_back(placesWithin(first, each, sheets));
     for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -172,6 +174,7 @@ std::vector<PartToExport> piecesOfRefilled(const PartToExport& whole, std::size_
         return {};
     const Aggregate& first = firstFillingOf(present);
     std::vector<std::vector<ObjectIndex>> objects;
+    objects.reserve(apart.pieces.size());
     for (const OpenedPiece& piece : apart.pieces)
         objects.push_back(piece.carriers);
     std::vector<std::vector<Vec3>> sheets;
@@ -259,6 +262,7 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
     if (keepsFaces && whole.part.exact && !former)
         sheets = sheetsOf(whole.aggregate->lattice, *whole.broken, fragmentOfObjects(*whole.aggregate, fragments));
     std::vector<std::vector<ObjectIndex>> objects;
+    objects.reserve(fragments.size());
     for (const Fragment& fragment : fragments)
         objects.push_back(fragment.objects);
     const auto cuts = cutsOf(*whole.aggregate, sheets, objects);
