@@ -6,7 +6,6 @@
 #include "core/vicinity/point_grid.h"
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -273,9 +272,8 @@ NewFilling newFilling(const BodyToFill& body, double spacing, KnownFittings& fit
         const OpenedPieces apart = openedPieces(old, body.surface, body.broken, body.healed, control);
         if (apart.isUnknown)
             throw std::runtime_error("its cracks could not be made surfaces.");
-        if (!apart.pieces.empty()) {
+        if (!apart.pieces.empty())
             return fillingOfPieces(body, apart, spacing, fittings, move, control);
-        }
     }
     if (wasApart) {
         fittings = {};
