@@ -162,9 +162,13 @@ private slots:
         QTRY_COMPARE(find<QuantityField>("healing_time_s")->text(), QString("300 ms"));
         QCOMPARE(snapshot().materials[0].yieldStress, 1e4);
         auto* last = find<QWidget>("refill");
-        qobject_cast<QScrollArea*>(find<QStackedWidget>("properties")->currentWidget())->ensureWidgetVisible(last);
-        QTest::qWait(100);
-        QVERIFY2(!last->visibleRegion().isEmpty(), "the panel scrolls to its end");
+        auto* area = qobject_cast<QScrollArea*>(find<QStackedWidget>("properties")->currentWidget());
+        const auto isSeenAfterScrolling = [&] {
+            area->ensureWidgetVisible(last);
+            return !last->visibleRegion().isEmpty();
+        };
+        QTRY_VERIFY2(isSeenAfterScrolling(),
+                     "the panel scrolls to its end"); // the panel grows with what it says of clay
         picture("material");
     }
 
