@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace knead {
 
@@ -20,8 +22,9 @@ constexpr std::size_t objectsPerBlock = 256;
 constexpr std::size_t mostAround = 16; // old objects that one new object is told by
 constexpr double supportShare = 1.15;  // of the distance to the last of them
 
-constexpr int connectionsOfCorner = 6; // that an object has at least in a sound lattice
-constexpr double mostDilatation = 0.5; // elastic, in a body with cracks: beyond it is none of the material
+constexpr int connectionsOfCorner = 6;     // that an object has at least in a sound lattice
+constexpr double mostDilatation = 0.5;     // elastic, in a body with cracks: beyond it is none of the material
+constexpr double suspectDilatation = 0.05; // elastic, from where on it is looked at whether the neighbors have it, too
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
@@ -62,6 +65,50 @@ std::vector<int> liveConnections(const Aggregate& aggregate, std::span<const Bro
                     ++count[i + static_cast<ObjectIndex>(segment.offset)];
                 }
     return count;
+}
+
+/// A sliver of the surface that a tool has squashed does not say how the material around it is strained: objects whose dilatation is
+/// far from the median of their neighbors' go on with the mean of these.
+/// @param elastic strain per object, packed
+void evenOut(std::vector<Vec6>& elastic, const Aggregate& aggregate, std::span<const BrokenConnection> broken)
+{
+    const auto dilatation = [&](ObjectIndex i) { return elastic[i].head<3>().sum(); };
+    std::map<ObjectIndex, std::vector<ObjectIndex>> neighbors;
+    for (ObjectIndex i = 0; i < elastic.size(); ++i)
+        if (std::abs(dilatation(i)) > suspectDilatation)
+            neighbors[i];
+    if (neighbors.empty())
+        return;
+    const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
+    for (std::size_t d = 0; d < Lattice::directionCount; ++d)
+        for (const Lattice::Segment& segment : aggregate.lattice.segments[d])
+            for (ObjectIndex i = segment.begin; i < segment.end; ++i) {
+                const ObjectIndex upper = i + static_cast<ObjectIndex>(segment.offset);
+                if (aggregate.weight[d][i] <= 0 || (isBroken[i] >> d & 1U) != 0)
+                    continue;
+                if (const auto found = neighbors.find(i); found != neighbors.end())
+                    found->second.push_back(upper);
+                if (const auto found = neighbors.find(upper); found != neighbors.end())
+                    found->second.push_back(i);
+            }
+    std::vector<std::pair<ObjectIndex, Vec6>> evened;
+    for (auto& [object, around] : neighbors) {
+        const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
+        std::ranges::nth_element(around, middle, {}, dilatation);
+        const double median = around.empty() ? 0 : dilatation(*middle);
+        if (std::abs(dilatation(object) - median) <= std::max(suspectDilatation, std::abs(median)))
+            continue;
+        Vec6 sum = Vec6::Zero();
+        double count = 0;
+        for (const ObjectIndex one : around)
+            if (std::abs(dilatation(one) - median) <= std::max(suspectDilatation, std::abs(median))) {
+                sum += elastic[one];
+                ++count;
+            }
+        evened.emplace_back(object, count > 0 ? Vec6(sum / count) : sum);
+    }
+    for (const auto& [object, strain] : evened)
+        elastic[object] = strain;
 }
 
 } // namespace
@@ -207,6 +254,8 @@ StructuralConnections::Changes CarriedState::changes(const MaterialMap& material
                 elastic[i] = packed(strain);
         }
     });
+
+    evenOut(elastic, from, old.broken);
 
     const std::size_t count = m_aggregate.size();
     const Mat3& axes = m_aggregate.lattice.axes;
