@@ -149,7 +149,8 @@ struct CommandMaker {
                                       .forceLimit = form.forceLimit,
                                       .kind = form.kind,
                                       .part = form.part,
-                                      .adhesion = form.adhesion};
+                                      .adhesion = form.adhesion,
+                                      .rollsFreely = form.rollsFreely};
         });
     }
     void operator()(const TakeManipulatorAway& away)

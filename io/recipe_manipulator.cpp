@@ -86,13 +86,18 @@ void readLimits(const JsonNode& node, RecipeManipulator& manipulator)
         manipulator.forceLimit = limit->positive();
     if (const auto adhesion = node.find("adhesion_pa"))
         manipulator.adhesion = adhesion->number(0, 1e9);
+    if (const auto rolls = node.find("rolls_freely")) {
+        manipulator.rollsFreely = rolls->boolean();
+        if (manipulator.rollsFreely && !canRoll(manipulator.kind))
+            rolls->failExpecting("must be false where the tool is neither a ball nor a cylinder");
+    }
 }
 
 const std::vector<std::string>& formKeys()
 {
-    static const std::vector<std::string> keys{"name",        "kind",     "size_mm",          "part_file",
-                                               "part_number", "friction", "speed_limit_mm_s", "force_limit_n",
-                                               "adhesion_pa"};
+    static const std::vector<std::string> keys{"name",        "kind",        "size_mm",          "part_file",
+                                               "part_number", "friction",    "speed_limit_mm_s", "force_limit_n",
+                                               "adhesion_pa", "rolls_freely"};
     return keys;
 }
 

@@ -103,6 +103,8 @@ void manipulator(Stream& bytes, Of<Stream, Manipulator>& tool, const ToolParts& 
     toolPart(bytes, tool.part, parts);
     if (version >= 8)
         bytes(tool.adhesion);
+    if (version >= 11)
+        bytes(tool.rollsFreely);
 }
 
 template <typename Stream>

@@ -63,7 +63,27 @@ struct Advance {
 
 Pose advance(const Manipulator& manipulator, double time, double dt)
 {
-    return std::visit(Advance{manipulator, time, dt}, manipulator.motion);
+    Pose pose = std::visit(Advance{manipulator, time, dt}, manipulator.motion);
+    if (manipulator.rolls()) {
+        const Quaternion& now = manipulator.pose.rotation;
+        pose.rotation =
+            manipulator.kind == ToolKind::ball
+                ? now
+                : (Quaternion::FromTwoVectors(now * Vec3::UnitZ(), pose.rotation * Vec3::UnitZ()) * now).normalized();
+    }
+    return pose;
+}
+
+Vec3 rollingRate(const Manipulator& manipulator, const Vec3& velocity, const Vec3& force)
+{
+    if (!manipulator.rolls())
+        return Vec3::Zero();
+    const double radius = 0.5 * manipulator.size.x();
+    if (manipulator.kind == ToolKind::ball)
+        return force.stableNormalized().cross(velocity) / radius;
+    const Vec3 axis = manipulator.pose.rotation * Vec3::UnitZ();
+    const Vec3 across = force - force.dot(axis) * axis;
+    return axis.dot(across.stableNormalized().cross(velocity)) / radius * axis;
 }
 
 Pose yieldTo(const Vec3& force, const Manipulator& manipulator, const Pose& next, double dt, bool goesBack)

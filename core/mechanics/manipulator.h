@@ -45,11 +45,22 @@ struct Manipulator {
     ToolKind kind = ToolKind::box;
     std::shared_ptr<const ToolPart> part; ///< for ToolKind::part
     double adhesion = 0; ///< tension that what touched it bears [Pa], 0 .. 1e9; 0: nothing sticks to it
+    /// A ball or a cylinder turns as it is moved over material, see rollingRate(); what its motion says of turning holds for its axis
+    /// only. Other forms take no notice of it.
+    bool rollsFreely = false;
 
     ToolShape shape() const { return {kind, size, part}; }
+    bool rolls() const { return rollsFreely && canRoll(kind); }
 };
 
-/// Where a manipulator is after `dt` [s] of its motion, starting from `pose` at `time` [s].
+/// w = (n x v) / r, for a cylinder the part of it about its axis: where the material presses, the surface of the tool does not move.
+/// @param velocity v of its center [m/s]
+/// @param force of the material on the tool, which says where it presses: n is its direction across the axis. Zero: it does not turn
+/// @return [1/s], world axes; zero for what does not roll
+Vec3 rollingRate(const Manipulator& manipulator, const Vec3& velocity, const Vec3& force);
+
+/// Where a manipulator is after `dt` [s] of its motion, starting from `pose` at `time` [s]. One that rolls is turned with its axis
+/// only; what it rolls comes on top.
 Pose advance(const Manipulator& manipulator, double time, double dt);
 
 /// Where a manipulator goes that wants to be at `next` after `dt` [s] while the material pushes on it with `force` [N].

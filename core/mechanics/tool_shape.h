@@ -25,6 +25,12 @@ inline constexpr ToolKind toolKinds[] = {ToolKind::box,   ToolKind::ball,  ToolK
 
 std::string_view nameOf(ToolKind kind); ///< "box", "ball" ... as in recipes
 
+/// Whether a tool of this form may roll freely about its center or its axis.
+constexpr bool canRoll(ToolKind kind)
+{
+    return kind == ToolKind::ball || kind == ToolKind::cylinder;
+}
+
 /// Signed distance and outward direction from the surface of a tool.
 struct SurfacePoint {
     double distance = 0;         ///< [m], negative inside

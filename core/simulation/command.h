@@ -56,6 +56,7 @@ struct ReshapeManipulator {
     ToolKind kind = ToolKind::box;
     std::shared_ptr<const ToolPart> part = nullptr; ///< for ToolKind::part
     double adhesion = 0;                            ///< [Pa]
+    bool rollsFreely = false;
 };
 /// At once, while paused; the tool does not push on the way.
 struct PlaceManipulator {

@@ -55,6 +55,21 @@ std::vector<RigidSurface> Simulation::State::surfaces() const
     return all;
 }
 
+/// Over the step that its velocity is already that of.
+void Simulation::State::turnTool(ToolRun& tool, const Quaternion& next) const
+{
+    Manipulator& manipulator = tool.manipulator;
+    const Eigen::AngleAxisd turn(next * manipulator.pose.rotation.conjugate());
+    tool.angularVelocity = turn.axis() * (turn.angle() / timeStep);
+    manipulator.pose.rotation = next;
+    if (!manipulator.rolls())
+        return;
+    const Vec3 rate = rollingRate(manipulator, tool.velocity, tool.force);
+    tool.angularVelocity += rate;
+    if (const double angle = rate.norm() * timeStep; angle > 0)
+        manipulator.pose.rotation = (Quaternion(Eigen::AngleAxisd(angle, rate.normalized())) * next).normalized();
+}
+
 /// As far as the forces of the last step let them.
 void Simulation::State::moveManipulators()
 {
@@ -67,9 +82,8 @@ void Simulation::State::moveManipulators()
         const Pose next =
             yieldTo(tool->force, manipulator, advance(manipulator, time, timeStep), timeStep, !isImplicit());
         tool->velocity = (next.position - manipulator.pose.position) / timeStep;
-        const Eigen::AngleAxisd turn(next.rotation * manipulator.pose.rotation.conjugate());
-        tool->angularVelocity = turn.axis() * (turn.angle() / timeStep);
-        manipulator.pose = next;
+        turnTool(*tool, next.rotation);
+        manipulator.pose.position = next.position;
         const double speed = tool->velocity.norm() + tool->angularVelocity.norm() * 0.5 * manipulator.size.norm();
         surfaceTravel = std::max(surfaceTravel, speed * timeStep);
         if (!isImplicit() && speed * timeStep > jump * spacing) { // it was put there, and hits nothing

@@ -111,6 +111,7 @@ public:
             manipulator.speedLimit = command.speedLimit;
             manipulator.forceLimit = command.forceLimit;
             manipulator.adhesion = command.adhesion;
+            manipulator.rollsFreely = command.rollsFreely;
         };
         change(command.tool, reshape);
         reshape(tool(command.tool).start);

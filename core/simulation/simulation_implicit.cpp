@@ -138,10 +138,26 @@ bool Simulation::State::isStalled(const ToolRun& tool, const Vec3& way)
     return way.dot(tool.force) <= 0 && tool.force.norm() > (1 - stalledShare) * tool.manipulator.forceLimit;
 }
 
-/// Speed at which tools are likely to move in the next frame: one that is held up as in the last [m/s].
+/// Around all objects, with a spacing around them.
+Box Simulation::State::materialBox() const
+{
+    Box box;
+    double margin = 0;
+    for (BodyId b = 0; b < runs.size(); ++b) {
+        const VectorArray& places = runs[b]->state.position;
+        for (std::size_t object = 0; object < places.size(); ++object)
+            box.extend(places.at(object));
+        margin = std::max(margin, bodies[b].aggregate->lattice.spacing);
+    }
+    return box.isEmpty() ? box : Box(box.min().array() - margin, box.max().array() + margin);
+}
+
+/// Speed at which tools are likely to move in the next frame: one that is held up as in the last [m/s]. Those that pass by far from
+/// all material may go as fast as they like.
 double Simulation::State::fastestSurface() const
 {
     double fastest = 0;
+    const Box material = materialBox();
     for (const auto& tool : tools) {
         if (!tool)
             continue;
@@ -149,6 +165,11 @@ double Simulation::State::fastestSurface() const
         const Pose next = wantedPose(*tool, frame);
         const double turn = next.rotation.angularDistance(manipulator.pose.rotation);
         const Vec3 way = next.position - manipulator.pose.position;
+        const double reach = 0.5 * manipulator.size.norm();
+        Box swept(manipulator.pose.position);
+        swept.extend(next.position);
+        if (Box(swept.min().array() - reach, swept.max().array() + reach).intersection(material).isEmpty())
+            continue;
         const double speed = isStalled(*tool, way) ? tool->velocity.norm() : way.norm() / frame;
         fastest = std::max(fastest, speed + turn * 0.5 * manipulator.size.norm() / frame);
     }
@@ -181,7 +202,6 @@ std::vector<ToolHand> Simulation::State::beginHands()
         Manipulator& manipulator = tool->manipulator;
         const Pose next = wantedPose(*tool, timeStep);
         const Vec3 way = next.position - manipulator.pose.position;
-        const Eigen::AngleAxisd turn(next.rotation * manipulator.pose.rotation.conjugate());
         if (std::isfinite(manipulator.forceLimit))
             hands.push_back({.surface = surface,
                              .from = manipulator.pose.position,
@@ -191,9 +211,8 @@ std::vector<ToolHand> Simulation::State::beginHands()
                              .stiffness = handStiffness(manipulator)});
         if (!isStalled(*tool, way))
             tool->velocity = way / timeStep;
-        tool->angularVelocity = turn.axis() * (turn.angle() / timeStep);
+        turnTool(*tool, next.rotation);
         manipulator.pose.position += timeStep * tool->velocity;
-        manipulator.pose.rotation = next.rotation;
         const double speed = tool->velocity.norm() + tool->angularVelocity.norm() * 0.5 * manipulator.size.norm();
         surfaceTravel = std::max(surfaceTravel, speed * timeStep);
         ++surface;

@@ -108,6 +108,7 @@ ToolState stateOf(ToolId id, ToolRun& tool)
             .speedLimit = tool.manipulator.speedLimit,
             .forceLimit = tool.manipulator.forceLimit,
             .adhesion = tool.manipulator.adhesion,
+            .rollsFreely = tool.manipulator.rollsFreely,
             .force = tool.meanForce,
             .torque = tool.meanTorque,
             .peakForce = tool.peakForce};

@@ -97,6 +97,8 @@ struct Simulation::State {
     Pose wantedPose(const ToolRun& tool, double duration) const;
     static bool isStalled(const ToolRun& tool, const Vec3& way);
     double fastestSurface() const;
+    void turnTool(ToolRun& tool, const Quaternion& next) const;
+    Box materialBox() const;
     struct ToolPlace;
     std::vector<ToolPlace> toolPlaces() const;
     std::vector<ToolHand> beginHands();

@@ -87,9 +87,10 @@ struct ToolState {
     Vec3 size = Vec3::Zero(); ///< [m]
     Pose pose;
     double friction = 0;
-    double speedLimit = 0;      ///< [m/s]
-    double forceLimit = 0;      ///< [N]; infinite: none
-    double adhesion = 0;        ///< [Pa]; 0: nothing sticks to it
+    double speedLimit = 0; ///< [m/s]
+    double forceLimit = 0; ///< [N]; infinite: none
+    double adhesion = 0;   ///< [Pa]; 0: nothing sticks to it
+    bool rollsFreely = false;
     Vec3 force = Vec3::Zero();  ///< of the material on the tool, mean over the frame [N]
     Vec3 torque = Vec3::Zero(); ///< about its center [N m]
     double peakForce = 0;       ///< largest force since the start [N]

@@ -91,6 +91,7 @@ void describe(Fields& fields, Field<Fields, ReshapeManipulator> command)
     fields("speed_limit_m_s", command.speedLimit);
     fields("force_limit_n", command.forceLimit);
     fields.numberIfAny("adhesion_pa", command.adhesion);
+    fields.flagIfSet("rolls_freely", command.rollsFreely);
 }
 
 template <>

@@ -55,6 +55,12 @@ public:
 
     void operator()(const char* key, bool value) { put(key, value ? "true" : "false"); }
     void flag(const char* key, bool value, bool /*missing*/) { (*this)(key, value); }
+    /// Left out where it is not set.
+    void flagIfSet(const char* key, bool value)
+    {
+        if (value)
+            (*this)(key, value);
+    }
     /// Left out where it is 0.
     template <class Number>
     void numberIfAny(const char* key, Number value)
@@ -149,6 +155,7 @@ public:
         const auto node = m_node.find(key);
         value = node ? node->boolean() : missing;
     }
+    void flagIfSet(const char* key, bool& value) const { flag(key, value, false); }
     template <class Number>
     void numberIfAny(const char* key, Number& value) const
     {

@@ -144,7 +144,8 @@ public:
                                .forceLimit = command.forceLimit,
                                .kind = command.kind,
                                .part = command.part,
-                               .adhesion = command.adhesion};
+                               .adhesion = command.adhesion,
+                               .rollsFreely = command.rollsFreely};
         finish(event().put("reshape_manipulator", m_words.reshaping(form, m_words.names.tool(command.tool)).take()));
     }
     void operator()(const PlaceManipulator& command)

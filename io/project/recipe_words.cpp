@@ -104,6 +104,8 @@ ObjectText RecipeWords::reshaping(const Manipulator& form, const std::string& na
         text.number("force_limit_n", form.forceLimit);
     if (form.adhesion > 0)
         text.number("adhesion_pa", form.adhesion);
+    if (form.rolls())
+        text.put("rolls_freely", "true");
     return text;
 }
 

@@ -81,6 +81,7 @@ void describe(Fields& fields, Field<Fields, Manipulator> tool)
     fields("speed_limit_m_s", tool.speedLimit);
     fields("force_limit_n", tool.forceLimit);
     fields.numberIfAny("adhesion_pa", tool.adhesion);
+    fields.flagIfSet("rolls_freely", tool.rollsFreely);
     describeVariant(fields, "motion", tool.motion);
 }
 

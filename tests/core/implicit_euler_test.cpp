@@ -350,6 +350,32 @@ private slots:
         QCOMPARE(simulation.timeStep(), 1.0 / 60);
     }
 
+    /// What comes from afar is as fast as it likes; close to the material frames are divided.
+    void toolFarFromAllMaterialLeavesStepsAsLongAsTheyAre()
+    {
+        Scene scene = implicit(scenes::cantilever({12, 4, 4}, spacing, rubber(), Vec3::Zero()));
+        Manipulator ball{.name = "ball", .size = Vec3::Constant(0.008), .kind = ToolKind::ball};
+        ball.speedLimit = 1.5;
+        const Vec3 touching(4 * spacing, 0, 2 * spacing + 0.0041);
+        ball.pose.position = touching + Vec3(0, 0, 0.5);
+        ball.motion = GoTo{at(touching)};
+        scene.manipulators.push_back(ball);
+        Simulation simulation(scene);
+        QVERIFY(ball.speedLimit / 60 > 5 * spacing);
+        double shortest = 1;
+        while (simulation.time() < 0.5) {
+            simulation.step();
+            QVERIFY(simulation.health().ok);
+            const double height = simulation.snapshot()->tools[0].pose.position.z() - touching.z();
+            if (height > 0.05)
+                QCOMPARE(simulation.timeStep(), 1.0 / 60);
+            shortest = std::min(shortest, simulation.timeStep());
+        }
+        QVERIFY(shortest < 1.0 / 60);
+        QVERIFY((simulation.snapshot()->tools[0].pose.position - touching).norm() < 1e-9);
+        QVERIFY(simulation.snapshot()->tools[0].peakForce < 1);
+    }
+
     void sameBitsForAnyNumberOfThreadsAndInEveryRun()
     {
         const auto hash = [](int threads) {

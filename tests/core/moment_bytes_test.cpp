@@ -130,7 +130,7 @@ Bytes without(Bytes bytes, Stretches gone)
     return bytes;
 }
 
-/// Bytes of a moment of first fillings without what sticks to tools and floor: as version 7 had them.
+/// Bytes of a moment of first fillings without what sticks to tools and floor, and without what rolls: as version 7 had them.
 Bytes beforeSticking(const Moment& moment)
 {
     const Bytes whole = momentToBytes(moment);
@@ -144,11 +144,16 @@ Bytes beforeSticking(const Moment& moment)
     for (std::size_t t = 0; t < moment.tools.size(); ++t) {
         if (!moment.tools[t])
             continue;
-        for (Manipulator ToolRun::*tool : {&ToolRun::manipulator, &ToolRun::start})
+        for (Manipulator ToolRun::*tool : {&ToolRun::manipulator, &ToolRun::start}) {
             forget(8, [&](Moment& other) {
                 double& adhesion = (*other.tools[t].*tool).adhesion;
                 adhesion = inverted(adhesion);
             });
+            forget(1, [&](Moment& other) {
+                bool& rolls = (*other.tools[t].*tool).rollsFreely;
+                rolls = !rolls;
+            });
+        }
     }
     forget(8, [&](Moment& other) { other.floorAdhesion = inverted(other.floorAdhesion); });
     for (std::size_t h = 0; h < moment.contacts.holds.size(); ++h)

@@ -395,6 +395,7 @@ private slots:
         QTest::addColumn<int>("version");
         QTest::newRow("8: one former shape") << 8;
         QTest::newRow("9: none in pieces") << 9;
+        QTest::newRow("10: no tools that roll") << 10;
     }
     void momentsOfEarlierVersionsAreRead()
     {
@@ -406,28 +407,36 @@ private slots:
         QCOMPARE(moment->bodies[0].refilled->former->stages(), 1);
         constexpr std::size_t header = 36; // mark, version, two sizes, checksum
         // Other moments, whose bytes differ first where that is said which there was not.
-        const auto firstOther = [&](const std::function<void(Aggregate&)>& change) {
+        const auto firstOther = [&](const std::function<void(Aggregate&, ToolRun&)>& change) {
             Moment other = *moment;
             Aggregate filling = *moment->bodies[0].refilled;
-            change(filling);
+            change(filling, *other.tools[0]);
             other.bodies[0].refilled = std::make_shared<const Aggregate>(std::move(filling));
             const Bytes is = momentToBytes(*moment);
             const Bytes would = momentToBytes(other);
             return std::mismatch(is.begin() + header, is.end(), would.begin() + header).first - is.begin();
         };
-        const auto isLater = firstOther([&](Aggregate& filling) {
+        const auto isLater = firstOther([&](Aggregate& filling, ToolRun&) {
             filling.former = std::make_shared<const FormerShape>(moment->bodies[0].refilled,
                                                                  std::vector<Vec3>(filling.size(), Vec3::Zero()));
         });
-        const auto parted = firstOther([&](Aggregate& filling) {
+        const auto parted = firstOther([&](Aggregate& filling, ToolRun&) {
             filling.former =
                 std::make_shared<const FormerShape>(filling.former->carriers(), filling.former->displacements(),
                                                     std::vector<BrokenConnection>{{{0, 0}, 0}});
         });
-        Bytes old = momentToBytes(*moment);
-        old.erase(old.begin() + parted, old.begin() + parted + sizeof(std::uint32_t));
+        // From the last to the first, so that places stay.
+        std::vector<std::pair<std::ptrdiff_t, std::ptrdiff_t>> missing{
+            {firstOther([](Aggregate&, ToolRun& tool) { tool.start.rollsFreely = true; }), 1},
+            {firstOther([](Aggregate&, ToolRun& tool) { tool.manipulator.rollsFreely = true; }), 1}};
+        if (version < 10)
+            missing.emplace_back(parted, sizeof(std::uint32_t));
         if (version < 9)
-            old.erase(old.begin() + isLater);
+            missing.emplace_back(isLater, 1);
+        std::ranges::sort(missing, std::greater{});
+        Bytes old = momentToBytes(*moment);
+        for (const auto& [place, count] : missing)
+            old.erase(old.begin() + place, old.begin() + place + count);
         const auto put = [&](std::size_t place, std::uint64_t number, std::size_t size) {
             for (std::size_t i = 0; i < size; ++i)
                 old[place + i] = static_cast<std::byte>(number >> (8 * i));

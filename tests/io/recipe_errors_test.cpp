@@ -39,8 +39,11 @@ void RecipeErrorsTest::wrongRecipesAreRefusedWithTheirPlace_data()
         "manipulators[0] must have the key \"position_mm\".");
     row("unknown key", withManipulator(R"({"name": "a", "size": [1, 2, 3]})"),
         "manipulators[0].size is not a known key; allowed here: name, kind, size_mm, part_file, part_number, "
-        "friction, speed_limit_mm_s, force_limit_n, adhesion_pa, position_mm, rotation_deg, rotation_wxyz, keyframes, "
-        "motion.");
+        "friction, speed_limit_mm_s, force_limit_n, adhesion_pa, rolls_freely, position_mm, rotation_deg, "
+        "rotation_wxyz, keyframes, motion.");
+    row("block that rolls",
+        withManipulator(R"({"name": "a", "size_mm": [1, 2, 3], "position_mm": [0, 0, 0], "rolls_freely": true})"),
+        "manipulators[0].rolls_freely must be false where the tool is neither a ball nor a cylinder, got true.");
     row("unknown kind", withManipulator(R"({"name": "a", "kind": "cone"})"),
         "manipulators[0].kind must be one of box, ball, cylinder, wedge, plate, part, got \"cone\".");
     row("ball with edges", withManipulator(R"({"name": "a", "kind": "ball", "size_mm": [1, 2, 3]})"),

@@ -175,8 +175,8 @@ void RecipeOverrideTest::wrongChangesAreRefusedWithTheirPath_data()
     row("part.fil=a",
         "bend.recipe.json with --set: part.fil is not a known key; allowed here: file, files, parts, unit, heal, "
         "cap_flat_openings, deflection_mm, relative_deflection, angular_deflection_rad, fills_open_parts.");
-    row("floor.height=1",
-        "bend.recipe.json with --set: floor.height is not a known key; allowed here: height_mm, friction, adhesion_pa.");
+    row("floor.height=1", "bend.recipe.json with --set: floor.height is not a known key; allowed here: height_mm, "
+                          "friction, adhesion_pa.");
     row("duration_s=long", "bend.recipe.json with --set: duration_s must be a positive number, got \"long\".");
     row("version=null", "bend.recipe.json with --set: the file must have the key \"version\".");
 }

@@ -161,7 +161,7 @@ void RecipeTest::manipulatorsHaveTheMeasuresOfTheirKind()
     json recipe = smallest();
     recipe["manipulators"] = json::parse(R"([
         {"name": "a", "kind": "ball", "size_mm": 12, "position_mm": [0, 0, 0]},
-        {"name": "b", "kind": "cylinder", "size_mm": [8, 30], "position_mm": [0, 0, 0]},
+        {"name": "b", "kind": "cylinder", "size_mm": [8, 30], "position_mm": [0, 0, 0], "rolls_freely": true},
         {"name": "c", "kind": "wedge", "size_mm": [30, 4, 20], "position_mm": [0, 0, 0]},
         {"name": "d", "kind": "part", "part_file": "bar.stl", "position_mm": [1, 2, 3]},
         {"name": "e", "size_mm": [1, 2, 3], "position_mm": [0, 0, 0]}])");
@@ -170,6 +170,7 @@ void RecipeTest::manipulatorsHaveTheMeasuresOfTheirKind()
     QVERIFY(isNear(read.manipulators[0].size, Vec3(0.012, 0.012, 0.012)));
     QVERIFY(read.manipulators[1].kind == ToolKind::cylinder);
     QVERIFY(isNear(read.manipulators[1].size, Vec3(0.008, 0.008, 0.03)));
+    QVERIFY(read.manipulators[1].rolls() && !read.manipulators[0].rolls());
     QVERIFY(read.manipulators[2].kind == ToolKind::wedge);
     QVERIFY(read.manipulators[3].kind == ToolKind::part);
     QCOMPARE(read.manipulators[3].partFile, read.part);

@@ -51,8 +51,8 @@ inline auto members(const FollowKeyFrames& v)
 }
 inline auto members(const Manipulator& v)
 {
-    const auto& [a, b, c, d, e, f, g, h, i, j] = v;
-    return std::tie(a, b, c, d, e, f, g, h, i, j);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k] = v;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k);
 }
 inline auto members(const Fixture& v)
 {
@@ -160,8 +160,8 @@ inline auto members(const SetManipulatorMotion& v)
 }
 inline auto members(const ReshapeManipulator& v)
 {
-    const auto& [a, b, c, d, e, f, g, h] = v;
-    return std::tie(a, b, c, d, e, f, g, h);
+    const auto& [a, b, c, d, e, f, g, h, i] = v;
+    return std::tie(a, b, c, d, e, f, g, h, i);
 }
 inline auto members(const PlaceManipulator& v)
 {

@@ -108,6 +108,7 @@ inline Manipulator partManipulator(const std::shared_ptr<const ToolPart>& part)
     manipulator.size = part->size();
     manipulator.forceLimit = std::numeric_limits<double>::infinity();
     manipulator.adhesion = 250.5;
+    manipulator.rollsFreely = true;
     return manipulator;
 }
 
@@ -146,7 +147,8 @@ inline std::vector<RecordedCommand> commands(const std::shared_ptr<const ToolPar
                            .forceLimit = 7,
                            .kind = ToolKind::part,
                            .part = part,
-                           .adhesion = 12.5},
+                           .adhesion = 12.5,
+                           .rollsFreely = true},
         PlaceManipulator{1, pose(0.9)},
         AddFixture{{"grip \"a\"", 0, {0, 4, 5, 6}, Vec3(0.1, 0, -0.0)}},
         RemoveFixture{1},
