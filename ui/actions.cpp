@@ -56,6 +56,8 @@ QList<QAction*> makeToolActions(QWidget* window)
             tip =
                 QT_TRANSLATE_NOOP("Actions", "Put one above the part to cut it with: the force is the toughness of its "
                                              "material times the width of the cut");
+        if (look.rollsFreely)
+            tip = QT_TRANSLATE_NOOP("Actions", "Put one above the part to roll it out with: it turns as it is moved");
         const QList<QKeySequence> keys =
             look.kind == ToolKind::box ? QList<QKeySequence>{Qt::Key_B} : QList<QKeySequence>{};
         QAction* action = make(window, {name, look.name, look.icon, keys, tip});

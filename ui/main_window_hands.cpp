@@ -1,10 +1,12 @@
-// Tools and material by hand: handles, keys, pulling, the 3D mouse, and the forces that come of it.
+// Tools and material by hand: handles, keys, pressing, pulling, the 3D mouse, the forces that come of it, and folds.
 #include "ui/main_window.h"
 
 #include "ui/actions.h"
+#include "ui/document/fold_watch.h"
 #include "ui/document/force_record.h"
 #include "ui/hands/hand_panel.h"
 #include "ui/hands/hands.h"
+#include "ui/measuring/fold_marks.h"
 #include "ui/modes.h"
 #include "ui/panels/force_panel.h"
 #include "ui/panels/log_panel.h"
@@ -41,6 +43,9 @@ QDockWidget* makeDock(QMainWindow* window, const QString& title, const char* nam
 void MainWindow::makeHands()
 {
     m_hands = new Hands(this, m_document, *m_viewport);
+    auto* folds = new FoldWatch(m_document, this);
+    new FoldMarks(*folds, *m_viewport);
+    connect(folds, &FoldWatch::said, this, &MainWindow::showRemark);
     makeDock(this, tr("Hands"), "handsDock", scrolled(m_hands->makePanel()), "propertiesDock");
     QDockWidget* forces =
         makeDock(this, tr("Forces"), "forcesDock", new ForcePanel(m_document, m_hands->forceTableAction()), "logDock");
@@ -60,6 +65,7 @@ void MainWindow::connectHands()
     connect(m_hands, &Hands::modeChanged, this, &MainWindow::showHint);
     connect(m_hands, &Hands::problem, this, [this](const QString& sentence) { showProblem(sentence); });
     connect(m_hands->forceTableAction(), &QAction::triggered, this, &MainWindow::askForForces);
+    m_modes->add(m_hands->pressAction());
     m_modes->add(m_hands->pullAction());
     m_hands->listen(m_services.spaceMouse);
 }

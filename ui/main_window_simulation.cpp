@@ -32,7 +32,7 @@ void slowToolsDown(Document& document)
     document.beginGesture();
     for (const ToolState& tool : document.frame()->snapshot->tools)
         document.post(ReshapeManipulator{tool.id, tool.size, tool.friction, slower * tool.speedLimit, tool.forceLimit,
-                                         tool.kind, tool.part, tool.adhesion},
+                                         tool.kind, tool.part, tool.adhesion, tool.rollsFreely},
                       MainWindow::tr("Slower tools"));
     document.endGesture();
     document.reset();

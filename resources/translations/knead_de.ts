@@ -454,6 +454,14 @@
         <source>Wire</source>
         <translation>Draht</translation>
     </message>
+    <message>
+        <source>Put one above the part to roll it out with: it turns as it is moved</source>
+        <translation>Setzt eine über das Teil, mit der es ausgerollt wird: sie dreht sich, während sie bewegt wird</translation>
+    </message>
+    <message>
+        <source>Roller</source>
+        <translation>Rolle</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -1908,6 +1916,13 @@
     </message>
 </context>
 <context>
+    <name>FoldWatch</name>
+    <message>
+        <source>%1 is folded over itself near (%2): material was pushed over material, and its faces cross there in files, too. Undo the stroke, or press the place smooth with a larger tool.</source>
+        <translation>%1 ist bei (%2) über sich selbst gefaltet: Material wurde über Material geschoben, und auch in Dateien kreuzen sich seine Flächen dort. Den Strich rückgängig machen oder die Stelle mit einem größeren Werkzeug glatt drücken.</translation>
+    </message>
+</context>
+<context>
     <name>ForcePanel</name>
     <message>
         <source>Magnitude</source>
@@ -2062,6 +2077,10 @@
         <source>None: it works as soon as spacenavd runs.</source>
         <translation>Keine: sie arbeitet, sobald spacenavd läuft.</translation>
     </message>
+    <message>
+        <source>Pressing</source>
+        <translation>Drücken</translation>
+    </message>
 </context>
 <context>
     <name>Hands</name>
@@ -2136,6 +2155,18 @@
     <message>
         <source>Handles lie along the axes of the tool, not of the world</source>
         <translation>Griffe liegen entlang der Achsen des Werkzeugs, nicht der Welt</translation>
+    </message>
+    <message>
+        <source>Press material</source>
+        <translation>Material drücken</translation>
+    </message>
+    <message>
+        <source>Press on the part: the selected tool, or a thumb, comes straight onto it and goes in until its force limit holds it</source>
+        <translation>Auf das Teil drücken: Das ausgewählte Werkzeug, sonst ein Daumen, kommt gerade darauf und dringt ein, bis seine Kraftgrenze es hält</translation>
+    </message>
+    <message>
+        <source>Press and hold: the tool goes in until its force limit holds it   Esc: done</source>
+        <translation>Drücken und halten: Das Werkzeug dringt ein, bis seine Kraftgrenze es hält   Esc: fertig</translation>
     </message>
 </context>
 <context>
@@ -4205,6 +4236,21 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>PressHand</name>
+    <message>
+        <source>%1 does not deform: make it deformable in the properties to press into it.</source>
+        <translation>%1 verformt sich nicht: In den Eigenschaften verformbar machen, um es einzudrücken.</translation>
+    </message>
+    <message>
+        <source>Press on %1</source>
+        <translation>Auf %1 drücken</translation>
+    </message>
+    <message>
+        <source>%1 (limit)</source>
+        <translation>%1 (Grenze)</translation>
+    </message>
+</context>
+<context>
     <name>ProbePanel</name>
     <message>
         <source>Displacement</source>
@@ -5516,6 +5562,14 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Adhesion</source>
         <translation>Haftung</translation>
+    </message>
+    <message>
+        <source>Rolls freely</source>
+        <translation>Rollt frei</translation>
+    </message>
+    <message>
+        <source>The tool turns as it is moved over material, so that it does not rub it</source>
+        <translation>Das Werkzeug dreht sich, wenn es über Material bewegt wird, und reibt so nicht daran</translation>
     </message>
 </context>
 <context>

@@ -454,6 +454,14 @@
         <source>Wire</source>
         <translation>Fil</translation>
     </message>
+    <message>
+        <source>Put one above the part to roll it out with: it turns as it is moved</source>
+        <translation>En placer un au-dessus de la pièce pour l’étaler : il tourne quand on le déplace</translation>
+    </message>
+    <message>
+        <source>Roller</source>
+        <translation>Rouleau</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -1908,6 +1916,13 @@
     </message>
 </context>
 <context>
+    <name>FoldWatch</name>
+    <message>
+        <source>%1 is folded over itself near (%2): material was pushed over material, and its faces cross there in files, too. Undo the stroke, or press the place smooth with a larger tool.</source>
+        <translation>%1 est replié sur lui-même près de (%2) : de la matière a été poussée par-dessus la matière, et ses faces s’y croisent aussi dans les fichiers. Annuler le geste, ou lisser l’endroit avec un outil plus grand.</translation>
+    </message>
+</context>
+<context>
     <name>ForcePanel</name>
     <message>
         <source>Magnitude</source>
@@ -2062,6 +2077,10 @@
         <source>None: it works as soon as spacenavd runs.</source>
         <translation>Aucune&#xa0;: elle marche dès que spacenavd est lancé.</translation>
     </message>
+    <message>
+        <source>Pressing</source>
+        <translation>Pression</translation>
+    </message>
 </context>
 <context>
     <name>Hands</name>
@@ -2136,6 +2155,18 @@
     <message>
         <source>Handles lie along the axes of the tool, not of the world</source>
         <translation>Les poignées suivent les axes de l&apos;outil, non ceux du monde</translation>
+    </message>
+    <message>
+        <source>Press material</source>
+        <translation>Presser la matière</translation>
+    </message>
+    <message>
+        <source>Press on the part: the selected tool, or a thumb, comes straight onto it and goes in until its force limit holds it</source>
+        <translation>Appuyer sur la pièce : l’outil sélectionné, sinon un pouce, vient droit dessus et s’enfonce jusqu’à ce que sa limite de force le retienne</translation>
+    </message>
+    <message>
+        <source>Press and hold: the tool goes in until its force limit holds it   Esc: done</source>
+        <translation>Appuyer et maintenir : l’outil s’enfonce jusqu’à ce que sa limite de force le retienne   Échap : terminé</translation>
     </message>
 </context>
 <context>
@@ -4205,6 +4236,21 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>PressHand</name>
+    <message>
+        <source>%1 does not deform: make it deformable in the properties to press into it.</source>
+        <translation>%1 ne se déforme pas : le rendre déformable dans les propriétés pour l’enfoncer.</translation>
+    </message>
+    <message>
+        <source>Press on %1</source>
+        <translation>Presser %1</translation>
+    </message>
+    <message>
+        <source>%1 (limit)</source>
+        <translation>%1 (limite)</translation>
+    </message>
+</context>
+<context>
     <name>ProbePanel</name>
     <message>
         <source>Displacement</source>
@@ -5516,6 +5562,14 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Adhesion</source>
         <translation>Adhérence</translation>
+    </message>
+    <message>
+        <source>Rolls freely</source>
+        <translation>Roule librement</translation>
+    </message>
+    <message>
+        <source>The tool turns as it is moved over material, so that it does not rub it</source>
+        <translation>L’outil tourne quand il se déplace sur la matière et ne la frotte donc pas</translation>
     </message>
 </context>
 <context>

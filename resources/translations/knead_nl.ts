@@ -454,6 +454,14 @@
         <source>Wire</source>
         <translation>Draad</translation>
     </message>
+    <message>
+        <source>Put one above the part to roll it out with: it turns as it is moved</source>
+        <translation>Zet er een boven het onderdeel om het uit te rollen: hij draait terwijl hij wordt verplaatst</translation>
+    </message>
+    <message>
+        <source>Roller</source>
+        <translation>Rol</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -1908,6 +1916,13 @@
     </message>
 </context>
 <context>
+    <name>FoldWatch</name>
+    <message>
+        <source>%1 is folded over itself near (%2): material was pushed over material, and its faces cross there in files, too. Undo the stroke, or press the place smooth with a larger tool.</source>
+        <translation>%1 is bij (%2) over zichzelf gevouwen: materiaal is over materiaal geschoven, en ook in bestanden kruisen zijn vlakken elkaar daar. Maak de streek ongedaan, of druk de plek glad met een groter gereedschap.</translation>
+    </message>
+</context>
+<context>
     <name>ForcePanel</name>
     <message>
         <source>Magnitude</source>
@@ -2062,6 +2077,10 @@
         <source>None: it works as soon as spacenavd runs.</source>
         <translation>Geen: werkt zodra spacenavd draait.</translation>
     </message>
+    <message>
+        <source>Pressing</source>
+        <translation>Drukken</translation>
+    </message>
 </context>
 <context>
     <name>Hands</name>
@@ -2136,6 +2155,18 @@
     <message>
         <source>Handles lie along the axes of the tool, not of the world</source>
         <translation>Grepen liggen langs de assen van het gereedschap, niet van de wereld</translation>
+    </message>
+    <message>
+        <source>Press material</source>
+        <translation>Materiaal indrukken</translation>
+    </message>
+    <message>
+        <source>Press on the part: the selected tool, or a thumb, comes straight onto it and goes in until its force limit holds it</source>
+        <translation>Op het onderdeel drukken: het gekozen gereedschap, anders een duim, komt er recht op en gaat erin tot zijn krachtgrens het tegenhoudt</translation>
+    </message>
+    <message>
+        <source>Press and hold: the tool goes in until its force limit holds it   Esc: done</source>
+        <translation>Drukken en vasthouden: het gereedschap gaat erin tot zijn krachtgrens het tegenhoudt   Esc: klaar</translation>
     </message>
 </context>
 <context>
@@ -4205,6 +4236,21 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>PressHand</name>
+    <message>
+        <source>%1 does not deform: make it deformable in the properties to press into it.</source>
+        <translation>%1 vervormt niet: maak het vervormbaar in de eigenschappen om erin te drukken.</translation>
+    </message>
+    <message>
+        <source>Press on %1</source>
+        <translation>Op %1 drukken</translation>
+    </message>
+    <message>
+        <source>%1 (limit)</source>
+        <translation>%1 (grens)</translation>
+    </message>
+</context>
+<context>
     <name>ProbePanel</name>
     <message>
         <source>Displacement</source>
@@ -5516,6 +5562,14 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Adhesion</source>
         <translation>Hechting</translation>
+    </message>
+    <message>
+        <source>Rolls freely</source>
+        <translation>Rolt vrij</translation>
+    </message>
+    <message>
+        <source>The tool turns as it is moved over material, so that it does not rub it</source>
+        <translation>Het gereedschap draait terwijl het over materiaal beweegt en wrijft er zo niet over</translation>
     </message>
 </context>
 <context>

@@ -1,10 +1,13 @@
 // Tools and material by hand, with real events: handles, keys, pulling, the 3D mouse, and the forces that come of it.
 #include "support/history_on_test.h"
 #include "support/stand_in_spacenavd.h"
+#include "ui/document/fold_watch.h"
 #include "ui/hands/gizmo_hand.h"
 #include "ui/hands/hands.h"
 #include "ui/hands/key_hand.h"
+#include "ui/hands/press_hand.h"
 #include "ui/hands/pull_hand.h"
+#include "ui/measuring/fold_marks.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/run_window.h"
@@ -251,7 +254,7 @@ private slots:
     void theLeftButtonHasOneModeAtATimeWhichEscLeaves()
     {
         openWithBlock();
-        const QStringList all = {"pull", "fixFaces", "measureDistance", "measureAngle", "placeProbe"};
+        const QStringList all = {"pull", "press", "fixFaces", "measureDistance", "measureAngle", "placeProbe"};
         const auto on = [&] {
             QStringList names;
             for (const QString& name : all)
@@ -265,6 +268,7 @@ private slots:
             QCOMPARE(on(), QStringList(mode));
             QVERIFY(!gizmo().gizmo().has_value()); // its handles could not be taken
             QCOMPARE(m_window->hands().pull().isOn(), mode == "pull");
+            QCOMPARE(m_window->hands().pressing().isOn(), mode == "press");
             QCOMPARE(view().isFixing(), mode == "fixFaces");
         }
         key(Qt::Key_Escape);
@@ -488,6 +492,92 @@ private slots:
         QVERIFY(!m_window->hands().pull().isOn());
     }
 
+    /// It comes along the normal, stops at its limit, and is lifted; all of that is one entry.
+    void materialIsPressedWithAThumb()
+    {
+        openBar();
+        fixBack();
+        key(Qt::Key_1, Qt::KeypadModifier);
+        key(Qt::Key_F);
+        rest(500);
+        settle();
+        const std::uint64_t before = digest();
+        const std::size_t entries = tree().records().size();
+        const PressHand& hand = m_window->hands().pressing();
+        key(Qt::Key_F5);
+        const Box box = document().content().box;
+        const Vec3 place(box.max().x() - 0.1 * box.sizes().x(), box.min().y(), box.center().z()); // on its front
+        press(view().widgetPosition(place)->toPoint());
+        QVERIFY(hand.isPressing());
+        QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool); // its force may be typed
+        QCOMPARE(find<QLineEdit>("toolForceLimit")->isVisible(), true);
+        QTRY_VERIFY_WITH_TIMEOUT(hand.force() > 0.8 * tool().forceLimit, patience);
+        QVERIFY(find<QWidget>("pressNote")->isVisible());
+        const Vec3 reached = tool().pose.position;
+        QVERIFY(std::abs(reached.x() - place.x()) < 2e-3 && std::abs(reached.z() - place.z()) < 2e-3);
+        pictures("press");
+        const double time = snapshot().time;
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > time + 0.2, patience);
+        QVERIFY(hand.force() < 1.1 * tool().forceLimit);
+        release();
+        QVERIFY(!hand.isPressing());
+        QTRY_VERIFY_WITH_TIMEOUT(!snapshot().playing, patience); // it stood still before
+        QVERIFY(tool().force.norm() < 1e-3 * tool().forceLimit);
+        QVERIFY(tool().pose.position.y() < reached.y() - 1e-4);
+        settle();
+        QCOMPARE(tree().records().size(), entries + 1);
+        verifyUndo(before, "Press on " + QString::fromStdString(document().content().bodies[0]->name));
+        verifyStraightRun();
+        key(Qt::Key_Escape);
+        QVERIFY(!hand.isOn());
+    }
+
+    /// The tool that is selected, with the limit that was typed; again and again.
+    void theSelectedToolIsPressedWhereOneClicks()
+    {
+        openBar();
+        fixBack();
+        key(Qt::Key_B);
+        QTRY_COMPARE(document().selection().kind, Selection::Kind::Tool);
+        document().reshapeTool(snapshot().tools[0].id, [](ToolState& state) { state.forceLimit = 0.5; });
+        QTRY_COMPARE(tool().forceLimit, 0.5);
+        key(Qt::Key_1, Qt::KeypadModifier);
+        key(Qt::Key_F);
+        rest(500);
+        settle();
+        const PressHand& hand = m_window->hands().pressing();
+        key(Qt::Key_F5);
+        const Box box = document().content().box;
+        for (const double share : {0.3, 0.6}) {
+            const Vec3 place(box.min().x() + share * box.sizes().x(), box.min().y(), box.center().z());
+            press(view().widgetPosition(place)->toPoint());
+            QTRY_VERIFY_WITH_TIMEOUT(hand.force() > 0.4, patience);
+            QVERIFY(hand.force() < 0.6);
+            QVERIFY(std::abs(tool().pose.position.x() - place.x()) < 2e-3);
+            release();
+            QTRY_VERIFY_WITH_TIMEOUT(!snapshot().playing, patience);
+            QCOMPARE(snapshot().tools.size(), std::size_t{1});
+        }
+        settle();
+        verifyStraightRun();
+    }
+
+    void whatCannotBePressedSaysWhy()
+    {
+        openBar();
+        key(Qt::Key_F5);
+        document().post(SetBodyKind{0, BodyKind::rigid});
+        QTRY_COMPARE(snapshot().bodies[0].kind, BodyKind::rigid);
+        const Box box = document().content().box;
+        press(view().widgetPosition(Vec3(box.center().x(), box.center().y(), box.max().z()))->toPoint());
+        QVERIFY(!m_window->hands().pressing().isPressing());
+        QVERIFY2(m_window->banner().sentence().contains("make it deformable"),
+                 qPrintable(m_window->banner().sentence()));
+        release();
+        QVERIFY(snapshot().tools.empty());
+    }
+
     void whatCannotBePulledSaysWhy()
     {
         openBar();
@@ -502,6 +592,46 @@ private slots:
         release();
         key(Qt::Key_X); // the other mode of the left button
         QVERIFY(!m_window->hands().pull().isOn());
+    }
+
+    /// One half of a bar is turned over onto the other: that is said, and seen where it is, until it is undone.
+    void foldsAreSaidAndSeen()
+    {
+        openBar();
+        const Box box = document().content().box;
+        const auto half = [&](double from, double to) {
+            Box part = box;
+            part.min().x() = box.min().x() + from * box.sizes().x();
+            part.max().x() = box.min().x() + to * box.sizes().x();
+            return objectsInBox(*document().content().bodies[0]->aggregate, part);
+        };
+        document().post(AddFixture{{"held", 0, half(-0.1, 0.45)}});
+        GripTurn over;
+        over.center = Vec3(box.center().x(), box.center().y(), box.center().z() + 0.2 * box.sizes().z());
+        over.angularVelocity = Vec3(0.1, -1, 0.15).normalized() * 8;
+        over.angle = 3.1;
+        document().post(AddFixture{{"turned", 0, half(0.55, 1.1), Vec3::Zero(), over}});
+        QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{2});
+        auto* folds = m_window->findChild<FoldWatch*>();
+        auto* marks = view().findChild<FoldMarks*>();
+        QSignalSpy said(folds, &FoldWatch::said);
+        QVERIFY(folds->folds().empty() && marks->places().empty());
+        key(Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > 0.45, patience);
+        key(Qt::Key_Space);
+        QTRY_VERIFY(!snapshot().playing);
+        QTRY_COMPARE_WITH_TIMEOUT(folds->folds().size(), std::size_t{1}, patience);
+        QCOMPARE(said.size(), qsizetype{1});
+        QVERIFY2(said[0][0].toString().contains("folded over itself"), qPrintable(said[0][0].toString()));
+        const std::vector<Vec3> places = folds->placesOf(folds->folds()[0]);
+        QVERIFY(!places.empty());
+        for (const Vec3& place : places)
+            QVERIFY(box.exteriorDistance(place) < 0.5 * box.sizes().x());
+        QTRY_VERIFY(find<QWidget>("foldMarks")->isVisible() && !marks->places().empty());
+        pictures("folded");
+        key(Qt::Key_R, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(folds->folds().empty() && marks->places().empty(), patience);
+        QVERIFY(!find<QWidget>("foldMarks")->isVisible());
     }
 
     void stiffnessOfThePullIsTyped()
@@ -703,6 +833,13 @@ private:
     {
         const Box box = document().content().box;
         document().toggleFace(0, faceAt(Vec3(box.min().x(), box.center().y(), box.center().z())));
+        QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
+    }
+
+    void fixBack()
+    {
+        const Box box = document().content().box;
+        document().toggleFace(0, faceAt(Vec3(box.center().x(), box.max().y(), box.center().z())));
         QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
     }
 

@@ -322,7 +322,8 @@ PreparedContent prepareRefill(const Content& before, double spacing, const Snaps
                                       .motion = HoldStill{},
                                       .kind = tool.kind,
                                       .part = tool.part,
-                                      .adhesion = tool.adhesion});
+                                      .adhesion = tool.adhesion,
+                                      .rollsFreely = tool.rollsFreely});
     scene.fixtures = sceneFixtures(content, fixtures);
     scene.gravity = now.gravity;
     scene.integrator = now.wantedIntegrator;

@@ -324,10 +324,11 @@ void Document::addTool(const ToolKindLook& look)
     tool.name = look.name + std::string(" ") + std::to_string(numberOfNewTool(look));
     tool.kind = look.kind;
     tool.size = size() * blockShare * look.proportions;
-    const bool isWire = look.kind == ToolKind::cylinder && bladeOf(tool.shape());
-    if (isWire) // it lies across, and goes down
+    tool.rollsFreely = look.rollsFreely;
+    const bool lies = tool.rolls() || (look.kind == ToolKind::cylinder && bladeOf(tool.shape()));
+    if (lies) // across, and goes down
         tool.pose.rotation = Quaternion(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vec3::UnitY()));
-    tool.pose.position = placeAbove(isWire ? tool.size.reverse().eval() : tool.size);
+    tool.pose.position = placeAbove(lies ? tool.size.reverse().eval() : tool.size);
     tool.speedLimit = size() / crossingTime;
     double stiffest = 0;
     for (const Material& material : m_frame->snapshot->materials)

@@ -48,7 +48,7 @@ void Document::reshapeTool(ToolId id, std::function<void(ToolState&)> change)
     ToolState state = m_toolRequests.asked(*found);
     change(state);
     post(ReshapeManipulator{id, fittingSize(state.kind, state.size, state.part.get()), state.friction, state.speedLimit,
-                            state.forceLimit, state.kind, state.part, state.adhesion});
+                            state.forceLimit, state.kind, state.part, state.adhesion, state.rollsFreely});
 }
 
 } // namespace knead

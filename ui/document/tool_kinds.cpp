@@ -30,7 +30,12 @@ const std::vector<ToolKindLook>& toolsToAdd()
         wire.name = "Wire";
         wire.icon = "wire";
         wire.proportions = {0.04, 0.04, 4};
-        all.insert(all.end(), {knife, wire});
+        ToolKindLook roller = lookOf(ToolKind::cylinder);
+        roller.name = "Roller";
+        roller.icon = "roller";
+        roller.proportions = {0.7, 0.7, 3};
+        roller.rollsFreely = true;
+        all.insert(all.end(), {roller, knife, wire});
         return all;
     }();
     return tools;

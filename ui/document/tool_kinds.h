@@ -21,6 +21,7 @@ struct ToolKindLook {
     const char* icon;
     std::vector<ToolMeasure> measures; ///< those it has
     Vec3 proportions;                  ///< of a new one, in blocks
+    bool rollsFreely = false;
 };
 
 /// Tools that a person may add: all forms but parts, which come from files, and those of their forms that cut.

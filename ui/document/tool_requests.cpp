@@ -89,6 +89,7 @@ ToolState ToolRequests::asked(const ToolState& tool) const
         result.speedLimit = shape->speedLimit;
         result.forceLimit = shape->forceLimit;
         result.adhesion = shape->adhesion;
+        result.rollsFreely = shape->rollsFreely;
     }
     return result;
 }

@@ -41,7 +41,8 @@ HandPanel::HandPanel(HandSettings& settings, const QList<QAction*>& modes, QWidg
         tr("A key press moves a tool by this length"));
     add(tr("Steps per second"), "stepsPerSecond", Quantity::Rate, 0.1, 1000, &HandChoices::stepsPerSecond,
         tr("While a key is held; a tool never goes faster than its speed limit"));
-    begin(tr("Pulling"), modes.value(2));
+    begin(tr("Pressing"), modes.value(2));
+    begin(tr("Pulling"), modes.value(3));
     add(tr("Spring stiffness"), "pullStiffness", Quantity::Stiffness, 0, 1e12, &HandChoices::pullStiffness,
         tr("Of the spring between the mouse and the material"));
     add(tr("Largest pull"), "pullLimit", Quantity::Force, 0, 1e12, &HandChoices::pullLimit,

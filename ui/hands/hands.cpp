@@ -3,6 +3,7 @@
 #include "ui/hands/gizmo_hand.h"
 #include "ui/hands/hand_panel.h"
 #include "ui/hands/key_hand.h"
+#include "ui/hands/press_hand.h"
 #include "ui/hands/pull_hand.h"
 #include "ui/hands/space_hand.h"
 #include "ui/theme.h"
@@ -19,6 +20,7 @@ Hands::Hands(QWidget* window, Document& document, ViewportWidget& view)
     , m_document(document)
     , m_view(view)
     , m_keyHand(new KeyHand(document, view, m_settings))
+    , m_pressHand(new PressHand(document, view))
     , m_pullHand(new PullHand(document, view, m_settings))
     , m_gizmoHand(new GizmoHand(document, view, m_settings))
     , m_spaceHand(new SpaceHand(document, view, m_settings))
@@ -50,6 +52,10 @@ void Hands::makeActions()
                      tr("Handles lie along the axes of the tool, not of the world"));
     m_keys = make("driveByKeys", tr("Drive by keys"), "keys", Qt::Key_F4,
                   tr("Drive up to three tools with the keyboard, each with keys of its own"));
+    m_press =
+        make("press", tr("Press material"), "press", Qt::Key_F5,
+             tr("Press on the part: the selected tool, or a thumb, comes straight onto it and goes in until its force "
+                "limit holds it"));
     m_pull = make("pull", tr("Pull material"), "pull", Qt::Key_F6,
                   tr("Press on the part and pull its material with a spring"));
     m_spaceMouse = make("spaceMouseTool", tr("3D mouse drives tool"), "space-mouse", Qt::Key_F7,
@@ -75,6 +81,10 @@ void Hands::connectActions()
         m_pullHand->setOn(on);
         emit modeChanged();
     });
+    connect(m_press, &QAction::toggled, this, [this](bool on) {
+        m_pressHand->setOn(on);
+        emit modeChanged();
+    });
     connect(m_forces, &QAction::toggled, this, [this](bool on) {
         SceneOptions options = m_view.options();
         options.forces = on;
@@ -84,6 +94,7 @@ void Hands::connectActions()
     keep(m_ownAxes, &HandChoices::ownAxes);
     keep(m_forces, &HandChoices::forces);
     keep(m_spaceMouse, &HandChoices::spaceMouseDrivesTool);
+    connect(m_pressHand, &PressHand::refused, this, &Hands::problem);
     connect(m_pullHand, &PullHand::refused, this, &Hands::problem);
     connect(&m_document, &Document::changed, this, [this](Document::Change what) {
         if (what == Document::Change::Content)
@@ -107,13 +118,13 @@ void Hands::keep(QAction* action, bool HandChoices::*choice)
 void Hands::enable()
 {
     const bool isSimulated = !m_document.isEmpty() && !m_document.content().bodies.empty();
-    for (QAction* action : {m_gizmo, m_ownAxes, m_keys, m_pull, m_forces, m_forceTable})
+    for (QAction* action : {m_gizmo, m_ownAxes, m_keys, m_press, m_pull, m_forces, m_forceTable})
         action->setEnabled(isSimulated);
 }
 
 HandPanel* Hands::makePanel()
 {
-    auto* panel = new HandPanel(m_settings, {m_gizmo, m_keys, m_pull});
+    auto* panel = new HandPanel(m_settings, {m_gizmo, m_keys, m_press, m_pull});
     connect(m_spaceHand, &SpaceHand::connectionChanged, panel, &HandPanel::showSpaceMouse);
     return panel;
 }
@@ -121,7 +132,7 @@ HandPanel* Hands::makePanel()
 void Hands::addTo(QMenu* menu) const
 {
     menu->addSeparator();
-    menu->addActions({m_gizmo, m_ownAxes, m_keys, m_pull, m_spaceMouse});
+    menu->addActions({m_gizmo, m_ownAxes, m_keys, m_press, m_pull, m_spaceMouse});
     menu->addSeparator();
     menu->addActions({m_forces, m_forcePlot, m_forceTable});
 }
@@ -140,6 +151,8 @@ bool Hands::leaveKeys()
 
 QString Hands::hint() const
 {
+    if (m_press->isChecked())
+        return tr("Press and hold: the tool goes in until its force limit holds it   Esc: done");
     if (m_pull->isChecked())
         return tr("Press on the part and pull   Esc: done");
     if (m_keys->isChecked())

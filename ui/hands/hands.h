@@ -16,6 +16,7 @@ class Document;
 class GizmoHand;
 class HandPanel;
 class KeyHand;
+class PressHand;
 class PullHand;
 class SpaceHand;
 class ViewportWidget;
@@ -35,12 +36,14 @@ public:
     bool leaveKeys();
     QString hint() const; ///< on what the mouse does now; empty: as always
     QAction* pullAction() const { return m_pull; }
+    QAction* pressAction() const { return m_press; }
     QAction* forceTableAction() const { return m_forceTable; }
     QAction* forcePlotAction() const { return m_forcePlot; }
 
     const GizmoHand& gizmo() const { return *m_gizmoHand; }
     const KeyHand& keys() const { return *m_keyHand; }
     const PullHand& pull() const { return *m_pullHand; }
+    const PressHand& pressing() const { return *m_pressHand; }
     HandSettings& settings() { return m_settings; }
 
 signals:
@@ -60,12 +63,14 @@ private:
     ViewportWidget& m_view;
     HandSettings m_settings;
     KeyHand* m_keyHand; // owned by the view, as the others
+    PressHand* m_pressHand;
     PullHand* m_pullHand;
     GizmoHand* m_gizmoHand; // asked first: numbers are typed into it while keys drive other tools
     SpaceHand* m_spaceHand;
     QAction* m_gizmo = nullptr;
     QAction* m_ownAxes = nullptr;
     QAction* m_keys = nullptr;
+    QAction* m_press = nullptr;
     QAction* m_pull = nullptr;
     QAction* m_spaceMouse = nullptr;
     QAction* m_forces = nullptr;

@@ -72,11 +72,11 @@ namespace {
 [[maybe_unused]] const char* const formsOfTools[] = {
     QT_TRANSLATE_NOOP("Actions", "Block"),    QT_TRANSLATE_NOOP("Actions", "Ball"),
     QT_TRANSLATE_NOOP("Actions", "Cylinder"), QT_TRANSLATE_NOOP("Actions", "Wedge"),
-    QT_TRANSLATE_NOOP("Actions", "Knife"),    QT_TRANSLATE_NOOP("Actions", "Wire"),
-    QT_TRANSLATE_NOOP("Actions", "Plate"),    QT_TRANSLATE_NOOP("QObject", "Block"),
-    QT_TRANSLATE_NOOP("QObject", "Ball"),     QT_TRANSLATE_NOOP("QObject", "Cylinder"),
-    QT_TRANSLATE_NOOP("QObject", "Wedge"),    QT_TRANSLATE_NOOP("QObject", "Plate"),
-    QT_TRANSLATE_NOOP("QObject", "Part")};
+    QT_TRANSLATE_NOOP("Actions", "Roller"),   QT_TRANSLATE_NOOP("Actions", "Knife"),
+    QT_TRANSLATE_NOOP("Actions", "Wire"),     QT_TRANSLATE_NOOP("Actions", "Plate"),
+    QT_TRANSLATE_NOOP("QObject", "Block"),    QT_TRANSLATE_NOOP("QObject", "Ball"),
+    QT_TRANSLATE_NOOP("QObject", "Cylinder"), QT_TRANSLATE_NOOP("QObject", "Wedge"),
+    QT_TRANSLATE_NOOP("QObject", "Plate"),    QT_TRANSLATE_NOOP("QObject", "Part")};
 
 [[maybe_unused]] const char* const measuresOfTools[] = {
     QT_TRANSLATE_NOOP("ToolPanel", "Size X"),   QT_TRANSLATE_NOOP("ToolPanel", "Size Y"),

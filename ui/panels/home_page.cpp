@@ -157,6 +157,8 @@ void HomePage::addExamples(QVBoxLayout* column, const QString& folder)
     QGridLayout* grid = makeGrid(all);
     for (const QFileInfo& example : examples) {
         const QImage picture(example.absolutePath() + '/' + example.completeBaseName() + ".png");
+        if (picture.isNull())
+            continue; // it belongs to a recipe
         auto* card = new PictureCard(picture, readableName(example), example.fileName(), all);
         card->setObjectName("example_" + example.completeBaseName());
         connect(card, &QPushButton::clicked, this,

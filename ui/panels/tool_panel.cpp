@@ -4,6 +4,7 @@
 #include "ui/panels/form.h"
 #include "ui/theme.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
@@ -43,6 +44,7 @@ ToolPanel::ToolPanel(Document& document, QWidget* parent)
     , m_forceLimit(makeField(Quantity::Force, "toolForceLimit", this))
     , m_friction(makeField(Quantity::Number, "toolFriction", this))
     , m_adhesion(makeField(Quantity::Pressure, "toolAdhesion", this))
+    , m_rolls(new QCheckBox(tr("Rolls freely"), this))
     , m_force(makeReading("toolForce", this))
     , m_peak(makeReading("toolPeakForce", this))
 {
@@ -87,6 +89,12 @@ ToolPanel::ToolPanel(Document& document, QWidget* parent)
     form->addRow(tr("Force limit"), m_forceLimit);
     form->addRow(tr("Friction"), m_friction);
     form->addRow(tr("Adhesion"), m_adhesion);
+    m_rolls->setObjectName("toolRolls");
+    m_rolls->setStatusTip(tr("The tool turns as it is moved over material, so that it does not rub it"));
+    m_rolls->setToolTip(m_rolls->statusTip());
+    connect(m_rolls, &QCheckBox::clicked, this,
+            [this](bool on) { m_document.reshapeTool(m_tool, [on](ToolState& tool) { tool.rollsFreely = on; }); });
+    form->addRow(QString(), m_rolls);
 
     auto* remove = new QPushButton(icon("delete"), tr("Remove tool"), this);
     remove->setObjectName("removeTool");
@@ -131,6 +139,8 @@ void ToolPanel::showTool()
     m_forceLimit->setValue(tool->forceLimit);
     m_friction->setValue(tool->friction);
     m_adhesion->setValue(tool->adhesion);
+    m_rolls->setChecked(tool->rollsFreely);
+    m_rolls->setVisible(canRoll(tool->kind));
 }
 
 /// Only the measures that the form has can be typed.

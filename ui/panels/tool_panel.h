@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 
+class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
@@ -38,6 +39,7 @@ private:
     QuantityField* m_forceLimit;
     QuantityField* m_friction;
     QuantityField* m_adhesion;
+    QCheckBox* m_rolls; ///< of those that can
     QLabel* m_force;
     QLabel* m_peak;
 };

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/tasks/ordered_worker.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+class QTimer;
+
+namespace knead {
+
+/// Where the surface of a body passes through itself: material was pushed over material there.
+struct Fold {
+    BodyId body = 0;
+    Vec3 place = Vec3::Zero();            ///< the middle of it [m]
+    std::vector<std::uint32_t> triangles; ///< of ContentBody::mesh, some of those that cross others, ascending
+};
+
+/// Of bodies that deform and have not come apart; those whose surface crosses itself at rest are left out. Any thread; 20 to 200 ms
+/// for 10,000 to 100,000 triangles.
+std::vector<Fold> foldsOf(const Frame& frame);
+
+/// Looks for folds while a person works, on a thread of its own: once a second or more seldom while time runs, and once when it
+/// stands still. Says each one when it comes.
+class FoldWatch final : public QObject {
+    Q_OBJECT
+public:
+    explicit FoldWatch(Document& document, QObject* parent = nullptr);
+
+    const std::vector<Fold>& folds() const { return m_folds; }
+    /// Where the fold's triangles are now [m]; none when the body is shown with another surface.
+    std::vector<Vec3> placesOf(const Fold& fold) const;
+
+signals:
+    void changed();
+    void said(const QString& sentence);
+
+private:
+    void documentChanged(Document::Change what);
+    void look();
+    void take(const FramePointer& frame, std::vector<Fold> folds);
+
+    Document& m_document;
+    QTimer* m_timer;
+    QElapsedTimer m_clock;
+    FramePointer m_seen; ///< the last that was looked at
+    bool m_isLooking = false;
+    qint64 m_lookTime = 0; ///< that the last look took [ms]
+    std::vector<Fold> m_folds;
+    OrderedWorker m_worker; // last: ends first
+};
+
+} // namespace knead
