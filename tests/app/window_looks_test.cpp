@@ -271,7 +271,7 @@ private slots:
 
     void picturesOfExamplesTakeTheColorsOfTheWindow()
     {
-        for (const char* name : {"bar", "bracket", "handle", "lump", "plate", "paper-bar"}) {
+        for (const char* name : {"bar", "bracket", "grip", "handle", "lump", "plate"}) {
             const QImage image(example(qPrintable(QString(name) + ".png")));
             QCOMPARE(image.pixelColor(0, 0).alpha(), 0);
             QCOMPARE(image.pixelColor(image.rect().center()).alpha(), 255);

@@ -244,7 +244,7 @@ private slots:
 
     void picturesOfPartsAreWithoutTheCube()
     {
-        for (const char* name : {"bar", "bracket", "handle", "lump", "plate", "paper-bar"})
+        for (const char* name : {"bar", "bracket", "grip", "handle", "lump", "plate"})
             QVERIFY2(!hasCube(QImage(example(qPrintable(QString(name) + ".png")))), name);
         openExample("bracket.step");
         QVERIFY(hasCube(view().grabFramebuffer()));

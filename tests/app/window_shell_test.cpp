@@ -555,7 +555,7 @@ private slots:
 
     void theFirstPageShowsExamplesAndFilesOfLateAsPictures()
     {
-        for (const char* name : {"bar", "bracket", "handle", "lump", "plate"})
+        for (const char* name : {"bar", "bracket", "grip", "handle", "lump", "plate"})
             QVERIFY2(QFile::exists(example(qPrintable(QString(name) + ".png"))), name);
         QVERIFY(!find<QLabel>("recentTitle")->isVisible());
         picture("home-first");

@@ -1,5 +1,6 @@
 // What designers come for, from an empty window to the file, with mouse and keys.
 #include "support/story_on_test.h"
+#include "ui/hands/press_hand.h"
 #include "ui/panels/timeline_axis.h"
 #include "ui/run_window.h"
 
@@ -211,6 +212,54 @@ private slots:
         QCOMPARE(hash(), dented);
         QVERIFY(filling()->former != nullptr);
         stage("opened-again");
+        endStory();
+    }
+
+    /// A grip of clay on the table gets the prints of a thumb, pressed where one clicks; the file has the seven faces that were opened.
+    void aGripIsKneaded()
+    {
+        beginStory("grip");
+        openByHand(example("grip.step"));
+        choose("materialPreset", "Mod", "Modeling clay");
+        QTRY_VERIFY(snapshot().materials[0].yieldStress > 0);
+        addTool("ball");
+        type("toolSizeX", "20 mm");
+        type("toolForceLimit", "8 N");
+        type("toolSpeed", "80 mm/s");
+        placeTool(0, at(60, 0, 60));
+        stage("thumb");
+        waitForGesture();
+        key(Qt::Key_F5);
+        QVERIFY(action("press")->isChecked());
+        const std::size_t entries = document().history().tree().records().size();
+        const double places[] = {25, 47, 69, 91};
+        for (const double x : places) {
+            const QPoint pixel = view().widgetPosition(at(x, -2, 25))->toPoint();
+            QTest::mouseMove(&view(), pixel);
+            QTest::mousePress(&view(), Qt::LeftButton, {}, pixel);
+            QVERIFY(m_window->hands().pressing().isPressing());
+            const double begin = snapshot().time;
+            waitUntil([&] { return m_window->hands().pressing().force() > 0.95 * 8 || snapshot().time > begin + 1; });
+            if (x == places[2])
+                stage("pressed");
+            QTest::mouseRelease(&view(), Qt::LeftButton, {}, pixel);
+            QTRY_VERIFY_WITH_TIMEOUT(!snapshot().playing, patience);
+            waitForGesture();
+        }
+        QVERIFY2(snapshot().health.ok, snapshot().health.message.c_str());
+        QCOMPARE(document().history().tree().records().size(), entries + std::size(places));
+        key(Qt::Key_Escape);
+        placeTool(0, at(91, -2, 45));
+        stage("kneaded");
+        double deepest = 0;
+        for (const double x : places)
+            deepest = std::max(deepest, -moveOf(vertexAt(at(x, 0, 25))).z());
+        QVERIFY2(deepest > 3 * millimeter, qPrintable(QString::number(deepest)));
+        exportByHand(file("grip.step"));
+        stage("exported");
+        QFile written(file("grip.step"));
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        QCOMPARE(written.readAll().count("ADVANCED_FACE("), 7);
         endStory();
     }
 

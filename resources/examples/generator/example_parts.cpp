@@ -5,6 +5,7 @@
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -14,8 +15,10 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Elips.hxx>
+#include <gp_Trsf.hxx>
 
 #include <cmath>
 #include <stdexcept>
@@ -167,6 +170,24 @@ std::vector<ExampleBody> makeBracket()
                                                 cylinder({-5, width / 2, height - 24}, x, 6.5, wall + 10))
                                     .Shape();
     return {{"Bracket", body, 0.27, 0.47, 0.68}, {"Bushing", sleeve, 0.83, 0.62, 0.24}};
+}
+
+std::vector<ExampleBody> makeGrip()
+{
+    constexpr double flat = 9; // below the axis
+    const TopoDS_Shape round = roundedRims(loft({{0, 0, 11, 13},
+                                                 {25, 1, 14, 15.5},
+                                                 {55, 2, 15.5, 17},
+                                                 {80, 1.5, 13, 14.5},
+                                                 {100, 1, 12.5, 13.5},
+                                                 {120, 2, 14, 14.5}}),
+                                           4);
+    gp_Trsf lying; // its axis along x, what was forward upwards
+    lying.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 1)), M_PI);
+    gp_Trsf raised;
+    raised.SetTranslation(gp_Vec(0, 0, flat));
+    const TopoDS_Shape placed = BRepBuilderAPI_Transform(round, raised * lying).Shape();
+    return {{"Grip", BRepAlgoAPI_Cut(placed, box(-10, -30, -30, 140, 30, 0)).Shape(), 0.80, 0.44, 0.25}};
 }
 
 std::vector<ExampleBody> makeHandle()

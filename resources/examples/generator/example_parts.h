@@ -29,5 +29,8 @@ std::vector<ExampleBody> makePaperBar();
 /// A plate of 60 x 44 x 6 mm with rounded corners, to break.
 std::vector<ExampleBody> makePlate();
 
+/// A grip to be kneaded, 120 mm long: it lies on its flat side.
+std::vector<ExampleBody> makeGrip();
+
 /// A curved grip that stands upright, with a swelling for the palm, and the metal ferrule below it.
 std::vector<ExampleBody> makeHandle();

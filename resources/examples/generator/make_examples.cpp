@@ -34,6 +34,7 @@ int main(int argc, char** argv)
         Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
         writeExample(argv[1], "bar", makeBar());
         writeExample(argv[1], "bracket", makeBracket());
+        writeExample(argv[1], "grip", makeGrip());
         writeExample(argv[1], "handle", makeHandle());
         writeExample(argv[1], "lump", makeLump());
         writeExample(argv[1], "paper-bar", makePaperBar());
