@@ -31,6 +31,10 @@ constexpr double nearPlane = 0.5;
 // What is deeper than this did not get there by touching [spacings].
 constexpr double mostTouching = 0.2;
 
+// In a long step no more of what is kept is let out than this share, or this much, by the width of what the point stands for.
+constexpr double mostAtOnce = 0.25;
+constexpr double leastAtOnce = 0.03;
+
 double sectionOf(const Aggregate& aggregate, ObjectIndex object)
 {
     const double a = aggregate.lattice.spacing;
@@ -337,7 +341,8 @@ bool SurfaceContacts::isWaiting() const
 double SurfaceContacts::letOut(Near& near, const Point& point, double overlap, const ContactStep& step) const
 {
     const double stored = contactSpring(overlap - near.kept, point.parameters).energy;
-    const double pushed = std::min(near.kept, point.pushSpeed * step.duration);
+    const double atOnce = std::max(leastAtOnce * std::sqrt(point.area), mostAtOnce * near.kept);
+    const double pushed = std::min({near.kept, point.pushSpeed * step.duration, atOnce});
     near.kept = std::min(near.kept - pushed, std::max(0.0, overlap)); // what comes out by itself is not pushed
     const ContactSpring spring = contactSpring(overlap - near.kept, point.parameters);
     const double last = near.pressed;

@@ -389,6 +389,58 @@ private slots:
         QVERIFY(third.snapshot()->bodies[0].aggregate == scene.bodies[0].aggregate);
     }
 
+    /// Between the points of a skin that touched it, the rim of a tool reaches into the surface. New points there keep how deep they are, and
+    /// the filling stores next to nothing in their springs.
+    void aFillingUnderASharpRimIsNoBlow()
+    {
+        Scene scene = dent();
+        Manipulator& rod = scene.manipulators[0];
+        rod.kind = ToolKind::cylinder;
+        rod.size = Vec3(0.0104, 0.0104, 0.02);
+        rod.pose.position = Vec3(-0.006, 0.012, 0.5 * size.z() + 0.0103);
+        Simulation simulation(scene);
+        Pose goal = rod.pose;
+        goal.position += Vec3(0.006, -0.010, -0.012);
+        simulation.post(SetManipulatorMotion{0, GoTo{goal}});
+        double flowed = 0;
+        while (simulation.time() < 0.25) {
+            simulation.step();
+            const SnapshotPointer now = simulation.snapshot();
+            QVERIFY2(now->health.ok, now->health.message.c_str());
+            QVERIFY2(now->energy.plastic >= flowed - 0.05 * now->energy.toolWork,
+                     qPrintable(QString("filling %1: %2 of %3 J")
+                                    .arg(now->refills)
+                                    .arg(flowed - now->energy.plastic)
+                                    .arg(now->energy.toolWork)));
+            flowed = now->energy.plastic;
+        }
+        QVERIFY(simulation.snapshot()->refills >= 2);
+        QVERIFY(simulation.snapshot()->energy.imbalanceShare() < 0.01);
+    }
+
+    /// An object of the surface that something squashed does not say how the material around it is strained.
+    void aSquashedObjectDoesNotStrainTheNextFilling()
+    {
+        const Scene scene = dent();
+        Simulation simulation(scene);
+        steps(simulation, 2);
+        Moment moment = *simulation.keepMoment();
+        const Aggregate& aggregate = *scene.bodies[0].aggregate;
+        const Vec3 top(0, 0, 0.5 * size.z());
+        ObjectIndex squashed = 0;
+        for (ObjectIndex i = 0; i < aggregate.size(); ++i)
+            if ((aggregate.lattice.position(i) - top).norm() < (aggregate.lattice.position(squashed) - top).norm())
+                squashed = i;
+        moment.bodies[0].position.set(squashed, moment.bodies[0].position.at(squashed) - Vec3(0, 0, 0.7 * spacing));
+        simulation.goTo(std::make_shared<const Moment>(moment));
+        const double before = simulation.snapshot()->energy.elastic;
+        simulation.post(Refill{0, 0});
+        simulation.applyCommands();
+        QCOMPARE(simulation.snapshot()->refills, std::uint64_t{1});
+        const double after = simulation.snapshot()->energy.elastic;
+        QVERIFY2(after < 0.5 * before, qPrintable(QString("%1 J from %2 J").arg(after).arg(before)));
+    }
+
     /// They say nothing of what carries a former shape, which is the first filling.
     void momentsOfEarlierVersionsAreRead_data()
     {
