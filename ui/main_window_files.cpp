@@ -146,11 +146,12 @@ void MainWindow::exportTo(const QString& path, const ExportRequest& request)
 {
     if (m_document.isEmpty() || isBusy())
         return;
-    const std::vector<PlannedFile> files = planFiles(path, request);
+    const auto files =
+        std::make_shared<const std::vector<PlannedFile>>(planFiles(path, request)); // large, and copied with `work`
     const auto work = [services = m_services, files, keepsReport = request.keepsReport](TaskControl& control) {
         std::vector<ExportReport> reports;
-        const auto count = static_cast<double>(files.size());
-        for (const PlannedFile& file : files) {
+        const auto count = static_cast<double>(files->size());
+        for (const PlannedFile& file : *files) {
             const auto done = static_cast<double>(reports.size());
             TaskPortion portion(control, done / count, (done + 1) / count);
             reports.push_back(services.exportParts(file.path, file.job, keepsReport, portion));

@@ -5,6 +5,8 @@
 #include "core/geometry/triangle_tree.h"
 #include "core/task/parallel_progress.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -227,6 +229,12 @@ Crossings findCrossings(const TriangleMesh& mesh, TaskControl& control, std::siz
 {
     control.throwIfCancelled();
     return mesh.empty() ? Crossings{} : CrossingSearch(mesh, control, most).run();
+}
+
+Crossings findCrossingsAlone(const TriangleMesh& mesh, std::size_t most)
+{
+    tbb::task_arena alone(1);
+    return alone.execute([&] { return findCrossings(mesh, TaskControl::none(), most); });
 }
 
 } // namespace knead

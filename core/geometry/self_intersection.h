@@ -28,4 +28,7 @@ struct Crossings {
 /// @throws Cancelled
 Crossings findCrossings(const TriangleMesh& mesh, TaskControl& control = TaskControl::none(), std::size_t most = 100);
 
+/// The same on the calling thread alone: for looks in the background, which leave processors to what a person waits for.
+Crossings findCrossingsAlone(const TriangleMesh& mesh, std::size_t most = 100);
+
 } // namespace knead

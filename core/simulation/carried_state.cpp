@@ -69,8 +69,9 @@ std::vector<int> liveConnections(const Aggregate& aggregate, std::span<const Bro
 
 /// A sliver of the surface that a tool has squashed does not say how the material around it is strained: objects whose dilatation is
 /// far from the median of their neighbors' go on with the mean of these.
-/// @param elastic strain per object, packed
-void evenOut(std::vector<Vec6>& elastic, const Aggregate& aggregate, std::span<const BrokenConnection> broken)
+/// @param elastic strain per object, packed @param isTold per object, by which the strain is known at all
+void evenOut(std::vector<Vec6>& elastic, const std::vector<std::uint8_t>& isTold, const Aggregate& aggregate,
+             std::span<const BrokenConnection> broken)
 {
     const auto dilatation = [&](ObjectIndex i) { return elastic[i].head<3>().sum(); };
     std::map<ObjectIndex, std::vector<ObjectIndex>> neighbors;
@@ -86,16 +87,18 @@ void evenOut(std::vector<Vec6>& elastic, const Aggregate& aggregate, std::span<c
                 const ObjectIndex upper = i + static_cast<ObjectIndex>(segment.offset);
                 if (aggregate.weight[d][i] <= 0 || (isBroken[i] >> d & 1U) != 0)
                     continue;
-                if (const auto found = neighbors.find(i); found != neighbors.end())
+                if (const auto found = neighbors.find(i); found != neighbors.end() && isTold[upper] != 0)
                     found->second.push_back(upper);
-                if (const auto found = neighbors.find(upper); found != neighbors.end())
+                if (const auto found = neighbors.find(upper); found != neighbors.end() && isTold[i] != 0)
                     found->second.push_back(i);
             }
     std::vector<std::pair<ObjectIndex, Vec6>> evened;
     for (auto& [object, around] : neighbors) {
+        if (around.empty())
+            continue;
         const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
         std::ranges::nth_element(around, middle, {}, dilatation);
-        const double median = around.empty() ? 0 : dilatation(*middle);
+        const double median = dilatation(*middle);
         if (std::abs(dilatation(object) - median) <= std::max(suspectDilatation, std::abs(median)))
             continue;
         Vec6 sum = Vec6::Zero();
@@ -105,7 +108,7 @@ void evenOut(std::vector<Vec6>& elastic, const Aggregate& aggregate, std::span<c
                 sum += elastic[one];
                 ++count;
             }
-        evened.emplace_back(object, count > 0 ? Vec6(sum / count) : sum);
+        evened.emplace_back(object, sum / count);
     }
     for (const auto& [object, strain] : evened)
         elastic[object] = strain;
@@ -245,17 +248,20 @@ StructuralConnections::Changes CarriedState::changes(const MaterialMap& material
     // What hangs on a few connections beside cracks says nothing of how the material around it is strained.
     const std::vector<int> connections = liveConnections(from, old.broken);
     std::vector<Vec6> elastic(from.size(), Vec6::Zero());
+    std::vector<std::uint8_t> isTold(from.size(), 0);
     forEachBlock(from.size(), objectsPerBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             if (connections[i] < connectionsOfCorner)
                 continue;
             const Mat3 strain = strains.elastic(static_cast<ObjectIndex>(i)).strain;
-            if (old.broken.empty() || std::abs(strain.trace()) < mostDilatation)
+            if (old.broken.empty() || std::abs(strain.trace()) < mostDilatation) {
                 elastic[i] = packed(strain);
+                isTold[i] = 1;
+            }
         }
     });
 
-    evenOut(elastic, from, old.broken);
+    evenOut(elastic, isTold, from, old.broken);
 
     const std::size_t count = m_aggregate.size();
     const Mat3& axes = m_aggregate.lattice.axes;

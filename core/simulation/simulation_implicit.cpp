@@ -158,11 +158,12 @@ double Simulation::State::fastestSurface() const
 {
     double fastest = 0;
     const Box material = materialBox();
+    const double ahead = std::max(frame, frameStep());
     for (const auto& tool : tools) {
         if (!tool)
             continue;
         const Manipulator& manipulator = tool->manipulator;
-        const Pose next = wantedPose(*tool, frame);
+        const Pose next = wantedPose(*tool, ahead);
         const double turn = next.rotation.angularDistance(manipulator.pose.rotation);
         const Vec3 way = next.position - manipulator.pose.position;
         const double reach = 0.5 * manipulator.size.norm();
@@ -170,8 +171,8 @@ double Simulation::State::fastestSurface() const
         swept.extend(next.position);
         if (Box(swept.min().array() - reach, swept.max().array() + reach).intersection(material).isEmpty())
             continue;
-        const double speed = isStalled(*tool, way) ? tool->velocity.norm() : way.norm() / frame;
-        fastest = std::max(fastest, speed + turn * 0.5 * manipulator.size.norm() / frame);
+        const double speed = isStalled(*tool, way) ? tool->velocity.norm() : way.norm() / ahead;
+        fastest = std::max(fastest, speed + turn * 0.5 * manipulator.size.norm() / ahead);
     }
     return fastest;
 }

@@ -27,6 +27,8 @@ constexpr double largestStretch = 3;
 // What has cracks is filled as the surface around it says, which closes those that gape: they must not have grown to more than this
 // share of the volume that the body had at first.
 constexpr double mostGaping = 0.02;
+// A body is not filled anew while a tool that was put into it pushes it out of this depth; fillings themselves leave less [spacings].
+constexpr double mostKept = 0.5;
 // And beyond this it is not material any more, which the look at the health of the state finds.
 constexpr double beyondStretch = 30;
 
@@ -87,7 +89,10 @@ std::string Simulation::State::whyNotRefilled(BodyId id) const
             return name + "has a load on a box, which says nothing of its present shape. Put it on faces.";
     if (!std::isfinite(largestSpeed(run.state)))
         return name + "moves out of all bounds.";
-    if (contacts->isPushingOut())
+    const double deep = mostKept * body.aggregate->lattice.spacing;
+    if (contacts->isPushingOut() && std::ranges::any_of(contacts->memory().touches, [&](const auto& touch) {
+            return touch.body == id && touch.kept > deep;
+        }))
         return name + "is still being pushed out of a tool that was put into it.";
     return {};
 }

@@ -4249,6 +4249,10 @@ Simuliert: %2, Schritt %3
         <source>%1 (limit)</source>
         <translation>%1 (Grenze)</translation>
     </message>
+    <message>
+        <source>%1 is locked: unlock it in the model tree to press with it.</source>
+        <translation>%1 ist gesperrt: Im Modellbaum entsperren, um damit zu drücken.</translation>
+    </message>
 </context>
 <context>
     <name>ProbePanel</name>

@@ -4249,6 +4249,10 @@ Simulé&#xa0;: %2, pas %3
         <source>%1 (limit)</source>
         <translation>%1 (limite)</translation>
     </message>
+    <message>
+        <source>%1 is locked: unlock it in the model tree to press with it.</source>
+        <translation>%1 est verrouillé : le déverrouiller dans l’arbre du modèle pour presser avec.</translation>
+    </message>
 </context>
 <context>
     <name>ProbePanel</name>

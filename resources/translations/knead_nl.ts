@@ -4249,6 +4249,10 @@ Gesimuleerd: %2, stap %3
         <source>%1 (limit)</source>
         <translation>%1 (grens)</translation>
     </message>
+    <message>
+        <source>%1 is locked: unlock it in the model tree to press with it.</source>
+        <translation>%1 is vergrendeld: ontgrendel het in de modelboom om ermee te drukken.</translation>
+    </message>
 </context>
 <context>
     <name>ProbePanel</name>

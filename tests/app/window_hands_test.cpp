@@ -563,6 +563,56 @@ private slots:
         verifyStraightRun();
     }
 
+    /// Whatever comes between, time stands still again and no gesture is left open.
+    void pressesEnd_data()
+    {
+        QTest::addColumn<int>("how");
+        QTest::newRow("let go before the thumb is there, and once more") << 0;
+        QTest::newRow("the tool is removed") << 1;
+        QTest::newRow("time is stopped") << 2;
+    }
+    void pressesEnd()
+    {
+        QFETCH(int, how);
+        openBar();
+        fixBack();
+        key(Qt::Key_1, Qt::KeypadModifier);
+        key(Qt::Key_F);
+        rest(500);
+        settle();
+        const PressHand& hand = m_window->hands().pressing();
+        key(Qt::Key_F5);
+        const Box box = document().content().box;
+        const QPoint pixel = view().widgetPosition(Vec3(box.center().x(), box.min().y(), box.center().z()))->toPoint();
+        press(pixel);
+        QVERIFY(hand.isPressing());
+        if (how == 0) {
+            release();
+            press(pixel);
+            release();
+        } else {
+            QTRY_VERIFY_WITH_TIMEOUT(hand.force() > 0, patience);
+            if (how == 1)
+                key(Qt::Key_Delete);
+            if (how == 2)
+                key(Qt::Key_Space);
+            release();
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(!snapshot().playing && !hand.isPressing(), patience);
+        settle();
+        QVERIFY(!document().isInGesture());
+        QCOMPARE(snapshot().tools.size(), std::size_t{how == 1 ? 0U : 1U});
+        if (how == 2) {
+            const Vec3 place = tool().pose.position;
+            key(Qt::Key_Space);
+            const double time = snapshot().time;
+            QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > time + 0.1, patience);
+            QVERIFY((tool().pose.position - place).norm() < 1e-3); // nobody holds it
+            key(Qt::Key_Space);
+            QTRY_VERIFY(!snapshot().playing);
+        }
+    }
+
     void whatCannotBePressedSaysWhy()
     {
         openBar();

@@ -94,6 +94,8 @@ private slots:
             {"automaticRange", "automaticRange"}, {"sectionHatched", "sectionHatched"}, {"gizmoOwnAxes", "ownAxes"}};
         int boxes = 0;
         for (const QCheckBox* box : ofPanels<QCheckBox>()) {
+            if (box->objectName() == "toolRolls") // of the selected tool, as the numbers below
+                continue;
             QString name = actionOfBox.value(box->objectName());
             if (name.isEmpty() && box->objectName().endsWith("Box"))
                 name = box->objectName().chopped(3);

@@ -416,6 +416,13 @@ private slots:
         }
         QVERIFY(simulation.snapshot()->refills >= 2);
         QVERIFY(simulation.snapshot()->energy.imbalanceShare() < 0.01);
+        // What it keeps is nothing to wait for.
+        const std::uint64_t refills = simulation.snapshot()->refills;
+        for (const double finer : {0.95, 1.0}) {
+            simulation.post(Refill{0, finer * spacing});
+            simulation.applyCommands();
+        }
+        QVERIFY2(simulation.snapshot()->refills == refills + 2, simulation.snapshot()->notice.c_str());
     }
 
     /// An object of the surface that something squashed does not say how the material around it is strained.

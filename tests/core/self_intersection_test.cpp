@@ -329,6 +329,7 @@ void SelfIntersectionTest::anyNumberOfThreadsGivesTheSame()
     QCOMPARE(one.some.size(), std::size_t(100));
     for (const int threads : {2, 4})
         QVERIFY(same(one, onThreads(threads, [&] { return findCrossings(mesh); })));
+    QVERIFY(same(one, findCrossingsAlone(mesh)));
 }
 
 void SelfIntersectionTest::fewPairsComeFromAllOver()

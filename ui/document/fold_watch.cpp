@@ -64,8 +64,8 @@ double depthOf(const Corners& one, const Corners& other)
 /// Triangles that cross others deeper than roughness, ascending.
 std::vector<std::uint32_t> foldedTriangles(const TriangleMesh& mesh, const std::vector<Vec3>& places, double depth)
 {
-    const Crossings found = findCrossings({.vertices = places, .triangles = mesh.triangles, .faceOfTriangle = {}},
-                                          TaskControl::none(), most);
+    const Crossings found =
+        findCrossingsAlone({.vertices = places, .triangles = mesh.triangles, .faceOfTriangle = {}}, most);
     const auto cornersOf = [&](std::uint32_t triangle) {
         const TriangleMesh::Triangle& t = mesh.triangles[triangle];
         return Corners{places[t[0]], places[t[1]], places[t[2]]};
@@ -133,7 +133,7 @@ FoldWatch::FoldWatch(Document& document, QObject* parent)
 void FoldWatch::documentChanged(Document::Change what)
 {
     if (what == Document::Change::Content) {
-        m_seen = nullptr;
+        m_seen = m_found = nullptr;
         if (!std::exchange(m_folds, {}).empty())
             emit changed();
     }
@@ -171,6 +171,7 @@ void FoldWatch::take(const FramePointer& frame, std::vector<Fold> folds)
         m_timer->start(stillness);
     if (m_seen != frame) // another content by now
         return;
+    m_found = frame;
     const std::vector<Fold> before = std::exchange(m_folds, std::move(folds));
     for (const Fold& fold : m_folds)
         if (std::ranges::find(before, fold.body, &Fold::body) == before.end())
@@ -185,8 +186,8 @@ void FoldWatch::take(const FramePointer& frame, std::vector<Fold> folds)
 std::vector<Vec3> FoldWatch::placesOf(const Fold& fold) const
 {
     const FramePointer frame = m_document.frame();
-    if (!frame || !m_seen || fold.body >= frame->bodies.size() ||
-        !haveSameSurface(*frame->filled[fold.body], *m_seen->filled[fold.body]))
+    if (!frame || !m_found || fold.body >= frame->bodies.size() ||
+        !haveSameSurface(*frame->filled[fold.body], *m_found->filled[fold.body]))
         return {};
     const TriangleMesh& mesh = frame->filled[fold.body]->mesh;
     const std::vector<Vec3>& places = frame->bodies[fold.body]->places;

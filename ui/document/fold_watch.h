@@ -49,7 +49,8 @@ private:
     Document& m_document;
     QTimer* m_timer;
     QElapsedTimer m_clock;
-    FramePointer m_seen; ///< the last that was looked at
+    FramePointer m_seen;  ///< the last that was looked at, or is
+    FramePointer m_found; ///< that `m_folds` are of
     bool m_isLooking = false;
     qint64 m_lookTime = 0; ///< that the last look took [ms]
     std::vector<Fold> m_folds;

@@ -22,6 +22,7 @@ constexpr double thumbFriction = 0.3;
 constexpr double normalShare = 0.35; // the surface's normal is its mean within this share of the tool's size
 constexpr double gapShare = 0.25;    // between tool and surface before it is pressed and after, in spacings
 constexpr double arrived = 1e-3;     // of the gap
+constexpr double patience = 0.5;     // with a tool that something holds, beyond what its way takes [s]
 constexpr double atLimit = 0.97;     // of its limit, which holds a tool up
 const std::string thumbName = "Thumb ";
 
@@ -70,7 +71,7 @@ void PressHand::documentChanged(Document::Change what)
 /// Presses on tools and on the cube go on to the view.
 bool PressHand::mousePressed(QMouseEvent& event)
 {
-    if (isPressing())
+    if (m_press && !m_press->isTold)
         return event.button() == Qt::LeftButton;
     if (!m_isOn || event.button() != Qt::LeftButton || m_view.isLookingBack() || m_document.isEmpty() ||
         m_document.isGoing() || m_view.isOnCube(event.position()))
@@ -78,11 +79,27 @@ bool PressHand::mousePressed(QMouseEvent& event)
     const PickHit hit = m_view.hitAt(event.position());
     if (hit.kind != PickHit::Kind::Body)
         return false;
+    if (const QString reason = whyNotPressed(hit.id); !reason.isEmpty()) {
+        emit refused(reason);
+        return true;
+    }
     const bool makesTimeRun = m_press ? m_press->makesTimeRun : !m_document.isPlaying();
     letGo(); // of one that still goes up
     m_cursor = event.position();
     begin(hit, makesTimeRun);
     return true;
+}
+
+QString PressHand::whyNotPressed(BodyId body) const
+{
+    if (m_document.frame()->snapshot->bodies[body].kind != BodyKind::deformable)
+        return tr("%1 does not deform: make it deformable in the properties to press into it.")
+            .arg(m_document.nameOfBody(body));
+    const ToolState* tool = toolToTake();
+    if (tool != nullptr && m_document.isLocked({Selection::Kind::Tool, tool->id}))
+        return tr("%1 is locked: unlock it in the model tree to press with it.")
+            .arg(QString::fromStdString(tool->name));
+    return {};
 }
 
 /// The one that is selected, else the last thumb; null: there is none yet.
@@ -108,10 +125,6 @@ void PressHand::begin(const PickHit& hit, bool makesTimeRun)
     const Frame& frame = *m_document.frame();
     const Snapshot& now = *frame.snapshot;
     const QString name = m_document.nameOfBody(hit.id);
-    if (now.bodies[hit.id].kind != BodyKind::deformable) {
-        emit refused(tr("%1 does not deform: make it deformable in the properties to press into it.").arg(name));
-        return;
-    }
     const double spacing = frame.filled[hit.id]->aggregate->lattice.spacing;
     const auto posesOf = [&](const ToolShape& shape, const Quaternion& rotation) {
         const Vec3 normal = normalAround(frame.filled[hit.id]->render.triangles, frame.bodies[hit.id]->points,
@@ -143,9 +156,9 @@ void PressHand::begin(const PickHit& hit, bool makesTimeRun)
         press.poses = posesOf(thumb.shape(), thumb.pose.rotation);
         press.isNew = true;
         thumb.pose = press.poses.away;
-        thumb.motion = GoTo{press.poses.deep};
         m_document.post(AddManipulator{std::move(thumb)}, entry);
     }
+    press.request = m_document.requests();
     m_press = std::move(press);
     m_view.setFocus(Qt::MouseFocusReason);
     m_view.setCursor(Qt::ClosedHandCursor);
@@ -163,22 +176,29 @@ bool PressHand::mouseMoved(QMouseEvent& event)
     return (event.buttons() & Qt::MiddleButton) == 0; // with which the view turns
 }
 
-/// With every picture: a new thumb is selected as soon as it is there, so that its force can be typed; one that is lifted has gone
-/// when it is back where it came from.
+/// With every picture: a new thumb goes down as soon as it is there, and is selected, so that its force can be typed; one that is
+/// lifted has gone when it is back where it came from.
 void PressHand::follow()
 {
     const ToolState* tool = toolNow();
-    if (tool != nullptr && std::exchange(m_press->isNew, false))
-        m_document.select({Selection::Kind::Tool, tool->id});
-    const Vec3 way = m_press->poses.away.position - m_press->poses.deep.position;
-    const bool isGone = tool == nullptr
-                            ? !m_press->isNew
-                            : (tool->pose.position - m_press->poses.away.position).norm() < arrived * way.norm();
     if (!m_document.isPlaying()) // it ran into trouble
-        letGo();
-    else if (m_press->isLeaving && !m_press->isTold)
+        return letGo();
+    if (tool == nullptr) { // not there yet, or refused, or removed
+        if (m_document.hasSeen(m_press->request))
+            finish();
+        return;
+    }
+    if (std::exchange(m_press->isNew, false)) {
+        m_document.select({Selection::Kind::Tool, tool->id});
+        if (!m_press->isLeaving)
+            m_document.post(SetManipulatorMotion{tool->id, GoTo{m_press->poses.deep}});
+    }
+    if (m_press->isLeaving && !m_press->isTold)
         goAway();
-    else if (m_press->isLeaving && isGone)
+    const Vec3 way = m_press->poses.away.position - m_press->poses.deep.position;
+    const bool isGone = (tool->pose.position - m_press->poses.away.position).norm() < arrived * way.norm() ||
+                        m_document.frame()->snapshot->time > m_press->leaveBy;
+    if (m_press->isTold && isGone)
         finish();
     else
         m_overlay->refresh();
@@ -221,22 +241,28 @@ void PressHand::goAway()
     if (tool == nullptr)
         return;
     m_press->isTold = true;
+    const double way = (m_press->poses.away.position - tool->pose.position).norm();
+    m_press->leaveBy = m_document.frame()->snapshot->time + 2 * way / tool->speedLimit + patience;
     m_document.post(SetManipulatorMotion{tool->id, GoTo{m_press->poses.away}});
 }
 
-/// Time stands still again if the hand made it run.
+/// Time stands still again if the hand made it run, and no other hand works.
 void PressHand::finish()
 {
-    if (m_press->makesTimeRun && m_document.isPlaying())
-        m_document.pause(); // and so lets go
-    else
-        letGo();
+    const bool makesTimeRun = m_press->makesTimeRun;
+    letGo();
+    if (makesTimeRun && m_document.isPlaying() && !m_document.isInGesture())
+        m_document.pause();
 }
 
+/// What still presses stays where it is.
 void PressHand::letGo()
 {
-    if (!std::exchange(m_press, {}))
+    if (!m_press)
         return;
+    if (const ToolState* tool = toolNow(); tool != nullptr && !m_press->isTold)
+        m_document.post(SetManipulatorMotion{tool->id, HoldStill{}});
+    m_press.reset();
     m_document.endGesture(Document::Ends::soon);
     m_view.setCursor(m_view.usualCursor());
     m_overlay->refresh();

@@ -8,6 +8,7 @@
 
 #include <QPointF>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -39,16 +40,19 @@ protected:
 
 private:
     struct Press {
-        std::string tool; ///< its name; its number is what the simulation says
-        bool isNew = false;
+        std::string tool;          ///< its name; its number is what the simulation says
+        std::uint64_t request = 0; ///< by which the simulation has it, if it ever does
+        bool isNew = false;        ///< it is not told yet where to go
         PressPoses poses;
         double limit = 0;          ///< [N]
         bool makesTimeRun = false; ///< it stood still before
         bool isLeaving = false;    ///< it is lifted
         bool isTold = false;       ///< to leave
+        double leaveBy = 0;        ///< simulated; it is left where it is then [s]
     };
 
     void documentChanged(Document::Change what);
+    QString whyNotPressed(BodyId body) const;
     void begin(const PickHit& hit, bool makesTimeRun);
     void follow();
     void lift();
