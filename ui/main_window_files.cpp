@@ -174,9 +174,11 @@ std::vector<MainWindow::PlannedFile> MainWindow::planFiles(const QString& path, 
         one.job.options.unit = unit;
         return one;
     };
-    if (!request.onePerPart)
-        return {planned(path, keep)};
     std::vector<PlannedFile> files;
+    if (!request.onePerPart) {
+        files.push_back(planned(path, keep));
+        return files;
+    }
     const QFileInfo info(path);
     QStringList used;
     for (std::size_t p = 0; p < model.parts.size(); ++p) {

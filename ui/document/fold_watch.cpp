@@ -5,6 +5,8 @@
 
 #include <QTimer>
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -14,6 +16,7 @@ namespace knead {
 
 namespace {
 
+constexpr int lowPriority = 15;     // of the thread that looks, as nice has it
 constexpr int stillness = 300;      // after the last frame, when time stands still [ms]
 constexpr int interval = 1000;      // between looks while time runs, at least [ms]
 constexpr qint64 rarity = 20;       // and as many times what a look took
@@ -126,6 +129,8 @@ FoldWatch::FoldWatch(Document& document, QObject* parent)
 {
     m_timer->setSingleShot(true);
     m_clock.start();
+    // On Linux of the calling thread alone: whatever a person waits for goes first.
+    m_worker.run([] { setpriority(PRIO_PROCESS, 0, lowPriority); });
     connect(m_timer, &QTimer::timeout, this, &FoldWatch::look);
     connect(&document, &Document::changed, this, &FoldWatch::documentChanged);
 }
