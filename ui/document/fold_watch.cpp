@@ -90,7 +90,7 @@ bool isMoved(const ContentBody& body, const BodyFrame& frame)
     return !std::ranges::equal(body.mesh.vertices, frame.places);
 }
 
-/// "114, -7.55, 0 mm"
+/// "114.0, -7.6, 0.0 mm"
 QString placeText(const Vec3& place)
 {
     const ShownUnit unit = shownUnit(place.cwiseAbs().maxCoeff(), Quantity::Length);

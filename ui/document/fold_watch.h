@@ -7,8 +7,6 @@
 #include <QObject>
 
 #include <cstdint>
-#include <map>
-#include <optional>
 #include <vector>
 
 class QTimer;
@@ -22,8 +20,8 @@ struct Fold {
     std::vector<std::uint32_t> triangles; ///< of ContentBody::mesh, some of those that cross others, ascending
 };
 
-/// Of bodies that deform and have not come apart; those whose surface crosses itself at rest are left out. Any thread; 20 to 200 ms
-/// for 10,000 to 100,000 triangles.
+/// Of bodies that deform and have not come apart; those whose surface crosses itself at rest are left out. Any thread, and on that
+/// alone; O(n lg n), twice for a body that is folded.
 std::vector<Fold> foldsOf(const Frame& frame);
 
 /// Looks for folds while a person works, on a thread of its own: once a second or more seldom while time runs, and once when it
