@@ -199,7 +199,8 @@ private:
     std::vector<PlannedFile> planFiles(const QString& path, const ExportRequest& request) const;
     std::vector<bool> partsFor(ExportRequest::Which which) const;
     void showExport(const std::vector<ExportReport>& reports);
-    QString askForTextFile(const QString& title, const QString& ending, const QString& filters);
+    void askForTextFile(const QString& title, const QString& ending, const QStringList& filters,
+                        std::function<void(const QString& path)> then);
     void writeFile(const QString& path, std::function<QByteArray()> bytes);
     void askForMeasurementFile();
     void compareWithOriginal();

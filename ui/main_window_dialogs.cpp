@@ -2,16 +2,14 @@
 #include "ui/main_window.h"
 
 #include "ui/dialogs/export_dialog.h"
+#include "ui/dialogs/file_question.h"
 #include "ui/dialogs/import_dialog.h"
 #include "ui/project/project_keeper.h"
 #include "ui/selection/selection_model.h"
 #include "ui/viewport/viewport_widget.h"
 
-#include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
-#include <QSettings>
 
 namespace knead {
 
@@ -50,14 +48,11 @@ void MainWindow::askForFile(bool withChoices)
         filters.insert(1, m_projects->filter());
         filters.insert(2, tr("Recipes (%1)").arg(recipes));
     }
-    QSettings settings;
-    const QStringList paths =
-        QFileDialog::getOpenFileNames(this, withChoices ? tr("Open parts") : tr("Open a project, a recipe or parts"),
-                                      settings.value("folder").toString(), filters.join(";;"));
-    if (paths.isEmpty())
-        return;
-    settings.setValue("folder", QFileInfo(paths.front()).absolutePath());
-    m_projects->letGo([this, withChoices, paths] { withChoices ? openWithChoices(paths) : open(paths); });
+    const QString title = withChoices ? tr("Open parts") : tr("Open a project, a recipe or parts");
+    const FileQuestion question{.name = "openDialog", .title = title, .filters = filters, .key = "folder"};
+    askForFilesToRead(*this, question, [this, withChoices](const QStringList& paths) {
+        m_projects->letGo([this, withChoices, paths] { withChoices ? openWithChoices(paths) : open(paths); });
+    });
 }
 
 void MainWindow::askForChoices(std::vector<FilePreview> previews)
@@ -90,18 +85,13 @@ void MainWindow::askForPlace(const ExportRequest& request, const Services::Forma
 {
     const QString proposed = QFileInfo(QString::fromStdString(m_document.content().model->file)).completeBaseName();
     const QString ending = QString::fromStdString(format.endings.front());
-    QSettings settings;
-    QString path = QFileDialog::getSaveFileName(
-        this, request.onePerPart ? tr("Export a file for each part") : tr("Export the deformed parts"),
-        QDir(settings.value("exportFolder", settings.value("folder")).toString())
-            .filePath(proposed + "-deformed." + ending),
-        filterOf(format));
-    if (path.isEmpty())
-        return;
-    settings.setValue("exportFolder", QFileInfo(path).absolutePath());
-    if (QFileInfo(path).suffix().isEmpty())
-        path += '.' + ending;
-    exportTo(path, request);
+    const FileQuestion question{.name = "exportFileDialog",
+                                .title = request.onePerPart ? tr("Export a file for each part")
+                                                            : tr("Export the deformed parts"),
+                                .filters = {filterOf(format)},
+                                .key = "exportFolder",
+                                .file = proposed + "-deformed." + ending};
+    askForFileToWrite(*this, question, [this, request](const QString& path) { exportTo(path, request); });
 }
 
 void MainWindow::showControls()

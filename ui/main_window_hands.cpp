@@ -72,9 +72,8 @@ void MainWindow::connectHands()
 
 void MainWindow::askForForces()
 {
-    const QString path = askForTextFile(tr("Export forces over time"), "-forces.csv", tr("Table (*.csv)"));
-    if (!path.isEmpty())
-        exportForces(path);
+    askForTextFile(tr("Export forces over time"), "-forces.csv", {tr("Table (*.csv)")},
+                   [this](const QString& path) { exportForces(path); });
 }
 
 void MainWindow::exportForces(const QString& path)

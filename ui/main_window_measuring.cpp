@@ -3,6 +3,7 @@
 
 #include "ui/actions.h"
 #include "ui/dialogs/comparison_dialog.h"
+#include "ui/dialogs/file_question.h"
 #include "ui/measuring/comparison.h"
 #include "ui/measuring/measuring.h"
 #include "ui/panels/banner.h"
@@ -13,13 +14,9 @@
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
-#include <QDir>
 #include <QDockWidget>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QRegularExpression>
-#include <QSettings>
 
 #include <stdexcept>
 
@@ -36,12 +33,6 @@ void write(const QByteArray& bytes, const std::string& pathForNow, const QString
             MainWindow::tr("%1 cannot be written (%2). Choose another folder, or make room on the disk.")
                 .arg(path, file.errorString())
                 .toStdString());
-}
-
-/// "html" of "Web page (*.html *.htm)".
-QString endingOf(const QString& filter)
-{
-    return filter.section("*.", 1, 1).section(QRegularExpression("[^a-z]"), 0, 0);
 }
 
 } // namespace
@@ -105,9 +96,8 @@ void MainWindow::makeProbes()
         dock->raise();
     });
     connect(panel, &ProbePanel::csvWanted, this, [this] {
-        const QString path = askForTextFile(tr("Write what the probes read"), "-probes.csv", tr("Table (*.csv)"));
-        if (!path.isEmpty())
-            writeProbes(path);
+        askForTextFile(tr("Write what the probes read"), "-probes.csv", {tr("Table (*.csv)")},
+                       [this](const QString& path) { writeProbes(path); });
     });
     const auto mark = [this] { m_measuring->setOtherMarks(probeMarks()); };
     connect(m_probes, &ProbeSet::changed, this, mark);
@@ -140,26 +130,20 @@ void MainWindow::writeProbes(const QString& path)
     writeFile(path, [probes = m_probes->all()] { return csvOf(probes).toUtf8(); });
 }
 
-QString MainWindow::askForTextFile(const QString& title, const QString& ending, const QString& filters)
+/// @param ending of the name that is proposed, after that of the part
+void MainWindow::askForTextFile(const QString& title, const QString& ending, const QStringList& filters,
+                                std::function<void(const QString& path)> then)
 {
-    QSettings settings;
     const QString stem = QFileInfo(QString::fromStdString(m_document.content().model->file)).completeBaseName();
-    const QDir folder(settings.value("exportFolder", settings.value("folder")).toString());
-    QString filter;
-    QString path = QFileDialog::getSaveFileName(this, title, folder.filePath(stem + ending), filters, &filter);
-    if (path.isEmpty())
-        return {};
-    settings.setValue("exportFolder", QFileInfo(path).absolutePath());
-    if (QFileInfo(path).suffix().isEmpty())
-        path += '.' + (filter.isEmpty() ? QFileInfo(ending).suffix() : endingOf(filter));
-    return path;
+    const FileQuestion question{
+        .name = "textFileDialog", .title = title, .filters = filters, .key = "exportFolder", .file = stem + ending};
+    askForFileToWrite(*this, question, std::move(then));
 }
 
 void MainWindow::askForMeasurementFile()
 {
-    const QString path = askForTextFile(tr("Write what was measured"), "-measured.csv", tr("Table (*.csv)"));
-    if (!path.isEmpty())
-        writeMeasurements(path);
+    askForTextFile(tr("Write what was measured"), "-measured.csv", {tr("Table (*.csv)")},
+                   [this](const QString& path) { writeMeasurements(path); });
 }
 
 void MainWindow::writeMeasurements(const QString& path)
@@ -221,10 +205,8 @@ void MainWindow::showComparison(const ComparisonReport& report)
             dialog->close();
     });
     connect(dialog, &ComparisonDialog::reportWanted, this, [this, report] {
-        const QString path = askForTextFile(tr("Write a report"), "-report.pdf",
-                                            tr("PDF (*.pdf)") + ";;" + tr("Web page (*.html *.htm)"));
-        if (!path.isEmpty())
-            writeReport(path, report);
+        askForTextFile(tr("Write a report"), "-report.pdf", {tr("PDF (*.pdf)"), tr("Web page (*.html *.htm)")},
+                       [this, report](const QString& path) { writeReport(path, report); });
     });
     dialog->show();
     dialog->activateWindow(); // keys are its own, Esc for one

@@ -1,16 +1,14 @@
 // Recipes in the main window: opened, to be played; and written, of what was done.
 #include "ui/main_window.h"
 
+#include "ui/dialogs/file_question.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/log_panel.h"
 #include "ui/project/project_keeper.h"
 #include "ui/project/recent_files.h"
 
-#include <QDir>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QSettings>
 
 #include <algorithm>
 
@@ -69,22 +67,13 @@ void MainWindow::askForRecipe()
 {
     if (m_document.isEmpty())
         return;
-    QSettings settings;
-    auto* dialog = new QFileDialog(this, tr("Export as a recipe"));
-    dialog->setObjectName("recipeDialog");
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setFileMode(QFileDialog::AnyFile);
-    dialog->setNameFilter(tr("Recipes (*.%1)").arg(QString::fromStdString(m_services.recipes.ending)));
-    dialog->setDefaultSuffix(QString::fromStdString(m_services.recipes.ending));
-    dialog->setDirectory(settings.value("recipeFolder", settings.value("folder")).toString());
-    dialog->selectFile(QFileInfo(m_projects->name()).completeBaseName() + ".recipe." +
-                       QString::fromStdString(m_services.recipes.ending));
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        QSettings().setValue("recipeFolder", QFileInfo(path).absolutePath());
-        exportRecipe(path);
-    });
-    dialog->open();
+    const QString ending = QString::fromStdString(m_services.recipes.ending);
+    const FileQuestion question{.name = "recipeDialog",
+                                .title = tr("Export as a recipe"),
+                                .filters = {tr("Recipes (*.%1)").arg(ending)},
+                                .key = "recipeFolder",
+                                .file = QFileInfo(m_projects->name()).completeBaseName() + ".recipe." + ending};
+    askForFileToWrite(*this, question, [this](const QString& path) { exportRecipe(path); });
 }
 
 void MainWindow::exportRecipe(const QString& path)

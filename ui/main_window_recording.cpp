@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include "ui/actions.h"
+#include "ui/dialogs/file_question.h"
 #include "ui/dialogs/record_dialog.h"
 #include "ui/panels/log_panel.h"
 #include "ui/recording/studio.h"
@@ -11,10 +12,7 @@
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
-#include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QSettings>
 
 namespace knead {
 
@@ -49,17 +47,12 @@ void MainWindow::askForPlace(const Recording& recording)
 {
     const bool isVideo = recording.kind == Recording::Kind::video;
     const QString proposed = QFileInfo(QString::fromStdString(m_document.content().model->file)).completeBaseName();
-    QSettings settings;
-    const QDir folder(settings.value("record/folder", settings.value("folder")).toString());
-    QString path = QFileDialog::getSaveFileName(
-        this, isVideo ? tr("Save the video") : tr("Make a folder for the pictures"),
-        folder.filePath(proposed + (isVideo ? ".ogv" : "-pictures")), isVideo ? tr("Video (*.ogv)") : tr("Folder (*)"));
-    if (path.isEmpty())
-        return;
-    settings.setValue("record/folder", QFileInfo(path).absolutePath());
-    if (isVideo && QFileInfo(path).suffix().isEmpty())
-        path += ".ogv";
-    record(path, recording);
+    const FileQuestion question{.name = "recordFileDialog",
+                                .title = isVideo ? tr("Save the video") : tr("Make a folder for the pictures"),
+                                .filters = {isVideo ? tr("Video (*.ogv)") : tr("Folder (*)")},
+                                .key = "record/folder",
+                                .file = proposed + (isVideo ? ".ogv" : "-pictures")};
+    askForFileToWrite(*this, question, [this, recording](const QString& path) { record(path, recording); });
 }
 
 void MainWindow::record(const QString& path, const Recording& recording)

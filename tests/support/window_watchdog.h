@@ -38,8 +38,9 @@ inline double slowness()
     return std::max(1.0, best / there);
 }
 
-/// An application that watches how long each event keeps the window's thread from the next one. Drawing the view is told apart: on
-/// a machine without a graphics card the processor does it. Loops of dialogs are not the event that opened them.
+/// An application that watches how long each event keeps the window's thread from the next one. Drawing the view, and putting its
+/// picture together with those of the widgets, is told apart: on a machine without a graphics card the processor does it. Loops
+/// of dialogs are not the event that opened them.
 class WatchedApplication final : public QApplication {
 public:
     using QApplication::QApplication;
@@ -66,27 +67,50 @@ public:
             return draw(receiver, event);
         const int level = thread()->loopLevel();
         if (!m_running.empty() && m_running.back().level == level)
-            return QApplication::notify(receiver, event); // part of another event
+            return part(receiver, event);
         const QString name = nameOf(receiver);
         const QEvent::Type type = event->type();
         const double start = ownTime();
-        m_running.push_back({level, 0});
+        m_running.push_back({level});
         const bool result = QApplication::notify(receiver, event);
-        const double elsewhere = m_running.back().elsewhere;
+        const Running ran = m_running.back();
         m_running.pop_back();
         const double total = ownTime() - start;
         if (!m_running.empty())
             m_running.back().elsewhere += total;
-        if (total - elsewhere > m_longest.time)
-            m_longest = {total - elsewhere, QStringLiteral("event %1 of %2").arg(int(type)).arg(name)};
+        double busy = total - ran.elsewhere;
+        if (type ==
+            QEvent::
+                UpdateRequest) { // what is not painting is putting the pictures of the widgets and the view together
+            m_longestDrawing = std::max(m_longestDrawing, busy - ran.painting);
+            busy = ran.painting;
+        }
+        if (busy > m_longest.time)
+            m_longest = {busy, QStringLiteral("event %1 of %2").arg(int(type)).arg(name)};
         return result;
     }
 
 private:
     struct Running {
-        int level = 0;        ///< of the event loop
-        double elsewhere = 0; ///< in drawing and in events of loops within [s]
+        int level = 0;           ///< of the event loop
+        double elsewhere = 0;    ///< in drawing and in events of loops within [s]
+        double painting = 0;     ///< widgets but for the view [s]
+        bool isPainting = false; ///< a widget, now
     };
+
+    /// An event that another one sends.
+    bool part(QObject* receiver, QEvent* event)
+    {
+        if (event->type() != QEvent::Paint || m_running.back().isPainting)
+            return QApplication::notify(receiver, event);
+        const std::size_t running = m_running.size() - 1;
+        const double start = ownTime() - m_running[running].elsewhere;
+        m_running[running].isPainting = true;
+        const bool result = QApplication::notify(receiver, event);
+        m_running[running].isPainting = false;
+        m_running[running].painting += ownTime() - m_running[running].elsewhere - start;
+        return result;
+    }
 
     static bool isDrawing(const QObject& receiver, const QEvent& event)
     {

@@ -1,6 +1,7 @@
 // How a project is saved, and what is asked before unsaved work would be lost.
 #include "ui/project/project_keeper.h"
 
+#include "ui/dialogs/file_question.h"
 #include "ui/project/project_view.h"
 #include "ui/project/recent_files.h"
 #include "ui/shell/thumbnails.h"
@@ -8,12 +9,9 @@
 #include "ui/theme.h"
 #include "ui/viewport/viewport_widget.h"
 
-#include <QDir>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
-#include <QSettings>
 #include <QTimer>
 
 #include <chrono>
@@ -75,22 +73,15 @@ void ProjectKeeper::saveAs(std::function<void()> then)
 {
     if (m_window.document.isEmpty())
         return;
-    auto* dialog = new QFileDialog(m_window.widget, tr("Save the project"));
-    dialog->setObjectName("saveDialog");
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setFileMode(QFileDialog::AnyFile);
-    dialog->setNameFilter(filter());
-    dialog->setDefaultSuffix(QString::fromStdString(m_services.ending));
-    QSettings settings;
-    const QVariant folder = settings.value("projectFolder", settings.value("folder", QDir::homePath()));
-    dialog->setDirectory(m_path.isEmpty() ? folder.toString() : QFileInfo(m_path).absolutePath());
-    dialog->selectFile(QFileInfo(name()).completeBaseName() + '.' + QString::fromStdString(m_services.ending));
-    connect(dialog, &QFileDialog::fileSelected, this, [this, then = std::move(then)](const QString& path) {
-        QSettings().setValue("projectFolder", QFileInfo(path).absolutePath());
-        saveUnder(path, then);
-    });
-    dialog->open();
+    const FileQuestion question{.name = "saveDialog",
+                                .title = tr("Save the project"),
+                                .filters = {filter()},
+                                .key = "projectFolder",
+                                .folder = m_path.isEmpty() ? QString() : QFileInfo(m_path).absolutePath(),
+                                .file = QFileInfo(name()).completeBaseName() + '.' +
+                                        QString::fromStdString(m_services.ending)};
+    askForFileToWrite(*m_window.widget, question,
+                      [this, then = std::move(then)](const QString& path) { saveUnder(path, then); });
 }
 
 /// The dialog asked before a file is replaced, but not by this name when it has another ending.

@@ -1,0 +1,78 @@
+#include "ui/dialogs/file_question.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFileSystemModel>
+#include <QSettings>
+
+namespace knead {
+
+namespace {
+
+QFileDialog* makeDialog(QWidget& parent, const FileQuestion& question)
+{
+    const QSettings settings;
+    const QString last = settings.value(question.key, settings.value("folder")).toString();
+    auto* dialog = new QFileDialog(&parent, question.title);
+    // Qt's own dialog asks the system to watch each folder, which takes 20 to 50 ms where many names were ever looked up in it.
+    if (auto* files = dialog->findChild<QFileSystemModel*>())
+        files->setOption(QFileSystemModel::DontWatchForChanges);
+    dialog->setDirectory(question.folder.isEmpty() ? last : question.folder);
+    dialog->setObjectName(question.name);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setNameFilters(question.filters);
+    return dialog;
+}
+
+void remember(const QString& key, const QString& path)
+{
+    QSettings().setValue(key, QFileInfo(path).absolutePath());
+}
+
+} // namespace
+
+QString endingOf(const QString& filter)
+{
+    const qsizetype begin = filter.indexOf(QStringLiteral("*."));
+    if (begin < 0)
+        return {};
+    qsizetype end = begin + 2;
+    while (end < filter.size() && filter[end].isLetterOrNumber())
+        ++end;
+    return filter.sliced(begin + 2, end - begin - 2);
+}
+
+void askForFileToWrite(QWidget& parent, const FileQuestion& question, std::function<void(const QString&)> then)
+{
+    QFileDialog* dialog = makeDialog(parent, question);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setFileMode(QFileDialog::AnyFile);
+    dialog->selectFile(question.file);
+    const auto useEnding = [dialog](const QString& filter) { dialog->setDefaultSuffix(endingOf(filter)); };
+    useEnding(dialog->selectedNameFilter());
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, useEnding);
+    QObject::connect(
+        dialog, &QFileDialog::fileSelected, &parent,
+        [key = question.key, then = std::move(then)](const QString& path) {
+            remember(key, path);
+            then(path);
+        },
+        Qt::QueuedConnection);
+    dialog->open();
+}
+
+void askForFilesToRead(QWidget& parent, const FileQuestion& question, std::function<void(const QStringList&)> then)
+{
+    QFileDialog* dialog = makeDialog(parent, question);
+    dialog->setFileMode(QFileDialog::ExistingFiles);
+    QObject::connect(
+        dialog, &QFileDialog::filesSelected, &parent,
+        [key = question.key, then = std::move(then)](const QStringList& paths) {
+            remember(key, paths.front());
+            then(paths);
+        },
+        Qt::QueuedConnection);
+    dialog->open();
+}
+
+} // namespace knead
