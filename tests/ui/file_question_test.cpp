@@ -134,6 +134,9 @@ private:
 
     void enter(const QString& text)
     {
+        dialog()
+            ->activateWindow(); // there may be no window manager that does it; until then the list may take the focus back
+        QTRY_VERIFY(dialog()->isActiveWindow());
         name()->setCompleter(nullptr); // its list would take Enter
         name()->setFocus();
         name()->selectAll();
