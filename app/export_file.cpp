@@ -38,6 +38,10 @@ PartExportReport reportOn(const PartToExport& part, const TriangleMesh& mesh)
     report.facesAfter = static_cast<int>(mesh.triangles.size());
     report.edgesBefore = report.edgesAfter = part.part.edges;
     report.restVolume = part.part.volume;
+    if (part.before) {
+        report.restVolume = part.before->volume;
+        report.facesBefore = part.before->faces;
+    }
     report.skinVolume = report.volume = properties.volume;
     report.wasClosed = part.part.watertight;
     report.closed = isWatertight(mesh);

@@ -20,6 +20,14 @@ public:
     /// least this often.
     virtual double featureSize() const = 0;
 
+    /// What carries a face that places are of, and smoothly goes on beyond its borders, for a map that is not smooth everywhere; else
+    /// the map itself. It lives as long as this.
+    virtual const SmoothMap& ofFace(std::span<const Vec3> places) const
+    {
+        static_cast<void>(places);
+        return *this;
+    }
+
     /// Where one point is taken.
     Vec3 at(const Vec3& point) const;
 

@@ -5,9 +5,11 @@
 #include "core/geometry/smooth_map.h"
 #include "core/model/export_options.h"
 #include "core/model/part.h"
+#include "core/skin/knife_slit.h"
 #include "core/skin/skin_fields.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,13 @@ struct PieceCut {
 
 /// A part and how its material lies now.
 struct PartToExport {
+    /// What a part had when it was imported.
+    struct Measures {
+        double volume = 0; ///< [m^3]
+        int faces = 0;
+        int edges = 0;
+    };
+
     Part part;                                                   ///< as imported
     std::shared_ptr<const Aggregate> aggregate;                  ///< its objects; null: the part is written as imported
     std::vector<Vec3> displacements;                             ///< per object, from rest [m]
@@ -32,7 +41,10 @@ struct PartToExport {
     std::vector<ObjectIndex>
         loaded; ///< objects that something holds or presses on, for fields; does not leave this process
     std::shared_ptr<const SkinFields>
-        fields;                          ///< at the vertices of the part's mesh, which is where it is now; null: none
+        fields; ///< at the vertices of the part's mesh, which is where it is now; null: none
+    std::shared_ptr<const KnifeSlit>
+        slit; ///< that a part whose faces are its own is cut into, whose objects are in one piece; or null
+    std::optional<Measures> before;      ///< of a part that is where it is now, for the report
     std::shared_ptr<const PieceCut> cut; ///< of a piece whose part has faces of its own, which are to be cut; else null
     std::vector<std::string> remarks;    ///< sentences for the report
     std::string reason;                  ///< why it has no smooth faces, when something is known about that

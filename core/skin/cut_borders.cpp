@@ -47,8 +47,7 @@ std::optional<CutBorders::Height> CutBorders::at(const Vec3& place) const
     if (!m_grid)
         return {};
     std::vector<PointGrid::Found> found;
-    m_grid->nearest(place, mostPoints, found);
-    std::erase_if(found, [&](const auto& point) { return point.squared >= reach * reach * m_spacing * m_spacing; });
+    m_grid->nearest(place, mostPoints, found, reach * m_spacing);
     if (found.size() < leastPoints)
         return {};
     const auto labelsOf = [&](const Crossing& crossing) {

@@ -4,6 +4,7 @@
 #include "core/aggregate/pieces.h"
 #include "core/geometry/disjoint_sets.h"
 #include "core/geometry/mass_properties.h"
+#include "core/skin/crack_lips.h"
 #include "core/skin/crossings.h"
 #include "core/skin/labeled_nodes.h"
 #include "core/skin/skin.h"
@@ -158,11 +159,14 @@ public:
         : m_aggregate(aggregate)
         , m_broken(broken)
         , m_pieces(std::move(pieces))
+        , m_lips(aggregate, m_pieces, options.opensCracks ? broken : std::span<const BrokenConnection>())
+        , m_opensLips(!m_lips.isEmpty())
         , m_solids(findSolids(aggregate, m_pieces, skin))
         , m_sizes(m_pieces.count, 0)
         , m_isDust(m_pieces.count, 0)
         , m_mesh(m_pieces.count)
         , m_isUncut(m_pieces.count, 0)
+        , m_lipOfVertex(m_pieces.count)
     {
         for (const std::uint32_t piece : m_pieces.ofObject)
             ++m_sizes[piece];
@@ -187,12 +191,15 @@ public:
                 Fragment fragment{.mesh = std::move(m_mesh[piece]), .objects = {}, .dust = {}};
                 fragment.volume = massProperties(fragment.mesh).volume;
                 fragment.isUncut = m_isUncut[piece] != 0;
+                fragment.lipOfVertex = std::move(m_lipOfVertex[piece]);
                 result.push_back(std::move(fragment));
             }
         for (ObjectIndex object = 0; object < m_aggregate.size(); ++object) {
             const std::uint32_t piece = m_pieces.ofObject[object];
             Fragment& fragment = result[place[m_host[piece]]];
             (m_isDust[piece] == 0 ? fragment.objects : fragment.dust).push_back(object);
+            if (m_isDust[piece] == 0 && !fragment.lipOfVertex.empty())
+                fragment.lipOfObject.push_back(static_cast<std::uint8_t>(1 + m_lips.ofObject()[object]));
         }
         return result;
     }
@@ -225,15 +232,17 @@ private:
     /// Pieces that hardly any material is found for, all of whose objects are outside of the surface, become dust.
     void cut(const Solid& solid, TaskControl& control)
     {
-        while (shapes(solid) > 1) {
-            const std::vector<LabeledMesh> meshes = tryToCut(solid, control);
+        while (shapes(solid) > 1 || m_opensLips) {
+            std::vector<SewnMesh> meshes = tryToCut(solid, control);
+            if (meshes.empty() && std::exchange(m_opensLips, false))
+                continue;
             if (meshes.empty())
                 break;
             const double least = leastMaterial * std::pow(m_aggregate.lattice.spacing, 3);
             bool isComplete = true;
             for (const std::uint32_t piece : solid.pieces) {
-                const bool isThere = std::any_of(meshes.begin(), meshes.end(), [&](const LabeledMesh& mesh) {
-                    return mesh.label == piece && massProperties(mesh.mesh).volume > least;
+                const bool isThere = std::any_of(meshes.begin(), meshes.end(), [&](const SewnMesh& mesh) {
+                    return mesh.piece == piece && massProperties(mesh.mesh).volume > least;
                 });
                 if (m_isDust[piece] == 0 && !isThere) {
                     m_isDust[piece] = 1;
@@ -241,8 +250,8 @@ private:
                 }
             }
             if (isComplete) {
-                for (const LabeledMesh& mesh : meshes)
-                    m_mesh[mesh.label] = mesh.mesh;
+                for (SewnMesh& mesh : meshes)
+                    take(mesh);
                 return;
             }
             joinAllDust();
@@ -250,7 +259,28 @@ private:
         keepWhole(solid);
     }
 
-    std::vector<LabeledMesh> tryToCut(const Solid& solid, TaskControl& control) const
+    void take(SewnMesh& sewn)
+    {
+        const bool hasLips =
+            m_opensLips && std::ranges::any_of(sewn.labelOfVertex, [&](std::uint32_t label) {
+                return label != SewnMesh::manyLabels && lipOf(label) != lipOf(sewn.labelOfVertex.front());
+            });
+        std::vector<std::uint8_t>& lips = m_lipOfVertex[sewn.piece];
+        if (hasLips) {
+            lips.resize(sewn.mesh.vertices.size());
+            for (std::size_t v = 0; v < lips.size(); ++v)
+                if (const std::uint32_t label = sewn.labelOfVertex[v];
+                    label != SewnMesh::manyLabels && m_lips.isBeside(sewn.mesh.vertices[v]))
+                    lips[v] = static_cast<std::uint8_t>(1 + lipOf(label));
+        }
+        m_mesh[sewn.piece] = std::move(sewn.mesh);
+    }
+
+    // A label is a piece and a lip.
+    static std::uint32_t lipOf(std::uint32_t label) { return label % 2; }
+
+    /// By piece; empty where no attempt came to anything.
+    std::vector<SewnMesh> tryToCut(const Solid& solid, TaskControl& control) const
     {
         std::vector<std::uint8_t> isOfSolid(m_pieces.count, 0);
         for (const std::uint32_t piece : solid.pieces)
@@ -258,12 +288,21 @@ private:
         std::vector<std::uint32_t> labels(m_aggregate.size(), LabeledNodes::noLabel);
         for (std::size_t object = 0; object < m_aggregate.size(); ++object)
             if (isOfSolid[m_pieces.ofObject[object]] != 0)
-                labels[object] = m_host[m_pieces.ofObject[object]];
+                labels[object] = 2 * m_host[m_pieces.ofObject[object]] + (m_opensLips ? m_lips.ofObject()[object] : 0U);
+        for (const BrokenConnection& connection : m_broken) { // dust is of the lip beside it
+            const ObjectIndex upper = upperEnd(m_aggregate.lattice, connection);
+            for (const auto& [dust, other] : {std::pair(connection.lower, upper), std::pair(upper, connection.lower)})
+                if (m_isDust[m_pieces.ofObject[dust]] != 0 && m_isDust[m_pieces.ofObject[other]] == 0 &&
+                    labels[dust] / 2 == labels[other] / 2)
+                    labels[dust] = labels[other];
+        }
         const CutBorders cuts(m_aggregate, m_broken, labels);
+        const LabelSeams seams{.pieceOf = [](std::uint32_t label) { return label / 2; },
+                               .isOpen = [&](const Vec3& place) { return m_lips.isOpen(place); }};
         for (int attempt = 0; attempt < attempts; ++attempt)
             try {
                 const LabeledNodes nodes(m_aggregate, labels, cuts, solid.skin, (1 + 0.3 * attempt) * shift, control);
-                return cutByLabels(solid.skin, nodes, static_cast<std::uint64_t>(attempt), control);
+                return cutByLabels(solid.skin, nodes, seams, static_cast<std::uint64_t>(attempt), control);
             } catch (const DegenerateCut&) { // another one may do
             }
         return {};
@@ -286,12 +325,15 @@ private:
     const Aggregate& m_aggregate;
     std::span<const BrokenConnection> m_broken;
     Pieces m_pieces;
+    CrackLips m_lips;
+    bool m_opensLips; ///< of cracks that end within a piece, until no attempt to do so comes to anything
     std::vector<Solid> m_solids;
-    std::vector<std::size_t> m_sizes;    // objects per piece
-    std::vector<std::uint8_t> m_isDust;  // per piece
-    std::vector<std::uint32_t> m_host;   // per piece: itself, or what it is the dust of
-    std::vector<TriangleMesh> m_mesh;    // per piece
-    std::vector<std::uint8_t> m_isUncut; // per piece
+    std::vector<std::size_t> m_sizes;                     // objects per piece
+    std::vector<std::uint8_t> m_isDust;                   // per piece
+    std::vector<std::uint32_t> m_host;                    // per piece: itself, or what it is the dust of
+    std::vector<TriangleMesh> m_mesh;                     // per piece
+    std::vector<std::uint8_t> m_isUncut;                  // per piece
+    std::vector<std::vector<std::uint8_t>> m_lipOfVertex; // per piece; see Fragment
 };
 
 } // namespace
@@ -305,7 +347,7 @@ std::vector<Fragment> fragmentsOf(const Aggregate& aggregate, const TriangleMesh
     if (!isWatertight(skin))
         throw std::invalid_argument("fragmentsOf: the surface is not closed");
     Pieces pieces = findPieces(aggregate, broken);
-    if (pieces.count == findPieces(aggregate).count) {
+    if (pieces.count == findPieces(aggregate).count && !(options.opensCracks && !broken.empty())) {
         std::vector<ObjectIndex> all(aggregate.size());
         std::iota(all.begin(), all.end(), 0U);
         Fragment whole{.mesh = skin, .objects = std::move(all), .dust = {}};

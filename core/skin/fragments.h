@@ -21,15 +21,21 @@ struct Fragment {
     std::vector<ObjectIndex> dust;    ///< in too small pieces to have a shape: their material is part of the mesh
     double volume = 0;                ///< of the mesh [m^3]
     bool isUncut = false; ///< the cracks could not be made a surface: the mesh has other pieces in it as well
+
+    /// Which of the two sides of a crack that ends within the piece the vertices are of, 1 or 2; 0 where none is near, or both are
+    /// one. Empty where no such crack was opened.
+    std::vector<std::uint8_t> lipOfVertex;
+    std::vector<std::uint8_t> lipOfObject; ///< 1 or 2, per entry of objects; empty as well
 };
 
 struct FragmentOptions {
     std::size_t leastObjects = 4; ///< pieces of fewer objects are dust: they join the piece that most of their broken
                                   ///< connections lead to
+    bool opensCracks = false;     ///< those, too, that end within a piece: their sides are part of its surface
 };
 
 /// Closed surfaces of the pieces that a body has been broken into, by their lowest objects. A body that has cracks but hangs
-/// together gives one fragment with the surface as it is.
+/// together gives one fragment with the surface as it is, unless they are to be opened, see CrackLips.
 ///
 /// Each node of the lattice has a smooth share of each piece; a point belongs to the piece of its largest share. The cracks
 /// between are cut out of tetrahedra of the lattice, and then the cracks and the surface are cut by each other, exactly, so

@@ -6,16 +6,13 @@
 #include "core/skin/crack_surface.h"
 #include "core/skin/crossings.h"
 #include "core/skin/face_set.h"
-#include "core/skin/fragments.h"
 #include "core/skin/specks.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 namespace knead {
@@ -47,30 +44,6 @@ private:
     Vec3 m_y;
 };
 
-/// Collects triangles of one label; numbers their vertices by first use.
-class MeshBuilder {
-public:
-    template <typename PlaceOf>
-    void add(const Triangle& triangle, std::uint32_t face, PlaceOf&& placeOf)
-    {
-        Triangle own{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto [number, isNew] =
-                m_numbers.try_emplace(triangle[i], static_cast<std::uint32_t>(m_mesh.vertices.size()));
-            if (isNew)
-                m_mesh.vertices.push_back(placeOf(triangle[i]));
-            own[i] = number->second;
-        }
-        m_mesh.triangles.push_back(own);
-        m_mesh.faceOfTriangle.push_back(face);
-    }
-    TriangleMesh finish() { return std::move(m_mesh); }
-
-private:
-    TriangleMesh m_mesh;
-    std::unordered_map<std::uint32_t, std::uint32_t> m_numbers;
-};
-
 /// Points are the vertices of the surface, then those of the cracks, then those where the two cross.
 class SurfaceCutter {
 public:
@@ -83,33 +56,17 @@ public:
     {
     }
 
-    std::vector<LabeledMesh> cut(TaskControl& control)
+    std::vector<SewnMesh> cut(const LabelSeams& seams, TaskControl& control)
     {
         addSkin();
         control.throwIfCancelled();
         addCracks();
         control.throwIfCancelled();
         const double cell = std::pow(m_nodes.lattice().spacing, 3);
-        joinSpecks(
-            m_cut, [&](std::uint32_t point) { return placeOf(point); }, leastShell * cell);
+        const auto place = [&](std::uint32_t point) { return placeOf(point); };
+        joinSpecks(m_cut, place, leastShell * cell);
         control.throwIfCancelled();
-        std::map<std::uint32_t, MeshBuilder> builders; // by label
-        const auto add = [&](std::uint32_t label, const Triangle& points, std::uint32_t face) {
-            builders[label].add(points, face, [&](std::uint32_t point) { return placeOf(point); });
-        };
-        for (const CutTriangles::Skin& t : m_cut.skin)
-            add(t.label, t.points, t.face);
-        for (const CutTriangles::Crack& t : m_cut.cracks) {
-            add(t.back, t.points, Fragment::crackFace);
-            add(t.front, {t.points[0], t.points[2], t.points[1]}, Fragment::crackFace);
-        }
-        std::vector<LabeledMesh> meshes;
-        for (auto& [label, builder] : builders) {
-            meshes.push_back({label, builder.finish()});
-            if (findHalfEdges(meshes.back().mesh).unpaired > 0)
-                throw DegenerateCut();
-        }
-        return meshes;
+        return sewn(m_cut, place, seams);
     }
 
 private:
@@ -330,10 +287,10 @@ private:
 
 } // namespace
 
-std::vector<LabeledMesh> cutByLabels(const TriangleMesh& skin, const LabeledNodes& nodes, std::uint64_t salt,
-                                     TaskControl& control)
+std::vector<SewnMesh> cutByLabels(const TriangleMesh& skin, const LabeledNodes& nodes, const LabelSeams& seams,
+                                  std::uint64_t salt, TaskControl& control)
 {
-    return SurfaceCutter(skin, nodes, salt, control).cut(control);
+    return SurfaceCutter(skin, nodes, salt, control).cut(seams, control);
 }
 
 } // namespace knead

@@ -15,8 +15,9 @@ namespace knead {
 
 /// The surface of a body that has come apart, all pieces in one mesh, and the map that carries it, each piece by its own objects.
 struct TornSurface {
-    TriangleMesh mesh; ///< at rest as opened, closed; faces as in Fragment
-    Skin skin;         ///< of its vertices
+    TriangleMesh mesh;                     ///< at rest as opened, closed; faces as in Fragment
+    Skin skin;                             ///< of its vertices
+    std::vector<std::uint8_t> lipOfVertex; ///< as in Fragment; 0 in pieces without lips
 };
 
 /// None where it hangs together, or where its cracks could not be made surfaces.

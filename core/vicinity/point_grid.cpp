@@ -54,25 +54,28 @@ void PointGrid::addRing(const Cell& center, int ring, const Vec3& place, std::ve
             }
 }
 
-void PointGrid::nearest(const Vec3& place, std::size_t most, std::vector<Found>& found) const
+void PointGrid::nearest(const Vec3& place, std::size_t most, std::vector<Found>& found, double within) const
 {
     most = std::min(most, m_points.size());
     const Cell center = cellOf(place);
     found.clear();
     bool isSure = false;
     for (int ring = 0; ring <= farthestRing && !isSure; ++ring) {
+        if ((ring - 1) * m_cell > within)
+            break;
         addRing(center, ring, place, found);
         const double sure = ring * m_cell; // what was not looked at is farther than this
         const auto isWithin = [&](const Found& one) { return one.squared <= sure * sure; };
         isSure = static_cast<std::size_t>(std::count_if(found.begin(), found.end(), isWithin)) >= most;
     }
-    if (!isSure) { // far from all of them
+    if (!isSure && within > farthestRing * m_cell) { // far from all of them
         found.clear();
         for (ObjectIndex i = 0; i < m_points.size(); ++i)
             found.push_back({(m_points.at(i) - place).squaredNorm(), i});
     }
+    std::erase_if(found, [&](const Found& one) { return one.squared >= within * within; });
     std::sort(found.begin(), found.end());
-    found.resize(most);
+    found.resize(std::min(most, found.size()));
 }
 
 std::vector<ObjectIndex> nearestPoints(const VectorArray& points, const VectorArray& places, double spacing)

@@ -6,6 +6,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -26,7 +27,9 @@ public:
 
     /// The nearest ones, the nearest first: `most` of them, or all there are. Of those as far the one with the lower number.
     /// @param found memory to work in, and the result
-    void nearest(const Vec3& place, std::size_t most, std::vector<Found>& found) const;
+    /// @param within what is farther does not count [m]: so a place far from all points costs little
+    void nearest(const Vec3& place, std::size_t most, std::vector<Found>& found,
+                 double within = std::numeric_limits<double>::infinity()) const;
 
 private:
     using Cell = std::array<std::int64_t, 3>;

@@ -3,11 +3,16 @@
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Splitter.hxx>
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
+#include <Bnd_Box.hxx>
 #include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Standard_Failure.hxx>
@@ -19,11 +24,16 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <gp_Ax3.hxx>
 #include <gp_Pln.hxx>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 namespace knead {
 
@@ -38,6 +48,7 @@ constexpr int highestDegree = 4;
 constexpr int gridPoints = 16;        // along a surface that is no plane
 constexpr double fitTolerance = 1e-4; // of such a surface [mm]
 constexpr double classified = 1e-6;   // [mm]
+constexpr double hair = 5e-3;         // width of a slit at its mouth [spacings]
 
 gp_Pnt pointOf(const Vec3& place)
 {
@@ -149,28 +160,142 @@ std::size_t countWithin(const TopoDS_Shape& solid, const std::vector<Vec3>& plac
     }));
 }
 
+/// What became of a shape in steps.
+std::vector<TopoDS_Shape> imagesOf(const TopoDS_Shape& shape, std::span<BRepAlgoAPI_BuilderAlgo* const> steps)
+{
+    std::vector<TopoDS_Shape> images{shape};
+    for (BRepAlgoAPI_BuilderAlgo* step : steps) {
+        std::vector<TopoDS_Shape> next;
+        for (const TopoDS_Shape& image : images) {
+            const TopTools_ListOfShape& parts = step->Modified(image);
+            if (parts.IsEmpty())
+                next.push_back(image);
+            next.insert(next.end(), parts.begin(), parts.end());
+        }
+        images = std::move(next);
+    }
+    return images;
+}
+
 /// Which face of the whole each face of the piece is a part of.
+/// @param steps that made the one of the other
 std::vector<std::uint32_t> originsOf(const TopoDS_Shape& whole, const TopoDS_Shape& piece,
-                                     BRepAlgoAPI_Splitter& splitter)
+                                     std::span<BRepAlgoAPI_BuilderAlgo* const> steps)
 {
     TopTools_IndexedMapOfShape before;
     TopTools_IndexedMapOfShape after;
     TopExp::MapShapes(whole, TopAbs_FACE, before);
     TopExp::MapShapes(piece, TopAbs_FACE, after);
     std::vector<std::uint32_t> origin(static_cast<std::size_t>(after.Extent()), CutShape::noFace);
-    const auto note = [&](const TopoDS_Shape& face, int from) {
-        if (const int index = after.FindIndex(face); index > 0)
-            origin[static_cast<std::size_t>(index - 1)] = static_cast<std::uint32_t>(from - 1);
-    };
-    for (int i = 1; i <= before.Extent(); ++i) {
-        note(before(i), i);
-        for (const TopoDS_Shape& part : splitter.Modified(before(i)))
-            note(part, i);
-    }
+    for (int i = 1; i <= before.Extent(); ++i)
+        for (const TopoDS_Shape& part : imagesOf(before(i), steps))
+            if (const int index = after.FindIndex(part); index > 0)
+                origin[static_cast<std::size_t>(index - 1)] = static_cast<std::uint32_t>(i - 1);
     return origin;
 }
 
+std::size_t solidsIn(const TopoDS_Shape& shape)
+{
+    std::size_t count = 0;
+    for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
+        ++count;
+    return count;
+}
+
+/// As wide as a hair at its mouth, and nothing at its tip.
+TopoDS_Shape slitSolid(const KnifeSlit& slit)
+{
+    const Vec3 from = 1e3 * (slit.origin - slit.halfTip * slit.along);
+    const Vec3 way = 1e3 * slit.length * slit.opening;
+    const Vec3 half = 1e3 * hair / 2 * slit.spacing * slit.normal();
+    BRepBuilderAPI_MakePolygon outline;
+    if (slit.hasTip) {
+        outline.Add(pointOf(from));
+    } else {
+        outline.Add(pointOf(from + half));
+        outline.Add(pointOf(from - half));
+    }
+    outline.Add(pointOf(from + way - half));
+    outline.Add(pointOf(from + way + half));
+    outline.Close();
+    const Vec3 along = 2e3 * slit.halfTip * slit.along;
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire(), true).Face(),
+                                 gp_Vec(along.x(), along.y(), along.z()))
+        .Shape();
+}
+
+/// The plane of a slit, through all of a solid: no surface of the skin may be on both sides of it, since none can follow them both.
+TopoDS_Face planeOf(const KnifeSlit& slit, double size)
+{
+    const Vec3 normal = slit.normal();
+    const gp_Pln plane(pointOf(1e3 * slit.origin), gp_Dir(normal.x(), normal.y(), normal.z()));
+    return BRepBuilderAPI_MakeFace(plane, -size, size, -size, size).Face();
+}
+
+/// The solids of a shape as one, without the faces between them.
+TopoDS_Solid joinedOverShared(const TopoDS_Shape& shape)
+{
+    TopTools_IndexedMapOfShape faces;
+    std::vector<int> count;
+    std::vector<TopoDS_Shape> oriented;
+    for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
+        for (TopExp_Explorer face(solid.Current(), TopAbs_FACE); face.More(); face.Next()) {
+            const auto index = static_cast<std::size_t>(faces.Add(face.Current()));
+            count.resize(std::max(count.size(), index + 1), 0);
+            oriented.resize(count.size());
+            ++count[index];
+            oriented[index] = face.Current();
+        }
+    BRep_Builder builder;
+    TopoDS_Shell shell;
+    builder.MakeShell(shell);
+    for (std::size_t i = 1; i < count.size(); ++i)
+        if (count[i] == 1)
+            builder.Add(shell, oriented[i]);
+    shell.Closed(true);
+    TopoDS_Solid joined;
+    builder.MakeSolid(joined);
+    builder.Add(joined, shell);
+    return joined;
+}
+
+double sizeOf(const TopoDS_Shape& shape)
+{
+    Bnd_Box box;
+    BRepBndLib::Add(shape, box);
+    return std::sqrt(box.SquareExtent());
+}
+
+TopTools_ListOfShape listOf(const TopoDS_Shape& shape)
+{
+    TopTools_ListOfShape list;
+    list.Append(shape);
+    return list;
+}
+
 } // namespace
+
+std::optional<CutShape> slitShape(const TopoDS_Shape& whole, const KnifeSlit& slit)
+{
+    try {
+        BRepAlgoAPI_Cut cutter(whole, slitSolid(slit));
+        if (cutter.HasErrors() || solidsIn(whole) != 1 || solidsIn(cutter.Shape()) != 1)
+            return {};
+        BRepAlgoAPI_Splitter splitter;
+        splitter.SetArguments(listOf(cutter.Shape()));
+        splitter.SetTools(listOf(planeOf(slit, 2 * sizeOf(whole))));
+        splitter.Build();
+        if (splitter.HasErrors())
+            return {};
+        CutShape result{.shape = joinedOverShared(splitter.Shape()), .origin = {}};
+        if (!BRepCheck_Analyzer(result.shape).IsValid())
+            return {};
+        result.origin = originsOf(whole, result.shape, std::array<BRepAlgoAPI_BuilderAlgo*, 2>{&cutter, &splitter});
+        return result;
+    } catch (const Standard_Failure&) {
+        return {};
+    }
+}
 
 std::optional<CutShape> cutShape(const TopoDS_Shape& whole, const PieceCut& cut)
 {
@@ -208,7 +333,7 @@ std::optional<CutShape> cutShape(const TopoDS_Shape& whole, const PieceCut& cut)
         CutShape result{.shape = solids == 1 ? only : compound, .origin = {}};
         if (!BRepCheck_Analyzer(result.shape).IsValid())
             return {};
-        result.origin = originsOf(whole, result.shape, splitter);
+        result.origin = originsOf(whole, result.shape, std::array<BRepAlgoAPI_BuilderAlgo*, 1>{&splitter});
         return result;
     } catch (const Standard_Failure&) {
         return {};

@@ -24,4 +24,10 @@ struct CutShape {
 /// @return none where the cuts do not part the solid so that the piece can be told from the others, or not soundly
 std::optional<CutShape> cutShape(const TopoDS_Shape& whole, const PieceCut& cut);
 
+/// Takes a hair's breadth of material out where a knife went into a solid, so that the sides of the cut are two faces: planes that
+/// meet at its tip. Faces of the whole on both sides of its plane come in two.
+/// @param whole at rest [mm]
+/// @return none where the result is not one sound solid for each there was
+std::optional<CutShape> slitShape(const TopoDS_Shape& whole, const KnifeSlit& slit);
+
 } // namespace knead

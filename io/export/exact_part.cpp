@@ -52,6 +52,8 @@ std::shared_ptr<const SmoothMap> mapOf(const PartToExport& part)
                                    [](const Vec3& displacement) { return displacement != Vec3::Zero(); });
     if (part.aggregate == nullptr || (!moved && !part.aggregate->former))
         return std::make_shared<InPlace>();
+    if (part.slit != nullptr)
+        return std::make_shared<SlitMap>(*part.aggregate, *part.slit, part.displacements);
     return std::make_shared<SkinMap>(*part.aggregate, part.displacements);
 }
 
@@ -261,6 +263,11 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
     report.facesBefore = static_cast<int>(part.part.faces.size());
     report.edgesBefore = part.part.edges;
     report.restVolume = part.part.volume;
+    if (part.before) {
+        report.restVolume = part.before->volume;
+        report.facesBefore = part.before->faces;
+        report.edgesBefore = part.before->edges;
+    }
     report.wasClosed = part.part.watertight;
     report.tolerance = options.tolerance > 0 ? options.tolerance : defaultTolerance * part.part.box.diagonal().norm();
 
@@ -303,9 +310,9 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
                     const FaceChoice& choice, TaskControl& control)
 {
     const TopoDS_Shape own = shape.IsNull() ? shape : inMillimetres(shape, part.part.exact->unit);
-    if (!part.cut || own.IsNull())
+    if ((!part.cut && !part.slit) || own.IsNull())
         return makeReadyAsIs(part, own, options, choice, control);
-    if (const auto cut = cutShape(own, *part.cut)) {
+    if (const auto cut = part.slit ? slitShape(own, *part.slit) : cutShape(own, *part.cut)) {
         const PartToExport piece = asCut(part, *cut);
         if (piece.part.watertight)
             return makeReadyAsIs(piece, cut->shape, options, choice, control);

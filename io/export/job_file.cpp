@@ -159,6 +159,29 @@ PartExportReport partFrom(const Json& json)
     return part;
 }
 
+void addSlit(const KnifeSlit& slit, BlockWriter& blocks)
+{
+    blocks.add(std::vector<Vec3>{slit.origin, slit.opening, slit.along});
+    blocks.add(std::vector<double>{slit.length, slit.halfTip, slit.hasTip ? 1.0 : 0.0, slit.spacing});
+    blocks.add(slit.lipOfObject);
+}
+
+KnifeSlit nextSlit(BlockReader& blocks)
+{
+    const auto frame = blocks.nextArray<Vec3>();
+    const auto numbers = blocks.nextArray<double>();
+    if (frame.size() != 3 || numbers.size() != 4)
+        throw std::runtime_error("export job: a slit is not whole");
+    return {.origin = frame[0],
+            .opening = frame[1],
+            .along = frame[2],
+            .length = numbers[0],
+            .halfTip = numbers[1],
+            .hasTip = numbers[2] > 0,
+            .spacing = numbers[3],
+            .lipOfObject = blocks.nextArray<std::uint8_t>()};
+}
+
 } // namespace
 
 std::string jobToBytes(const ExportJob& job)
@@ -174,6 +197,11 @@ std::string jobToBytes(const ExportJob& job)
                          {"remarks", part.remarks},
                          {"sheets", part.cut ? part.cut->sheets.size() : 0},
                          {"spacing", part.cut ? part.cut->spacing : 0},
+                         {"hasSlit", part.slit != nullptr},
+                         {"before", part.before ? Json{{"volume", part.before->volume},
+                                                       {"faces", part.before->faces},
+                                                       {"edges", part.before->edges}}
+                                                : Json{}},
                          {"hasObjects", part.aggregate != nullptr},
                          {"formers", stagesOf(part.aggregate.get())}});
     }
@@ -186,6 +214,8 @@ std::string jobToBytes(const ExportJob& job)
             blocks.add(part.cut->inside);
             blocks.add(part.cut->outside);
         }
+        if (part.slit)
+            addSlit(*part.slit, blocks);
         if (part.aggregate != nullptr) {
             addAggregate(*part.aggregate, blocks);
             blocks.add(part.displacements);
@@ -225,6 +255,12 @@ ExportJob jobFromBytes(std::string_view bytes)
                 cut.outside = blocks.nextArray<Vec3>();
                 part.cut = std::make_shared<const PieceCut>(std::move(cut));
             }
+            if (json.at("parts").at(i).at("hasSlit").get<bool>())
+                part.slit = std::make_shared<const KnifeSlit>(nextSlit(blocks));
+            if (const Json& before = json.at("parts").at(i).at("before"); !before.is_null())
+                part.before = {.volume = before.at("volume").get<double>(),
+                               .faces = before.at("faces").get<int>(),
+                               .edges = before.at("edges").get<int>()};
             if (!json.at("parts").at(i).at("hasObjects").get<bool>())
                 continue;
             const std::shared_ptr<Aggregate> aggregate = nextJobAggregate(blocks);

@@ -5,11 +5,13 @@
 #include "io/morph/millimetre_map.h"
 #include "io/morph/morph_tolerances.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_DataMapOfShapeShape.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
@@ -36,7 +38,7 @@ constexpr double smoothAngle = 0.01;   // [rad] up to which faces meet smoothly
 /// Copies the topology of a shape around geometry that is there already.
 class TopologyCopy {
 public:
-    TopologyCopy(const TopoDS_Shape& source, const SmoothMap& map, const MorphOptions& options)
+    TopologyCopy(const TopoDS_Shape& source, const MillimetreMap& map, const MorphOptions& options)
         : m_source(source)
         , m_map(map)
         , m_options(options)
@@ -58,7 +60,8 @@ public:
         TaskPortion faces(control, 0.2, 1);
         forEachBlock(m_faceResults.size(), 1, faces, "bending faces", [&](std::size_t i, std::size_t) {
             const TopoDS_Shape& face = m_faces(static_cast<int>(i) + 1);
-            m_faceResults[i] = morphFace(TopoDS::Face(face.Oriented(TopAbs_FORWARD)), m_map, m_options);
+            const MillimetreMap map = m_map.forFace(placesOnEdges(face));
+            m_faceResults[i] = morphFace(TopoDS::Face(face.Oriented(TopAbs_FORWARD)), map, m_options);
         });
     }
 
@@ -101,6 +104,22 @@ public:
     }
 
 private:
+    static std::vector<Vec3> placesOnEdges(const TopoDS_Shape& face)
+    {
+        constexpr int perEdge = 8;
+        std::vector<Vec3> places;
+        for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
+            if (BRep_Tool::Degenerated(TopoDS::Edge(edge.Current())))
+                continue;
+            const BRepAdaptor_Curve curve(TopoDS::Edge(edge.Current()));
+            for (int i = 0; i <= perEdge; ++i)
+                places.push_back(toVec3(
+                    curve.Value(curve.FirstParameter() + (curve.LastParameter() - curve.FirstParameter()) * i / perEdge)
+                        .XYZ()));
+        }
+        return places;
+    }
+
     void makeVertices()
     {
         std::vector<Vec3> points;
@@ -249,7 +268,7 @@ private:
     }
 
     const TopoDS_Shape& m_source;
-    const SmoothMap& m_map;
+    const MillimetreMap& m_map;
     const MorphOptions& m_options;
     BRep_Builder m_builder;
     TopTools_IndexedMapOfShape m_vertices;

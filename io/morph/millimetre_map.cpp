@@ -1,8 +1,13 @@
 #include "io/morph/millimetre_map.h"
 
-#include <vector>
-
 namespace knead {
+
+MillimetreMap MillimetreMap::forFace(std::vector<Vec3> places) const
+{
+    for (Vec3& place : places)
+        place *= 1e-3;
+    return MillimetreMap(m_map.ofFace(places));
+}
 
 void MillimetreMap::evaluate(std::span<const Vec3> points, std::span<Vec3> places) const
 {

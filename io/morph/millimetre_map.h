@@ -4,6 +4,8 @@
 
 #include <gp_Pnt.hxx>
 
+#include <vector>
+
 namespace knead {
 
 /// A map in metres for geometry in millimetres.
@@ -17,6 +19,10 @@ public:
 
     void evaluate(std::span<const Vec3> points, std::span<Vec3> places) const override;
     double featureSize() const override { return 1e3 * m_map.featureSize(); }
+
+    /// As SmoothMap::ofFace().
+    /// @param places of the face [mm]
+    MillimetreMap forFace(std::vector<Vec3> places) const;
 
 private:
     const SmoothMap& m_map;

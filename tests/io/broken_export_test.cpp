@@ -74,6 +74,8 @@ private slots:
     void piecesThatWereFilledAnewKeepTheirFaces();
     void crumbsAreWrittenWithWhatTheyCameOff();
     void crackedPartsInOnePieceSaySo();
+    void partsThatAKnifeIsInKeepTheirFaces();
+    void partsThatGapeWhereTheyToreAreFlat();
     void crackedPartsThatAreFoldedSayWhyTheyAreFlat();
 };
 
@@ -312,6 +314,57 @@ void BrokenExportTest::crackedPartsInOnePieceSaySo()
     QVERIFY(most > 1.02);
     QCOMPARE(report.form, PartExportReport::Form::exact);
     QVERIFY(report.closed && report.valid);
+}
+
+/// A knife is half way through a bar, whose halves are bent apart: its faces and the sides of the cut are smooth.
+void BrokenExportTest::partsThatAKnifeIsInKeepTheirFaces()
+{
+    const Model model = example("bar.step");
+    ExportJob job = crackedBar(model, 0.5, 0.1, 40);
+    PartToExport& whole = job.parts.front();
+    const double middle = boxOf(model).center().x() + 0.0004;
+    const double root = boxOf(model).center().z();
+    for (ObjectIndex i = 0; i < whole.aggregate->size(); ++i) { // smoothly, and more and more to the mouth
+        const Vec3 X = whole.aggregate->lattice.position(i);
+        const double part = 0.001 * std::pow(std::max(0.0, X.z() - root) / 0.01, 3);
+        whole.displacements[i] = Vec3(X.x() > middle ? part : -part, 0, 0);
+    }
+    auto cut = std::make_shared<std::vector<BrokenConnection>>(*whole.broken);
+    for (BrokenConnection& one : *cut)
+        one.cutAt = (middle - whole.aggregate->lattice.position(one.lower).x()) /
+                    whole.aggregate->lattice.direction(static_cast<int>(one.direction)).x();
+    whole.broken = cut;
+    job = withPieces(std::move(job), 6000, TaskControl::none(), true);
+    QCOMPARE(job.parts.size(), std::size_t{1});
+    QVERIFY(job.parts.front().slit != nullptr);
+    QVERIFY(job.parts.front().slit->hasTip);
+    const ExportedFile file = exportCad(FormatKind::Step, jobFromBytes(jobToBytes(job)), TaskControl::none());
+    for (const std::string& line : linesOf(file.report))
+        qInfo("%s", line.c_str());
+    const PartExportReport& report = file.report.parts.front();
+    QVERIFY2(report.form == PartExportReport::Form::exact, report.reason.c_str());
+    QVERIFY(report.closed && report.valid && report.freeEdges == 0);
+    QVERIFY2(report.largestDeviation <= report.tolerance, qPrintable(QString::number(report.largestDeviation)));
+    QVERIFY2(std::abs(report.volumeError()) < 5e-4, qPrintable(QString::number(report.volumeError())));
+    QCOMPARE(report.facesBefore, 6);
+    QCOMPARE(report.restVolume, model.parts.front().volume);
+    // Two ends, both halves of its four sides, and both sides of the cut.
+    QCOMPARE(report.facesAfter, 12);
+}
+
+void BrokenExportTest::partsThatGapeWhereTheyToreAreFlat()
+{
+    const Model model = example("bar.step");
+    for (const bool isCad : {true, false}) {
+        const ExportJob job = withPieces(crackedBar(model, 0.5, 0.1, 40), 6000, TaskControl::none(), isCad);
+        QCOMPARE(job.parts.size(), std::size_t{1});
+        const PartToExport& bar = job.parts.front();
+        QVERIFY(bar.slit == nullptr);
+        QVERIFY(isWatertight(bar.part.mesh));
+        QCOMPARE(bar.part.name, model.parts.front().name);
+        QVERIFY2(bar.remarks.front().find("but in one piece: it gapes by") != std::string::npos,
+                 bar.remarks.front().c_str());
+    }
 }
 
 void BrokenExportTest::crackedPartsThatAreFoldedSayWhyTheyAreFlat()

@@ -32,7 +32,7 @@ struct ContentBody {
     std::optional<Skin> skin;                 ///< of mesh.vertices
     std::vector<ObjectIndex> surfaceObjects;  ///< those a person can see
     std::shared_ptr<Fillings> fillings;       ///< the same body as it was filled at other times, shared by all of them
-    std::shared_ptr<const ContentBody> whole; ///< before it came apart; null: it has not
+    std::shared_ptr<const ContentBody> whole; ///< before it came apart or was cut into; null: neither
 };
 
 std::shared_ptr<Fillings> newFillings();                             ///< none yet
@@ -43,11 +43,16 @@ std::vector<ObjectIndex> surfaceObjects(const Aggregate& aggregate); ///< those 
 std::shared_ptr<const ContentBody> filledAs(const std::shared_ptr<const ContentBody>& body,
                                             const std::shared_ptr<const Aggregate>& aggregate);
 
-/// The body as it is shown when some of its connections are broken: where it has come apart, with the surfaces of its pieces. Any
-/// thread; takes as long as these where they were not seen lately.
+/// The body as it is shown when some of its connections are broken: where it has come apart or is cut into, with the surfaces of its
+/// pieces and the sides of its cracks. Any thread; takes as long as these where they were not seen lately.
 /// @param filled of any filling, come apart or not @param broken null: none
 std::shared_ptr<const ContentBody> tornAs(const std::shared_ptr<const ContentBody>& filled,
                                           const std::shared_ptr<const std::vector<BrokenConnection>>& broken);
+
+/// What tornAs() said a moment ago of the same pieces, where a crack has only grown since and it is too early to follow it; null
+/// else. Any thread.
+std::shared_ptr<const ContentBody> tornLately(const std::shared_ptr<const ContentBody>& filled,
+                                              const std::shared_ptr<const std::vector<BrokenConnection>>& broken);
 
 /// Whether two have the same surface, so that places on the one are places on the other.
 inline bool haveSameSurface(const ContentBody& one, const ContentBody& other)

@@ -6,7 +6,10 @@
 #include "ui/document/content.h"
 
 #include <algorithm>
+#include <chrono>
+#include <iterator>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -34,20 +37,24 @@ public:
             m_bodies.pop_back();
     }
 
-    /// A body that came apart, by what was broken; or the whole one where it hangs together.
+    /// A body that came apart or is cut into, by what was broken; or the whole one where there is nothing to be seen.
     struct Torn {
         std::shared_ptr<const Aggregate> aggregate;
         std::shared_ptr<const std::vector<BrokenConnection>> broken;
         std::vector<std::uint32_t> pieceOfObject;
+        std::vector<BrokenConnection> within; ///< broken ones that do not lead from piece to piece
         std::shared_ptr<const ContentBody> body;
+        std::chrono::steady_clock::time_point end{};    ///< of making it
+        std::chrono::steady_clock::duration duration{}; ///< of making it
     };
 
+    /// The last one of those that something is true of.
     template <typename Is>
-    std::shared_ptr<const ContentBody> findTorn(Is is)
+    std::optional<Torn> findTorn(Is is)
     {
         const std::lock_guard lock(m_mutex);
         const auto found = std::find_if(m_torn.begin(), m_torn.end(), is);
-        return found != m_torn.end() ? found->body : nullptr;
+        return found != m_torn.end() ? std::optional(*found) : std::nullopt;
     }
 
     void add(Torn torn)
@@ -65,6 +72,20 @@ private:
     std::vector<std::shared_ptr<const ContentBody>> m_bodies; ///< the last one first
     std::vector<Torn> m_torn;                                 ///< the same
 };
+
+namespace {
+
+std::vector<BrokenConnection> brokenWithin(const Aggregate& aggregate, const Pieces& pieces,
+                                           std::span<const BrokenConnection> broken)
+{
+    std::vector<BrokenConnection> within;
+    std::ranges::copy_if(broken, std::back_inserter(within), [&](const BrokenConnection& one) {
+        return pieces.ofObject[one.lower] == pieces.ofObject[upperEnd(aggregate.lattice, one)];
+    });
+    return within;
+}
+
+} // namespace
 
 std::vector<ObjectIndex> surfaceObjects(const Aggregate& aggregate)
 {
@@ -107,25 +128,49 @@ std::shared_ptr<const ContentBody> tornAs(const std::shared_ptr<const ContentBod
     if ((!broken || broken->empty()) && !wasInPieces)
         return whole;
     const std::span<const BrokenConnection> cracks = broken ? *broken : std::span<const BrokenConnection>();
-    if (auto known = whole->fillings->findTorn(
+    if (const auto known = whole->fillings->findTorn(
             [&](const auto& torn) { return torn.aggregate == aggregate && torn.broken == broken; }))
-        return known;
+        return known->body;
     Pieces pieces = findPieces(*aggregate, cracks);
-    auto body = whole->fillings->findTorn(
-        [&](const auto& torn) { return torn.aggregate == aggregate && torn.pieceOfObject == pieces.ofObject; });
-    if (!body) {
-        body = whole;
+    std::vector<BrokenConnection> within = brokenWithin(*aggregate, pieces, cracks);
+    const auto begin = std::chrono::steady_clock::now();
+    auto torn = whole->fillings->findTorn([&](const auto& other) {
+        return other.aggregate == aggregate && other.pieceOfObject == pieces.ofObject && other.within == within;
+    });
+    if (!torn) {
+        torn = {.aggregate = aggregate, .broken = {}, .pieceOfObject = {}, .within = std::move(within), .body = whole};
+        torn->pieceOfObject = std::move(pieces.ofObject);
         if (auto surface = isWatertight(whole->mesh) ? tornSurface(*aggregate, whole->mesh, cracks) : std::nullopt) {
-            auto torn = std::make_shared<ContentBody>(*whole);
-            torn->mesh = std::move(surface->mesh);
-            torn->render = renderMesh(torn->mesh);
-            torn->skin.emplace(std::move(surface->skin));
-            torn->whole = whole;
-            body = std::move(torn);
+            auto body = std::make_shared<ContentBody>(*whole);
+            body->mesh = std::move(surface->mesh);
+            body->render = renderMesh(body->mesh);
+            body->skin.emplace(std::move(surface->skin));
+            body->whole = whole;
+            torn->body = std::move(body);
         }
+        torn->end = std::chrono::steady_clock::now();
+        torn->duration = torn->end - begin;
     }
-    whole->fillings->add(Fillings::Torn{aggregate, broken, std::move(pieces.ofObject), body});
-    return body;
+    torn->broken = broken;
+    whole->fillings->add(*torn);
+    return torn->body;
+}
+
+std::shared_ptr<const ContentBody> tornLately(const std::shared_ptr<const ContentBody>& filled,
+                                              const std::shared_ptr<const std::vector<BrokenConnection>>& broken)
+{
+    constexpr int rests = 3; // times as long as it takes, so that cutting has most of a processor
+    const std::shared_ptr<const ContentBody>& whole = filled->whole ? filled->whole : filled;
+    if (!broken || broken->empty())
+        return nullptr;
+    const Pieces pieces = findPieces(*whole->aggregate, *broken);
+    const auto torn = whole->fillings->findTorn([&](const auto& other) {
+        return other.aggregate == whole->aggregate && other.pieceOfObject == pieces.ofObject;
+    });
+    if (!torn || torn->broken == broken || std::chrono::steady_clock::now() > torn->end + rests * torn->duration ||
+        torn->within == brokenWithin(*whole->aggregate, pieces, *broken))
+        return nullptr;
+    return torn->body;
 }
 
 } // namespace knead

@@ -1,5 +1,6 @@
 #include "ui/document/frame.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -21,15 +22,21 @@ std::shared_ptr<const BodyFrame> bodyFrame(const ContentBody& body, const Snapsh
 
 } // namespace
 
-FramePointer prepareFrame(const ContentBodies& bodies, SnapshotPointer snapshot, const FramePointer& previous)
+FramePointer prepareFrame(const ContentBodies& bodies, SnapshotPointer snapshot, const FramePointer& previous,
+                          bool mayLag)
 {
     auto frame = std::make_shared<Frame>();
     const bool isUnmoved = previous &&
                            previous->snapshot->arrivals == snapshot->arrivals && // branches meet at equal steps
                            (previous->snapshot->step == snapshot->step ||
                             (snapshot->rest > 0 && previous->snapshot->rest == snapshot->rest));
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-        frame->filled.push_back(tornAs(filledAs(bodies[b], snapshot->bodies[b].aggregate), snapshot->bodies[b].broken));
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const Snapshot::BodyState& state = snapshot->bodies[b];
+        const std::shared_ptr<const ContentBody> filled = filledAs(bodies[b], state.aggregate);
+        std::shared_ptr<const ContentBody> lately = mayLag ? tornLately(filled, state.broken) : nullptr;
+        frame->lags = frame->lags || lately;
+        frame->filled.push_back(lately ? std::move(lately) : tornAs(filled, state.broken));
+    }
     if (isUnmoved && previous->filled == frame->filled)
         frame->bodies = previous->bodies;
     else
@@ -49,14 +56,21 @@ struct FramePreparer::Worker {
 
     void run(const std::stop_token& stop)
     {
+        constexpr std::chrono::milliseconds quiet(250);
         FramePointer previous;
         for (;;) {
             std::unique_lock lock(mutex);
-            if (!wake.wait(lock, stop, [this] { return waiting != nullptr; }))
+            const auto isWaiting = [this] { return waiting != nullptr; };
+            if (previous && previous->lags)
+                wake.wait_for(lock, stop, quiet, isWaiting);
+            else
+                wake.wait(lock, stop, isWaiting);
+            if (stop.stop_requested())
                 return;
-            SnapshotPointer snapshot = std::exchange(waiting, nullptr);
+            const bool isNew = isWaiting();
+            SnapshotPointer snapshot = isNew ? std::exchange(waiting, nullptr) : previous->snapshot;
             lock.unlock();
-            previous = prepareFrame(bodies, std::move(snapshot), previous);
+            previous = prepareFrame(bodies, std::move(snapshot), previous, isNew);
             deliver(previous);
         }
     }

@@ -16,15 +16,19 @@ struct Frame {
     SnapshotPointer snapshot;
     std::vector<std::shared_ptr<const BodyFrame>> bodies;
     ContentBodies filled; ///< the bodies as they are filled in the snapshot
+    bool lags = false;    ///< a crack is drawn as it was a moment ago
 };
 
 using FramePointer = std::shared_ptr<const Frame>;
 
 /// Carries the surfaces along with a snapshot. Surfaces of `previous` are used again when no time has passed.
 /// @param bodies of the document, whatever their filling
-FramePointer prepareFrame(const ContentBodies& bodies, SnapshotPointer snapshot, const FramePointer& previous);
+/// @param mayLag cracks that grow need not be followed every time
+FramePointer prepareFrame(const ContentBodies& bodies, SnapshotPointer snapshot, const FramePointer& previous,
+                          bool mayLag = false);
 
-/// Prepares frames on a thread of its own, always the newest snapshot, so that the window never waits for a skin.
+/// Prepares frames on a thread of its own, always the newest snapshot, so that the window never waits for a skin. One that lags is
+/// prepared once more when nothing else is to be done.
 class FramePreparer {
 public:
     /// @param deliver called on the preparer's thread
