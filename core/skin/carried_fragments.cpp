@@ -108,7 +108,13 @@ CarriedFragment carriedBy(const Aggregate& part, const Fragment& fragment, std::
 std::vector<ObjectIndex> carriersOf(const Aggregate& aggregate, const Fragment& fragment,
                                     std::span<const std::uint16_t> isBroken)
 {
-    std::vector<ObjectIndex> carriers = fragment.objects;
+    return firmOf(aggregate, fragment.objects, isBroken);
+}
+
+std::vector<ObjectIndex> firmOf(const Aggregate& aggregate, const std::vector<ObjectIndex>& objects,
+                                std::span<const std::uint16_t> isBroken)
+{
+    std::vector<ObjectIndex> carriers = objects;
     for (std::size_t before = 0; before != carriers.size();) {
         before = carriers.size();
         const std::vector<int> degree = degrees(extract(aggregate, carriers, isBroken));
@@ -118,7 +124,7 @@ std::vector<ObjectIndex> carriersOf(const Aggregate& aggregate, const Fragment& 
                 firm.push_back(carriers[i]);
         carriers = std::move(firm);
     }
-    return 2 * carriers.size() > fragment.objects.size() ? carriers : fragment.objects;
+    return 2 * carriers.size() > objects.size() ? carriers : objects;
 }
 
 std::vector<CarriedFragment> carried(const Aggregate& aggregate, std::span<const Fragment> fragments,

@@ -26,6 +26,10 @@ struct CarriedFragment {
 std::vector<ObjectIndex> carriersOf(const Aggregate& aggregate, const Fragment& fragment,
                                     std::span<const std::uint16_t> isBroken);
 
+/// The same of any objects.
+std::vector<ObjectIndex> firmOf(const Aggregate& aggregate, const std::vector<ObjectIndex>& objects,
+                                std::span<const std::uint16_t> isBroken);
+
 /// Carries each fragment by its own objects alone, those that do not dangle, along connections that still hold. A skin is taken for what it is when it
 /// holds the volume that the deformation of the well connected objects says, within 1 %.
 /// @param displacement per object of the aggregate [m]

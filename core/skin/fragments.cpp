@@ -155,12 +155,11 @@ std::vector<Solid> findSolids(const Aggregate& aggregate, const Pieces& pieces, 
 class Breaker {
 public:
     Breaker(const Aggregate& aggregate, const TriangleMesh& skin, std::span<const BrokenConnection> broken,
-            Pieces pieces, const FragmentOptions& options)
+            Pieces pieces, const CrackLips& lips, const FragmentOptions& options)
         : m_aggregate(aggregate)
         , m_broken(broken)
         , m_pieces(std::move(pieces))
-        , m_lips(aggregate, m_pieces, options.opensCracks ? broken : std::span<const BrokenConnection>())
-        , m_opensLips(!m_lips.isEmpty())
+        , m_lips(lips)
         , m_solids(findSolids(aggregate, m_pieces, skin))
         , m_sizes(m_pieces.count, 0)
         , m_isDust(m_pieces.count, 0)
@@ -232,9 +231,10 @@ private:
     /// Pieces that hardly any material is found for, all of whose objects are outside of the surface, become dust.
     void cut(const Solid& solid, TaskControl& control)
     {
-        while (shapes(solid) > 1 || m_opensLips) {
-            std::vector<SewnMesh> meshes = tryToCut(solid, control);
-            if (meshes.empty() && std::exchange(m_opensLips, false))
+        bool opensLips = hasLips(solid);
+        while (shapes(solid) > 1 || opensLips) {
+            std::vector<SewnMesh> meshes = tryToCut(solid, opensLips, control);
+            if (meshes.empty() && std::exchange(opensLips, false))
                 continue;
             if (meshes.empty())
                 break;
@@ -251,22 +251,35 @@ private:
             }
             if (isComplete) {
                 for (SewnMesh& mesh : meshes)
-                    take(mesh);
+                    take(mesh, opensLips);
                 return;
             }
+            if (shapes(solid) == 0)
+                break;
             joinAllDust();
         }
         keepWhole(solid);
     }
 
-    void take(SewnMesh& sewn)
+    /// A crack ends in one of the pieces of a solid.
+    bool hasLips(const Solid& solid) const
     {
-        const bool hasLips =
-            m_opensLips && std::ranges::any_of(sewn.labelOfVertex, [&](std::uint32_t label) {
+        if (m_lips.isEmpty())
+            return false;
+        std::vector<unsigned> seen(m_pieces.count, 0); // bits of both lips
+        for (std::size_t object = 0; object < m_aggregate.size(); ++object)
+            seen[m_pieces.ofObject[object]] |= 1U << m_lips.ofObject()[object];
+        return std::ranges::any_of(solid.pieces, [&](std::uint32_t piece) { return seen[piece] == 3; });
+    }
+
+    void take(SewnMesh& sewn, bool opensLips)
+    {
+        const bool isOfBoth =
+            opensLips && std::ranges::any_of(sewn.labelOfVertex, [&](std::uint32_t label) {
                 return label != SewnMesh::manyLabels && lipOf(label) != lipOf(sewn.labelOfVertex.front());
             });
         std::vector<std::uint8_t>& lips = m_lipOfVertex[sewn.piece];
-        if (hasLips) {
+        if (isOfBoth) {
             lips.resize(sewn.mesh.vertices.size());
             for (std::size_t v = 0; v < lips.size(); ++v)
                 if (const std::uint32_t label = sewn.labelOfVertex[v];
@@ -280,7 +293,7 @@ private:
     static std::uint32_t lipOf(std::uint32_t label) { return label % 2; }
 
     /// By piece; empty where no attempt came to anything.
-    std::vector<SewnMesh> tryToCut(const Solid& solid, TaskControl& control) const
+    std::vector<SewnMesh> tryToCut(const Solid& solid, bool opensLips, TaskControl& control) const
     {
         std::vector<std::uint8_t> isOfSolid(m_pieces.count, 0);
         for (const std::uint32_t piece : solid.pieces)
@@ -288,7 +301,7 @@ private:
         std::vector<std::uint32_t> labels(m_aggregate.size(), LabeledNodes::noLabel);
         for (std::size_t object = 0; object < m_aggregate.size(); ++object)
             if (isOfSolid[m_pieces.ofObject[object]] != 0)
-                labels[object] = 2 * m_host[m_pieces.ofObject[object]] + (m_opensLips ? m_lips.ofObject()[object] : 0U);
+                labels[object] = 2 * m_host[m_pieces.ofObject[object]] + (opensLips ? m_lips.ofObject()[object] : 0U);
         for (const BrokenConnection& connection : m_broken) { // dust is of the lip beside it
             const ObjectIndex upper = upperEnd(m_aggregate.lattice, connection);
             for (const auto& [dust, other] : {std::pair(connection.lower, upper), std::pair(upper, connection.lower)})
@@ -325,8 +338,7 @@ private:
     const Aggregate& m_aggregate;
     std::span<const BrokenConnection> m_broken;
     Pieces m_pieces;
-    CrackLips m_lips;
-    bool m_opensLips; ///< of cracks that end within a piece, until no attempt to do so comes to anything
+    const CrackLips& m_lips; ///< of cracks that end within a piece
     std::vector<Solid> m_solids;
     std::vector<std::size_t> m_sizes;                     // objects per piece
     std::vector<std::uint8_t> m_isDust;                   // per piece
@@ -347,14 +359,18 @@ std::vector<Fragment> fragmentsOf(const Aggregate& aggregate, const TriangleMesh
     if (!isWatertight(skin))
         throw std::invalid_argument("fragmentsOf: the surface is not closed");
     Pieces pieces = findPieces(aggregate, broken);
-    if (pieces.count == findPieces(aggregate).count && !(options.opensCracks && !broken.empty())) {
+    const std::size_t before = findPieces(aggregate).count;
+    // What was never connected is no piece: where nothing has come apart only a body in one piece is looked at.
+    const bool mayHaveLips = options.opensCracks && (before == 1 || pieces.count > before);
+    const CrackLips lips(aggregate, pieces, mayHaveLips ? broken : std::span<const BrokenConnection>());
+    if (pieces.count == before && lips.isEmpty()) {
         std::vector<ObjectIndex> all(aggregate.size());
         std::iota(all.begin(), all.end(), 0U);
         Fragment whole{.mesh = skin, .objects = std::move(all), .dust = {}};
         whole.volume = massProperties(skin).volume;
         return {std::move(whole)};
     }
-    return Breaker(aggregate, skin, broken, std::move(pieces), options).fragments(control);
+    return Breaker(aggregate, skin, broken, std::move(pieces), lips, options).fragments(control);
 }
 
 } // namespace knead

@@ -1,6 +1,7 @@
 #include "core/skin/knife_slit.h"
 
 #include "core/aggregate/pieces.h"
+#include "core/skin/carried_fragments.h"
 #include "core/skin/crack_lips.h"
 #include "core/skin/skin_map.h"
 
@@ -103,6 +104,7 @@ std::optional<KnifeSlit> findKnifeSlit(const Aggregate& aggregate, std::span<con
     }
     box.min().array() -= beyond * spacing;
     box.max().array() += beyond * spacing;
+    std::vector<Vec2> holding; // wherever the plane goes
     const std::vector<std::uint16_t> isBroken = brokenDirections(aggregate, broken);
     double lipAbove = 0; // votes for lip 1 of CrackLips
     for (std::size_t d = 0; d < Lattice::directionCount; ++d)
@@ -116,8 +118,11 @@ std::optional<KnifeSlit> findKnifeSlit(const Aggregate& aggregate, std::span<con
                 const Vec2 place =
                     inPlane(lattice.position(object) +
                             here / (here - there) * (lattice.position(other) - lattice.position(object)));
-                if ((isBroken[object] >> d & 1U) == 0 && box.contains(place))
-                    crossings.closed.push_back(place);
+                if ((isBroken[object] >> d & 1U) == 0) {
+                    holding.push_back(place);
+                    if (box.contains(place))
+                        crossings.closed.push_back(place);
+                }
                 if ((isBroken[object] >> d & 1U) != 0)
                     lipAbove += (here > 0) == (lips.ofObject()[object] == 1) ? 1 : -1;
             }
@@ -141,6 +146,12 @@ std::optional<KnifeSlit> findKnifeSlit(const Aggregate& aggregate, std::span<con
     }
     if (hasTip)
         first = tip.place;
+    if (std::ranges::any_of(holding, [&](const Vec2& place) {
+            const double way = opening.dot(place);
+            const double side = along.dot(place);
+            return way > first + (hasTip ? slack * spacing : 0) && way < last && side > left && side < right;
+        }))
+        return {};
     const auto inSpace = [&](const Vec2& place) { return Vec3(axes.col(2) * place.x() + axes.col(1) * place.y()); };
     KnifeSlit slit{.origin = middle + inSpace(first * opening + (left + right) / 2 * along),
                    .opening = inSpace(opening),
@@ -214,6 +225,7 @@ SlitMap::SlitMap(const Aggregate& all, const KnifeSlit& slit, const std::vector<
                     isBroken[object] = static_cast<std::uint16_t>(isBroken[object] | 1U << d);
             }
     for (std::size_t part = 0; part < objects.size(); ++part) {
+        objects[part] = firmOf(aggregate, objects[part], isBroken);
         std::vector<Vec3> own;
         for (const ObjectIndex object : objects[part])
             own.push_back(displacements[object]);

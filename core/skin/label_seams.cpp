@@ -6,6 +6,7 @@
 #include "core/skin/fragments.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -15,6 +16,7 @@ namespace knead {
 namespace {
 
 using Triangle = TriangleMesh::Triangle;
+constexpr std::size_t leastBubble = 30; // triangles that may be open by themselves
 
 /// Points of the labels that use them, each a corner of its own until it is sewn.
 class Corners {
@@ -58,7 +60,7 @@ public:
         for (std::size_t i = 0; i < m_isOpen.size(); ++i) {
             const auto& [points, back, front] = triangles.cracks[i];
             const Vec3 middle = (placeOf(points[0]) + placeOf(points[1]) + placeOf(points[2])) / 3;
-            m_isOpen[i] = seams.pieceOf(back) != seams.pieceOf(front) || seams.isOpen(middle) ? 1 : 0;
+            m_isOpen[i] = !isWithinPiece(i) || seams.isOpen(middle) ? 1 : 0;
             if (m_isOpen[i] == 0)
                 sew(i);
         }
@@ -66,8 +68,9 @@ public:
 
     std::vector<SewnMesh> sewn()
     {
+        closeBubbles();
         while (closePinches())
-            continue;
+            closeBubbles();
         std::map<std::uint32_t, SewnMesh> pieces;
         for (const CutTriangles::Skin& t : m_triangles.skin)
             add(pieces[m_seams.pieceOf(t.label)], t.points, t.label, t.face);
@@ -96,28 +99,84 @@ private:
             m_sets.join(m_corners.of(point, back), m_corners.of(point, front));
     }
 
-    /// Edges whose two ends are sewn, with more than one open triangle of a piece at them, would have four.
+    void close(std::size_t crack)
+    {
+        m_isOpen[crack] = 0;
+        sew(crack);
+    }
+
+    bool isWithinPiece(std::size_t crack) const
+    {
+        const auto& [points, back, front] = m_triangles.cracks[crack];
+        return m_seams.pieceOf(back) == m_seams.pieceOf(front);
+    }
+
+    /// Where a few triangles alone would be open, away from the skin.
+    void closeBubbles()
+    {
+        std::uint32_t points = 0;
+        for (const CutTriangles::Skin& t : m_triangles.skin)
+            points = std::max({points, t.points[0] + 1, t.points[1] + 1, t.points[2] + 1});
+        for (const CutTriangles::Crack& t : m_triangles.cracks)
+            points = std::max({points, t.points[0] + 1, t.points[1] + 1, t.points[2] + 1});
+        DisjointSets groups(points);
+        const auto forEachOpen = [&](auto&& visit) {
+            for (std::size_t i = 0; i < m_isOpen.size(); ++i)
+                if (m_isOpen[i] != 0 && isWithinPiece(i))
+                    visit(i, m_triangles.cracks[i].points);
+        };
+        forEachOpen([&](std::size_t, const Triangle& t) {
+            groups.join(t[0], t[1]);
+            groups.join(t[1], t[2]);
+        });
+        std::vector<std::size_t> count(points, 0);
+        forEachOpen([&](std::size_t, const Triangle& t) { ++count[groups.find(t[0])]; });
+        for (const CutTriangles::Skin& t : m_triangles.skin)
+            for (const std::uint32_t point : t.points)
+                count[groups.find(point)] += leastBubble;
+        forEachOpen([&](std::size_t i, const Triangle& t) {
+            if (count[groups.find(t[0])] < leastBubble)
+                close(i);
+        });
+    }
+
+    /// Edges whose two ends are sewn, with more than two triangles of the surface at them.
     bool closePinches()
     {
-        std::map<std::array<std::size_t, 2>, std::vector<std::size_t>> atEdge; // open triangles
-        for (std::size_t i = 0; i < m_isOpen.size(); ++i) {
-            const auto& [points, back, front] = m_triangles.cracks[i];
-            if (m_isOpen[i] == 0 || m_seams.pieceOf(back) != m_seams.pieceOf(front))
-                continue;
+        std::vector<std::uint8_t> isSewn(m_corners.size(), 0); // per set: it is of several corners
+        for (std::size_t corner = 0; corner < m_corners.size(); ++corner)
+            if (const std::size_t set = m_sets.find(corner); set != corner)
+                isSewn[set] = 1;
+        struct Edge {
+            std::size_t triangles = 0;
+            std::vector<std::size_t> open;
+        };
+        std::map<std::array<std::size_t, 2>, Edge> edges;
+        const auto visit = [&](const Triangle& points, std::uint32_t label, std::size_t crack) {
             for (std::size_t side = 0; side < 3; ++side) {
-                const std::uint32_t p = points[side];
-                const std::uint32_t q = points[(side + 1) % 3];
-                const std::size_t a = m_sets.find(m_corners.of(p, back));
-                const std::size_t b = m_sets.find(m_corners.of(q, back));
-                if (a == m_sets.find(m_corners.of(p, front)) && b == m_sets.find(m_corners.of(q, front)))
-                    atEdge[{std::min(a, b), std::max(a, b)}].push_back(i);
+                const std::size_t a = m_sets.find(m_corners.of(points[side], label));
+                const std::size_t b = m_sets.find(m_corners.of(points[(side + 1) % 3], label));
+                if (isSewn[a] == 0 || isSewn[b] == 0)
+                    continue;
+                Edge& edge = edges[{std::min(a, b), std::max(a, b)}];
+                ++edge.triangles;
+                if (crack < m_isOpen.size())
+                    edge.open.push_back(crack);
             }
-        }
+        };
+        for (const CutTriangles::Skin& t : m_triangles.skin)
+            visit(t.points, t.label, m_isOpen.size());
+        for (std::size_t i = 0; i < m_isOpen.size(); ++i)
+            if (m_isOpen[i] != 0) {
+                const std::size_t crack = isWithinPiece(i) ? i : m_isOpen.size();
+                visit(m_triangles.cracks[i].points, m_triangles.cracks[i].back, crack);
+                visit(m_triangles.cracks[i].points, m_triangles.cracks[i].front, crack);
+            }
         bool isChanged = false;
-        for (const auto& [edge, open] : atEdge)
-            for (std::size_t i = 0; open.size() > 1 && i < open.size(); ++i)
-                if (std::exchange(m_isOpen[open[i]], std::uint8_t{0}) != 0) {
-                    sew(open[i]);
+        for (const auto& [ends, edge] : edges)
+            for (std::size_t i = 0; edge.triangles > 2 && i < edge.open.size(); ++i)
+                if (m_isOpen[edge.open[i]] != 0) {
+                    close(edge.open[i]);
                     isChanged = true;
                 }
         return isChanged;

@@ -24,7 +24,8 @@ struct SewnMesh {
 };
 
 /// Makes pieces of labels: where a border within a piece is not open it vanishes, and what met there is one. A crack that would hang
-/// on single points or edges is closed there, so that edges have two triangles each.
+/// on an edge alone is closed there, so that edges have two triangles each, and so is what would be open away from the skin in a few
+/// triangles.
 /// @param placeOf of a point
 /// @return by piece. @throws DegenerateCut when a piece would not be closed
 std::vector<SewnMesh> sewn(const CutTriangles& triangles, const std::function<Vec3(std::uint32_t point)>& placeOf,

@@ -194,6 +194,19 @@ std::vector<std::uint32_t> fragmentOfObjects(const Aggregate& aggregate, const s
     return of;
 }
 
+/// Of cracks that end in a piece: how many of its connections are broken, where that is more than a few.
+void remarkOnCracks(const PartToExport& whole, const std::vector<std::uint32_t>& fragmentOf, std::uint32_t fragment,
+                    std::vector<std::string>& remarks)
+{
+    constexpr std::ptrdiff_t few = 12;
+    const auto within = std::ranges::count_if(*whole.broken, [&](const BrokenConnection& one) {
+        return fragmentOf[one.lower] == fragment && fragmentOf[upperEnd(whole.aggregate->lattice, one)] == fragment;
+    });
+    if (within >= few)
+        remarks.push_back(
+            "cracks end in it, and its skin spans them; connections broken there: " + std::to_string(within) + ".");
+}
+
 /// What knives went through, a sheet for each two fragments that it parted; none where anything tore.
 std::vector<std::vector<Vec3>> sheetsOf(const Lattice& lattice, std::span<const BrokenConnection> broken,
                                         const std::vector<std::uint32_t>& fragmentOf)
@@ -354,7 +367,8 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
     }
     std::vector<Fragment> fragments = fragmentsOf(*whole.aggregate, skin, *whole.broken, {}, control);
     if (fragments.size() < 2) {
-        if (auto opened = isCracked ? gaping(whole, mostTriangles, keepsFaces, control) : std::nullopt) {
+        if (auto opened = isCracked && !fragments.front().isUncut ? gaping(whole, mostTriangles, keepsFaces, control)
+                                                                  : std::nullopt) {
             remarkOnDust(fragments.front().dust.size(), fragments.front().isUncut, opened->remarks);
             return {std::move(*opened)};
         }
@@ -365,9 +379,10 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
     }
     std::vector<CarriedFragment> now = carried(*whole.aggregate, fragments, *whole.broken, whole.displacements,
                                                whole.relaxed.get(), whole.loaded, control);
+    const std::vector<std::uint32_t> fragmentOf = fragmentOfObjects(*whole.aggregate, fragments);
     std::vector<std::vector<Vec3>> sheets;
     if (keepsFaces && whole.part.exact && !former)
-        sheets = sheetsOf(whole.aggregate->lattice, *whole.broken, fragmentOfObjects(*whole.aggregate, fragments));
+        sheets = sheetsOf(whole.aggregate->lattice, *whole.broken, fragmentOf);
     std::vector<std::vector<ObjectIndex>> objects;
     objects.reserve(fragments.size());
     for (const Fragment& fragment : fragments)
@@ -381,6 +396,7 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
             piece.cut = cuts[i];
             piece.density = whole.density;
             remarkOnDust(fragments[i].dust.size(), fragments[i].isUncut, piece.remarks);
+            remarkOnCracks(whole, fragmentOf, static_cast<std::uint32_t>(i), piece.remarks);
             pieces.push_back(std::move(piece));
             continue;
         }
@@ -394,6 +410,7 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
                 "too few of its objects hang together to say how it is deformed: it is written in "
                 "its shape at rest, moved as they have.");
         remarkOnDust(fragments[i].dust.size(), fragments[i].isUncut, piece.remarks);
+        remarkOnCracks(whole, fragmentOf, static_cast<std::uint32_t>(i), piece.remarks);
         piece.reason = tornReason(fragments.size());
         pieces.push_back(std::move(piece));
     }

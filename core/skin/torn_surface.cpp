@@ -1,6 +1,7 @@
 #include "core/skin/torn_surface.h"
 
 #include "core/aggregate/pieces.h"
+#include "core/skin/carried_fragments.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/opened_pieces.h"
 #include "core/skin/surface_fit.h"
@@ -88,6 +89,8 @@ std::optional<TornSurface> tornSurface(const Aggregate& aggregate, const Triangl
                 then.evaluate(pickedOf(aggregate.former->displacements(), carriers), places);
             }
             numbers.push_back(ofLip(piece.present, piece.lipOfPresent, lip));
+            if (lip != 0)
+                numbers.back() = firmOf(aggregate, numbers.back(), isBroken);
             skins.push_back(
                 Skin::ofPlacesWhenFilled(extract(aggregate, numbers.back(), isBroken), std::move(places), attaching));
         }

@@ -1,5 +1,7 @@
 #include "io/export/cut_shape.h"
 
+#include "core/geometry/disjoint_sets.h"
+
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
 
@@ -32,6 +34,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -246,16 +249,31 @@ TopoDS_Solid joinedOverShared(const TopoDS_Shape& shape)
             ++count[index];
             oriented[index] = face.Current();
         }
-    BRep_Builder builder;
-    TopoDS_Shell shell;
-    builder.MakeShell(shell);
+    TopTools_IndexedMapOfShape edges; // faces that share any make a shell
+    DisjointSets sets(count.size());
+    std::vector<std::size_t> faceOfEdge;
     for (std::size_t i = 1; i < count.size(); ++i)
-        if (count[i] == 1)
-            builder.Add(shell, oriented[i]);
-    shell.Closed(true);
+        for (TopExp_Explorer edge(oriented[i], TopAbs_EDGE); count[i] == 1 && edge.More(); edge.Next()) {
+            const auto index = static_cast<std::size_t>(edges.Add(edge.Current()));
+            faceOfEdge.resize(std::max(faceOfEdge.size(), index + 1), i);
+            sets.join(i, faceOfEdge[index]);
+        }
+    BRep_Builder builder;
+    std::map<std::size_t, TopoDS_Shell> shells;
+    for (std::size_t i = 1; i < count.size(); ++i) {
+        if (count[i] != 1)
+            continue;
+        const auto [shell, isNew] = shells.try_emplace(sets.find(i));
+        if (isNew)
+            builder.MakeShell(shell->second);
+        builder.Add(shell->second, oriented[i]);
+    }
     TopoDS_Solid joined;
     builder.MakeSolid(joined);
-    builder.Add(joined, shell);
+    for (auto& [set, shell] : shells) {
+        shell.Closed(true);
+        builder.Add(joined, shell);
+    }
     return joined;
 }
 

@@ -90,12 +90,14 @@ private slots:
              .folder = m_folder.filePath("one")},
             &answer);
         int asked = 0;
-        QTimer::singleShot(200, this, [&] {
+        QTimer refusal; // the question has a loop of its own
+        connect(&refusal, &QTimer::timeout, this, [&] {
             if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
                 ++asked;
                 box->button(QMessageBox::No)->click();
             }
         });
+        refusal.start(50);
         enter("a");
         QCOMPARE(asked, 1);
         QVERIFY(answer.isEmpty());

@@ -1,5 +1,6 @@
 #include "ui/dialogs/file_question.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFileSystemModel>
@@ -12,7 +13,7 @@ namespace {
 QFileDialog* makeDialog(QWidget& parent, const FileQuestion& question)
 {
     const QSettings settings;
-    const QString last = settings.value(question.key, settings.value("folder")).toString();
+    const QString last = settings.value(question.key, settings.value("folder", QDir::homePath())).toString();
     auto* dialog = new QFileDialog(&parent, question.title);
     // Qt's own dialog asks the system to watch each folder, which takes 20 to 50 ms where many names were ever looked up in it.
     if (auto* files = dialog->findChild<QFileSystemModel*>())

@@ -264,7 +264,7 @@ void Document::accept(const FramePointer& frame, std::uint64_t generation)
         endJourney();
 }
 
-/// Bodies have other objects than they had: whoever looks at objects begins again. Their surfaces are the same.
+/// Bodies have other objects than they had, and whoever looks at objects begins again; or a cut has opened their surface further.
 void Document::followFillings()
 {
     if (m_frame->filled == m_content->bodies)

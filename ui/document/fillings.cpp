@@ -160,15 +160,21 @@ std::shared_ptr<const ContentBody> tornLately(const std::shared_ptr<const Conten
                                               const std::shared_ptr<const std::vector<BrokenConnection>>& broken)
 {
     constexpr int rests = 3; // times as long as it takes, so that cutting has most of a processor
+    const auto idOf = [](const BrokenConnection& one) { return ConnectionId(one); };
     const std::shared_ptr<const ContentBody>& whole = filled->whole ? filled->whole : filled;
     if (!broken || broken->empty())
         return nullptr;
     const Pieces pieces = findPieces(*whole->aggregate, *broken);
-    const auto torn = whole->fillings->findTorn([&](const auto& other) {
+    const std::vector<BrokenConnection> within = brokenWithin(*whole->aggregate, pieces, *broken);
+    const auto hasSamePieces = [&](const auto& other) {
         return other.aggregate == whole->aggregate && other.pieceOfObject == pieces.ofObject;
+    };
+    if (whole->fillings->findTorn([&](const auto& other) { return hasSamePieces(other) && other.within == within; }))
+        return nullptr;
+    const auto torn = whole->fillings->findTorn([&](const auto& other) {
+        return hasSamePieces(other) && std::ranges::includes(within, other.within, {}, idOf, idOf);
     });
-    if (!torn || torn->broken == broken || std::chrono::steady_clock::now() > torn->end + rests * torn->duration ||
-        torn->within == brokenWithin(*whole->aggregate, pieces, *broken))
+    if (!torn || std::chrono::steady_clock::now() > torn->end + rests * torn->duration)
         return nullptr;
     return torn->body;
 }

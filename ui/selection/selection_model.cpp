@@ -43,7 +43,7 @@ SelectionModel::SelectionModel(Document& document)
             m_region = {};
             follow();
             emit changed();
-        } else if (what == Document::Change::Filling && isOfObjects(m_region.level)) {
+        } else if (what == Document::Change::Filling && isOfObjects(m_region.level) && m_fillings != fillings()) {
             clear(); // there are others now
         } else if (what == Document::Change::Selection && !m_isTelling) {
             follow();
@@ -70,6 +70,7 @@ void SelectionModel::select(const Region& region, How how)
         wanted = {};
     const bool isSame = wanted == m_region;
     m_region = std::move(wanted);
+    m_fillings = fillings();
     tellDocument(); // also a tool may be selected
     if (!isSame)
         emit changed();
@@ -91,6 +92,14 @@ void SelectionModel::follow()
         region.add(selection.id, 0);
     if (std::exchange(m_region, region) != region)
         emit changed();
+}
+
+std::vector<std::shared_ptr<const Aggregate>> SelectionModel::fillings() const
+{
+    std::vector<std::shared_ptr<const Aggregate>> all;
+    for (const auto& body : m_document.content().bodies)
+        all.push_back(body->aggregate);
+    return all;
 }
 
 void SelectionModel::tellDocument()

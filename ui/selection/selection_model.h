@@ -4,8 +4,12 @@
 
 #include <QObject>
 
+#include <memory>
+#include <vector>
+
 namespace knead {
 
+struct Aggregate;
 class Document;
 
 /// What is selected, down to faces, edges, objects and connections, and what a click would select. View, tree and panels show this
@@ -41,11 +45,13 @@ signals:
 private:
     void follow();
     void tellDocument();
+    std::vector<std::shared_ptr<const Aggregate>> fillings() const;
 
     Document& m_document;
     Level m_level = Level::Part;
     bool m_isThrough[levelCount] = {true, false, false, true, true};
     Region m_region;
+    std::vector<std::shared_ptr<const Aggregate>> m_fillings; ///< that its objects are of
     bool m_isTelling = false;
 };
 
