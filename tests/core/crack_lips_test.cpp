@@ -5,6 +5,7 @@
 #include "core/geometry/refine.h"
 #include "core/skin/fragments.h"
 #include "core/skin/knife_slit.h"
+#include "core/skin/label_seams.h"
 #include "core/skin/torn_surface.h"
 #include "support/shapes.h"
 
@@ -180,6 +181,59 @@ private slots:
         }
         QVERIFY(onCut > 100);
         QVERIFY2(std::abs(lowest) < spacing, qPrintable(QString::number(lowest / spacing)));
+    }
+
+    /// Two cubes side by side as one piece: whole, cut into along one of the two triangles between them, and parted.
+    void cubesAreSewn()
+    {
+        CutTriangles cubes;
+        const auto point = [](std::uint32_t x, std::uint32_t y, std::uint32_t z) { return 4 * x + 2 * y + z; };
+        const auto placeOf = [](std::uint32_t p) { return Vec3(p / 4, p / 2 % 2, p % 2); };
+        for (std::uint32_t cube = 0; cube < 2; ++cube)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                for (std::uint32_t side = 0; side < 2; ++side) {
+                    std::array<std::uint32_t, 4> corners{};
+                    constexpr std::array<std::array<std::uint32_t, 2>, 4> around{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+                    for (std::size_t i = 0; i < 4; ++i) {
+                        std::array<std::uint32_t, 3> at{};
+                        at[axis] = side;
+                        at[(axis + 1) % 3] = around[i][0];
+                        at[(axis + 2) % 3] = around[i][1];
+                        corners[side == 1 ? i : 3 - i] = point(cube + at[0], at[1], at[2]);
+                    }
+                    for (const TriangleMesh::Triangle& t :
+                         {TriangleMesh::Triangle{corners[0], corners[1], corners[2]},
+                          TriangleMesh::Triangle{corners[0], corners[2], corners[3]}}) {
+                        if (axis == 0 && side == 1 && cube == 0)
+                            cubes.cracks.push_back({t, 0, 1});
+                        else if (axis != 0 || side == 1 || cube == 0)
+                            cubes.skin.push_back({t, 7, cube});
+                    }
+                }
+        QCOMPARE(cubes.cracks.size(), std::size_t{2});
+        const auto sewnWhere = [&](const std::function<bool(const Vec3&)>& isOpen) {
+            const std::vector<SewnMesh> pieces =
+                sewn(cubes, placeOf, {.pieceOf = [](std::uint32_t) { return 5U; }, .isOpen = isOpen});
+            return pieces.size() == 1 && pieces[0].piece == 5 ? pieces[0] : SewnMesh{};
+        };
+        const auto onCrack = [](const SewnMesh& sewn) {
+            return std::ranges::count(sewn.mesh.faceOfTriangle, Fragment::crackFace);
+        };
+        const SewnMesh whole = sewnWhere([](const Vec3&) { return false; });
+        const SewnMesh half = sewnWhere([](const Vec3& place) { return place.y() > place.z(); });
+        const SewnMesh parted = sewnWhere([](const Vec3&) { return true; });
+        for (const SewnMesh* each : {&whole, &half, &parted}) {
+            QVERIFY(isWatertight(each->mesh));
+            QVERIFY(std::abs(massProperties(each->mesh).volume - 2) < 1e-12);
+        }
+        QCOMPARE(onCrack(whole), 0);
+        QCOMPARE(onCrack(half), 2);
+        QCOMPARE(onCrack(parted), 4);
+        QCOMPARE(whole.mesh.vertices.size(), std::size_t{12});
+        QCOMPARE(half.mesh.vertices.size(), std::size_t{13});
+        QCOMPARE(parted.mesh.vertices.size(), std::size_t{16});
+        QCOMPARE(std::ranges::count(whole.labelOfVertex, SewnMesh::manyLabels), 4);
+        QCOMPARE(std::ranges::count(parted.labelOfVertex, SewnMesh::manyLabels), 0);
     }
 
     /// It is one piece still, and no ring any more.

@@ -247,7 +247,6 @@ protected:
         m_story = name;
         m_stage = 0;
         m_busiest = {};
-        m_asking = 0;
         m_slowness = 1;
         begin();
         watched().clear();
@@ -271,7 +270,6 @@ protected:
                                                         .arg(1000 * m_busiest.time, 0, 'f', 1)
                                                         .arg(1000 * bound, 0, 'f', 1)
                                                         .arg(m_busiest.what)));
-        QVERIFY2(m_asking < 2 * bound, qPrintable(QStringLiteral("%1 ms to ask for a file").arg(1000 * m_asking)));
     }
 
 private:
@@ -284,14 +282,12 @@ private:
         const WatchedApplication::Longest& longest = watched().longest();
         qInfo("Until %s: busy for %.1f ms at most (%s), and drawing for %.1f ms.", qPrintable(until),
               1000 * longest.time, qPrintable(longest.what), 1000 * watched().longestDrawing());
-        m_asking = std::max(m_asking, watched().longestAsking().time);
         if (longest.time > m_busiest.time)
             m_busiest = {longest.time, "until " + until + ": " + longest.what};
         m_slowness = std::max(m_slowness, slowness());
     }
 
     WatchedApplication::Longest m_busiest;
-    double m_asking = 0;   ///< [s] longest that a dialog for files was made
     double m_slowness = 1; ///< at the slowest look
     QString m_story;
     int m_stage = 0;

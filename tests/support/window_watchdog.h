@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QEvent>
-#include <QFileDialog>
 #include <QThread>
 
 #include <algorithm>
@@ -41,7 +40,7 @@ inline double slowness()
 
 /// An application that watches how long each event keeps the window's thread from the next one. Drawing the view, and putting its
 /// picture together with those of the widgets, is told apart: on a machine without a graphics card the processor does it. Loops
-/// of dialogs are not the event that opened them. Making Qt's own dialog for files is told apart, too: it depends on the folder.
+/// of dialogs are not the event that opened them.
 class WatchedApplication final : public QApplication {
 public:
     using QApplication::QApplication;
@@ -55,12 +54,10 @@ public:
     void clear()
     {
         m_longest = {};
-        m_longestAsking = {};
         m_longestDrawing = 0;
     }
     const Longest& longest() const { return m_longest; }
-    const Longest& longestAsking() const { return m_longestAsking; } ///< of those that made Qt's own dialog for files
-    double longestDrawing() const { return m_longestDrawing; }       ///< of one picture [s]
+    double longestDrawing() const { return m_longestDrawing; } ///< of one picture [s]
 
     bool notify(QObject* receiver, QEvent* event) override
     {
@@ -88,9 +85,8 @@ public:
             m_longestDrawing = std::max(m_longestDrawing, busy - ran.painting);
             busy = ran.painting;
         }
-        Longest& longest = busy > leastWatched && hasAskedForFile() ? m_longestAsking : m_longest;
-        if (busy > longest.time)
-            longest = {busy, QStringLiteral("event %1 of %2").arg(int(type)).arg(name)};
+        if (busy > m_longest.time)
+            m_longest = {busy, QStringLiteral("event %1 of %2").arg(int(type)).arg(name)};
         return result;
     }
 
@@ -114,20 +110,6 @@ private:
         m_running[running].isPainting = false;
         m_running[running].painting += ownTime() - m_running[running].elsewhere - start;
         return result;
-    }
-
-    static constexpr double leastWatched = 0.005; // [s]; no dialog is made in less
-
-    /// A dialog for files has been made since this was asked last.
-    static bool hasAskedForFile()
-    {
-        bool isNew = false;
-        for (QWidget* widget : topLevelWidgets())
-            if (qobject_cast<QFileDialog*>(widget) != nullptr && !widget->property("isWatched").toBool()) {
-                widget->setProperty("isWatched", true);
-                isNew = true;
-            }
-        return isNew;
     }
 
     static bool isDrawing(const QObject& receiver, const QEvent& event)
@@ -154,7 +136,6 @@ private:
 
     std::vector<Running> m_running;
     Longest m_longest;
-    Longest m_longestAsking;
     double m_longestDrawing = 0;
 };
 

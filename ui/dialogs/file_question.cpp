@@ -14,8 +14,9 @@ QFileDialog* makeDialog(QWidget& parent, const FileQuestion& question)
 {
     const QSettings settings;
     const QString last = settings.value(question.key, settings.value("folder", QDir::homePath())).toString();
-    auto* dialog = new QFileDialog(&parent, question.title);
-    // Qt's own dialog asks the system to watch each folder, which takes 20 to 50 ms where many names were ever looked up in it.
+    // Qt's own dialog asks the system to watch each folder, which takes 20 to 50 ms where many names were ever looked up in it. It
+    // begins with a small one, or it would begin with the last one there was.
+    auto* dialog = new QFileDialog(&parent, question.title, QDir::rootPath());
     if (auto* files = dialog->findChild<QFileSystemModel*>())
         files->setOption(QFileSystemModel::DontWatchForChanges);
     dialog->setDirectory(question.folder.isEmpty() ? last : question.folder);
