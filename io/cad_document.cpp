@@ -4,6 +4,7 @@
 #include "io/brep_check.h"
 #include "io/cad_assembly.h"
 #include "io/iges_check.h"
+#include "io/iges_groups.h"
 #include "io/iges_names.h"
 #include "io/iges_surfaces.h"
 #include "io/occt_progress.h"
@@ -142,6 +143,7 @@ void readIges(const std::string& path, TaskControl& control, CadDocument& result
     control.throwIfCancelled();
     result.unit = igesUnit(reader);
 
+    keepMembersOnce(reader);
     transfer(reader, path, "no shape of the IGES file could be made; export the file again, best as STEP.", control,
              result);
     result.names = namesOfIgesSolids(reader);

@@ -187,7 +187,7 @@ Part makePart(const CadBody& body, const std::optional<Color>& defaultColor, con
         const std::size_t bareFaces = countBareFaces(part);
         if (bareFaces > 0)
             part.warnings.push_back("has " + std::to_string(bareFaces) + (bareFaces == 1 ? " face" : " faces") +
-                                    " without triangles: not shown, for the file describes what cannot be.");
+                                    " that no triangles could be found for; it is not shown there.");
         if (!part.mesh.empty() && bareFaces == 0)
             part.box = tightened(part.box, massProperties(part.mesh).box, start.deflection);
         part.openEdges = freeBordersOf(shape);

@@ -5,6 +5,7 @@
 #include "io/tessellation.h"
 
 #include <BRepGProp.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
@@ -14,6 +15,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -27,6 +29,7 @@ constexpr double goodVolume = 8e-4;        // relative; some room below the prom
 constexpr double adaptiveTolerance = 1e-5; // relative, of the adaptive integration
 constexpr double gaping = 1e-2;            // of the volume; no integration is better than what gaps leave open
 constexpr int mostRefinements = 4;
+constexpr std::array otherAngles{0.5, 0.2}; // [rad], the last one as triangles are made else
 
 double adaptiveVolume(const TopoDS_Shape& solid)
 {
@@ -65,7 +68,9 @@ public:
 
     SolidMeasure run(bool mayRefine)
     {
-        const bool isDone = !mayRefine || isGood() || (m_isWatertight && settleWithSameTriangles());
+        if (!m_isWatertight)
+            closeOtherwise();
+        const bool isDone = !mayRefine || !m_isWatertight || isGood() || settleWithSameTriangles();
         for (int i = 0; !isDone && i < mostRefinements && !isGood(); ++i)
             if (!refine())
                 break;
@@ -99,6 +104,24 @@ private:
         return true;
     }
 
+    /// Triangles that do not close may do so when edges are divided in other places. What stays open is not made finer: more
+    /// triangles do not bring those that are missing.
+    void closeOtherwise()
+    {
+        for (const double angle : otherAngles) {
+            const Tessellation other{m_tessellation.deflection, angle};
+            BRepTools::Clean(m_solid); // else finer triangles than asked for stay
+            TriangleMesh mesh = closeSlits(tessellate(m_solid, other));
+            m_isWatertight = isWatertight(mesh);
+            if (!m_isWatertight && angle != otherAngles.back())
+                continue;
+            m_meshVolume = massProperties(mesh).volume;
+            m_mesh = std::move(mesh);
+            m_tessellation = other;
+            return;
+        }
+    }
+
     /// The error of the volume is proportional to the deflection, and to the square of the angle.
     /// @return false when a finer mesh is no better: then the faces themselves do not say what the volume is
     bool refine()
@@ -111,14 +134,12 @@ private:
         chooseVolumeNear(limit);
 
         const double before = disagreement();
-        const bool isOpen = !m_isWatertight;
-        if (const bool isClosed = isWatertight(mesh); isClosed || isOpen) {
-            m_isWatertight = isClosed;
-            m_mesh = std::move(mesh);
-            m_meshVolume = meshVolume;
-            m_tessellation = finer;
-        }
-        return isOpen || disagreement() < 0.9 * before;
+        if (!isWatertight(mesh))
+            return false;
+        m_mesh = std::move(mesh);
+        m_meshVolume = meshVolume;
+        m_tessellation = finer;
+        return disagreement() < 0.9 * before;
     }
 
     void chooseVolumeNear(double limit)

@@ -1,5 +1,6 @@
 #include "io/tessellation.h"
 
+#include "io/face_triangulation.h"
 #include "io/millimeter.h"
 #include "io/volume_fit.h"
 
@@ -206,6 +207,7 @@ TriangleMesh tessellate(const TopoDS_Shape& shape, const Tessellation& tessellat
     parameters.Angle = tessellation.angle;
     parameters.InParallel = true;
     const BRepMesh_IncrementalMesh triangulated(shape, parameters);
+    mendTriangles(shape, {parameters.Deflection * millimeter, tessellation.angle});
     return collectTriangles(shape, tessellation, VertexPlace::onFaces);
 }
 

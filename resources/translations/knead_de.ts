@@ -1361,12 +1361,12 @@
         <translation>hat Flächen, die nicht gut zusammentreffen: sein Volumen ist um %1 unsicher.</translation>
     </message>
     <message>
-        <source>has 1 face without triangles: not shown, for the file describes what cannot be.</source>
-        <translation>hat 1 Fläche ohne Dreiecke: nicht gezeigt, denn die Datei beschreibt, was nicht sein kann.</translation>
+        <source>has 1 face that no triangles could be found for; it is not shown there.</source>
+        <translation>hat 1 Fläche, für die sich keine Dreiecke fanden; dort wird nichts gezeigt.</translation>
     </message>
     <message>
-        <source>has %1 faces without triangles: not shown, for the file describes what cannot be.</source>
-        <translation>hat %1 Flächen ohne Dreiecke: nicht gezeigt, denn die Datei beschreibt, was nicht sein kann.</translation>
+        <source>has %1 faces that no triangles could be found for; it is not shown there.</source>
+        <translation>hat %1 Flächen, für die sich keine Dreiecke fanden; dort wird nichts gezeigt.</translation>
     </message>
     <message>
         <source>is incomplete: %1 of %2 faces of a shell could be read; the others are damaged in the file.</source>

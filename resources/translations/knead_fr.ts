@@ -1361,12 +1361,12 @@
         <translation>a des faces qui se joignent mal : son volume est incertain de %1.</translation>
     </message>
     <message>
-        <source>has 1 face without triangles: not shown, for the file describes what cannot be.</source>
-        <translation>a 1 face sans triangles : non montrée, car le fichier décrit ce qui ne peut être.</translation>
+        <source>has 1 face that no triangles could be found for; it is not shown there.</source>
+        <translation>a 1 face pour laquelle aucun triangle n’a été trouvé ; rien n’y est montré.</translation>
     </message>
     <message>
-        <source>has %1 faces without triangles: not shown, for the file describes what cannot be.</source>
-        <translation>a %1 faces sans triangles : non montrées, car le fichier décrit ce qui ne peut être.</translation>
+        <source>has %1 faces that no triangles could be found for; it is not shown there.</source>
+        <translation>a %1 faces pour lesquelles aucun triangle n’a été trouvé ; rien n’y est montré.</translation>
     </message>
     <message>
         <source>is incomplete: %1 of %2 faces of a shell could be read; the others are damaged in the file.</source>

@@ -1361,12 +1361,12 @@
         <translation>heeft vlakken die niet goed aansluiten: zijn volume is %1 onzeker.</translation>
     </message>
     <message>
-        <source>has 1 face without triangles: not shown, for the file describes what cannot be.</source>
-        <translation>heeft 1 vlak zonder driehoeken: niet getoond, want het bestand beschrijft wat niet kan.</translation>
+        <source>has 1 face that no triangles could be found for; it is not shown there.</source>
+        <translation>heeft 1 vlak waarvoor geen driehoeken zijn gevonden; daar wordt niets getoond.</translation>
     </message>
     <message>
-        <source>has %1 faces without triangles: not shown, for the file describes what cannot be.</source>
-        <translation>heeft %1 vlakken zonder driehoeken: niet getoond, want het bestand beschrijft wat niet kan.</translation>
+        <source>has %1 faces that no triangles could be found for; it is not shown there.</source>
+        <translation>heeft %1 vlakken waarvoor geen driehoeken zijn gevonden; daar wordt niets getoond.</translation>
     </message>
     <message>
         <source>is incomplete: %1 of %2 faces of a shell could be read; the others are damaged in the file.</source>

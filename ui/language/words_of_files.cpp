@@ -24,8 +24,8 @@ constexpr const char* const sentences[] = {
     QT_TRANSLATE_NOOP("FileWords", "does not pass the geometry checks; look at it closely before you trust it."),
     QT_TRANSLATE_NOOP("FileWords", "has gaps of up to %1, a hundredth of its size or more."),
     QT_TRANSLATE_NOOP("FileWords", "has faces that do not meet well: its volume is uncertain by %1."),
-    QT_TRANSLATE_NOOP("FileWords", "has 1 face without triangles: not shown, for the file describes what cannot be."),
-    QT_TRANSLATE_NOOP("FileWords", "has %1 faces without triangles: not shown, for the file describes what cannot be."),
+    QT_TRANSLATE_NOOP("FileWords", "has 1 face that no triangles could be found for; it is not shown there."),
+    QT_TRANSLATE_NOOP("FileWords", "has %1 faces that no triangles could be found for; it is not shown there."),
     QT_TRANSLATE_NOOP("FileWords",
                       "is incomplete: %1 of %2 faces of a shell could be read; the others are damaged in the file."),
     // of its borders

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "io/tessellation.h"
+
+class TopoDS_Shape;
+
+namespace knead {
+
+/// Gives triangles to faces of a shape that the modeler found none for, or whose triangles do not end at its edges or meet
+/// those of the neighbor there. Other faces keep theirs. Where a face cannot be drawn in its parameters, as when its wires
+/// do not close there, it stays as it is.
+/// @param shape lengths in mm; as BRepMesh left it
+void mendTriangles(const TopoDS_Shape& shape, const Tessellation& tessellation);
+
+} // namespace knead
