@@ -9,6 +9,7 @@
 #include "core/skin/former_shape.h"
 #include "core/skin/skin.h"
 #include "core/skin/skin_map.h"
+#include "io/number_words.h"
 
 #include <algorithm>
 #include <array>
@@ -28,7 +29,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double sceneEnd = 0.1;
 constexpr double stepsEnd = 0.95;
 
-constexpr double frame = 1.0 / 60; // forces on tools are means over this time [s]
+constexpr double stillShare = 1e-4; // of the size: nobody sees that a part has moved by less
+constexpr double frame = 1.0 / 60;  // forces on tools are means over this time [s]
 constexpr std::chrono::milliseconds reportInterval{100};
 
 double secondsSince(Clock::time_point start)
@@ -186,6 +188,7 @@ public:
         report.warnings.insert(report.warnings.end(), m_warnings.begin(), m_warnings.end());
         for (Remark& remark : remarksOn(report.quality))
             report.warnings.push_back(std::move(remark.sentence));
+        noteStillness(report);
         return report;
     }
 
@@ -201,6 +204,20 @@ public:
     }
 
 private:
+    /// A person who pressed a part expects to see it.
+    void noteStillness(RunReport& report) const
+    {
+        double size = 0;
+        for (const Part& part : m_ready.parts)
+            size = std::max(size, part.box.diagonal().norm());
+        double largest = 0;
+        for (const BodyMotion& motion : report.motions)
+            largest = std::max(largest, motion.largestDisplacement);
+        if (largest < stillShare * size && !m_latest->tools.empty())
+            report.warnings.push_back("Nothing moved by more than " + lengthWords(largest) +
+                                      ": fixtures hold all that the tools reach, or the tools reach nothing.");
+    }
+
     void takeFrame()
     {
         takeSnapshot();

@@ -11,9 +11,10 @@
 #include "io/readable_name.h"
 #include "io/step_assembly_size.h"
 #include "io/step_check.h"
-#include "io/step_geometry_check.h"
 #include "io/step_lost_faces.h"
 #include "io/step_names.h"
+#include "io/step_pruning.h"
+#include "io/step_references.h"
 #include "io/xcaf_document.h"
 
 #include <BRepTools.hxx>
@@ -80,7 +81,23 @@ void transfer(Reader& reader, const std::string& path, const char* failure, Task
     result.displays = std::move(assembly.displays);
 }
 
-void readStep(const std::string& path, TaskControl& control, CadDocument& result)
+/// Makes shapes and nothing else of what was read.
+void transferShapes(STEPControl_Reader& reader, TaskControl& control, CadDocument& result)
+{
+    TaskPortion transferring(control, 0.3, 1);
+    Handle(OcctProgress) progress = new OcctProgress(transferring, transferStage);
+    reader.TransferRoots(progress->Start());
+    control.throwIfCancelled();
+    const TopoDS_Shape shape = reader.OneShape();
+    if (shape.IsNull())
+        return;
+    CadNode leaf;
+    leaf.name = result.root.name;
+    leaf.shape = std::make_shared<const TopoDS_Shape>(shape);
+    result.root.children.push_back(std::move(leaf));
+}
+
+void readStep(const std::string& path, bool onlyShapes, TaskControl& control, CadDocument& result)
 {
     TaskPortion checking(control, 0, 0.05);
     const StepCheck check = checkStepText(path, checking);
@@ -100,12 +117,14 @@ void readStep(const std::string& path, TaskControl& control, CadDocument& result
     reader.SetPropsMode(false);
     reader.SetLayerMode(true);
     reader.SetMatMode(false);
-    if (reader.ChangeReader().ReadStream(shortName(path).c_str(), file) != IFSelect_RetDone)
+    if (reader.ChangeReader().ReadStream(path.c_str(), file) !=
+        IFSelect_RetDone) // files are looked for beside the path
         failReading(path, "the STEP text has errors that the reader cannot get over; export the file again.");
     control.throwIfCancelled();
-    if (const auto entity = hollowEntity(reader.Reader()))
-        failReading(path, "the entity " + *entity +
-                              " refers to something of the wrong kind or nothing at all; export the file again.");
+    const StepPruning pruned = pruneHollowEntities(reader.ChangeReader(), path);
+    result.damage = pruned.damage;
+    if (!pruned.damage.empty())
+        result.warnings.push_back(shortName(path) + ": " + pruned.damage);
     if (isCyclic(reader.Reader()))
         failReading(path, "an assembly in the file holds itself; export the file again, or its parts one by one.");
     if (countUnfoldedParts(reader.Reader(), mostParts) >= mostParts)
@@ -113,11 +132,17 @@ void readStep(const std::string& path, TaskControl& control, CadDocument& result
                               " parts; export the parts you need.");
     result.unit = stepUnit(reader.ChangeReader(), path, result.warnings);
 
-    markForeignNames(reader.Reader());
-    transfer(reader, path, "no shape of the STEP file could be made; export the file again.", control, result);
-    StepLosses losses = findLosses(reader.Reader());
+    if (const std::string missing = checkReferredFiles(reader.Reader(), path, control); !missing.empty())
+        result.missing.push_back(missing);
+    if (onlyShapes) {
+        transferShapes(reader.ChangeReader(), control, result);
+    } else {
+        markForeignNames(reader.Reader());
+        transfer(reader, path, "no shape of the STEP file could be made; export the file again.", control, result);
+    }
+    StepLosses losses = findLosses(reader.Reader(), pruned);
     result.incompleteShells = std::move(losses.incomplete);
-    result.missing = std::move(losses.missing);
+    result.missing.insert(result.missing.end(), losses.missing.begin(), losses.missing.end());
 }
 
 std::string igesUnit(const IGESCAFControl_Reader& reader)
@@ -180,12 +205,12 @@ const void* geometryOf(const TopoDS_Shape& shape)
     return shape.TShape().get();
 }
 
-CadDocument readCadDocument(const std::string& path, FormatKind kind, TaskControl& control)
+CadDocument readCadDocument(const std::string& path, FormatKind kind, bool onlyShapes, TaskControl& control)
 {
     CadDocument result;
     result.root.name = partNameFor(path);
     if (kind == FormatKind::Step)
-        readStep(path, control, result);
+        readStep(path, onlyShapes, control, result);
     else if (kind == FormatKind::Iges)
         readIges(path, control, result);
     else

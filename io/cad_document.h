@@ -67,6 +67,7 @@ struct CadDocument {
     std::string unit;   ///< as Model::unit
     std::vector<std::string> warnings;
     std::vector<std::string> missing; ///< as Model::missing
+    std::string damage;               ///< that cost parts of it, a sentence; also among the warnings
     std::vector<IncompleteShell> incompleteShells;
     CadNode root;
     ShapeColors colors;
@@ -75,7 +76,8 @@ struct CadDocument {
 };
 
 /// Reads STEP, IGES or BREP. OpenCASCADE keeps global state: call within an OcctSession.
+/// @param onlyShapes see ImportOptions
 /// @throws std::runtime_error, in a sentence. @throws Cancelled
-CadDocument readCadDocument(const std::string& path, FormatKind kind, TaskControl& control);
+CadDocument readCadDocument(const std::string& path, FormatKind kind, bool onlyShapes, TaskControl& control);
 
 } // namespace knead

@@ -9,6 +9,7 @@
 #include "io/occt_session.h"
 #include "io/part_selection.h"
 #include "io/size_limits.h"
+#include "io/step_references.h"
 
 #include <BRep_Builder.hxx>
 #include <Standard_Failure.hxx>
@@ -264,16 +265,23 @@ Model readCad(const std::string& path, FormatKind kind, const ImportOptions& opt
 {
     const OcctSession session;
     Model model;
+    std::string damage;
     guardOcct(path, [&] {
         TaskPortion reading(control, 0, 0.5);
-        CadDocument document = readCadDocument(path, kind, reading);
+        CadDocument document = readCadDocument(path, kind, options.onlyShapes, reading);
         model.format = document.format;
         model.unit = document.unit;
         model.warnings = document.warnings;
         model.missing = document.missing;
+        damage = document.damage;
         TaskPortion measuring(control, 0.5, 1);
         PartMaker(path, document, inUnitOf(document, options), measuring, model).run();
     });
+    if (model.parts.empty() && !damage.empty())
+        failReading(path, damage);
+    if (kind == FormatKind::Step && model.parts.empty() && model.missing.empty())
+        if (const std::string other = otherContent(path); !other.empty())
+            failReading(path, other);
     checkAnyPart(path, model);
     return model;
 }

@@ -17,7 +17,7 @@ namespace knead {
 
 namespace {
 
-using Entity = Handle(IGESData_IGESEntity);
+using IgesMember = Handle(IGESData_IGESEntity);
 
 /// Curves, surfaces, solids and what their borders consist of, as IGES 5.3 numbers types.
 bool isGeometry(const IGESData_IGESEntity& entity)
@@ -32,7 +32,7 @@ public:
     explicit MemberChoice(const Interface_Graph& graph, const Interface_InterfaceModel& model)
     {
         for (int i = 1; i <= model.NbEntities(); ++i) {
-            const auto entity = Entity::DownCast(model.Value(i));
+            const auto entity = IgesMember::DownCast(model.Value(i));
             if (entity.IsNull() || !isGeometry(*entity))
                 continue;
             for (Interface_EntityIterator parts = graph.Shareds(entity); parts.More(); parts.Next())
@@ -41,10 +41,10 @@ public:
     }
 
     /// @return those that are to stay
-    std::vector<Entity> chosen(const std::vector<Entity>& members)
+    std::vector<IgesMember> chosen(const std::vector<IgesMember>& members)
     {
-        std::vector<Entity> result;
-        for (const Entity& member : members)
+        std::vector<IgesMember> result;
+        for (const IgesMember& member : members)
             if (!isGeometry(*member) || m_taken.insert(member.get()).second)
                 result.push_back(member);
         return result;
@@ -54,11 +54,11 @@ private:
     std::unordered_set<const Standard_Transient*> m_taken;
 };
 
-std::vector<Entity> membersOf(int count, const auto& memberAt)
+std::vector<IgesMember> membersOf(int count, const auto& memberAt)
 {
-    std::vector<Entity> members;
+    std::vector<IgesMember> members;
     for (int i = 1; i <= count; ++i)
-        if (const Entity member = memberAt(i); !member.IsNull())
+        if (const IgesMember member = memberAt(i); !member.IsNull())
             members.push_back(member);
     return members;
 }

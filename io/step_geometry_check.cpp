@@ -60,7 +60,6 @@
 #include <StepShape_Vertex.hxx>
 #include <StepShape_VertexPoint.hxx>
 #include <TColStd_HArray1OfReal.hxx>
-#include <TCollection_HAsciiString.hxx>
 
 #include <algorithm>
 #include <functional>
@@ -234,14 +233,15 @@ private:
 
 } // namespace
 
-std::optional<std::string> hollowEntity(const STEPControl_Reader& reader)
+std::vector<Handle(Standard_Transient)> hollowEntities(const STEPControl_Reader& reader)
 {
     const Handle(Interface_InterfaceModel) model = reader.Model();
     HollowSearch search;
+    std::vector<Handle(Standard_Transient)> result;
     for (int i = 1; i <= model->NbEntities(); ++i)
         if (search.isHollow(*model->Value(i)))
-            return std::string(model->StringLabel(model->Value(i))->ToCString());
-    return std::nullopt;
+            result.push_back(model->Value(i));
+    return result;
 }
 
 } // namespace knead

@@ -1,14 +1,15 @@
 #pragma once
 
-#include <optional>
-#include <string>
+#include <Standard_Transient.hxx>
+
+#include <vector>
 
 class STEPControl_Reader;
 
 namespace knead {
 
-/// The number of the first entity ("#37") whose points, directions or curves are missing, or of the wrong kind, where the
-/// reader would follow them blindly and crash while it makes shapes.
-std::optional<std::string> hollowEntity(const STEPControl_Reader& reader);
+/// The entities whose points, directions or curves are missing, or of the wrong kind, where the reader would follow them
+/// blindly and crash while it makes shapes.
+std::vector<Handle(Standard_Transient)> hollowEntities(const STEPControl_Reader& reader);
 
 } // namespace knead

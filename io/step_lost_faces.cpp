@@ -43,7 +43,7 @@ bool isSolidOrSurface(const Handle(Standard_Transient) & entity)
 
 } // namespace
 
-StepLosses findLosses(const STEPControl_Reader& reader)
+StepLosses findLosses(const STEPControl_Reader& reader, const StepPruning& pruned)
 {
     StepLosses losses;
     const Handle(Interface_InterfaceModel) model = reader.Model();
@@ -51,7 +51,8 @@ StepLosses findLosses(const STEPControl_Reader& reader)
     std::size_t lostShapes = 0;
     for (int i = 1; i <= model->NbEntities(); ++i) {
         const Handle(Standard_Transient) entity = model->Value(i);
-        const int named = countNamedFaces(entity);
+        const auto lost = pruned.lostFaces.find(entity.get());
+        const int named = countNamedFaces(entity) + (lost == pruned.lostFaces.end() ? 0 : lost->second);
         if (named == 0 && !isSolidOrSurface(entity))
             continue;
         const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);

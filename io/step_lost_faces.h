@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/cad_document.h"
+#include "io/step_pruning.h"
 
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct StepLosses {
 
 /// Compares shells with what they were transferred to. The reader itself is silent about faces that refer to entities
 /// which do not exist, or which it does not understand.
-StepLosses findLosses(const STEPControl_Reader& reader);
+/// @param pruned faces that were taken out before
+StepLosses findLosses(const STEPControl_Reader& reader, const StepPruning& pruned);
 
 } // namespace knead

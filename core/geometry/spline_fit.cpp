@@ -11,7 +11,8 @@ namespace {
 
 constexpr int mostRounds = 24;
 constexpr std::size_t leastLooks = 3; // at errors within a span
-constexpr std::size_t mostLooks = 24; // features that small are below any sensible span
+constexpr std::size_t mostLooks = 96; // along a span of a surface
+constexpr std::size_t mostLooksAlongCurves = 480;
 constexpr std::size_t mostLines = 24; // along which errors are looked for, per direction
 constexpr int mostSlopeRounds = 4;    // for normals: a target may have kinks of its own
 constexpr double leastSine = 1e-3;    // between tangents that make a normal
@@ -19,11 +20,11 @@ constexpr double slopeStep = 1e-3;    // of a feature or the surface, over which
 constexpr double lastSlack = 1.5;     // by which errors between the lines may be larger than along them
 
 /// How often to look at a span, and where: nowhere near its ends, at which interpolation is good by itself.
-std::vector<double> looksInto(double begin, double end, double feature)
+std::vector<double> looksInto(double begin, double end, double feature, std::size_t most)
 {
     const double wanted = std::ceil(1.5 * (end - begin) / feature);
     const auto count =
-        static_cast<std::size_t>(std::clamp(wanted, static_cast<double>(leastLooks), static_cast<double>(mostLooks)));
+        static_cast<std::size_t>(std::clamp(wanted, static_cast<double>(leastLooks), static_cast<double>(most)));
     std::vector<double> looks;
     for (std::size_t i = 0; i < count; ++i)
         looks.push_back(begin + (end - begin) * (static_cast<double>(i) + 0.45) / static_cast<double>(count));
@@ -77,7 +78,8 @@ private:
         std::vector<double> parameters;
         std::vector<std::size_t> spans;
         for (std::size_t span = 0; span < m_knots.spans(); ++span)
-            for (const double parameter : looksInto(m_knots.values[span], m_knots.values[span + 1], m_feature)) {
+            for (const double parameter :
+                 looksInto(m_knots.values[span], m_knots.values[span + 1], m_feature, mostLooksAlongCurves)) {
                 parameters.push_back(parameter);
                 spans.push_back(span);
             }
@@ -295,7 +297,7 @@ private:
         const SplineKnots& knots = m_knots[direction];
         for (std::size_t span = 0; span < knots.spans(); ++span)
             for (const double look : looksInto(knots.values[span], knots.values[span + 1],
-                                               m_wanted.feature[static_cast<Eigen::Index>(direction)]))
+                                               m_wanted.feature[static_cast<Eigen::Index>(direction)], mostLooks))
                 for (std::size_t line = 0; line < lines.size(); line += strideFor(lines.size())) {
                     const Vec2 at = direction == 0 ? Vec2(look, lines[line]) : Vec2(lines[line], look);
                     if (!m_wanted.counts(at))
@@ -316,7 +318,7 @@ private:
     void lookAllOver(std::array<std::vector<bool>, 2>& missed)
     {
         const auto note = [&](const Vec2& at, double error) {
-            m_error = std::max(m_error, error);
+            noteError(at, error);
             if (error <= lastSlack * m_options.tolerance)
                 return;
             const std::size_t u = m_knots[0].spanOf(at[0]);
@@ -361,9 +363,17 @@ private:
         m_wanted.target(parameters, places);
         for (std::size_t i = 0; i < parameters.size(); ++i) {
             const double error = (at(parameters[i]) - places[i]).norm();
-            m_error = std::max(m_error, error);
+            noteError(parameters[i], error);
             visit(i, error);
         }
+    }
+
+    void noteError(const Vec2& where, double error)
+    {
+        if (error <= m_error)
+            return;
+        m_error = error;
+        m_worst = where;
     }
 
     /// @return whether there was anything left to refine
@@ -389,7 +399,8 @@ private:
                  m_options.degree,
                  std::move(m_poles)},
                 m_error,
-                converged};
+                converged,
+                m_worst};
     }
 
     const SurfaceToFit& m_wanted;
@@ -402,6 +413,7 @@ private:
     std::vector<Slope> m_slopes;                 // wanted there
     std::array<std::vector<double>, 2> m_errors; // largest per span, along lines
     double m_error = 0;
+    Vec2 m_worst = Vec2::Zero();
 };
 
 } // namespace

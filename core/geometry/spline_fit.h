@@ -43,8 +43,9 @@ struct SplineFitOptions {
 template <typename Spline>
 struct SplineFit {
     Spline spline;
-    double error = 0;       ///< largest distance that was seen
-    bool converged = false; ///< within the tolerance
+    double error = 0;          ///< largest distance that was seen
+    bool converged = false;    ///< within the tolerance
+    Vec2 worst = Vec2::Zero(); ///< parameters of a surface where that distance was seen
 };
 
 /// Interpolates a curve at Greville points and splits the spans in which it misses the tolerance, until it does not.

@@ -82,6 +82,11 @@ double PartExportReport::volumeError() const
 
 bool PartExportReport::isSound() const
 {
+    return isFit() && !crossesItself && largestKink <= largestKinkOfSoundParts;
+}
+
+bool PartExportReport::isFit() const
+{
     return valid && ((closed && freeEdges == 0) || !wasClosed) && std::abs(volumeError()) <= largestVolumeError &&
            largestDeviation <= tolerance;
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -53,8 +54,11 @@ struct PartExportReport {
     bool nameKept = false;
     bool colorsKept = false;
 
-    /// Whether a person can rely on it.
+    /// Whether a person can rely on it: it is fit for use, does not pass through itself, and is smooth where it was.
     bool isSound() const;
+
+    /// Whether it is valid, as closed as it was, and where and as large as the skin is.
+    bool isFit() const;
 
     /// Relative error of the volume; 0 for parts without one.
     double volumeError() const;
@@ -75,6 +79,9 @@ struct ExportReport {
 
 /// Largest volume error of a sound part.
 inline constexpr double largestVolumeError = 2e-3;
+
+/// Largest angle between faces that met smoothly, of a sound part [rad]: half a degree shows in reflections.
+inline constexpr double largestKinkOfSoundParts = 0.5 * std::numbers::pi / 180;
 
 /// The report as lines for a person to read.
 std::vector<std::string> linesOf(const ExportReport& report);

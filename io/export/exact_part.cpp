@@ -121,34 +121,6 @@ std::string whyNot(const MorphedShape& shape)
     return {};
 }
 
-/// Which faces the splines could not follow as closely as was wanted, numbered from 0 as in recipes.
-void noteMisses(const MorphedShape& shape, const std::string& name, double aim, PartExportReport& report)
-{
-    constexpr std::size_t mostNamed = 12;
-    std::string numbers;
-    std::size_t count = 0;
-    std::size_t worst = 0;
-    for (std::size_t i = 0; i < shape.notes.size(); ++i) {
-        if (shape.notes[i].converged)
-            continue;
-        if (count++ < mostNamed)
-            numbers += (count == 1 ? " " : ", ") + std::to_string(i);
-        worst = shape.notes[i].error > shape.notes[worst].error || shape.notes[worst].converged ? i : worst;
-    }
-    if (count == 0)
-        return;
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  " not come as close to the skin as was aimed at, %.3g mm; face %zu is %.3g mm off.", aim, worst,
-                  shape.notes[worst].error);
-    report.remarks.push_back("\"" + name + "\": " + (count == 1 ? "face" : std::to_string(count) + " faces,") +
-                             numbers +
-                             (count > mostNamed ? ", ...,"
-                              : count > 1       ? ","
-                                                : "") +
-                             (count == 1 ? " does" : " do") + text);
-}
-
 /// @param origin per face that is written: which of the part it is of
 void addFaceColors(const Part& part, const std::vector<std::uint32_t>& origin, CadPartToWrite& out)
 {
@@ -165,6 +137,7 @@ void makeFaceted(const PartToExport& part, const std::string& reason, ReadyPart&
     ready.out.shape = solid.shape;
     ready.source.Nullify();
     ready.report.form = PartExportReport::Form::faceted;
+    ready.report.tolerance = std::max(ready.report.tolerance, facetDeflection * part.part.box.diagonal().norm());
     ready.report.reason = reason;
     addFaceColors(part.part, solid.origin, ready.out);
 }
@@ -196,7 +169,6 @@ std::string bend(ReadyPart& ready, TaskControl& control)
     report.keptFaces =
         static_cast<int>(std::count_if(morphed.notes.begin(), morphed.notes.end(),
                                        [](const MorphedFaceNote& note) { return note.kind == MorphedFaceKind::kept; }));
-    noteMisses(morphed, report.name, options.faceTolerance(), report);
     ready.notes = std::move(morphed.notes);
     ready.out.shape = faceIntegralsOf(morphed.shape).volume < 0 ? morphed.shape.Reversed() : morphed.shape;
     return {};
@@ -273,7 +245,7 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
 
     control.report(0, "bending the surface");
     const TriangleMesh rest = refined(part, part.part.mesh, mostTriangles);
-    const TriangleMesh now = carried(*ready.map, rest);
+    TriangleMesh now = carried(*ready.map, rest);
     // Triangles miss the volume of curved faces, in nearly the same measure before and after.
     const double restOfMesh = massProperties(part.part.mesh).volume;
     const double volume = part.part.watertight ? volumeOf(*ready.map, rest, now) : 0;
@@ -285,6 +257,7 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
                                  "\" is an open mesh, which CAD files cannot hold; hide it, or " + "export as a mesh.");
     if (shape.IsNull()) {
         makeFaceted(part, part.reason.empty() ? "it came as a mesh, which has no smooth faces." : part.reason, ready);
+        ready.skin = std::move(now);
         return ready;
     }
     const bool isMoved = dynamic_cast<const InPlace*>(ready.map.get()) == nullptr;
@@ -301,6 +274,8 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
     TaskPortion bending(control, 0.2, 1);
     makeBent(part, choice, bending, ready);
     noteFold(rest, now, report);
+    if (report.form == PartExportReport::Form::faceted)
+        ready.skin = std::move(now);
     return ready;
 }
 

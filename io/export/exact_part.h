@@ -32,7 +32,8 @@ struct ReadyPart {
     PartExportReport report;        ///< what is known before the file is read back
     TopoDS_Shape source;            ///< of an exact part, at rest [mm]
     std::shared_ptr<const SmoothMap> map; ///< that took it where it is [m]
-    std::vector<MorphedFaceNote> notes;
+    std::vector<MorphedFaceNote> notes;   ///< on the faces of `source`; none where they stayed or are flat
+    TriangleMesh skin;                    ///< where the surface of a faceted part is, finely [m]
 };
 
 /// Makes the shape of a part: its own faces, carried through the skin's map; or, with the reason, another manner where these

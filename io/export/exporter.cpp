@@ -102,7 +102,6 @@ Model readBackWithoutHoles(FormatKind kind, const std::string& bytes, const Expo
 struct Attempt {
     ExportedFile file;
     std::vector<std::optional<FaceManner>> next; ///< per part
-    std::vector<double> misses;                  ///< per part: how far one of its bent faces is off at most [m]
 };
 
 Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Choices& choices, TaskControl& control)
@@ -133,10 +132,6 @@ Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Choices& c
     for (ReadyPart& part : ready) {
         file.report.parts.push_back(std::move(part.report));
         attempt.next.push_back(part.next);
-        double miss = 0;
-        for (const MorphedFaceNote& note : part.notes)
-            miss = std::max(miss, 1e-3 * note.error);
-        attempt.misses.push_back(part.next ? miss : 0);
     }
     return attempt;
 }
@@ -145,23 +140,21 @@ Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Choices& c
 constexpr double roughFaces = 20;
 constexpr double roughVolume = 2e-3;
 
-/// @param miss see Attempt [m]
-bool isRough(const PartExportReport& report, double miss)
+bool isRough(const PartExportReport& report)
 {
-    return std::max(miss, report.largestDeviation) > roughFaces * report.tolerance ||
-           std::abs(report.volumeError()) > roughVolume;
+    return report.largestDeviation > roughFaces * report.tolerance || std::abs(report.volumeError()) > roughVolume;
 }
 
-/// A sound part whose own faces were bent, and are no longer sound for who reads the file, or no longer what was meant.
-bool isSpoilt(const PartToExport& part, const PartExportReport& report, double miss)
+/// A sound part whose own faces were bent, and are no longer fit for who reads the file.
+bool isSpoilt(const PartToExport& part, const PartExportReport& report)
 {
     return part.part.valid && part.part.watertight && report.form == PartExportReport::Form::exact &&
-           report.keptFaces < report.facesBefore && (!report.isSound() || isRough(report, miss));
+           report.keptFaces < report.facesBefore && !report.isFit();
 }
 
 /// Why bent faces are not good enough.
-/// @pre they are not sound
-std::string whyUnsound(const PartExportReport& report, double miss)
+/// @pre they are not fit
+std::string whyUnfit(const PartExportReport& report)
 {
     if (report.facesAfter == 0)
         return "its bent faces were not found again in the file when that was read back.";
@@ -171,20 +164,20 @@ std::string whyUnsound(const PartExportReport& report, double miss)
     if (!report.closed || report.freeEdges > 0)
         return bent + "leave gaps.";
     char text[100];
-    const double off = std::max(report.largestDeviation, miss > roughFaces * report.tolerance ? miss : 0);
-    if (off > report.tolerance)
-        std::snprintf(text, sizeof text, "are up to %.3g mm off the skin where %.3g mm are allowed.", 1e3 * off,
-                      1e3 * report.tolerance);
+    if (report.largestDeviation > report.tolerance)
+        std::snprintf(text, sizeof text, "are up to %.3g mm off the skin where %.3g mm are allowed.",
+                      1e3 * report.largestDeviation, 1e3 * report.tolerance);
     else
         std::snprintf(text, sizeof text, "enclose a volume %.2g %% off that of the skin.",
                       100 * std::abs(report.volumeError()));
     return bent + text;
 }
 
-/// Whether flat faces would be better than those that came back. They pass through themselves as well, but leave no gaps.
-bool areFlatOnesBetter(const PartExportReport& report, double miss)
+/// Whether other faces would be better than those that came back: flat ones leave no gaps, and divided ones may meet where
+/// own ones do not. Smooth faces that are a little off are named in the report instead.
+bool areOthersBetter(const PartExportReport& report)
 {
-    return !report.crossesItself || !report.valid || !report.closed || report.freeEdges > 0 || isRough(report, miss);
+    return !report.valid || !report.closed || report.freeEdges > 0 || isRough(report);
 }
 
 /// Chooses what is to be tried next. @return false when every part came back as well as it can
@@ -193,11 +186,9 @@ bool choose(const ExportJob& job, const Attempt& last, Choices& choices)
     bool isAny = false;
     for (std::size_t i = 0; i < job.parts.size(); ++i) {
         const PartExportReport& report = last.file.report.parts[i];
-        const double miss = last.misses[i];
-        if (!last.next[i] || !isSpoilt(job.parts[i], report, miss) ||
-            (*last.next[i] == FaceManner::flat && !areFlatOnesBetter(report, miss)))
+        if (!last.next[i] || !isSpoilt(job.parts[i], report) || !areOthersBetter(report))
             continue;
-        choices[i] = {*last.next[i], whyUnsound(report, miss)};
+        choices[i] = {*last.next[i], whyUnfit(report)};
         isAny = true;
     }
     return isAny;

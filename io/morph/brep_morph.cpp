@@ -302,7 +302,7 @@ MorphedShape morphShape(const TopoDS_Shape& shape, const SmoothMap& map, const M
     for (int i = 1; i <= copy.faces().Extent(); ++i) {
         const MorphedFace& face = copy.faceResults()[static_cast<std::size_t>(i - 1)];
         result.faces.push_back(copy.imageOf(copy.faces()(i)));
-        result.notes.push_back({face.kind, face.error, face.converged, face.poles, face.problem});
+        result.notes.push_back({face.kind, face.error, face.worst, face.converged, face.poles, face.problem});
     }
     control.throwIfCancelled();
     control.report(0.85, "measuring tolerances");

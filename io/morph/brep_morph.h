@@ -16,7 +16,8 @@ namespace knead {
 /// What became of one face of the source.
 struct MorphedFaceNote {
     MorphedFaceKind kind = MorphedFaceKind::failed;
-    double error = 0; ///< of its fit [mm]
+    double error = 0;          ///< of its fit, at equal parameters and a little beyond its border too [mm]
+    Vec2 worst = Vec2::Zero(); ///< parameters where that was
     bool converged = true;
     int poles = 0;
     std::string problem;

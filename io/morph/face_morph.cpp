@@ -175,6 +175,7 @@ private:
         result.kind = MorphedFaceKind::fitted;
         result.surface = toGeometry(fitted.spline);
         result.error = fitted.error;
+        result.worst = fitted.worst;
         result.converged = fitted.converged;
         result.poles = static_cast<int>(fitted.spline.poles.size());
     }

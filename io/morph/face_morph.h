@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/smooth_map.h"
+#include "core/geometry/spline_fit.h"
 #include "io/morph/morph_options.h"
 
 #include <Geom2d_Curve.hxx>
@@ -36,6 +37,7 @@ struct MorphedFace {
     Handle(Geom_Surface) surface;
     std::vector<EdgeCurves> edges; ///< none where a plane implies them
     double error = 0;              ///< largest distance from where the map takes it, as far as was looked [mm]
+    Vec2 worst = Vec2::Zero();     ///< parameters where that was
     bool converged = true;
     int poles = 0;
     std::string problem; ///< why it failed

@@ -27,6 +27,7 @@ ImportOptions optionsOf(const Json& json)
     options.angularDeflection = json.at("angularDeflection").get<double>();
     options.heal = json.at("heal").get<bool>();
     options.capsFlatOpenings = json.at("capsFlatOpenings").get<bool>();
+    options.onlyShapes = json.at("onlyShapes").get<bool>();
     options.unit = json.at("unit").get<std::string>();
     options.parts = json.at("parts").get<std::vector<std::string>>();
     return options;
@@ -51,6 +52,7 @@ std::vector<std::string> argumentsFor(const ReadingRequest& request)
                     {"angularDeflection", request.options.angularDeflection},
                     {"heal", request.options.heal},
                     {"capsFlatOpenings", request.options.capsFlatOpenings},
+                    {"onlyShapes", request.options.onlyShapes},
                     {"unit", request.options.unit},
                     {"parts", request.options.parts},
                     {"memory", request.limits.memory},

@@ -83,8 +83,29 @@ ImportLimits limitsFor(const std::string& path, const ImportOptions& options)
 Model importIsolated(const std::string& program, const std::string& path, const ImportOptions& options,
                      const ImportLimits& limits, TaskControl& control)
 {
-    return readIsolated(program, {ReadingTask::import, path, options, ownLimits(limits)}, limits, control,
-                        modelFromBytes);
+    const auto read = [&](const ImportOptions& how) {
+        return readIsolated(program, {ReadingTask::import, path, how, ownLimits(limits)}, limits, control,
+                            modelFromBytes);
+    };
+    try {
+        return read(options);
+    } catch (const WorkerCrashed& crash) {
+        if (recognizeFormat(path) != FormatKind::Step || options.onlyShapes)
+            throw;
+        ImportOptions plain = options;
+        plain.onlyShapes = true;
+        try {
+            Model model = read(plain);
+            model.warnings.push_back(shortName(path) +
+                                     ": the reader crashed on what the file says beside its shapes; these were read "
+                                     "without names, colors and assemblies.");
+            return model;
+        } catch (const Cancelled&) {
+            throw;
+        } catch (const std::runtime_error&) {
+            throw crash;
+        }
+    }
 }
 
 FilePreview previewIsolated(const std::string& program, const std::string& path, const ImportLimits& limits,

@@ -55,8 +55,8 @@ private:
                                    duration(outOfTime ? work.processorTime : work.wallTime) + stages.whileLast() +
                                    " and was ended. " + work.outOfTime);
     if (end.kind == ChildEnd::Kind::signaled)
-        failReading(work.path, "the " + work.worker + " crashed" + stages.whileLast() + " (" +
-                                   reasonOfSignal(end.number) + "). " + work.afterFailure);
+        throw WorkerCrashed(shortName(work.path) + ": the " + work.worker + " crashed" + stages.whileLast() + " (" +
+                            reasonOfSignal(end.number) + "). " + work.afterFailure);
     failReading(work.path,
                 "the " + work.worker + " ended without a result" + stages.whileLast() + ". " + work.afterFailure);
 }

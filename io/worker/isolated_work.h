@@ -3,6 +3,7 @@
 #include "core/task/task_control.h"
 #include "io/worker/child_process.h"
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,15 @@ struct IsolatedWork {
     std::string afterFailure; ///< what a crash means and what to do
 };
 
+/// The process crashed; the sentence says so.
+class WorkerCrashed : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
 /// Runs a program as serveParent() expects and returns what it left in the file. Cancelling ends it at once.
 /// @param file what the program is given, and what it returns
-/// @throws std::runtime_error, in a sentence: its own, or one about its crash. @throws Cancelled
+/// @throws std::runtime_error, in a sentence: its own, or WorkerCrashed. @throws Cancelled
 std::string runIsolated(const IsolatedWork& work, const NamelessFile& file, TaskControl& control);
 
 } // namespace knead

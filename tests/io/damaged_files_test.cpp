@@ -74,6 +74,7 @@ private slots:
     void igesCommentsAreNoValues();
     void damageIsNamed_data();
     void damageIsNamed();
+    void stepEntitiesThatReferToNothingCostTheirFacesOnly();
     void stepShellsWithoutAllFacesSaySo();
     void stepSolidsThatAreLostAreNamed();
     void strangeSchemaIsMentioned();
@@ -178,7 +179,6 @@ void DamagedFilesTest::damageIsNamed_data()
     row("brep negative", replaced(m_brep, "TShapes ", "TShapes -"), "impossible number of TShapes");
     row("brep section lost", replaced(m_brep, "Curves", "Curses"), "sections are missing");
     row("brep cut off", m_brep.substr(0, m_brep.size() * 9 / 10), "damaged");
-    row("step line of two points", lineOfTwoPoints(m_step), "of the wrong kind");
     row("step cycle",
         replaced(m_step, "ENDSEC;\nEND-ISO",
                  "#90001=PRODUCT_DEFINITION('','',$,$);\n#90002=PRODUCT_DEFINITION('','',$,$);\n"
@@ -200,6 +200,17 @@ void DamagedFilesTest::damageIsNamed()
         return;
     }
     QFAIL("a damaged file was imported");
+}
+
+/// Of the two faces at an edge whose line has no direction the rest of the file knows nothing.
+void DamagedFilesTest::stepEntitiesThatReferToNothingCostTheirFacesOnly()
+{
+    const Model model = importFile(write("line.step", lineOfTwoPoints(m_step)));
+    QVERIFY(mention(model.warnings, "refers to something of the wrong kind or nothing at all; 2 faces that need it"));
+    QCOMPARE(model.parts.size(), std::size_t{1});
+    QVERIFY(!model.parts.front().canBeFilled());
+    QCOMPARE(model.parts.front().faces.size(), std::size_t{4});
+    QVERIFY(mention(model.parts.front().warnings, "4 of 6 faces"));
 }
 
 void DamagedFilesTest::stepShellsWithoutAllFacesSaySo()

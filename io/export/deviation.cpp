@@ -1,0 +1,246 @@
+#include "io/export/deviation.h"
+
+#include "core/geometry/surface_distance.h"
+#include "io/morph/millimetre_map.h"
+#include "io/morph/trimmed_face.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomAPI_ProjectPointOnCurve.hxx>
+#include <GeomAPI_ProjectPointOnSurf.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+namespace knead {
+
+namespace {
+
+constexpr int samplesPerSide = 6; // of a face's box of parameters
+constexpr int samplesPerPoorSide = 24;
+constexpr int checksPerEdge = 4;
+constexpr int checksPerPoorEdge = 200;
+constexpr std::size_t flatSamples = 20'000; // of a surface
+
+/// Places of a face: inside, and on its border.
+/// @param fellShort its fit, or edges do not lie on it: then it is looked at more closely
+/// @param note on its fit; null where it has none
+std::vector<Vec2> samplesOf(const TrimmedFace& face, bool fellShort, const MorphedFaceNote* note)
+{
+    const BRepTopAdaptor_FClass2d classifier(face.face(), 1e-9);
+    std::vector<Vec2> samples = face.borderSamples(fellShort ? checksPerPoorEdge : checksPerEdge);
+    const auto add = [&](const Vec2& at) {
+        if (classifier.Perform(gp_Pnt2d(at[0], at[1]), true) == TopAbs_IN)
+            samples.push_back(at);
+    };
+    const int perSide = fellShort ? samplesPerPoorSide : samplesPerSide;
+    for (int i = 0; i < perSide; ++i)
+        for (int j = 0; j < perSide; ++j) {
+            const Vec2 share((i + 0.5) / perSide, (j + 0.5) / perSide);
+            add(face.low() + share.cwiseProduct(face.high() - face.low()));
+        }
+    if (note != nullptr && note->kind == MorphedFaceKind::fitted)
+        add(note->worst);
+    return samples;
+}
+
+/// How far a place is from a surface: at the parameters it should have there, or wherever that is nearer.
+double distanceTo(const Handle(Geom_Surface) & surface, const Vec2& parameters, const Vec3& place, double enough)
+{
+    const gp_Pnt point = toPoint(place);
+    const double there = surface->Value(parameters[0], parameters[1]).Distance(point);
+    if (there <= enough)
+        return there;
+    const GeomAPI_ProjectPointOnSurf projection(point, surface);
+    return projection.NbPoints() > 0 ? std::min(there, projection.LowerDistance()) : there;
+}
+
+/// Names the faces that are farther off than was allowed, numbered from 0 as in recipes.
+/// @param ofFaces how far each is off [m]
+void noteMisses(const std::vector<double>& ofFaces, PartExportReport& report)
+{
+    constexpr std::size_t mostNamed = 12;
+    std::string numbers;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < ofFaces.size(); ++i) {
+        if (ofFaces[i] <= report.tolerance)
+            continue;
+        if (count++ < mostNamed)
+            numbers += (count == 1 ? " " : ", ") + std::to_string(i);
+    }
+    if (count == 0)
+        return;
+    const auto worst = std::max_element(ofFaces.begin(), ofFaces.end());
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  " not come as close to the skin as was aimed at, %.3g mm; face %td is %.3g mm off.",
+                  1e3 * report.tolerance, worst - ofFaces.begin(), 1e3 * *worst);
+    report.remarks.push_back("\"" + report.name + "\": " + (count == 1 ? "face" : std::to_string(count) + " faces,") +
+                             numbers +
+                             (count > mostNamed ? ", ...,"
+                              : count > 1       ? ","
+                                                : "") +
+                             (count == 1 ? " does" : " do") + text);
+}
+
+/// Measures how far the faces that were read back are from where the map takes those of the source.
+class DeviationMeasure {
+public:
+    DeviationMeasure(const ReadyPart& written, const TopoDS_Shape& back)
+        : m_written(written)
+        , m_map(*written.map)
+    {
+        TopExp::MapShapes(written.source, TopAbs_FACE, m_sources);
+        TopExp::MapShapes(back, TopAbs_FACE, m_backs);
+        TopExp::MapShapes(written.source, TopAbs_EDGE, m_sourceEdges);
+        TopExp::MapShapes(back, TopAbs_EDGE, m_backEdges);
+    }
+
+    void into(PartExportReport& report) const
+    {
+        if (m_sources.Extent() != m_backs.Extent())
+            return; // nothing says which face is which
+        double sum = 0;
+        std::vector<double> ofFaces(static_cast<std::size_t>(m_sources.Extent()), 0);
+        for (int i = 1; i <= m_sources.Extent(); ++i) {
+            try {
+                ofFaces[static_cast<std::size_t>(i) - 1] = measure(i, report, sum);
+            } catch (const std::runtime_error&) { // a face that could not be looked at: it was kept as it is
+            } catch (const Standard_Failure&) {
+            }
+        }
+        if (report.samples > 0)
+            report.meanDeviation = sum / static_cast<double>(report.samples);
+        noteMisses(ofFaces, report);
+    }
+
+private:
+    /// @return the largest distance of the face [m]
+    double measure(int index, PartExportReport& report, double& sum) const
+    {
+        const TrimmedFace source(TopoDS::Face(m_sources(index).Oriented(TopAbs_FORWARD)));
+        const Handle(Geom_Surface) back = BRep_Tool::Surface(TopoDS::Face(m_backs(index)));
+        if (back.IsNull())
+            return 0;
+        const auto number = static_cast<std::size_t>(index) - 1;
+        const bool hasNotes = m_written.notes.size() == static_cast<std::size_t>(m_sources.Extent());
+        const MorphedFaceNote* note = hasNotes ? &m_written.notes[number] : nullptr;
+        const bool fellShort = (note != nullptr && !note->converged) ||
+                               1e-3 * BRep_Tool::MaxTolerance(m_backs(index), TopAbs_EDGE) > report.tolerance;
+        const std::vector<Vec2> samples = samplesOf(source, fellShort, note);
+        std::vector<Vec3> points;
+        for (const Vec2& at : samples)
+            points.push_back(source.at(at));
+        std::vector<Vec3> places(points.size());
+        m_map.evaluate(points, places);
+        double largest = 0;
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const double distance = 1e-3 * distanceTo(back, samples[i], places[i], 1e3 * report.tolerance);
+            largest = std::max(largest, distance);
+            sum += distance;
+            ++report.samples;
+        }
+        if (fellShort)
+            for (TopExp_Explorer edges(m_sources(index), TopAbs_EDGE); edges.More(); edges.Next())
+                largest = std::max(largest, 1e-3 * missOfEdge(edges.Current(), 1e3 * report.tolerance));
+        report.largestDeviation = std::max(report.largestDeviation, largest);
+        return largest;
+    }
+
+    /// How far an edge that was read back is from where it should be [mm], if that may be more than `enough`.
+    double missOfEdge(const TopoDS_Shape& source, double enough) const
+    {
+        if (m_sourceEdges.Extent() != m_backEdges.Extent() || BRep_Tool::Degenerated(TopoDS::Edge(source)))
+            return 0;
+        const TopoDS_Edge& back = TopoDS::Edge(m_backEdges(m_sourceEdges.FindIndex(source)));
+        double first = 0;
+        double last = 0;
+        const Handle(Geom_Curve) curve = BRep_Tool::Curve(back, first, last);
+        if (curve.IsNull() || BRep_Tool::Tolerance(back) <= enough)
+            return 0;
+        const BRepAdaptor_Curve wanted(TopoDS::Edge(source));
+        std::vector<Vec3> points;
+        for (int i = 0; i <= checksPerPoorEdge; ++i)
+            points.push_back(
+                toVec3(wanted
+                           .Value(wanted.FirstParameter() +
+                                  (wanted.LastParameter() - wanted.FirstParameter()) * i / checksPerPoorEdge)
+                           .XYZ()));
+        std::vector<Vec3> places(points.size());
+        m_map.evaluate(points, places);
+        double largest = 0;
+        for (const Vec3& place : places) {
+            const GeomAPI_ProjectPointOnCurve projection(toPoint(place), curve, first, last);
+            double distance =
+                std::min(toPoint(place).Distance(curve->Value(first)), toPoint(place).Distance(curve->Value(last)));
+            if (projection.NbPoints() > 0)
+                distance = std::min(distance, projection.LowerDistance());
+            largest = std::max(largest, distance);
+        }
+        return largest;
+    }
+
+    const ReadyPart& m_written;
+    MillimetreMap m_map;
+    TopTools_IndexedMapOfShape m_sources;
+    TopTools_IndexedMapOfShape m_backs;
+    TopTools_IndexedMapOfShape m_sourceEdges;
+    TopTools_IndexedMapOfShape m_backEdges;
+};
+
+/// Adds the distances of points of one surface to another one.
+void addDistances(const TriangleMesh& from, const TriangleMesh& to, double& sum, PartExportReport& report)
+{
+    const SurfaceDistance surface(to);
+    const auto add = [&](const Vec3& point) {
+        const double distance = surface.nearest(point).distance;
+        report.largestDeviation = std::max(report.largestDeviation, distance);
+        sum += distance;
+        ++report.samples;
+    };
+    const std::size_t stride = from.triangles.size() / flatSamples + 1;
+    for (std::size_t t = 0; t < from.triangles.size(); t += stride) {
+        const auto& [a, b, c] = from.triangles[t];
+        add(from.vertices[a]);
+        add((from.vertices[a] + from.vertices[b] + from.vertices[c]) / 3);
+    }
+}
+
+TriangleMesh together(const std::vector<const Part*>& parts)
+{
+    TriangleMesh all;
+    for (const Part* part : parts) {
+        const auto first = static_cast<std::uint32_t>(all.vertices.size());
+        all.vertices.insert(all.vertices.end(), part->mesh.vertices.begin(), part->mesh.vertices.end());
+        for (const auto& [a, b, c] : part->mesh.triangles)
+            all.triangles.push_back({first + a, first + b, first + c});
+    }
+    return all;
+}
+
+} // namespace
+
+void measureDeviation(const ReadyPart& written, const TopoDS_Shape& back, PartExportReport& report)
+{
+    DeviationMeasure(written, back).into(report);
+}
+
+void measureFlatDeviation(const TriangleMesh& skin, const std::vector<const Part*>& backs, PartExportReport& report)
+{
+    const TriangleMesh back = together(backs);
+    if (skin.triangles.empty() || back.triangles.empty())
+        return;
+    double sum = 0;
+    addDistances(skin, back, sum, report);
+    addDistances(back, skin, sum, report);
+    report.meanDeviation = sum / static_cast<double>(report.samples);
+}
+
+} // namespace knead

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/task/task_control.h"
+
+#include <string>
+
+class STEPControl_Reader;
+
+namespace knead {
+
+/// Looks for the files that a STEP assembly refers to (DOCUMENT_FILE), which are beside it or in folders there. They are read
+/// with it; what is checked in a file before reading is checked in them.
+/// @param path of the assembly
+/// @return a sentence about those that are missing; empty when none is
+/// @throws std::runtime_error, in a sentence, when one of them is damaged. @throws Cancelled
+std::string checkReferredFiles(const STEPControl_Reader& reader, const std::string& path, TaskControl& control);
+
+/// What a STEP file without solids and surfaces holds instead, as a sentence; empty when it is nothing known.
+std::string otherContent(const std::string& path);
+
+} // namespace knead
