@@ -63,8 +63,9 @@ std::string stepUnit(STEPControl_Reader& reader, const std::string& path, std::v
 }
 
 /// Makes shapes of what a STEP or IGES reader has read, and takes their assembly and colors over.
+/// @return false when there are none
 template <typename Reader>
-void transfer(Reader& reader, const std::string& path, const char* failure, TaskControl& control, CadDocument& result)
+bool transfer(Reader& reader, const std::string& path, TaskControl& control, CadDocument& result)
 {
     TaskPortion transferring(control, 0.3, 1);
     Handle(OcctProgress) progress = new OcctProgress(transferring, transferStage);
@@ -72,13 +73,14 @@ void transfer(Reader& reader, const std::string& path, const char* failure, Task
     const bool done = reader.Transfer(*document, progress->Start());
     control.throwIfCancelled();
     if (!done)
-        failReading(path, failure);
+        return false;
     if constexpr (std::is_same_v<Reader, IGESCAFControl_Reader>)
         hideBlankedEntities(reader, **document);
     CadAssembly assembly = readAssembly(**document, path, result.root.name);
     result.root.children = std::move(assembly.roots);
     result.colors = std::move(assembly.colors);
     result.displays = std::move(assembly.displays);
+    return true;
 }
 
 /// Makes shapes and nothing else of what was read.
@@ -138,7 +140,11 @@ void readStep(const std::string& path, bool onlyShapes, TaskControl& control, Ca
         transferShapes(reader.ChangeReader(), control, result);
     } else {
         markForeignNames(reader.Reader());
-        transfer(reader, path, "no shape of the STEP file could be made; export the file again.", control, result);
+        if (!transfer(reader, path, control, result)) {
+            const std::string other = otherContent(path);
+            failReading(path,
+                        other.empty() ? "no shape of the STEP file could be made; export the file again." : other);
+        }
     }
     StepLosses losses = findLosses(reader.Reader(), pruned);
     result.incompleteShells = std::move(losses.incomplete);
@@ -169,8 +175,8 @@ void readIges(const std::string& path, TaskControl& control, CadDocument& result
     result.unit = igesUnit(reader);
 
     keepMembersOnce(reader);
-    transfer(reader, path, "no shape of the IGES file could be made; export the file again, best as STEP.", control,
-             result);
+    if (!transfer(reader, path, control, result))
+        failReading(path, "no shape of the IGES file could be made; export the file again, best as STEP.");
     result.names = namesOfIgesSolids(reader);
     joinLooseSurfaces(result);
 }

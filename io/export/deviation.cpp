@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <stdexcept>
 
 namespace knead {
@@ -99,8 +100,6 @@ public:
     {
         TopExp::MapShapes(written.source, TopAbs_FACE, m_sources);
         TopExp::MapShapes(back, TopAbs_FACE, m_backs);
-        TopExp::MapShapes(written.source, TopAbs_EDGE, m_sourceEdges);
-        TopExp::MapShapes(back, TopAbs_EDGE, m_backEdges);
     }
 
     void into(PartExportReport& report) const
@@ -149,32 +148,54 @@ private:
         }
         if (fellShort)
             for (TopExp_Explorer edges(m_sources(index), TopAbs_EDGE); edges.More(); edges.Next())
-                largest = std::max(largest, 1e-3 * missOfEdge(edges.Current(), 1e3 * report.tolerance));
+                if (const TopoDS_Edge& edge = TopoDS::Edge(edges.Current()); !BRep_Tool::Degenerated(edge))
+                    largest = std::max(largest, 1e-3 * missOfEdge(edge, m_backs(index), 1e3 * report.tolerance));
         report.largestDeviation = std::max(report.largestDeviation, largest);
         return largest;
     }
 
-    /// How far an edge that was read back is from where it should be [mm], if that may be more than `enough`.
-    double missOfEdge(const TopoDS_Shape& source, double enough) const
+    /// How far an edge of a face that was read back is from where it should be, as far as its tolerance leaves room for more
+    /// than `enough` [mm].
+    double missOfEdge(const TopoDS_Edge& source, const TopoDS_Shape& back, double enough) const
     {
-        if (m_sourceEdges.Extent() != m_backEdges.Extent() || BRep_Tool::Degenerated(TopoDS::Edge(source)))
-            return 0;
-        const TopoDS_Edge& back = TopoDS::Edge(m_backEdges(m_sourceEdges.FindIndex(source)));
-        double first = 0;
-        double last = 0;
-        const Handle(Geom_Curve) curve = BRep_Tool::Curve(back, first, last);
-        if (curve.IsNull() || BRep_Tool::Tolerance(back) <= enough)
-            return 0;
-        const BRepAdaptor_Curve wanted(TopoDS::Edge(source));
+        const BRepAdaptor_Curve wanted(source);
+        const double first = wanted.FirstParameter();
+        const double range = wanted.LastParameter() - first;
         std::vector<Vec3> points;
         for (int i = 0; i <= checksPerPoorEdge; ++i)
-            points.push_back(
-                toVec3(wanted
-                           .Value(wanted.FirstParameter() +
-                                  (wanted.LastParameter() - wanted.FirstParameter()) * i / checksPerPoorEdge)
-                           .XYZ()));
+            points.push_back(toVec3(wanted.Value(first + range * i / checksPerPoorEdge).XYZ()));
         std::vector<Vec3> places(points.size());
         m_map.evaluate(points, places);
+        const auto endsMiss = [&](const TopoDS_Edge& edge) {
+            const BRepAdaptor_Curve curve(edge);
+            const Vec3 begin = toVec3(curve.Value(curve.FirstParameter()).XYZ());
+            const Vec3 end = toVec3(curve.Value(curve.LastParameter()).XYZ());
+            return std::min((begin - places.front()).norm() + (end - places.back()).norm(),
+                            (end - places.front()).norm() + (begin - places.back()).norm());
+        };
+        // Readers keep the order of faces, not that of edges: it is the one that ends where it should. Of two between the
+        // same ends it is the nearer one.
+        double leastEndsMiss = std::numeric_limits<double>::max();
+        std::vector<TopoDS_Edge> candidates;
+        for (TopExp_Explorer edges(back, TopAbs_EDGE); edges.More(); edges.Next())
+            if (const TopoDS_Edge& edge = TopoDS::Edge(edges.Current()); !BRep_Tool::Degenerated(edge)) {
+                candidates.push_back(edge);
+                leastEndsMiss = std::min(leastEndsMiss, endsMiss(edge));
+            }
+        double least = std::numeric_limits<double>::max();
+        for (const TopoDS_Edge& edge : candidates)
+            if (endsMiss(edge) <= leastEndsMiss + enough)
+                least = std::min(least, BRep_Tool::Tolerance(edge) > enough ? largestDistance(places, edge) : 0);
+        return candidates.empty() ? 0 : least;
+    }
+
+    static double largestDistance(const std::vector<Vec3>& places, const TopoDS_Edge& edge)
+    {
+        double first = 0;
+        double last = 0;
+        const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+        if (curve.IsNull())
+            return 0;
         double largest = 0;
         for (const Vec3& place : places) {
             const GeomAPI_ProjectPointOnCurve projection(toPoint(place), curve, first, last);
@@ -191,8 +212,6 @@ private:
     MillimetreMap m_map;
     TopTools_IndexedMapOfShape m_sources;
     TopTools_IndexedMapOfShape m_backs;
-    TopTools_IndexedMapOfShape m_sourceEdges;
-    TopTools_IndexedMapOfShape m_backEdges;
 };
 
 /// Adds the distances of points of one surface to another one.

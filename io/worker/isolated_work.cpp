@@ -54,9 +54,13 @@ private:
         failReading(work.path, work.work + " took longer than " +
                                    duration(outOfTime ? work.processorTime : work.wallTime) + stages.whileLast() +
                                    " and was ended. " + work.outOfTime);
-    if (end.kind == ChildEnd::Kind::signaled)
-        throw WorkerCrashed(shortName(work.path) + ": the " + work.worker + " crashed" + stages.whileLast() + " (" +
-                            reasonOfSignal(end.number) + "). " + work.afterFailure);
+    if (end.kind == ChildEnd::Kind::signaled) {
+        const std::string crashed = "the " + work.worker + " crashed" + stages.whileLast() + " (" +
+                                    reasonOfSignal(end.number) + "). " + work.afterFailure;
+        if (end.number == SIGKILL) // from outside
+            failReading(work.path, crashed);
+        throw WorkerCrashed(shortName(work.path) + ": " + crashed);
+    }
     failReading(work.path,
                 "the " + work.worker + " ended without a result" + stages.whileLast() + ". " + work.afterFailure);
 }

@@ -23,7 +23,7 @@ struct IsolatedWork {
     std::string afterFailure; ///< what a crash means and what to do
 };
 
-/// The process crashed; the sentence says so.
+/// The process crashed by itself; the sentence says so.
 class WorkerCrashed : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

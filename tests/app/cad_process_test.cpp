@@ -237,6 +237,22 @@ private slots:
         QVERIFY2(mentions(sentence, words.toStdString()), sentence.c_str());
     }
 
+    /// Names, colors and assemblies are worth a second try without them; a process that was ended is not.
+    void aCrashIsFollowedByThePlainReader()
+    {
+        const std::string plainOnly =
+            R"(case "$3" in *'"onlyShapes":true'*) exec )" + program + R"( "$@" ;; *) kill -SEGV $$ ;; esac)";
+        const Model model =
+            importIsolated(standIn(plainOnly), example("bracket.step"), {}, plenty, TaskControl::none());
+        const Model usual = importIsolated(program, example("bracket.step"), {}, plenty, TaskControl::none());
+        QCOMPARE(model.parts.size(), usual.parts.size());
+        for (std::size_t i = 0; i < model.parts.size(); ++i)
+            QVERIFY(model.parts[i].canBeFilled() && model.parts[i].volume == usual.parts[i].volume);
+        QCOMPARE(model.warnings.size(), usual.warnings.size() + 1);
+        QVERIFY2(mentions(model.warnings.back(), "without names, colors and assemblies"),
+                 model.warnings.back().c_str());
+    }
+
     void aHangIsASentence_data()
     {
         QTest::addColumn<QString>("script");

@@ -21,7 +21,9 @@ private slots:
     void wrongUseEndsWithTwoAndOneSentence();
     void outputFolderThatCannotBeMadeFails();
     void interruptLeavesNoFiles();
+    void firstRecipeCanBeRun_data();
     void firstRecipeCanBeRun();
+    void stillnessIsSaid();
     void bundledExamplesAreReadable();
     void importOptionsAreHeeded();
 };
@@ -100,19 +102,62 @@ void CommandLineTest::interruptLeavesNoFiles()
     QVERIFY(shop.filesUnder("out").empty());
 }
 
+/// Any part moves visibly, and none so far that it is crushed.
+void CommandLineTest::firstRecipeCanBeRun_data()
+{
+    QTest::addColumn<QString>("facets");
+    QTest::addColumn<double>("size"); // [mm]
+    QTest::addColumn<int>("axis");    // along which the block goes
+    const auto row = [](const char* name, const std::string& facets, double size, int axis) {
+        QTest::newRow(name) << QString::fromStdString(facets) << size << axis;
+    };
+    row("bar", boxFacets({0, 0, 0}, {40, 10, 10}), 42.4, 2);
+    row("plate", boxFacets({5, -3, 2}, {85, 47, 5}), 94.4, 2);
+    row("standing plate", boxFacets({0, 0, 0}, {3, 50, 80}), 94.4, 0);
+    row("block", boxFacets({0, 0, 0}, {20, 24, 22}), 38.2, 0);
+    row("box with walls", boxFacets({0, 0, 0}, {30, 26, 22}) + boxFacets({3, 3, 3}, {27, 23, 19}, true), 45.4, 2);
+}
+
 void CommandLineTest::firstRecipeCanBeRun()
 {
+    QFETCH(QString, facets);
+    QFETCH(double, size);
+    QFETCH(int, axis);
     const Workshop shop;
-    const Outcome written = knead({"recipe", shop.qPath("bar.stl"), "--output", shop.qPath("first.recipe.json")});
+    std::ofstream(shop.path("part.stl")) << "solid part\n" << facets.toStdString() << "endsolid part\n";
+    const Outcome written = knead({"recipe", shop.qPath("part.stl"), "--output", shop.qPath("first.recipe.json")});
     QVERIFY2(written.status == 0, written.errors.c_str());
     json recipe = json::parse(std::ifstream(shop.path("first.recipe.json")));
-    QCOMPARE(recipe.at("part").at("file").get<std::string>(), std::string("bar.stl"));
-    recipe["objects"] = 300;
+    QCOMPARE(recipe.at("part").at("file").get<std::string>(), std::string("part.stl"));
+    const json& block = recipe.at("manipulators")[0];
+    for (std::size_t i = 0; i < 3; ++i)
+        QCOMPARE(block.at("position_mm")[i] != block.at("keyframes")[0].at("position_mm")[i],
+                 static_cast<int>(i) == axis);
+    recipe["objects"] = 800;
     const Outcome outcome = knead({"run", shop.write(recipe), "--out", shop.qPath("out"), "--json"});
     QVERIFY2(outcome.status == 0, outcome.errors.c_str());
-    QVERIFY2(json::parse(outcome.out).at("tools")[0].at("peak_force_n").get<double>() > 0,
-             "the block reaches the part");
-    QCOMPARE(shop.filesUnder("out"), (QStringList{"bar-pressed.png", "bar-pressed.step", "bar-pressed.stl"}));
+    const json report = json::parse(outcome.out);
+    QVERIFY2(report.at("tools")[0].at("peak_force_n").get<double>() > 0, "the block reaches the part");
+    const double share = report.at("bodies")[0].at("largest_displacement_mm").get<double>() / size;
+    QVERIFY2(share > 0.03 && share < 0.3, std::to_string(share).c_str());
+    QCOMPARE(shop.filesUnder("out"), (QStringList{"part-pressed.png", "part-pressed.step", "part-pressed.stl"}));
+}
+
+/// A recipe that holds all of a part moves nothing, and says so.
+void CommandLineTest::stillnessIsSaid()
+{
+    const Workshop shop;
+    json recipe = pressRecipe();
+    recipe.erase("exports");
+    for (const bool isHeld : {true, false}) {
+        if (isHeld)
+            recipe["fixtures"][0]["box_mm"] = {-1, -1, -1, 41, 11, 11};
+        else
+            recipe["fixtures"][0]["box_mm"] = {-1, -1, -1, 2, 11, 11};
+        const Outcome outcome = knead({"run", shop.write(recipe)});
+        QVERIFY2(outcome.status == 0, outcome.errors.c_str());
+        QCOMPARE((outcome.out + outcome.errors).find("Nothing moved by more than") != std::string::npos, isHeld);
+    }
 }
 
 /// The examples run for seconds; here they are read and filled, and a hundredth of a second is simulated.

@@ -46,8 +46,9 @@ inline Outcome knead(const QStringList& arguments)
             process.readAllStandardError().toStdString()};
 }
 
-/// A bar of 40 x 10 x 10 mm with a corner at the origin, as an STL text.
-inline std::string barText()
+/// The faces of a box between two corners [mm] as an STL has them.
+inline std::string boxFacets(const std::array<double, 3>& low, const std::array<double, 3>& high,
+                             bool isInsideOut = false)
 {
     const std::array<std::array<unsigned, 3>, 12> triangles{{{0, 2, 3},
                                                              {0, 3, 1},
@@ -62,16 +63,25 @@ inline std::string barText()
                                                              {1, 3, 7},
                                                              {1, 7, 5}}};
     std::ostringstream text;
-    text << "solid bar\n";
-    for (const auto& triangle : triangles) {
+    for (std::array<unsigned, 3> triangle : triangles) {
+        if (isInsideOut)
+            std::swap(triangle[1], triangle[2]);
         text << "facet normal 0 0 0\nouter loop\n";
-        for (const unsigned corner : triangle)
-            text << "vertex " << (corner & 1U) * 40 << ' ' << (corner >> 1U & 1U) * 10 << ' ' << (corner >> 2U) * 10
-                 << '\n';
+        for (const unsigned corner : triangle) {
+            text << "vertex";
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                text << ' ' << ((corner >> axis & 1U) != 0 ? high : low).at(axis);
+            text << '\n';
+        }
         text << "endloop\nendfacet\n";
     }
-    text << "endsolid bar\n";
     return text.str();
+}
+
+/// A bar of 40 x 10 x 10 mm with a corner at the origin, as an STL text.
+inline std::string barText()
+{
+    return "solid bar\n" + boxFacets({0, 0, 0}, {40, 10, 10}) + "endsolid bar\n";
 }
 
 /// Pushes the middle of a bar held at its lower end x = 0.
