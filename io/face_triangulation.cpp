@@ -2,7 +2,9 @@
 
 #include "io/face_drawing.h"
 
+#include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp.hxx>
@@ -14,6 +16,7 @@
 #include <TopoDS_Face.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -21,6 +24,8 @@
 namespace knead {
 
 namespace {
+
+constexpr double wrongArea = 0.02; // relative; chords of the angles that triangles are made with lack a tenth of that
 
 bool hasTriangles(const TopoDS_Face& face)
 {
@@ -93,6 +98,33 @@ void addMismatches(const TopTools_IndexedDataMapOfShapeListOfShape& facesOfEdges
     }
 }
 
+/// Draws faces anew, whatever triangles they have.
+void draw(const TopTools_IndexedMapOfShape& faces, const TopTools_IndexedDataMapOfShapeListOfShape& facesOfEdges,
+          std::set<const void*> bad, const Tessellation& tessellation)
+{
+    for (int i = 1; i <= faces.Extent() && !bad.empty(); ++i) {
+        const TopoDS_Face& face = TopoDS::Face(faces(i));
+        if (bad.contains(face.TShape().get()) && drawFace(face, facesOfEdges, bad, tessellation))
+            bad.erase(face.TShape().get());
+    }
+}
+
+double areaOfTriangles(const TopoDS_Face& face)
+{
+    TopLoc_Location location;
+    const Handle(Poly_Triangulation)& triangulation = BRep_Tool::Triangulation(face, location);
+    double area = 0;
+    for (int t = 1; t <= triangulation->NbTriangles(); ++t) {
+        int a = 0;
+        int b = 0;
+        int c = 0;
+        triangulation->Triangle(t).Get(a, b, c);
+        const gp_XYZ corner = triangulation->Node(a).XYZ();
+        area += 0.5 * (triangulation->Node(b).XYZ() - corner).Crossed(triangulation->Node(c).XYZ() - corner).Modulus();
+    }
+    return area;
+}
+
 } // namespace
 
 void mendTriangles(const TopoDS_Shape& shape, const Tessellation& tessellation)
@@ -106,13 +138,27 @@ void mendTriangles(const TopoDS_Shape& shape, const Tessellation& tessellation)
     TopTools_IndexedDataMapOfShapeListOfShape facesOfEdges;
     TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, facesOfEdges);
     addMismatches(facesOfEdges, bad);
-    for (int i = 1; i <= faces.Extent() && !bad.empty(); ++i) {
+    draw(faces, facesOfEdges, std::move(bad), tessellation);
+}
+
+bool redrawFacesOfWrongArea(const TopoDS_Shape& shape, const Tessellation& tessellation)
+{
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(shape, TopAbs_FACE, faces);
+    std::set<const void*> bad;
+    for (int i = 1; i <= faces.Extent(); ++i) {
         const TopoDS_Face& face = TopoDS::Face(faces(i));
-        if (!bad.contains(face.TShape().get()))
-            continue;
-        if (drawFace(face, facesOfEdges, bad, tessellation))
-            bad.erase(face.TShape().get());
+        GProp_GProps properties;
+        BRepGProp::SurfaceProperties(face, properties);
+        if (hasTriangles(face) && std::abs(areaOfTriangles(face) - properties.Mass()) > wrongArea * properties.Mass())
+            bad.insert(face.TShape().get());
     }
+    if (bad.empty())
+        return false;
+    TopTools_IndexedDataMapOfShapeListOfShape facesOfEdges;
+    TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, facesOfEdges);
+    draw(faces, facesOfEdges, std::move(bad), tessellation);
+    return true;
 }
 
 } // namespace knead

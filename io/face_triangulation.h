@@ -12,4 +12,8 @@ namespace knead {
 /// @param shape lengths in mm; as BRepMesh left it
 void mendTriangles(const TopoDS_Shape& shape, const Tessellation& tessellation);
 
+/// Draws the faces anew whose triangles have another area than they: on some long swept faces the modeler's lie far off.
+/// @return whether there were any
+bool redrawFacesOfWrongArea(const TopoDS_Shape& shape, const Tessellation& tessellation);
+
 } // namespace knead

@@ -1,6 +1,7 @@
 #include "io/solid_measure.h"
 
 #include "core/geometry/mass_properties.h"
+#include "io/face_triangulation.h"
 #include "io/slit_closing.h"
 #include "io/tessellation.h"
 
@@ -28,6 +29,7 @@ constexpr double cubicMillimeter = 1e-9;
 constexpr double goodVolume = 8e-4;        // relative; some room below the promised thousandth
 constexpr double adaptiveTolerance = 1e-5; // relative, of the adaptive integration
 constexpr double gaping = 1e-2;            // of the volume; no integration is better than what gaps leave open
+constexpr double farOff = 0.02;            // relative; more than chords cut off
 constexpr int mostRefinements = 4;
 constexpr std::array otherAngles{0.5, 0.2}; // [rad], the last one as triangles are made else
 
@@ -70,6 +72,8 @@ public:
     {
         if (!m_isWatertight)
             closeOtherwise();
+        if (disagreement() > farOff && redrawFacesOfWrongArea(m_solid, m_tessellation))
+            takeTriangles();
         const bool isDone = !mayRefine || !m_isWatertight || isGood() || settleWithSameTriangles();
         for (int i = 0; !isDone && i < mostRefinements && !isGood(); ++i)
             if (!refine())
@@ -102,6 +106,13 @@ private:
         m_mesh = std::move(mesh);
         m_meshVolume = meshVolume;
         return true;
+    }
+
+    void takeTriangles()
+    {
+        m_mesh = closeSlits(collectTriangles(m_solid, m_tessellation, VertexPlace::onFaces));
+        m_meshVolume = massProperties(m_mesh).volume;
+        m_isWatertight = isWatertight(m_mesh);
     }
 
     /// Triangles that do not close may do so when edges are divided in other places. What stays open is not made finer: more

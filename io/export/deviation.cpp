@@ -7,8 +7,9 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
+#include <Extrema_GenLocateExtPS.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
-#include <GeomAPI_ProjectPointOnSurf.hxx>
+#include <GeomAdaptor_Surface.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -16,6 +17,7 @@
 #include <TopoDS.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <stdexcept>
@@ -52,15 +54,16 @@ std::vector<Vec2> samplesOf(const TrimmedFace& face, bool fellShort, const Morph
     return samples;
 }
 
-/// How far a place is from a surface: at the parameters it should have there, or wherever that is nearer.
-double distanceTo(const Handle(Geom_Surface) & surface, const Vec2& parameters, const Vec3& place, double enough)
+/// How far a place is from a surface: at the parameters it should have there, or from these downhill where that is nearer.
+double distanceTo(const GeomAdaptor_Surface& surface, const Vec2& parameters, const Vec3& place, double enough)
 {
     const gp_Pnt point = toPoint(place);
-    const double there = surface->Value(parameters[0], parameters[1]).Distance(point);
+    const double there = surface.Value(parameters[0], parameters[1]).Distance(point);
     if (there <= enough)
         return there;
-    const GeomAPI_ProjectPointOnSurf projection(point, surface);
-    return projection.NbPoints() > 0 ? std::min(there, projection.LowerDistance()) : there;
+    Extrema_GenLocateExtPS nearest(surface, 1e-9, 1e-9);
+    nearest.Perform(point, parameters[0], parameters[1]);
+    return nearest.IsDone() ? std::min(there, std::sqrt(nearest.SquareDistance())) : there;
 }
 
 /// Names the faces that are farther off than was allowed, numbered from 0 as in recipes.
@@ -125,9 +128,10 @@ private:
     double measure(int index, PartExportReport& report, double& sum) const
     {
         const TrimmedFace source(TopoDS::Face(m_sources(index).Oriented(TopAbs_FORWARD)));
-        const Handle(Geom_Surface) back = BRep_Tool::Surface(TopoDS::Face(m_backs(index)));
-        if (back.IsNull())
+        const Handle(Geom_Surface) surface = BRep_Tool::Surface(TopoDS::Face(m_backs(index)));
+        if (surface.IsNull())
             return 0;
+        const GeomAdaptor_Surface back(surface);
         const auto number = static_cast<std::size_t>(index) - 1;
         const bool hasNotes = m_written.notes.size() == static_cast<std::size_t>(m_sources.Extent());
         const MorphedFaceNote* note = hasNotes ? &m_written.notes[number] : nullptr;
