@@ -188,8 +188,21 @@ public:
         report.warnings.insert(report.warnings.end(), m_warnings.begin(), m_warnings.end());
         for (Remark& remark : remarksOn(report.quality))
             report.warnings.push_back(std::move(remark.sentence));
-        noteStillness(report);
         return report;
+    }
+
+    /// A person who pressed a part expects to see it, while it went on at least.
+    void noteStillness(RunReport& report) const
+    {
+        double size = 0;
+        for (const Part& part : m_ready.parts)
+            size = std::max(size, part.box.diagonal().norm());
+        double largest = m_largestMove;
+        for (const BodyMotion& motion : report.motions)
+            largest = std::max(largest, motion.largestDisplacement);
+        if (largest < stillShare * size && !m_latest->tools.empty())
+            report.warnings.push_back("Nothing moved by more than " + lengthWords(largest) +
+                                      ": fixtures hold all that the tools reach, or the tools reach nothing.");
     }
 
     /// What is known after a failure: of the last good state, to which the simulation went back.
@@ -204,20 +217,6 @@ public:
     }
 
 private:
-    /// A person who pressed a part expects to see it.
-    void noteStillness(RunReport& report) const
-    {
-        double size = 0;
-        for (const Part& part : m_ready.parts)
-            size = std::max(size, part.box.diagonal().norm());
-        double largest = 0;
-        for (const BodyMotion& motion : report.motions)
-            largest = std::max(largest, motion.largestDisplacement);
-        if (largest < stillShare * size && !m_latest->tools.empty())
-            report.warnings.push_back("Nothing moved by more than " + lengthWords(largest) +
-                                      ": fixtures hold all that the tools reach, or the tools reach nothing.");
-    }
-
     void takeFrame()
     {
         takeSnapshot();
@@ -250,6 +249,9 @@ private:
     void takeSnapshot()
     {
         m_latest = m_simulation.snapshot();
+        for (const Snapshot::BodyState& body : m_latest->bodies)
+            for (const Vec3& displacement : body.displacements())
+                m_largestMove = std::max(m_largestMove, displacement.norm());
         for (const ToolState& tool : m_latest->tools) {
             const auto same = [&](const ToolState& other) { return other.id == tool.id; };
             const auto known = std::find_if(m_tools.begin(), m_tools.end(), same);
@@ -300,6 +302,7 @@ private:
     ForceSeries m_forces;
     std::vector<StaticReport> m_balances;
     std::vector<std::string> m_warnings;
+    double m_largestMove = 0; ///< of an object at any frame, from where it was filled [m]
     Clock::time_point m_start = Clock::now();
     double m_wall = 0;
 };
@@ -340,6 +343,7 @@ RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskC
 
     TaskPortion writing(control, stepsEnd, 1);
     RunReport report = runner.takeReport();
+    runner.noteStillness(report);
     writeForces(forcesFile, report);
     if (recipe.exports.empty())
         return report;

@@ -134,11 +134,11 @@ void readStep(const std::string& path, bool onlyShapes, TaskControl& control, Ca
                               " parts; export the parts you need.");
     result.unit = stepUnit(reader.ChangeReader(), path, result.warnings);
 
-    if (const std::string missing = checkReferredFiles(reader.Reader(), path, control); !missing.empty())
-        result.missing.push_back(missing);
     if (onlyShapes) {
         transferShapes(reader.ChangeReader(), control, result);
     } else {
+        if (const std::string missing = checkReferredFiles(reader.Reader(), path, control); !missing.empty())
+            result.missing.push_back(missing);
         markForeignNames(reader.Reader());
         if (!transfer(reader, path, control, result)) {
             const std::string other = otherContent(path);

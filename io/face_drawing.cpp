@@ -42,6 +42,7 @@ using Vec2 = Eigen::Vector2d;
 
 constexpr double closedShare = 1e-3;           // of the extent of a loop in its parameters: gaps that rounding makes
 constexpr std::size_t mostPoints = 60'000;     // of a face
+constexpr std::size_t mostBorderPoints = 6000; // the time to triangulate goes with their square
 constexpr double coarsestPole = 8;             // pieces of an edge without length, where no angle says more
 constexpr double normalAngleOfSides = 1.5;     // of the angle between chords, between the normals at the ends of a side
 constexpr double leastSideOverDeflection = 20; // shorter sides are not divided for their normals
@@ -84,12 +85,15 @@ public:
     /// @return false when the border does not close
     bool draw()
     {
+        if (!slitsOf(m_face).IsEmpty())
+            return false;
         for (TopoDS_Iterator wires(m_face); wires.More(); wires.Next())
             if (wires.Value().ShapeType() == TopAbs_WIRE && !addWire(TopoDS::Wire(wires.Value())))
                 return false;
-        if (m_loopEnds.empty() || !orderLoops())
+        if (m_loopEnds.empty() || m_border.size() > mostBorderPoints || !orderLoops())
             return false;
         chooseScale();
+        triangulateBorder();
         refine();
         store();
         return true;
@@ -283,7 +287,8 @@ private:
                 m_scale[i] = 1;
     }
 
-    void refine()
+    /// A border that passes over itself is triangulated all the same: each of its sides gets one triangle.
+    void triangulateBorder()
     {
         std::vector<Vec2> corners;
         for (const std::uint32_t point : m_pointOfCorner)
@@ -293,6 +298,10 @@ private:
             m_places.push_back(m_border[point].place);
             m_normals.push_back(normalAt(m_border[point].parameters));
         }
+    }
+
+    void refine()
+    {
         std::vector<std::uint32_t> open;
         for (std::uint32_t t = 0; t < m_mesh->triangles().size(); ++t)
             open.push_back(t);
@@ -452,6 +461,16 @@ private:
 };
 
 } // namespace
+
+TopTools_MapOfShape slitsOf(const TopoDS_Face& face)
+{
+    TopTools_MapOfShape seen;
+    TopTools_MapOfShape slits;
+    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
+        if (!seen.Add(edges.Current()) && !BRep_Tool::IsClosed(TopoDS::Edge(edges.Current()), face))
+            slits.Add(edges.Current());
+    return slits;
+}
 
 Handle(Poly_PolygonOnTriangulation) polygonOf(const TopoDS_Edge& edge, const TopoDS_Face& face)
 {

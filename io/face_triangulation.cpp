@@ -25,7 +25,7 @@ namespace knead {
 
 namespace {
 
-constexpr double wrongArea = 0.02; // relative; chords of the angles that triangles are made with lack a tenth of that
+constexpr double wrongArea = 0.02; // relative; more than chords cut off
 
 bool hasTriangles(const TopoDS_Face& face)
 {
@@ -59,6 +59,7 @@ std::set<NodePair> borderOf(const Poly_Triangulation& triangulation)
 bool endsAtEdges(const TopoDS_Face& face)
 {
     TopLoc_Location location;
+    const TopTools_MapOfShape slits = slitsOf(face);
     std::set<NodePair> border = borderOf(*BRep_Tool::Triangulation(face, location));
     for (TopExp_Explorer edges(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); edges.More(); edges.Next()) {
         const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
@@ -67,6 +68,8 @@ bool endsAtEdges(const TopoDS_Face& face)
         const Handle(Poly_PolygonOnTriangulation) polygon = polygonOf(edge, face);
         if (polygon.IsNull())
             return false;
+        if (slits.Contains(edge))
+            continue;
         for (int i = 1; i < polygon->NbNodes(); ++i) {
             const auto [low, high] = std::minmax({polygon->Node(i), polygon->Node(i + 1)});
             if (low != high && border.erase(NodePair(low, high)) == 0)
@@ -157,7 +160,10 @@ bool redrawFacesOfWrongArea(const TopoDS_Shape& shape, const Tessellation& tesse
         return false;
     TopTools_IndexedDataMapOfShapeListOfShape facesOfEdges;
     TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, facesOfEdges);
-    draw(faces, facesOfEdges, std::move(bad), tessellation);
+    // Their points on edges are good, and those of the neighbors: they are what faces are drawn between.
+    for (int i = 1; i <= faces.Extent(); ++i)
+        if (const TopoDS_Face& face = TopoDS::Face(faces(i)); bad.contains(face.TShape().get()))
+            drawFace(face, facesOfEdges, {}, tessellation);
     return true;
 }
 

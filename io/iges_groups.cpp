@@ -19,39 +19,51 @@ namespace {
 
 using IgesMember = Handle(IGESData_IGESEntity);
 
-/// Curves, surfaces, solids and what their borders consist of, as IGES 5.3 numbers types.
+/// Curves, surfaces, boundary representations and what their borders consist of, as IGES 5.3 numbers types. Not solids by
+/// construction (150 to 184), which are not read.
 bool isGeometry(const IGESData_IGESEntity& entity)
 {
     const int type = entity.TypeNumber();
-    return (type >= 100 && type < 200 && type != 124) || (type >= 500 && type < 600);
+    return (type >= 100 && type < 150 && type != 124) || (type >= 186 && type < 200) || (type >= 500 && type < 600);
 }
 
-/// Remembers what has been seen in other groups, and what entities are made of.
+/// Knows what entities are made of, and what groups have had.
 class MemberChoice {
 public:
-    explicit MemberChoice(const Interface_Graph& graph, const Interface_InterfaceModel& model)
+    MemberChoice(const Interface_Graph& graph, const Interface_InterfaceModel& model)
     {
         for (int i = 1; i <= model.NbEntities(); ++i) {
             const auto entity = IgesMember::DownCast(model.Value(i));
             if (entity.IsNull() || !isGeometry(*entity))
                 continue;
             for (Interface_EntityIterator parts = graph.Shareds(entity); parts.More(); parts.Next())
-                m_taken.insert(parts.Value().get());
+                m_parts.insert(parts.Value().get());
         }
     }
 
-    /// @return those that are to stay
-    std::vector<IgesMember> chosen(const std::vector<IgesMember>& members)
+    /// @return those that are no part of another entity
+    std::vector<IgesMember> whole(const std::vector<IgesMember>& members) const
     {
         std::vector<IgesMember> result;
         for (const IgesMember& member : members)
-            if (!isGeometry(*member) || m_taken.insert(member.get()).second)
+            if (!isGeometry(*member) || !m_parts.contains(member.get()))
+                result.push_back(member);
+        return result;
+    }
+
+    /// @return those of them that no group has had
+    std::vector<IgesMember> fresh(const std::vector<IgesMember>& members)
+    {
+        std::vector<IgesMember> result;
+        for (const IgesMember& member : whole(members))
+            if (!isGeometry(*member) || m_had.insert(member.get()).second)
                 result.push_back(member);
         return result;
     }
 
 private:
-    std::unordered_set<const Standard_Transient*> m_taken;
+    std::unordered_set<const Standard_Transient*> m_parts;
+    std::unordered_set<const Standard_Transient*> m_had;
 };
 
 std::vector<IgesMember> membersOf(int count, const auto& memberAt)
@@ -65,16 +77,21 @@ std::vector<IgesMember> membersOf(int count, const auto& memberAt)
 
 void reduce(IGESBasic_Group& group, MemberChoice& choice)
 {
-    const auto members = choice.chosen(membersOf(group.NbEntities(), [&](int i) { return group.Entity(i); }));
+    const auto members = choice.fresh(membersOf(group.NbEntities(), [&](int i) { return group.Entity(i); }));
+    if (members.empty()) { // SetNb() knows no 0
+        group.Init(nullptr);
+        return;
+    }
     group.SetNb(static_cast<int>(members.size()));
     for (std::size_t i = 0; i < members.size(); ++i)
         group.SetValue(static_cast<int>(i) + 1, members[i]);
 }
 
-void reduce(IGESBasic_SubfigureDef& definition, MemberChoice& choice)
+/// What a definition holds is at another place in each instance of it, so it may be in others, too.
+void reduce(IGESBasic_SubfigureDef& definition, const MemberChoice& choice)
 {
     const int count = definition.NbEntities();
-    const auto members = choice.chosen(membersOf(count, [&](int i) { return definition.AssociatedEntity(i); }));
+    const auto members = choice.whole(membersOf(count, [&](int i) { return definition.AssociatedEntity(i); }));
     if (members.empty() || static_cast<int>(members.size()) == count)
         return;
     const Handle(IGESData_HArray1OfIGESEntity) list =
@@ -90,13 +107,15 @@ void keepMembersOnce(IGESCAFControl_Reader& reader)
 {
     const Handle(Interface_InterfaceModel) model = reader.Model();
     MemberChoice choice(reader.WS()->Graph(), *model);
-    for (int i = 1; i <= model->NbEntities(); ++i) {
-        if (const auto group = Handle(IGESBasic_Group)::DownCast(model->Value(i)); !group.IsNull())
-            reduce(*group, choice);
-        else if (const auto definition = Handle(IGESBasic_SubfigureDef)::DownCast(model->Value(i));
-                 !definition.IsNull())
+    constexpr int shown = 0;
+    for (const bool isShown : {true, false}) // what is in a hidden group as well is shown
+        for (int i = 1; i <= model->NbEntities(); ++i)
+            if (const auto group = Handle(IGESBasic_Group)::DownCast(model->Value(i));
+                !group.IsNull() && (group->BlankStatus() == shown) == isShown)
+                reduce(*group, choice);
+    for (int i = 1; i <= model->NbEntities(); ++i)
+        if (const auto definition = Handle(IGESBasic_SubfigureDef)::DownCast(model->Value(i)); !definition.IsNull())
             reduce(*definition, choice);
-    }
 }
 
 } // namespace knead

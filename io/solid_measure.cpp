@@ -16,7 +16,6 @@
 #include <TopoDS_Shape.hxx>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -31,7 +30,7 @@ constexpr double adaptiveTolerance = 1e-5; // relative, of the adaptive integrat
 constexpr double gaping = 1e-2;            // of the volume; no integration is better than what gaps leave open
 constexpr double farOff = 0.02;            // relative; more than chords cut off
 constexpr int mostRefinements = 4;
-constexpr std::array otherAngles{0.5, 0.2}; // [rad], the last one as triangles are made else
+constexpr double plainAngle = 0.5; // [rad], of the modeler by itself
 
 double adaptiveVolume(const TopoDS_Shape& solid)
 {
@@ -72,8 +71,8 @@ public:
     {
         if (!m_isWatertight)
             closeOtherwise();
-        if (disagreement() > farOff && redrawFacesOfWrongArea(m_solid, m_tessellation))
-            takeTriangles();
+        if (m_isWatertight && disagreement() > farOff && redrawFacesOfWrongArea(m_solid, m_tessellation))
+            takeRedrawn();
         const bool isDone = !mayRefine || !m_isWatertight || isGood() || settleWithSameTriangles();
         for (int i = 0; !isDone && i < mostRefinements && !isGood(); ++i)
             if (!refine())
@@ -108,29 +107,30 @@ private:
         return true;
     }
 
-    void takeTriangles()
+    void takeRedrawn()
     {
-        m_mesh = closeSlits(collectTriangles(m_solid, m_tessellation, VertexPlace::onFaces));
-        m_meshVolume = massProperties(m_mesh).volume;
-        m_isWatertight = isWatertight(m_mesh);
+        TriangleMesh mesh = closeSlits(collectTriangles(m_solid, m_tessellation, VertexPlace::onFaces));
+        const double meshVolume = massProperties(mesh).volume;
+        if (!isWatertight(mesh) || disagreementOf(meshVolume) >= disagreement())
+            return;
+        m_mesh = std::move(mesh);
+        m_meshVolume = meshVolume;
     }
 
     /// Triangles that do not close may do so when edges are divided in other places. What stays open is not made finer: more
     /// triangles do not bring those that are missing.
     void closeOtherwise()
     {
-        for (const double angle : otherAngles) {
-            const Tessellation other{m_tessellation.deflection, angle};
-            BRepTools::Clean(m_solid); // else finer triangles than asked for stay
-            TriangleMesh mesh = closeSlits(tessellate(m_solid, other));
-            m_isWatertight = isWatertight(mesh);
-            if (!m_isWatertight && angle != otherAngles.back())
-                continue;
-            m_meshVolume = massProperties(mesh).volume;
-            m_mesh = std::move(mesh);
-            m_tessellation = other;
+        const Tessellation other{m_tessellation.deflection,
+                                 m_tessellation.angle < plainAngle ? plainAngle : plainAngle / 2};
+        BRepTools::Clean(m_solid); // else finer triangles than asked for stay
+        TriangleMesh mesh = closeSlits(tessellate(m_solid, other));
+        if (!isWatertight(mesh))
             return;
-        }
+        m_isWatertight = true;
+        m_meshVolume = massProperties(mesh).volume;
+        m_mesh = std::move(mesh);
+        m_tessellation = other;
     }
 
     /// The error of the volume is proportional to the deflection, and to the square of the angle.
@@ -145,7 +145,7 @@ private:
         chooseVolumeNear(limit);
 
         const double before = disagreement();
-        if (!isWatertight(mesh))
+        if (!isWatertight(mesh) || disagreementOf(meshVolume) > before)
             return false;
         m_mesh = std::move(mesh);
         m_meshVolume = meshVolume;

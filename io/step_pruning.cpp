@@ -9,6 +9,7 @@
 #include <Interface_InterfaceModel.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepGeom_CartesianPoint.hxx>
+#include <StepGeom_CompositeCurveSegment.hxx>
 #include <StepRepr_HArray1OfRepresentationItem.hxx>
 #include <StepRepr_ItemDefinedTransformation.hxx>
 #include <StepRepr_Representation.hxx>
@@ -83,6 +84,7 @@ private:
         else if (const auto shapes = Handle(StepShape_ShapeRepresentation)::DownCast(user); !shapes.IsNull())
             leaveRepresentation(entity, *shapes);
         else if (isStructure(user) || user->IsKind(STANDARD_TYPE(StepRepr_Representation)) ||
+                 user->IsKind(STANDARD_TYPE(StepGeom_CompositeCurveSegment)) ||
                  (user->IsKind(STANDARD_TYPE(StepRepr_RepresentationItem)) &&
                   !user->IsKind(STANDARD_TYPE(StepVisual_StyledItem))))
             mark(user);

@@ -21,6 +21,12 @@ namespace knead {
 
 namespace {
 
+bool isStepName(const std::string& name)
+{
+    const std::string ending = lowerCaseEnding(name);
+    return ending == "stp" || ending == "step" || ending == "p21";
+}
+
 std::string missingWords(const std::vector<std::string>& names)
 {
     constexpr std::size_t mostNamed = 5;
@@ -51,10 +57,12 @@ std::string checkReferredFiles(const STEPControl_Reader& reader, const std::stri
     for (const std::string& name : names) {
         control.throwIfCancelled();
         const std::filesystem::path file = folder / name;
+        if (!isStepName(name))
+            continue; // a drawing or another document, which holds no parts
         std::error_code error;
         if (!std::filesystem::is_regular_file(file, error))
             missing.push_back(name);
-        else if (recognizeFormat(file.string()) == FormatKind::Step)
+        else
             checkStepText(file.string(), control);
     }
     return missing.empty() ? std::string() : missingWords(missing);

@@ -9,7 +9,7 @@ class STEPControl_Reader;
 namespace knead {
 
 /// Looks for the files that a STEP assembly refers to (DOCUMENT_FILE), which are beside it or in folders there. They are read
-/// with it; what is checked in a file before reading is checked in them.
+/// with it; their text is checked as that of the assembly is.
 /// @param path of the assembly
 /// @return a sentence about those that are missing; empty when none is
 /// @throws std::runtime_error, in a sentence, when one of them is damaged. @throws Cancelled

@@ -91,7 +91,7 @@ void addRecipeCommand(CLI::App& program, int& exitStatus)
 {
     auto options = std::make_shared<RecipeOptions>();
     CLI::App* command = program.add_subcommand(
-        "recipe", "Write a recipe: to start from, a block pressed into a part; or what was done in a project");
+        "recipe", "Write a recipe: to start from, a part bent or squeezed by a block; or what was done in a project");
     command->add_option("FILE", options->file, "CAD or mesh file, or a project saved by the window")->required();
     command->add_option("-o,--output", options->output, "Recipe to write; without it the recipe goes to the terminal")
         ->type_name("RECIPE");

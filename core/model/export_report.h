@@ -43,7 +43,7 @@ struct PartExportReport {
     bool closed = false;   ///< no free edge, and can be covered with a closed net of triangles
     std::size_t freeEdges = 0;
     double maxTolerance = 0;     ///< [m]
-    double tolerance = 0;        ///< asked for [m]
+    double tolerance = 0;        ///< allowed [m]: as asked for, or for flat faces 1/400 of the size where that is more
     double largestDeviation = 0; ///< between samples of faces and where the skin has them [m]
     double meanDeviation = 0;    ///< [m]
     std::size_t samples = 0;     ///< that were measured; 0 where nothing could be compared

@@ -12,8 +12,9 @@ struct ImportOptions {
     double relativeDeflection = 5e-4; ///< of the diagonal of each part, where linearDeflection is 0
     bool heal = true;                 ///< false: shapes stay as they are in the file
     bool capsFlatOpenings = false;    ///< closes surfaces whose openings are all flat with planes; needs heal
-    bool onlyShapes = false; ///< of STEP: no names, colors and assemblies, for files on which reading these fails
-    std::string unit;        ///< that lengths are taken in, whatever the file says; empty: as stated, or mm
+    /// Of STEP: no names, colors and assemblies. The reader chooses that where reading these crashes; it is not kept.
+    bool onlyShapes = false;
+    std::string unit;               ///< that lengths are taken in, whatever the file says; empty: as stated, or mm
     std::vector<std::string> parts; ///< Part::path of those wanted, or of assemblies; empty: all
     double memoryLimit = 0;         ///< of the process that reads [bytes]; 0: by the size of the file
     double timeLimit = 0;           ///< of processor time for reading [s]; 0: by the size of the file

@@ -151,10 +151,24 @@ private:
             ++report.samples;
         }
         if (fellShort)
-            for (TopExp_Explorer edges(m_sources(index), TopAbs_EDGE); edges.More(); edges.Next())
-                if (const TopoDS_Edge& edge = TopoDS::Edge(edges.Current()); !BRep_Tool::Degenerated(edge))
-                    largest = std::max(largest, 1e-3 * missOfEdge(edge, m_backs(index), 1e3 * report.tolerance));
+            largest = std::max(largest, 1e-3 * missOfEdges(index, 1e3 * report.tolerance));
         report.largestDeviation = std::max(report.largestDeviation, largest);
+        return largest;
+    }
+
+    /// The largest of a face [mm].
+    double missOfEdges(int index, double enough) const
+    {
+        double largest = 0;
+        for (TopExp_Explorer edges(m_sources(index), TopAbs_EDGE); edges.More(); edges.Next()) {
+            const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+            if (BRep_Tool::Degenerated(edge))
+                continue;
+            try {
+                largest = std::max(largest, missOfEdge(edge, m_backs(index), enough));
+            } catch (const Standard_Failure&) { // of an edge without a curve nothing can be said
+            }
+        }
         return largest;
     }
 

@@ -96,9 +96,9 @@ Model importIsolated(const std::string& program, const std::string& path, const 
         plain.onlyShapes = true;
         try {
             Model model = read(plain);
-            model.warnings.push_back(shortName(path) +
-                                     ": the reader crashed on what the file says beside its shapes; these were read "
-                                     "without names, colors and assemblies.");
+            model.warnings.push_back(
+                shortName(path) + ": the reader crashed on what the file says beside its shapes; these were read "
+                                  "without names, colors and assemblies, and without other files that it refers to.");
             return model;
         } catch (const Cancelled&) {
             throw;

@@ -1242,6 +1242,14 @@
         <translation>weiter vom Material als verlangt</translation>
     </message>
     <message>
+        <source>passes through itself</source>
+        <translation>geht durch sich selbst hindurch</translation>
+    </message>
+    <message>
+        <source>not smooth where it was</source>
+        <translation>nicht glatt, wo es glatt war</translation>
+    </message>
+    <message>
         <source>closed and valid</source>
         <translation>geschlossen und gültig</translation>
     </message>

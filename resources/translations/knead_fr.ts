@@ -1242,6 +1242,14 @@
         <translation>plus loin du matériau que demandé</translation>
     </message>
     <message>
+        <source>passes through itself</source>
+        <translation>se traverse</translation>
+    </message>
+    <message>
+        <source>not smooth where it was</source>
+        <translation>plus lisse là où il l’était</translation>
+    </message>
+    <message>
         <source>closed and valid</source>
         <translation>fermé et valide</translation>
     </message>

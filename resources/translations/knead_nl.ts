@@ -1242,6 +1242,14 @@
         <translation>verder van het materiaal dan gevraagd</translation>
     </message>
     <message>
+        <source>passes through itself</source>
+        <translation>gaat door zichzelf heen</translation>
+    </message>
+    <message>
+        <source>not smooth where it was</source>
+        <translation>niet glad waar het dat was</translation>
+    </message>
+    <message>
         <source>closed and valid</source>
         <translation>gesloten en geldig</translation>
     </message>

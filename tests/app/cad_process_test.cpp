@@ -251,6 +251,13 @@ private slots:
         QCOMPARE(model.warnings.size(), usual.warnings.size() + 1);
         QVERIFY2(mentions(model.warnings.back(), "without names, colors and assemblies"),
                  model.warnings.back().c_str());
+
+        for (const auto& [signal, tries] : {std::pair("KILL", 1), std::pair("ABRT", 2)}) {
+            const std::string note = file("starts", "");
+            failureOf(standIn("echo started >>" + note + "; kill -" + signal + " $$"), plenty);
+            std::ifstream starts(note);
+            QCOMPARE(std::count(std::istreambuf_iterator<char>(starts), {}, '\n'), tries);
+        }
     }
 
     void aHangIsASentence_data()

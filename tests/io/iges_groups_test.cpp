@@ -31,6 +31,11 @@ void writeWithGroups(const std::string& path, const std::vector<TopoDS_Shape>& s
         groups.push_back(group);
         first = model->NbEntities();
     }
+    // A last one of entities that all are in others, too.
+    const Handle(IGESBasic_Group) again = new IGESBasic_Group(model->NbEntities());
+    for (int e = 1; e <= model->NbEntities(); ++e)
+        again->SetValue(e, model->Entity(e));
+    groups.push_back(again);
     for (const Handle(IGESBasic_Group) & group : groups)
         writer.AddEntity(group);
     writer.ComputeModel();

@@ -290,8 +290,8 @@ inline auto members(const Model& v)
 }
 inline auto members(const ImportOptions& v)
 {
-    const auto& [a, b, c, d, e, f, g, h, i] = v;
-    return std::tie(a, b, c, d, e, f, g, h, i);
+    const auto& [a, b, c, d, e, f, g, h, i, j] = v;
+    return std::tie(a, b, c, d, e, f, g, h, i, j);
 }
 inline auto members(const SpacingChoice& v)
 {

@@ -67,6 +67,10 @@ QString verdictOf(const PartExportReport& part)
         return ExportPanel::tr("its volume is off");
     if (part.largestDeviation > part.tolerance && part.samples > 0)
         return ExportPanel::tr("further from the material than asked for");
+    if (part.crossesItself)
+        return ExportPanel::tr("passes through itself");
+    if (part.largestKink > largestKinkOfSoundParts)
+        return ExportPanel::tr("not smooth where it was");
     return part.closed ? ExportPanel::tr("closed and valid") : ExportPanel::tr("valid, open as it was");
 }
 
