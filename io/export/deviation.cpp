@@ -9,6 +9,7 @@
 #include <BRep_Tool.hxx>
 #include <Extrema_GenLocateExtPS.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
+#include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
@@ -54,17 +55,43 @@ std::vector<Vec2> samplesOf(const TrimmedFace& face, bool fellShort, const Morph
     return samples;
 }
 
-/// How far a place is from a surface: at the parameters it should have there, or from these downhill where that is nearer.
-double distanceTo(const GeomAdaptor_Surface& surface, const Vec2& parameters, const Vec3& place, double enough)
-{
-    const gp_Pnt point = toPoint(place);
-    const double there = surface.Value(parameters[0], parameters[1]).Distance(point);
-    if (there <= enough)
-        return there;
-    Extrema_GenLocateExtPS nearest(surface, 1e-9, 1e-9);
-    nearest.Perform(point, parameters[0], parameters[1]);
-    return nearest.IsDone() ? std::min(there, std::sqrt(nearest.SquareDistance())) : there;
-}
+/// How far places are from a surface that was read back.
+class SurfaceMiss {
+public:
+    SurfaceMiss(const Handle(Geom_Surface) & surface, double enough)
+        : m_surface(surface)
+        , m_adaptor(surface)
+        , m_enough(enough)
+    {
+    }
+
+    /// At the parameters it should have there, or from these downhill, or wherever it is nearest: what comes later takes
+    /// longer, and is for surfaces whose parameters did not survive the file.
+    double of(const Vec2& parameters, const Vec3& place)
+    {
+        const gp_Pnt point = toPoint(place);
+        double miss = m_adaptor.Value(parameters[0], parameters[1]).Distance(point);
+        if (miss <= m_enough)
+            return miss;
+        Extrema_GenLocateExtPS nearest(m_adaptor, 1e-9, 1e-9);
+        nearest.Perform(point, parameters[0], parameters[1]);
+        if (nearest.IsDone())
+            miss = std::min(miss, std::sqrt(nearest.SquareDistance()));
+        if (miss <= m_enough || (m_adaptor.GetType() == GeomAbs_BSplineSurface && m_projections >= mostProjections))
+            return miss;
+        ++m_projections;
+        const GeomAPI_ProjectPointOnSurf projection(point, m_surface);
+        return projection.NbPoints() > 0 ? std::min(miss, projection.LowerDistance()) : miss;
+    }
+
+private:
+    static constexpr int mostProjections = 300; // onto a spline, whose parameters survive as a rule
+
+    Handle(Geom_Surface) m_surface;
+    GeomAdaptor_Surface m_adaptor;
+    double m_enough; // [mm]
+    int m_projections = 0;
+};
 
 /// Names the faces that are farther off than was allowed, numbered from 0 as in recipes.
 /// @param ofFaces how far each is off [m]
@@ -131,7 +158,7 @@ private:
         const Handle(Geom_Surface) surface = BRep_Tool::Surface(TopoDS::Face(m_backs(index)));
         if (surface.IsNull())
             return 0;
-        const GeomAdaptor_Surface back(surface);
+        SurfaceMiss back(surface, 1e3 * report.tolerance);
         const auto number = static_cast<std::size_t>(index) - 1;
         const bool hasNotes = m_written.notes.size() == static_cast<std::size_t>(m_sources.Extent());
         const MorphedFaceNote* note = hasNotes ? &m_written.notes[number] : nullptr;
@@ -145,7 +172,7 @@ private:
         m_map.evaluate(points, places);
         double largest = 0;
         for (std::size_t i = 0; i < samples.size(); ++i) {
-            const double distance = 1e-3 * distanceTo(back, samples[i], places[i], 1e3 * report.tolerance);
+            const double distance = 1e-3 * back.of(samples[i], places[i]);
             largest = std::max(largest, distance);
             sum += distance;
             ++report.samples;

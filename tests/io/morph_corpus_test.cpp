@@ -120,7 +120,8 @@ Row tryOne(const PartToExport& part, const std::string& map)
         const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
         const PartExportReport& report = file.report.parts.front();
         row.isExact = report.form == PartExportReport::Form::exact;
-        row.isSound = report.isSound();
+        row.isSound =
+            report.isFit(); // the floor is of that; where surfaces cross or lost their smoothness is told beside it
         row.volumeError = std::abs(report.volumeError());
         row.share = report.largestDeviation / report.tolerance;
         row.kink = report.largestKink * 180 / std::numbers::pi;
@@ -129,8 +130,11 @@ Row tryOne(const PartToExport& part, const std::string& map)
         row.reason = report.reason;
         if (!report.isSound())
             keep(file, part.part.name + " " + map);
-        if (row.isExact && !row.isSound)
-            row.reason = report.valid ? report.closed ? "volume or deviation" : "not closed" : "not valid";
+        if (row.isExact && !report.isSound())
+            row.reason = !report.remarks.empty() ? report.remarks.back()
+                         : !report.valid         ? "not valid"
+                         : !report.closed        ? "not closed"
+                                                 : "volume or deviation";
     } catch (const std::exception& error) {
         row.reason = error.what();
     }
