@@ -1,7 +1,6 @@
 #include "io/step_pruning.h"
 
 #include "io/cad_format.h"
-#include "io/number_words.h"
 #include "io/step_geometry_check.h"
 
 #include <Interface_EntityIterator.hxx>
@@ -131,10 +130,9 @@ private:
         const std::size_t more = hollow.size() - 1;
         return "the entity " + labelOf(hollow.front()) +
                (more > 0 ? " and " + std::to_string(more) + " more refer" : " refers") +
-               " to something of the wrong kind or nothing at all; " +
-               (m_faces > 0 ? countOf(m_faces, "face") : countOf(m_shapes, "shape")) + " that " +
-               (m_faces + (m_faces > 0 ? 0 : m_shapes) == 1 ? "needs" : "need") + (more > 0 ? " them" : " it") +
-               " could not be read.";
+               " to something of the wrong kind or nothing at all; what needs " + (more > 0 ? "them" : "it") +
+               " could not be read (" +
+               (m_faces > 0 ? "faces: " + std::to_string(m_faces) : "shapes: " + std::to_string(m_shapes)) + ").";
     }
 
     Handle(Interface_InterfaceModel) m_model;

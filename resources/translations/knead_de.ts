@@ -1517,6 +1517,34 @@
         <translation>%1: die Datei nennt keine Längeneinheit; Millimeter wurden genommen.</translation>
     </message>
     <message>
+        <source>%1: the entity %2 refers to something of the wrong kind or nothing at all; what needs it could not be read (faces: %3).</source>
+        <translation>%1: das Element %2 verweist auf etwas Falsches oder auf nichts; was es braucht, konnte nicht gelesen werden (Flächen: %3).</translation>
+    </message>
+    <message>
+        <source>%1: the entity %2 refers to something of the wrong kind or nothing at all; what needs it could not be read (shapes: %3).</source>
+        <translation>%1: das Element %2 verweist auf etwas Falsches oder auf nichts; was es braucht, konnte nicht gelesen werden (Formen: %3).</translation>
+    </message>
+    <message>
+        <source>%1: the entity %2 and %3 more refer to something of the wrong kind or nothing at all; what needs them could not be read (faces: %4).</source>
+        <translation>%1: das Element %2 und %3 weitere verweisen auf etwas Falsches oder auf nichts; was sie braucht, konnte nicht gelesen werden (Flächen: %4).</translation>
+    </message>
+    <message>
+        <source>%1: the entity %2 and %3 more refer to something of the wrong kind or nothing at all; what needs them could not be read (shapes: %4).</source>
+        <translation>%1: das Element %2 und %3 weitere verweisen auf etwas Falsches oder auf nichts; was sie braucht, konnte nicht gelesen werden (Formen: %4).</translation>
+    </message>
+    <message>
+        <source>the assembly refers to the file %1, which is not there: its parts are missing. Put it beside the assembly and open that again.</source>
+        <translation>die Baugruppe verweist auf die Datei %1, die es dort nicht gibt: ihre Teile fehlen. Legen Sie sie neben die Baugruppe und öffnen Sie diese noch einmal.</translation>
+    </message>
+    <message>
+        <source>the assembly refers to %1 files that are not there: %2. Their parts are missing; put them beside the assembly and open that again.</source>
+        <translation>die Baugruppe verweist auf %1 Dateien, die es dort nicht gibt: %2. Ihre Teile fehlen; legen Sie sie neben die Baugruppe und öffnen Sie diese noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1: the reader crashed on what the file says beside its shapes; these were read without names, colors and assemblies, and without other files that it refers to.</source>
+        <translation>%1: der Leser stürzte über das ab, was die Datei neben ihren Formen sagt; diese wurden ohne Namen, Farben und Baugruppen gelesen, und ohne andere Dateien, auf die sie verweist.</translation>
+    </message>
+    <message>
         <source>%1: the file mixes the length units %2 and %3; check the sizes of the parts.</source>
         <translation>%1: die Datei mischt die Längeneinheiten %2 und %3; prüfen Sie die Größen der Teile.</translation>
     </message>

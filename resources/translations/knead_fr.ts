@@ -1517,6 +1517,34 @@
         <translation>%1 : le fichier n&apos;indique pas d&apos;unité de longueur ; des millimètres ont été pris.</translation>
     </message>
     <message>
+        <source>%1: the entity %2 refers to something of the wrong kind or nothing at all; what needs it could not be read (faces: %3).</source>
+        <translation>%1 : l’entité %2 renvoie à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (faces : %3).</translation>
+    </message>
+    <message>
+        <source>%1: the entity %2 refers to something of the wrong kind or nothing at all; what needs it could not be read (shapes: %3).</source>
+        <translation>%1 : l’entité %2 renvoie à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (formes : %3).</translation>
+    </message>
+    <message>
+        <source>%1: the entity %2 and %3 more refer to something of the wrong kind or nothing at all; what needs them could not be read (faces: %4).</source>
+        <translation>%1 : l’entité %2 et %3 autres renvoient à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (faces : %4).</translation>
+    </message>
+    <message>
+        <source>%1: the entity %2 and %3 more refer to something of the wrong kind or nothing at all; what needs them could not be read (shapes: %4).</source>
+        <translation>%1 : l’entité %2 et %3 autres renvoient à quelque chose de faux ou à rien ; ce qui en a besoin n’a pu être lu (formes : %4).</translation>
+    </message>
+    <message>
+        <source>the assembly refers to the file %1, which is not there: its parts are missing. Put it beside the assembly and open that again.</source>
+        <translation>l’assemblage renvoie au fichier %1, qui n’est pas là : ses pièces manquent. Placez-le à côté de l’assemblage et rouvrez celui-ci.</translation>
+    </message>
+    <message>
+        <source>the assembly refers to %1 files that are not there: %2. Their parts are missing; put them beside the assembly and open that again.</source>
+        <translation>l’assemblage renvoie à %1 fichiers qui ne sont pas là : %2. Leurs pièces manquent ; placez-les à côté de l’assemblage et rouvrez celui-ci.</translation>
+    </message>
+    <message>
+        <source>%1: the reader crashed on what the file says beside its shapes; these were read without names, colors and assemblies, and without other files that it refers to.</source>
+        <translation>%1 : le lecteur a échoué sur ce que le fichier dit à côté de ses formes ; celles-ci ont été lues sans noms, couleurs ni assemblages, et sans les autres fichiers auxquels il renvoie.</translation>
+    </message>
+    <message>
         <source>%1: the file mixes the length units %2 and %3; check the sizes of the parts.</source>
         <translation>%1 : le fichier mêle les unités de longueur %2 et %3 ; vérifiez les tailles des pièces.</translation>
     </message>

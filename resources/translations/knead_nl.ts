@@ -1517,6 +1517,34 @@
         <translation>%1: het bestand noemt geen lengte-eenheid; millimeters zijn genomen.</translation>
     </message>
     <message>
+        <source>%1: the entity %2 refers to something of the wrong kind or nothing at all; what needs it could not be read (faces: %3).</source>
+        <translation>%1: het element %2 verwijst naar iets verkeerds of naar niets; wat het nodig heeft kon niet worden gelezen (vlakken: %3).</translation>
+    </message>
+    <message>
+        <source>%1: the entity %2 refers to something of the wrong kind or nothing at all; what needs it could not be read (shapes: %3).</source>
+        <translation>%1: het element %2 verwijst naar iets verkeerds of naar niets; wat het nodig heeft kon niet worden gelezen (vormen: %3).</translation>
+    </message>
+    <message>
+        <source>%1: the entity %2 and %3 more refer to something of the wrong kind or nothing at all; what needs them could not be read (faces: %4).</source>
+        <translation>%1: het element %2 en %3 andere verwijzen naar iets verkeerds of naar niets; wat ze nodig heeft kon niet worden gelezen (vlakken: %4).</translation>
+    </message>
+    <message>
+        <source>%1: the entity %2 and %3 more refer to something of the wrong kind or nothing at all; what needs them could not be read (shapes: %4).</source>
+        <translation>%1: het element %2 en %3 andere verwijzen naar iets verkeerds of naar niets; wat ze nodig heeft kon niet worden gelezen (vormen: %4).</translation>
+    </message>
+    <message>
+        <source>the assembly refers to the file %1, which is not there: its parts are missing. Put it beside the assembly and open that again.</source>
+        <translation>de samenstelling verwijst naar het bestand %1, dat er niet is: de onderdelen ervan ontbreken. Zet het naast de samenstelling en open die opnieuw.</translation>
+    </message>
+    <message>
+        <source>the assembly refers to %1 files that are not there: %2. Their parts are missing; put them beside the assembly and open that again.</source>
+        <translation>de samenstelling verwijst naar %1 bestanden die er niet zijn: %2. Hun onderdelen ontbreken; zet ze naast de samenstelling en open die opnieuw.</translation>
+    </message>
+    <message>
+        <source>%1: the reader crashed on what the file says beside its shapes; these were read without names, colors and assemblies, and without other files that it refers to.</source>
+        <translation>%1: de lezer liep vast op wat het bestand naast zijn vormen zegt; die zijn gelezen zonder namen, kleuren en samenstellingen, en zonder andere bestanden waarnaar het verwijst.</translation>
+    </message>
+    <message>
         <source>%1: the file mixes the length units %2 and %3; check the sizes of the parts.</source>
         <translation>%1: het bestand mengt de lengte-eenheden %2 en %3; controleer de maten van de onderdelen.</translation>
     </message>

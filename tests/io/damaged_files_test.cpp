@@ -206,7 +206,9 @@ void DamagedFilesTest::damageIsNamed()
 void DamagedFilesTest::stepEntitiesThatReferToNothingCostTheirFacesOnly()
 {
     const Model model = importFile(write("line.step", lineOfTwoPoints(m_step)));
-    QVERIFY(mention(model.warnings, "refers to something of the wrong kind or nothing at all; 2 faces that need it"));
+    QVERIFY(mention(
+        model.warnings,
+        "refers to something of the wrong kind or nothing at all; what needs it could not be read (faces: 2)."));
     QCOMPARE(model.parts.size(), std::size_t{1});
     QVERIFY(!model.parts.front().canBeFilled());
     QCOMPARE(model.parts.front().faces.size(), std::size_t{4});

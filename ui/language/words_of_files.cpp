@@ -71,6 +71,20 @@ constexpr const char* const sentences[] = {
                       "%1: the 3MF does not keep to the format in %2 places; compare the parts with the program that "
                       "wrote it."),
     QT_TRANSLATE_NOOP("FileWords", "%1: the file states no length unit; millimetres were taken."),
+    QT_TRANSLATE_NOOP("FileWords", "%1: the entity %2 refers to something of the wrong kind or nothing at all; what "
+                                   "needs it could not be read (faces: %3)."),
+    QT_TRANSLATE_NOOP("FileWords", "%1: the entity %2 refers to something of the wrong kind or nothing at all; what "
+                                   "needs it could not be read (shapes: %3)."),
+    QT_TRANSLATE_NOOP("FileWords", "%1: the entity %2 and %3 more refer to something of the wrong kind or nothing at "
+                                   "all; what needs them could not be read (faces: %4)."),
+    QT_TRANSLATE_NOOP("FileWords", "%1: the entity %2 and %3 more refer to something of the wrong kind or nothing at "
+                                   "all; what needs them could not be read (shapes: %4)."),
+    QT_TRANSLATE_NOOP("FileWords", "the assembly refers to the file %1, which is not there: its parts are missing. Put "
+                                   "it beside the assembly and open that again."),
+    QT_TRANSLATE_NOOP("FileWords", "the assembly refers to %1 files that are not there: %2. Their parts are missing; "
+                                   "put them beside the assembly and open that again."),
+    QT_TRANSLATE_NOOP("FileWords", "%1: the reader crashed on what the file says beside its shapes; these were read "
+                                   "without names, colors and assemblies, and without other files that it refers to."),
     QT_TRANSLATE_NOOP("FileWords", "%1: the file mixes the length units %2 and %3; check the sizes of the parts."),
     QT_TRANSLATE_NOOP("FileWords", "%1: its schema \"%2\" is none for CAD parts; check that nothing is missing."),
     QT_TRANSLATE_NOOP("FileWords", "%1: the part is %2 long; if its lengths are %3, it is %4."),
