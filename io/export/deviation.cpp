@@ -77,20 +77,22 @@ public:
         nearest.Perform(point, parameters[0], parameters[1]);
         if (nearest.IsDone())
             miss = std::min(miss, std::sqrt(nearest.SquareDistance()));
-        if (miss <= m_enough || (m_adaptor.GetType() == GeomAbs_BSplineSurface && m_projections >= mostProjections))
+        if (miss <= m_enough || m_fruitless >= mostFruitless)
             return miss;
-        ++m_projections;
         const GeomAPI_ProjectPointOnSurf projection(point, m_surface);
-        return projection.NbPoints() > 0 ? std::min(miss, projection.LowerDistance()) : miss;
+        if (projection.NbPoints() > 0)
+            miss = std::min(miss, projection.LowerDistance());
+        m_fruitless += miss > m_enough ? 1 : 0;
+        return miss;
     }
 
 private:
-    static constexpr int mostProjections = 300; // onto a spline, whose parameters survive as a rule
+    static constexpr int mostFruitless = 12; // searches all over: then the surface is really off
 
     Handle(Geom_Surface) m_surface;
     GeomAdaptor_Surface m_adaptor;
     double m_enough; // [mm]
-    int m_projections = 0;
+    int m_fruitless = 0;
 };
 
 /// Names the faces that are farther off than was allowed, numbered from 0 as in recipes.
