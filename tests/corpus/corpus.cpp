@@ -83,7 +83,7 @@ void addReport(const Json& report, Json& file)
     double allowed = 0;
     std::string said;
     for (const Json& part : report.at("parts")) {
-        smooth += part.at("form") == "exact" ? 1 : 0;
+        smooth += part.at("form") == "smooth faces" ? 1 : 0;
         sound += part.at("sound").get<bool>() ? 1 : 0;
         faces += part.at("faces").at("after").get<int>();
         off = std::max(off, 1e3 * part.at("deviation_m").at("largest").get<double>());
