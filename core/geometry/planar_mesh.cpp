@@ -88,18 +88,26 @@ std::vector<std::uint32_t> PlanarMesh::addInside(std::uint32_t triangle)
     return settle({triangle, second, third}, {{triangle, 0}, {second, 0}, {third, 0}});
 }
 
-std::vector<std::uint32_t> PlanarMesh::addOnSide(std::uint32_t triangle, std::size_t side)
+PlanarMesh::Pair PlanarMesh::pairAt(std::uint32_t triangle, std::size_t side) const
 {
     const std::uint32_t other = m_neighbors[triangle][side];
     const std::uint32_t a = m_triangles[triangle][side];
     const std::uint32_t b = m_triangles[triangle][(side + 1) % 3];
     const std::size_t otherSide = sideFrom(other, b, a);
-    const std::uint32_t c = m_triangles[triangle][(side + 2) % 3];
-    const std::uint32_t d = m_triangles[other][(otherSide + 2) % 3];
-    const std::uint32_t beyondBc = m_neighbors[triangle][(side + 1) % 3];
-    const std::uint32_t beyondCa = m_neighbors[triangle][(side + 2) % 3];
-    const std::uint32_t beyondAd = m_neighbors[other][(otherSide + 1) % 3];
-    const std::uint32_t beyondDb = m_neighbors[other][(otherSide + 2) % 3];
+    return {.other = other,
+            .a = a,
+            .b = b,
+            .c = m_triangles[triangle][(side + 2) % 3],
+            .d = m_triangles[other][(otherSide + 2) % 3],
+            .beyondBc = m_neighbors[triangle][(side + 1) % 3],
+            .beyondCa = m_neighbors[triangle][(side + 2) % 3],
+            .beyondAd = m_neighbors[other][(otherSide + 1) % 3],
+            .beyondDb = m_neighbors[other][(otherSide + 2) % 3]};
+}
+
+std::vector<std::uint32_t> PlanarMesh::addOnSide(std::uint32_t triangle, std::size_t side)
+{
+    const auto [other, a, b, c, d, beyondBc, beyondCa, beyondAd, beyondDb] = pairAt(triangle, side);
     const auto point = static_cast<std::uint32_t>(m_points.size());
     m_points.emplace_back(0.5 * (m_points[a] + m_points[b]));
     const auto third = static_cast<std::uint32_t>(m_triangles.size());
@@ -151,16 +159,7 @@ bool PlanarMesh::shouldFlip(std::uint32_t triangle, std::size_t side) const
 /// Afterwards the point opposite to the side is the last corner of both triangles.
 void PlanarMesh::flip(std::uint32_t triangle, std::size_t side)
 {
-    const std::uint32_t other = m_neighbors[triangle][side];
-    const std::uint32_t a = m_triangles[triangle][side];
-    const std::uint32_t b = m_triangles[triangle][(side + 1) % 3];
-    const std::size_t otherSide = sideFrom(other, b, a);
-    const std::uint32_t c = m_triangles[triangle][(side + 2) % 3];
-    const std::uint32_t d = m_triangles[other][(otherSide + 2) % 3];
-    const std::uint32_t beyondBc = m_neighbors[triangle][(side + 1) % 3];
-    const std::uint32_t beyondCa = m_neighbors[triangle][(side + 2) % 3];
-    const std::uint32_t beyondAd = m_neighbors[other][(otherSide + 1) % 3];
-    const std::uint32_t beyondDb = m_neighbors[other][(otherSide + 2) % 3];
+    const auto [other, a, b, c, d, beyondBc, beyondCa, beyondAd, beyondDb] = pairAt(triangle, side);
     m_triangles[triangle] = {a, d, c};
     m_neighbors[triangle] = {beyondAd, other, beyondCa};
     m_triangles[other] = {d, b, c};

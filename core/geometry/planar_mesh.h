@@ -42,6 +42,14 @@ private:
         std::size_t side;
     };
 
+    /// Two triangles, a b c and b a d, on both sides of a b, and what lies beyond their other sides.
+    struct Pair {
+        std::uint32_t other; ///< the second one
+        std::uint32_t a, b, c, d;
+        std::uint32_t beyondBc, beyondCa, beyondAd, beyondDb;
+    };
+
+    Pair pairAt(std::uint32_t triangle, std::size_t side) const;
     std::size_t sideFrom(std::uint32_t triangle, std::uint32_t from, std::uint32_t to) const;
     void tellNeighbor(std::uint32_t triangle, std::size_t side);
     std::vector<std::uint32_t> settle(std::vector<std::uint32_t> changed, std::vector<Side> outer);
