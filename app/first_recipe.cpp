@@ -1,59 +1,20 @@
 #include "app/first_recipe.h"
 
+#include "core/simulation/first_press.h"
+
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <limits>
-#include <optional>
-#include <stdexcept>
 
 namespace knead {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double pressTime = 0.8; // [s]
-constexpr double endTime = 1.0;   // [s]; the rest shows the material at rest
-constexpr int fewObjects = 3000;
-constexpr double manyObjects = 20'000;
-
-constexpr double heldShare = 0.12;    // of an extent
-constexpr double longShare = 2;       // times as long as thick: what is bent
-constexpr double bendShare = 0.07;    // of the length
-constexpr double squeezeShare = 0.12; // of the height
-
-Box boxOfClosedParts(const Model& model)
-{
-    Box box;
-    for (const Part& part : model.parts)
-        if (part.canBeFilled())
-            box.extend(part.box);
-    if (box.isEmpty())
-        throw std::runtime_error(std::filesystem::path(model.file).filename().string() +
-                                 ": no closed body found. Close the surfaces in the CAD program and export again.");
-    return box;
-}
-
-/// Fine enough for two cells across the wall of every part, as far as a run of some seconds allows.
-int suitableObjects(const Model& model)
-{
-    double volume = 0;
-    double spacing = std::numeric_limits<double>::infinity();
-    for (const Part& part : model.parts) {
-        if (!part.canBeFilled() || !(part.volume > 0) || !(part.area > 0))
-            continue;
-        volume += part.volume;
-        spacing = std::min(spacing, part.volume / part.area); // half the thickness of a plate
-    }
-    const double objects = volume / (spacing * spacing * spacing);
-    return objects > fewObjects ? static_cast<int>(std::min(objects, manyObjects)) : fewObjects;
-}
 
 /// Millimetres with four digits: nobody wants to edit 17.299999999999997.
 double readable(double metres)
@@ -73,134 +34,42 @@ Json readable(const Vec3& v)
     return {readable(v.x()), readable(v.y()), readable(v.z())};
 }
 
-/// The axes of a box by its extent.
-struct Axes {
-    Eigen::Index longest = 0;
-    Eigen::Index middle = 1;
-    Eigen::Index shortest = 2;
-};
-
-Axes axesOf(const Box& box)
+Json readable(const Box& box)
 {
-    std::array<Eigen::Index, 3> order{0, 1, 2};
-    const Vec3 sizes = box.sizes();
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return sizes[a] > sizes[b]; });
-    return {order[0], order[1], order[2]};
+    return {readable(box.min().x()), readable(box.min().y()), readable(box.min().z()),
+            readable(box.max().x()), readable(box.max().y()), readable(box.max().z())};
 }
 
-/// Holds a slice of the model at the low end of an axis, with room around it so that rounding leaves nothing out.
-Json lowEnd(const Box& box, Eigen::Index axis)
+Json words(const Manipulator& block)
 {
-    const double room = 0.1 * box.diagonal().norm();
-    const Vec3 low = box.min() - Vec3::Constant(room);
-    Vec3 high = box.max() + Vec3::Constant(room);
-    high[axis] = box.min()[axis] + heldShare * box.sizes()[axis];
-    return {readable(low.x()),  readable(low.y()),  readable(low.z()),
-            readable(high.x()), readable(high.y()), readable(high.z())};
-}
-
-/// How far up the model reaches along an axis, between two places of another one [m]; none where nothing is.
-std::optional<double> topBetween(const Model& model, Eigen::Index along, double low, double high, Eigen::Index up)
-{
-    std::optional<double> top;
-    const auto take = [&](const Vec3& point) { top = std::max(top.value_or(point[up]), point[up]); };
-    for (const Part& part : model.parts) {
-        if (!part.canBeFilled())
-            continue;
-        for (const TriangleMesh::Triangle& triangle : part.mesh.triangles)
-            for (std::size_t i = 0; i < 3; ++i) {
-                const Vec3& a = part.mesh.vertices[triangle[i]];
-                const Vec3& b = part.mesh.vertices[triangle[(i + 1) % 3]];
-                if (a[along] >= low && a[along] <= high)
-                    take(a);
-                for (const double place : {low, high})
-                    if ((a[along] - place) * (b[along] - place) < 0)
-                        take(a + (place - a[along]) / (b[along] - a[along]) * (b - a));
-            }
-    }
-    return top;
-}
-
-/// A block that goes down along an axis by a stroke, after a small gap.
-/// @param middle of the block across that axis; its coordinate along it is where the material begins [m]
-Json blockGoingDown(Vec3 middle, const Vec3& size, Eigen::Index down, double gap, double stroke)
-{
-    middle[down] += size[down] / 2;
-    Vec3 start = middle;
-    start[down] += gap;
-    Vec3 end = middle;
-    end[down] -= stroke;
-    return {{"name", "block"},
-            {"size_mm", readable(size)},
-            {"position_mm", readable(start)},
-            {"speed_limit_mm_s", readable(2 * (gap + stroke) / pressTime)},
-            {"keyframes", {{{"time_s", pressTime}, {"position_mm", readable(end)}}}}};
-}
-
-/// Bends what is long or flat: the block goes down near the end that is free.
-Json bendingBlock(const Model& model, const Box& box, const Axes& axes)
-{
-    const double length = box.sizes()[axes.longest];
-    const double place = box.min()[axes.longest] + 0.82 * length;
-    Vec3 size;
-    size[axes.longest] = 0.2 * length;
-    size[axes.middle] = 1.2 * box.sizes()[axes.middle];
-    size[axes.shortest] = std::max(0.25 * box.sizes()[axes.shortest], 0.05 * length);
-    const double half = size[axes.longest] / 2;
-    Vec3 middle = box.center();
-    middle[axes.longest] = place;
-    middle[axes.shortest] =
-        topBetween(model, axes.longest, place - half, place + half, axes.shortest).value_or(box.max()[axes.shortest]);
-    return blockGoingDown(middle, size, axes.shortest, 0.01 * length, bendShare * length);
-}
-
-/// Squeezes what is compact, along its shortest extent: a block over part of a solid body, all over a hollow one, whose walls an
-/// edge would fold.
-Json squeezingBlock(const Box& box, const Axes& axes, bool isHollow)
-{
-    const double height = box.sizes()[axes.shortest];
-    Vec3 size = (isHollow ? 1.2 : 0.6) * box.sizes();
-    size[axes.middle] = 1.2 * box.sizes()[axes.middle];
-    size[axes.shortest] = 0.25 * height;
-    Vec3 middle = box.center();
-    middle[axes.shortest] = box.max()[axes.shortest];
-    return blockGoingDown(middle, size, axes.shortest, 0.02 * height, squeezeShare * height);
-}
-
-/// Whether material is less than half of the box.
-bool isHollow(const Model& model, const Box& box)
-{
-    double volume = 0;
-    for (const Part& part : model.parts)
-        volume += part.canBeFilled() ? part.volume : 0;
-    return volume < 0.5 * box.sizes().prod();
+    const KeyFrame& last = std::get<FollowKeyFrames>(block.motion).frames.back();
+    return {{"name", block.name},
+            {"size_mm", readable(block.size)},
+            {"position_mm", readable(block.pose.position)},
+            {"speed_limit_mm_s", readable(block.speedLimit)},
+            {"keyframes", {{{"time_s", last.time}, {"position_mm", readable(last.pose.position)}}}}};
 }
 
 } // namespace
 
 std::string firstRecipe(const Model& model, const std::string& part)
 {
-    const Box box = boxOfClosedParts(model);
-    const Axes axes = axesOf(box);
-    const bool isLong = box.sizes()[axes.longest] >= longShare * box.sizes()[axes.shortest];
-    const auto bodies =
-        std::count_if(model.parts.begin(), model.parts.end(), [](const Part& one) { return one.canBeFilled(); });
+    const FirstPress press = firstPress(model);
     const std::string name = std::filesystem::path(part).stem().string();
     Json recipe{
         {"version", 1},
         {"part", {{"file", part}}},
-        {"objects", suitableObjects(model)},
+        {"objects", press.objects},
         {"material", {{"preset", "silicone-rubber"}, {"poisson_ratio", 0.35}}},
         {"integrator", "automatic"},
-        {"fixtures", Json::array({{{"name", "end"}, {"box_mm", lowEnd(box, isLong ? axes.longest : axes.shortest)}}})},
-        {"manipulators",
-         Json::array({isLong ? bendingBlock(model, box, axes) : squeezingBlock(box, axes, isHollow(model, box))})},
-        {"duration_s", endTime},
+        {"fixtures", Json::array({{{"name", "end"}, {"box_mm", readable(press.held)}}})},
+        {"manipulators", Json::array({words(press.block)})},
+        {"duration_s", press.duration},
         {"exports", Json::array({{{"file", name + "-pressed.step"}},
                                  {{"file", name + "-pressed.stl"}},
                                  {{"file", name + "-pressed.png"}}})},
     };
-    if (bodies > 1)
+    if (press.hasBodies)
         recipe["touching"] = "glued";
     return recipe.dump(2) + "\n";
 }

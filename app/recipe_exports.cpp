@@ -27,6 +27,7 @@ std::vector<MeshBody> deformedBodies(const ExportJob& job, TaskControl& control)
     std::vector<MeshBody> bodies;
     for (PartToExport& part : withPieces(job, mostTrianglesDrawn, control).parts) {
         MeshBody& body = bodies.emplace_back(MeshBody{part.part.name, part.part.color.value_or(Color{}), {}});
+        body.faceColors = faceColorsOf(part.part);
         body.mesh = part.aggregate == nullptr ? std::move(part.part.mesh)
                                               : deformedSurface(part.part.mesh, *part.aggregate, part.displacements,
                                                                 mostTrianglesDrawn, control);
@@ -53,11 +54,13 @@ PictureOptions pictureOptions(const RecipeExport& wanted)
     return options;
 }
 
-void drawTo(const std::string& path, const RecipeExport& wanted, std::vector<MeshBody> shown, const Snapshot& snapshot)
+void drawTo(const std::string& path, const RecipeExport& wanted, const std::vector<MeshBody>& bodies,
+            const Snapshot& snapshot)
 {
+    std::vector<MeshBody> tools;
     if (wanted.showTools)
-        std::transform(snapshot.tools.begin(), snapshot.tools.end(), std::back_inserter(shown), toolBody);
-    writePicture(path, shown, pictureOptions(wanted));
+        std::transform(snapshot.tools.begin(), snapshot.tools.end(), std::back_inserter(tools), toolBody);
+    writePicture(path, bodies, pictureOptions(wanted), tools);
 }
 
 } // namespace
@@ -77,6 +80,7 @@ ExportJob exportJobOf(const RecipeScene& ready, const Snapshot& snapshot)
                              .density = snapshot.materials[i].density});
     }
     job.tree = treeOfPaths(parts);
+    takeProducts(ready.source.tree, job.tree);
     return job;
 }
 

@@ -42,7 +42,6 @@ Opened opened(Model model, const std::string& file, bool fillsOpenParts)
             opened.warnings.push_back("\"" + part.name + "\" is not closed and is left out.");
     }
     model.parts.clear();
-    model.tree = {};
     opened.source = std::move(model);
     if (opened.parts.empty())
         throw UnusableInput(shortName(file) +
@@ -134,7 +133,10 @@ std::vector<Part> placed(std::vector<Part> parts, const RecipeExtraPart& extra)
         if (extra.name.empty())
             continue;
         part.path = parts.size() > 1 ? extra.name + "/" + part.path : extra.name;
-        part.name = parts.size() > 1 ? part.name : extra.name;
+        if (parts.size() > 1)
+            continue;
+        part.name = extra.name;
+        part.bodyOf.clear();
     }
     return parts;
 }

@@ -19,7 +19,7 @@ struct UnusableInput : std::runtime_error {
 
 /// Everything that a recipe opens.
 struct RecipeParts {
-    Model source;                                            ///< of the part, without its parts and what they form
+    Model source;                                            ///< of the part, without its parts; its tree has the names
     std::vector<Part> bodies;                                ///< closed ones, extra parts after those of the part
     std::vector<std::shared_ptr<const ToolPart>> toolParts;  ///< per manipulator; none for other kinds than part
     std::vector<std::shared_ptr<const ToolPart>> eventParts; ///< per event: of the manipulator that it adds or reshapes

@@ -2,6 +2,7 @@
 
 #include "core/aggregate/fill.h"
 #include "core/aggregate/published_fill.h"
+#include "core/model/part_tree.h"
 #include "io/cad_format.h"
 
 #include <algorithm>
@@ -175,6 +176,9 @@ std::vector<BodyId> bodiesNamed(const std::string& name, const std::vector<Part>
             bodies.push_back(body);
         known += (known.empty() ? "\"" : ", \"") + parts[body].name + "\"";
     }
+    for (BodyId body = 0; body < parts.size(); ++body)
+        if (bodies.empty() && (parts[body].bodyOf == name || formerPath(parts[body]) == name))
+            return {body};
     for (BodyId body = 0; body < parts.size() && bodies.empty(); ++body)
         if (name == '#' + std::to_string(body))
             return {body};

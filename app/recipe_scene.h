@@ -13,7 +13,7 @@ namespace knead {
 /// A recipe made ready to run.
 struct RecipeScene {
     Scene scene;
-    Model source;                                            ///< of the part, without its parts and what they form
+    Model source;                                            ///< of the part, without its parts; its tree has the names
     std::vector<Part> parts;                                 ///< one per body of the scene, same order
     std::vector<std::vector<FixtureId>> fixtureIds;          ///< per fixture of the recipe; one for each body it holds
     std::vector<std::shared_ptr<const ToolPart>> eventParts; ///< as in RecipeParts

@@ -25,6 +25,7 @@ std::shared_ptr<const Model> modelOf(const Recipe& recipe, const RecipeScene& sc
     for (const Part& part : model->parts)
         parts.push_back(&part);
     model->tree = treeOfPaths(parts);
+    takeProducts(scene.source.tree, model->tree);
     return model;
 }
 

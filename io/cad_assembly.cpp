@@ -42,12 +42,24 @@ std::string readable(const TCollection_ExtendedString& text)
     return readableName(std::u16string_view(text.ToExtString(), static_cast<std::size_t>(text.Length())));
 }
 
-std::string nameOf(const TDF_Label& label)
+StepName nameOf(const TDF_Label& label)
 {
     Handle(TDataStd_Name) name;
     if (!label.FindAttribute(TDataStd_Name::GetID(), name))
         return {};
-    return withoutNameMark(readable(name->Get()));
+    const TCollection_ExtendedString& text = name->Get();
+    return withoutMark(std::u16string_view(text.ToExtString(), static_cast<std::size_t>(text.Length())));
+}
+
+/// What a node is called, and the product that it is an instance of.
+void takeNames(const std::string& instance, const StepName& product, const std::string& fallback, CadNode& node)
+{
+    const std::string named = isGeneratedName(product.name) ? product.partNumber : product.name;
+    node.name = bestPartName(instance, named, fallback);
+    if (!isGeneratedName(named) && named != node.name)
+        node.product = named;
+    if (product.partNumber != named)
+        node.partNumber = product.partNumber;
 }
 
 std::optional<Color> colorOf(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label)
@@ -78,7 +90,12 @@ CadNode withoutSecondSelf(CadNode node)
     });
     const bool isItself =
         node.children.size() == 1 && node.children.front().shape && node.children.front().name == node.name;
-    return isItself ? CadNode(std::move(node.children.front())) : node;
+    if (!isItself)
+        return node;
+    CadNode self = std::move(node.children.front());
+    self.product = std::move(node.product);
+    self.partNumber = std::move(node.partNumber);
+    return self;
 }
 
 class AssemblyWalk {
@@ -174,8 +191,7 @@ private:
                  const CadNode& parent)
     {
         CadNode result;
-        result.name =
-            bestPartName(instance == product ? std::string() : nameOf(instance), nameOf(product), parent.name);
+        takeNames(instance == product ? std::string() : nameOf(instance).name, nameOf(product), parent.name, result);
         result.color = colorOf(m_colorTool, instance);
         if (!result.color)
             result.color = colorOf(m_colorTool, product);

@@ -139,13 +139,14 @@ void readStep(const std::string& path, bool onlyShapes, TaskControl& control, Ca
     } else {
         if (const std::string missing = checkReferredFiles(reader.Reader(), path, control); !missing.empty())
             result.missing.push_back(missing);
-        markForeignNames(reader.Reader());
+        markNames(reader.Reader());
         if (!transfer(reader, path, control, result)) {
             const std::string other = otherContent(path);
             failReading(path,
                         other.empty() ? "no shape of the STEP file could be made; export the file again." : other);
         }
     }
+    result.names = namesOfStepSolids(reader.Reader());
     StepLosses losses = findLosses(reader.Reader(), pruned);
     result.incompleteShells = std::move(losses.incomplete);
     result.missing.insert(result.missing.end(), losses.missing.begin(), losses.missing.end());

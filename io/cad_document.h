@@ -20,6 +20,8 @@ constexpr int mostParts = 100'000; ///< of an assembly; no program could show mo
 /// A node of the assembly as the file has it: an assembly with children, or a leaf with a shape.
 struct CadNode {
     std::string name;           ///< never empty
+    std::string product;        ///< as PartNode::product
+    std::string partNumber;     ///< as PartNode::partNumber
     std::optional<Color> color; ///< of the instance, its product, or what it is part of
     bool visible = true;        ///< false: hidden, on a hidden layer, or part of what is
     std::string layer;          ///< of the instance, its product, or what it is part of; several are joined by ", "

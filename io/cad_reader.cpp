@@ -18,6 +18,7 @@
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -33,17 +34,24 @@ struct Leaf {
     std::string assembly; ///< path of what the leaf is in; empty for the file
 };
 
+std::string pathOf(const std::string& assembly, const std::string& name)
+{
+    return assembly.empty() ? name : assembly + "/" + name;
+}
+
 /// Copies the tree without its parts and lists its leaves in order.
 /// @param path of `from`, empty for the file
 void copyTree(const CadNode& from, PartNode& to, const std::string& path, std::vector<Leaf>& leaves)
 {
     to.name = from.name;
+    to.product = from.product;
+    to.partNumber = from.partNumber;
     to.children.resize(from.children.size());
     for (std::size_t i = 0; i < from.children.size(); ++i) {
         const CadNode& child = from.children[i];
         if (child.shape)
             leaves.push_back({&child, {}, &to.children[i], path});
-        copyTree(child, to.children[i], path.empty() ? child.name : path + "/" + child.name, leaves);
+        copyTree(child, to.children[i], pathOf(path, child.name), leaves);
     }
 }
 
@@ -117,9 +125,17 @@ private:
         checkBodies(solids, control);
     }
 
-    std::string nameOf(const CadBody& body, const CadNode& leaf, std::size_t number) const
+    /// Bodies of a product that have names of their own go by these. In IGES products have none.
+    std::vector<std::string> namesOf(const std::vector<CadBody>& bodies, const CadNode& leaf) const
     {
-        return m_document.names.find(body.original).value_or(numbered(leaf.name, number));
+        const bool takesOwn = bodies.size() > 1 || m_document.format == "IGES";
+        std::vector<std::string> names;
+        std::map<std::string, std::size_t> uses;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const std::optional<std::string> own = takesOwn ? m_document.names.find(bodies[i].original) : std::nullopt;
+            names.push_back(own ? numbered(*own, uses[*own]++) : numbered(leaf.name, i));
+        }
+        return names;
     }
 
     /// One body is the leaf itself; several become its children.
@@ -128,19 +144,26 @@ private:
         TaskPortion healing(control, 0, 0.4);
         TaskPortion measuring(control, 0.4, 1);
         const std::vector<CadBody> bodies = bodiesOf(leaf, healing);
-        const std::string& assembly = leaf.assembly;
-        const bool isWhole = m_selection.wants(assembly, leaf.node->name);
+        const std::vector<std::string> names = namesOf(bodies, *leaf.node);
+        const std::string& leafName = leaf.node->name;
+        const bool isWhole = m_selection.wants(leaf.assembly, leafName);
+        const std::string assembly = bodies.size() == 1 ? leaf.assembly : pathOf(leaf.assembly, leafName);
+        leaf.place->holdsBodies = bodies.size() > 1;
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             control.throwIfCancelled();
-            const std::string name = nameOf(bodies[i], *leaf.node, i);
-            if (!m_selection.wants(assembly, name) && !isWhole)
+            const std::string& name = names[i];
+            const bool isWanted = m_selection.wants(assembly, name);
+            const bool isWantedByFormerName = m_selection.wants(leaf.assembly, numbered(leafName, i));
+            if (!isWhole && !isWanted && !isWantedByFormerName)
                 continue;
             TaskPortion ofBody = portionOf(measuring, i, bodies.size());
             std::optional<Part> part = soundPart(bodies[i], *leaf.node, name, ofBody);
             if (!part)
                 continue;
             part->name = name;
-            part->path = assembly.empty() ? name : assembly + "/" + name;
+            part->path = pathOf(assembly, name);
+            if (bodies.size() > 1)
+                part->bodyOf = numbered(leafName, i);
             takeDisplay(bodies[i].original, *leaf.node, *part);
             part->exact = ExactShape{nullptr, static_cast<std::uint32_t>(m_shapes.size())};
             m_shapes.push_back(bodies[i].shape);

@@ -39,7 +39,7 @@ bool PartSelection::mayWant(const std::string& assembly, const std::string& leaf
 {
     const std::string path = assembly.empty() ? leaf : assembly + "/" + leaf;
     return m_wishes.empty() || std::any_of(m_wishes.begin(), m_wishes.end(), [&](const Wish& wish) {
-               return isWithin(path, wish.path) || wish.path.starts_with(path + " (");
+               return isWithin(path, wish.path) || isWithin(wish.path, path) || wish.path.starts_with(path + " (");
            });
 }
 

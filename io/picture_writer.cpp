@@ -25,6 +25,7 @@ constexpr int fineness = 3;            // samples per pixel along each side
 constexpr int rowsPerBand = 32;        // pixels
 constexpr double pictureMargin = 0.09; // of the picture, on each side
 constexpr int largestSide = 16'384;    // pixels
+constexpr float glassLines = 0.6F;     // darkness of the edges of glass, of others 1
 
 using Rgb = Eigen::Vector3f; // linear light
 
@@ -34,7 +35,7 @@ Rgb linearLight(const Color& color)
 }
 
 /// The eye sees the part in the middle of the picture, as large as the margin allows.
-Projection fit(const std::vector<MeshBody>& bodies, const PictureOptions& options)
+Projection fit(const std::vector<MeshBody>& bodies, const std::vector<MeshBody>& glass, const PictureOptions& options)
 {
     Projection p;
     p.forward = options.viewDirection.normalized();
@@ -45,10 +46,11 @@ Projection fit(const std::vector<MeshBody>& bodies, const PictureOptions& option
     p.down = p.forward.cross(p.right);
 
     Box box; // on the screen
-    for (const MeshBody& body : bodies)
-        for (const TriangleMesh::Triangle& triangle : body.mesh.triangles)
-            for (const std::uint32_t vertex : triangle)
-                box.extend(p.toScreen(body.mesh.vertices[vertex]));
+    for (const std::vector<MeshBody>* shown : {&bodies, &glass})
+        for (const MeshBody& body : *shown)
+            for (const TriangleMesh::Triangle& triangle : body.mesh.triangles)
+                for (const std::uint32_t vertex : triangle)
+                    box.extend(p.toScreen(body.mesh.vertices[vertex]));
     const double width = fineness * options.width;
     const double height = fineness * options.height;
     const double least = std::numeric_limits<double>::min();
@@ -59,9 +61,38 @@ Projection fit(const std::vector<MeshBody>& bodies, const PictureOptions& option
     return p;
 }
 
-ScreenMesh project(const std::vector<MeshBody>& bodies, const Projection& projection)
+/// What is drawn of some bodies, and how.
+struct Drawing {
+    ScreenMesh mesh;
+    std::vector<Rgb> colors;           ///< of its surfaces
+    std::vector<std::uint32_t> bodies; ///< of its surfaces: between those of one there are no outlines
+};
+
+/// The surfaces of a body: itself, and its faces of other colors.
+/// @return of each triangle
+std::vector<std::uint32_t> addSurfaces(const MeshBody& body, std::uint32_t number, Drawing& drawing)
 {
-    ScreenMesh all;
+    const auto add = [&](const Color& color) {
+        drawing.colors.push_back(linearLight(color));
+        drawing.bodies.push_back(number);
+        return static_cast<std::uint32_t>(drawing.colors.size() - 1);
+    };
+    std::vector<std::uint32_t> ofFace(body.faceColors.size());
+    const std::uint32_t own = add(body.color);
+    for (std::size_t face = 0; face < ofFace.size(); ++face)
+        ofFace[face] = body.faceColors[face] ? add(*body.faceColors[face]) : own;
+    std::vector<std::uint32_t> result;
+    for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t) {
+        const std::size_t face = t < body.mesh.faceOfTriangle.size() ? body.mesh.faceOfTriangle[t] : ofFace.size();
+        result.push_back(face < ofFace.size() ? ofFace[face] : own);
+    }
+    return result;
+}
+
+Drawing project(const std::vector<MeshBody>& bodies, const Projection& projection)
+{
+    Drawing drawing;
+    ScreenMesh& all = drawing.mesh;
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
         const TriangleMesh& mesh = bodies[i].mesh;
         const auto first = static_cast<std::uint32_t>(all.places.size());
@@ -71,9 +102,10 @@ ScreenMesh project(const std::vector<MeshBody>& bodies, const Projection& projec
             all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
         const CornerNormals normals = cornerNormals(mesh);
         all.normals.insert(all.normals.end(), normals.begin(), normals.end());
-        all.surfaceOfTriangle.resize(all.triangles.size(), i);
+        const std::vector<std::uint32_t> surfaces = addSurfaces(bodies[i], i, drawing);
+        all.surfaceOfTriangle.insert(all.surfaceOfTriangle.end(), surfaces.begin(), surfaces.end());
     }
-    return all;
+    return drawing;
 }
 
 /// A bright room: light from everywhere, a little bluer from above, a lamp over the left shoulder, a weak one opposite.
@@ -86,6 +118,13 @@ public:
         , m_fill((-0.5 * p.forward + 0.9 * p.right + 0.1 * up).normalized().cast<float>())
         , m_half((m_key + m_eye).normalized())
     {
+    }
+
+    /// What glass leaves of what is behind it, 0..1: less where one looks along it.
+    float through(const Eigen::Vector3f& normal) const
+    {
+        const float grazing = 1 - std::max(0.0F, normal.dot(m_eye));
+        return 0.80F - 0.55F * grazing * grazing * grazing;
     }
 
     Rgb on(const Rgb& color, const Eigen::Vector3f& normal) const
@@ -121,16 +160,15 @@ private:
 
 class Painter {
 public:
-    Painter(const std::vector<MeshBody>& bodies, const PictureOptions& options)
+    Painter(const std::vector<MeshBody>& bodies, const std::vector<MeshBody>& glass, const PictureOptions& options)
         : m_width(options.width)
         , m_height(options.height)
-        , m_projection(fit(bodies, options))
-        , m_mesh(project(bodies, m_projection))
+        , m_projection(fit(bodies, glass, options))
+        , m_solid(project(bodies, m_projection))
+        , m_glass(project(glass, m_projection))
         , m_light(m_projection, options.up.normalized())
         , m_pixels(3 * static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height))
     {
-        for (const MeshBody& body : bodies)
-            m_colors.push_back(linearLight(body.color));
         std::vector<const TriangleMesh*> meshes;
         for (const MeshBody& body : bodies)
             meshes.push_back(&body.mesh);
@@ -152,24 +190,36 @@ private:
     void paintRows(int begin, int end)
     {
         // One more row on either side, for the lines.
-        const SampleBand band =
-            rasterize(m_mesh, m_projection, fineness * m_width, fineness * begin - 1, fineness * (end - begin) + 2);
+        const SampleBand solid = samples(m_solid, begin, end);
+        const SampleBand glass = samples(m_glass, begin, end);
         for (int y = begin; y < end; ++y)
             for (int x = 0; x < m_width; ++x) {
                 Rgb sum = Rgb::Zero();
                 for (int row = fineness * y; row < fineness * (y + 1); ++row)
                     for (int column = fineness * x; column < fineness * (x + 1); ++column)
-                        sum += colorAt(band, column, row);
+                        sum += colorAt(solid, glass, column, row);
                 store(x, y, sum / (fineness * fineness));
             }
     }
 
-    Rgb colorAt(const SampleBand& band, int x, int row) const
+    SampleBand samples(const Drawing& drawing, int begin, int end) const
     {
-        const Sample& sample = band.at(x, row);
-        const Rgb color = sample.surface == Sample::nothing ? backgroundAt(x, row)
-                                                            : m_light.on(m_colors[sample.surface], sample.normal);
-        return color * (1 - lineAt(band, x, row));
+        return rasterize(drawing.mesh, m_projection, fineness * m_width, fineness * begin - 1,
+                         fineness * (end - begin) + 2);
+    }
+
+    Rgb colorAt(const SampleBand& solid, const SampleBand& glass, int x, int row) const
+    {
+        const Sample& behind = solid.at(x, row);
+        const Rgb color = behind.surface == Sample::nothing ? backgroundAt(x, row)
+                                                            : m_light.on(m_solid.colors[behind.surface], behind.normal);
+        const Rgb seen = color * (1 - lineAt(m_solid, solid, x, row));
+        const Sample& front = glass.at(x, row);
+        if (front.surface == Sample::nothing || (behind.surface != Sample::nothing && behind.depth <= front.depth))
+            return seen;
+        const float share = m_light.through(front.normal);
+        const Rgb pane = share * seen + (1 - share) * m_light.on(m_glass.colors[front.surface], front.normal);
+        return pane * (1 - glassLines * lineAt(m_glass, glass, x, row));
     }
 
     Rgb backgroundAt(int x, int row) const
@@ -185,7 +235,7 @@ private:
     }
 
     /// Darkness of the line that outlines and edges get, 0..1.
-    float lineAt(const SampleBand& band, int x, int row) const
+    float lineAt(const Drawing& drawing, const SampleBand& band, int x, int row) const
     {
         const Sample& here = band.at(x, row);
         float darkness = 0;
@@ -196,7 +246,9 @@ private:
             if (here.surface == Sample::nothing ||
                 (there.surface != Sample::nothing && there.depth < here.depth && isStep(here, there)))
                 return; // the line belongs to the nearer side
-            if (there.surface != here.surface || isStep(here, there))
+            const bool isOther =
+                there.surface == Sample::nothing || drawing.bodies[there.surface] != drawing.bodies[here.surface];
+            if (isOther || isStep(here, there))
                 darkness = std::max(darkness, 0.55F);
             else if (here.normal.dot(there.normal) < 0.88F)
                 darkness = std::max(darkness, 0.30F);
@@ -231,9 +283,9 @@ private:
     int m_width;
     int m_height;
     Projection m_projection;
-    ScreenMesh m_mesh;
+    Drawing m_solid;
+    Drawing m_glass;
     Light m_light;
-    std::vector<Rgb> m_colors;
     std::optional<GroundShadow> m_shadow;
     std::vector<std::uint8_t> m_pixels;
 };
@@ -267,10 +319,11 @@ void check(const std::string& path, const std::vector<MeshBody>& bodies, const P
 
 } // namespace
 
-void writePicture(const std::string& path, const std::vector<MeshBody>& bodies, const PictureOptions& options)
+void writePicture(const std::string& path, const std::vector<MeshBody>& bodies, const PictureOptions& options,
+                  const std::vector<MeshBody>& glass)
 {
     check(path, bodies, options);
-    Painter painter(bodies, options);
+    Painter painter(bodies, glass, options);
     writeFileSafely(path, encodePng(painter.paint(), options.width, options.height));
 }
 

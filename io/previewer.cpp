@@ -45,7 +45,7 @@ std::string productName(const Handle(StepBasic_ProductDefinition) & definition)
         return {};
     const Handle(StepBasic_Product) product = definition->Formation()->OfProduct();
     const std::string name = textOf(product->Name());
-    return name.empty() ? textOf(product->Id()) : name;
+    return isGeneratedName(name) ? textOf(product->Id()) : name;
 }
 
 /// As OpenCASCADE names the component of an assembly.

@@ -112,9 +112,55 @@ bool isForeignUtf8(std::string_view bytes)
     return isUtf8(bytes) && std::any_of(bytes.begin(), bytes.end(), [](unsigned char byte) { return byte >= 0x80; });
 }
 
-bool isDigits(std::string_view text)
+/// In lower case, with one space for spaces and what stands for them.
+std::string wordsOf(std::string_view name)
 {
-    return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    std::string words;
+    for (const char c : name) {
+        const bool isSpace = c == ' ' || c == '_' || c == '-' || c == '(' || c == ')';
+        if (!isSpace)
+            words += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        else if (!words.empty() && words.back() != ' ')
+            words += ' ';
+    }
+    if (words.ends_with(' '))
+        words.pop_back();
+    return words;
+}
+
+/// "SOLID", "Body1": what shapes are called. A part may well be a "Body", "Shell" or "Edge" by the will of a person.
+bool isShapeNumbered(std::string_view name)
+{
+    static constexpr std::array<std::string_view, 13> shapes{"compound", "compsolid", "solid",   "shell", "face",
+                                                             "wire",     "edge",      "vertex",  "body",  "brep",
+                                                             "surface",  "shape",     "assembly"};
+    std::string_view word = name;
+    while (!word.empty() && (std::isdigit(static_cast<unsigned char>(word.back())) != 0 || word.back() == ' '))
+        word.remove_suffix(1);
+    const bool isShouted = std::none_of(name.begin(), name.end(), [](unsigned char c) { return std::islower(c) != 0; });
+    return (isShouted || word.size() < name.size()) &&
+           std::find(shapes.begin(), shapes.end(), wordsOf(word)) != shapes.end();
+}
+
+bool isNumber(std::string_view name)
+{
+    return std::all_of(name.begin(), name.end(), [](unsigned char c) {
+        return std::isdigit(c) != 0 || c == ' ' || c == '.' || c == ',' || c == ':' || c == '#' || c == '-' || c == '_';
+    });
+}
+
+/// "3f2504e0-4f89-11d3-9a0c-0305e82c3301"
+bool isUuid(std::string_view name)
+{
+    constexpr std::array<std::size_t, 4> dashes{8, 13, 18, 23};
+    if (name.size() != 36)
+        return false;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const bool isDash = std::find(dashes.begin(), dashes.end(), i) != dashes.end();
+        if (isDash ? name[i] != '-' : std::isxdigit(static_cast<unsigned char>(name[i])) == 0)
+            return false;
+    }
+    return true;
 }
 
 } // namespace
@@ -137,13 +183,29 @@ std::string readableName(std::u16string_view utf16)
 
 bool isGeneratedName(std::string_view name)
 {
-    static constexpr std::array<std::string_view, 11> shapes{
-        "COMPOUND", "COMPSOLID", "SOLID", "SHELL", "FACE", "WIRE", "EDGE", "VERTEX", "ASSEMBLY", "NONE", "unknown"};
-    if (name.starts_with("=>[") || name.starts_with("NAUO"))
+    // Of what translators write when they know none, and of documents that nobody has named.
+    static constexpr std::array<std::string_view, 18> stock{"none",
+                                                            "unknown",
+                                                            "product",
+                                                            "rhino product",
+                                                            "document",
+                                                            "root",
+                                                            "default",
+                                                            "untitled",
+                                                            "unnamed",
+                                                            "unsaved",
+                                                            "noname",
+                                                            "no name",
+                                                            "manifold solid brep",
+                                                            "solid",
+                                                            "next assembly relationship",
+                                                            "next assembly usage",
+                                                            "next assembly usage occurrence",
+                                                            "step translator"};
+    if (name.starts_with("=>[") || name.starts_with("NAUO") || name.starts_with("Open CASCADE "))
         return true;
-    if (name.starts_with("Open CASCADE STEP translator"))
-        return true;
-    return isDigits(name) || std::find(shapes.begin(), shapes.end(), name) != shapes.end();
+    return isNumber(name) || isUuid(name) || isShapeNumbered(name) ||
+           std::find(stock.begin(), stock.end(), wordsOf(name)) != stock.end();
 }
 
 std::string bestPartName(const std::string& instance, const std::string& product, const std::string& fallback)

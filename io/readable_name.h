@@ -10,7 +10,8 @@ namespace knead {
 std::string readableName(std::string_view utf8);
 std::string readableName(std::u16string_view utf16);
 
-/// True for names that programs make up and no person knows by: empty, "NAUO12", "=>[0:1:1:2]", "17", "SOLID".
+/// True for names that programs make up and no person knows by: empty, "NAUO12", "=>[0:1:1:2]", "17", "SOLID", "Body1",
+/// "Open CASCADE STEP translator 7.5 1".
 bool isGeneratedName(std::string_view name);
 
 /// Names of instances such as "nut_1" say more than "nut", but many programs number them without meaning; then the product's

@@ -119,6 +119,11 @@ Actions::Actions(QWidget* window)
                         "balance",
                         {QKeySequence("Ctrl+B")},
                         QT_TR_NOOP("Put the part where forces balance now, without waiting until it is at rest")}))
+    , pressIt(make(window, {"pressIt",
+                            QT_TR_NOOP("Press it"),
+                            "press-it",
+                            {},
+                            QT_TR_NOOP("Hold one end of the new part and let a block press it, to see what it does")}))
     , reset(make(window, {"reset",
                           QT_TR_NOOP("Reset"),
                           "reset",

@@ -29,6 +29,7 @@ struct Actions {
     QAction* play;
     QAction* step;
     QAction* findBalance;
+    QAction* pressIt;
     QAction* reset;
     QAction* gravity;
     QAction* floor;

@@ -116,6 +116,7 @@ void MainWindow::connectSimulationActions()
     connect(m_actions->step, &QAction::triggered, &m_document, &Document::stepOnce);
     connect(m_actions->findBalance, &QAction::triggered, &m_document, &Document::findBalance);
     connect(m_actions->reset, &QAction::triggered, &m_document, &Document::reset);
+    connect(m_actions->pressIt, &QAction::triggered, &m_document, &Document::pressIt);
     connect(m_actions->gravity, &QAction::toggled, this, &MainWindow::setGravity);
     connect(m_actions->keepUp, &QAction::toggled, &m_document, &Document::keepUp);
     connect(m_actions->floor, &QAction::toggled, this, &MainWindow::setFloor);

@@ -18,6 +18,7 @@
 #include "ui/panels/model_tree.h"
 #include "ui/panels/panel_area.h"
 #include "ui/panels/performance_panel.h"
+#include "ui/panels/press_button.h"
 #include "ui/panels/status_readings.h"
 #include "ui/panels/timeline_panel.h"
 #include "ui/panels/tool_panel.h"
@@ -88,6 +89,7 @@ void MainWindow::makeCenter()
     m_pages = new QStackedWidget(center);
     m_home = new HomePage(QString::fromStdString(m_services.examplesFolder), m_pages);
     m_views = new ViewGrid(m_document, m_pages);
+    new PressButton(m_document, m_actions->pressIt, m_views);
     m_viewport = &m_views->active();
     m_pages->addWidget(m_home);
     m_pages->addWidget(m_views);
@@ -174,7 +176,7 @@ void MainWindow::makeMenus()
     edit->addActions({a.palette, a.shortcuts, a.preferences});
 
     QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
-    simulation->addActions({a.play, a.step, a.findBalance, a.reset});
+    simulation->addActions({a.play, a.step, a.findBalance, a.reset, a.pressIt});
     simulation->addSeparator();
     simulation->addActions({a.gravity, a.floor, a.renormalize, a.refillNow, a.cutHere});
     simulation->addSeparator();

@@ -230,6 +230,8 @@ QPushButton:hover { border-color: @accent; }
 QPushButton:pressed { background: @line; }
 QPushButton:disabled { color: @disabled; }
 QPushButton[role="primary"] { background: @accent; color: @accentText; border-color: @accent; font-weight: 600; }
+QToolButton[role="primary"] { padding: 7px 18px; border: 1px solid @accent; border-radius: 5px; background: @accent;
+    color: @accentText; font-weight: 600; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QHeaderView::section { padding: 4px 3px; border: none; border-bottom: 1px solid @line; background: @window; }
 QListWidget { border: 1px solid @line; border-radius: 6px; background: @base; outline: none; }

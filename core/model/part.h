@@ -34,7 +34,8 @@ struct ExactShape {
 /// Lengths are metres whatever the unit of the file.
 struct Part {
     std::string name;
-    std::string path; ///< names from the root to the part, joined by '/'
+    std::string path;   ///< names from the root to the part, joined by '/'
+    std::string bodyOf; ///< the name that it would have as the only body of its product; empty when it is that
     std::optional<Color> color;
     std::vector<PartFace> faces;     ///< empty for a mesh
     TriangleMesh mesh;               ///< tessellation, welded, outward
@@ -65,6 +66,9 @@ struct PartNode {
     std::string name;
     std::optional<std::size_t> part; ///< index into Model::parts
     std::vector<PartNode> children;
+    std::string product = {};    ///< whose instance this is, as the file names that; empty when it has the node's name
+    std::string partNumber = {}; ///< of that product; empty when it is the product's name
+    bool holdsBodies = false;    ///< its children are the bodies of one product, not parts of an assembly
 };
 
 /// A doubt about the length unit of a file, with the unit that would make its size plausible.

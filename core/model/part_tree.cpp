@@ -1,6 +1,8 @@
 #include "core/model/part_tree.h"
 
 #include <algorithm>
+#include <map>
+#include <string_view>
 
 namespace knead {
 
@@ -53,8 +55,33 @@ PartNode treeOfPaths(const std::vector<const Part*>& parts)
             }
         }
         node->children.push_back({part.name, i, {}});
+        node->holdsBodies = node != &root && !part.bodyOf.empty();
     }
     return root;
+}
+
+void takeProducts(const PartNode& from, PartNode& to)
+{
+    to.product = from.product;
+    to.partNumber = from.partNumber;
+    std::map<std::string_view, std::vector<const PartNode*>> known;
+    for (const PartNode& child : from.children)
+        known[child.name].push_back(&child);
+    std::map<std::string_view, std::size_t> taken;
+    for (PartNode& child : to.children) {
+        const std::vector<const PartNode*>& alike = known[child.name];
+        if (const std::size_t number = taken[child.name]++; number < alike.size())
+            takeProducts(*alike[number], child);
+    }
+}
+
+std::string formerPath(const Part& part)
+{
+    if (part.bodyOf.empty())
+        return part.path;
+    const std::size_t own = part.path.size() - std::min(part.path.size(), part.name.size() + 1);
+    const std::size_t product = own == 0 ? std::string::npos : part.path.rfind('/', own - 1);
+    return product == std::string::npos ? part.bodyOf : part.path.substr(0, product + 1) + part.bodyOf;
 }
 
 } // namespace knead

@@ -2,6 +2,7 @@
 
 #include "core/model/part.h"
 
+#include <string>
 #include <vector>
 
 namespace knead {
@@ -12,5 +13,11 @@ PartNode prunedTree(const PartNode& tree, const std::vector<bool>& keep);
 
 /// The assembly that the paths of parts describe, in the order of the parts.
 PartNode treeOfPaths(const std::vector<const Part*>& parts);
+
+/// Gives the nodes of a tree the products of those with the same names, in their order, in another.
+void takeProducts(const PartNode& from, PartNode& to);
+
+/// What Part::path was in versions that did not name the bodies of a product: theirs was that of the product, numbered.
+std::string formerPath(const Part& part);
 
 } // namespace knead

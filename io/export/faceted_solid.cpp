@@ -32,9 +32,9 @@ namespace knead {
 
 namespace {
 
-constexpr double leastEdge = 1e-8; // [m], shorter ones are points to modelers
-constexpr double tolerance = 1e-6; // [mm] of planes through three points; others get what they need
-constexpr double slack = 1.01;     // of tolerances, for rounding
+constexpr double leastEdge = 1e-8;      // [m], shorter ones are points to modelers
+constexpr double planeTolerance = 1e-6; // [mm] of planes through three points; others get what they need
+constexpr double slack = 1.01;          // of tolerances, for rounding
 
 /// Topology around the flat faces of a mesh, everything shared.
 class FacetMaker {
@@ -42,7 +42,7 @@ public:
     FacetMaker(const TriangleMesh& mesh, const std::vector<FlatFace>& faces)
         : m_mesh(mesh)
         , m_vertices(mesh.vertices.size())
-        , m_tolerances(mesh.vertices.size(), tolerance)
+        , m_tolerances(mesh.vertices.size(), planeTolerance)
     {
         for (const FlatFace& face : faces)
             for (const auto& loop : face.loops)
@@ -56,8 +56,9 @@ public:
     {
         const Vec3 point = 1e3 * flat.point;
         TopoDS_Face face;
-        m_builder.MakeFace(
-            face, new Geom_Plane(toPoint(point), gp_Dir(flat.normal.x(), flat.normal.y(), flat.normal.z())), tolerance);
+        m_builder.MakeFace(face,
+                           new Geom_Plane(toPoint(point), gp_Dir(flat.normal.x(), flat.normal.y(), flat.normal.z())),
+                           planeTolerance);
         for (const std::vector<std::uint32_t>& loop : flat.loops)
             m_builder.Add(face, wire(loop));
         return face;

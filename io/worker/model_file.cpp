@@ -40,7 +40,14 @@ std::size_t aligned(std::size_t size)
 void addNodes(const PartNode& node, std::int64_t parent, Json& nodes)
 {
     const auto own = static_cast<std::int64_t>(nodes.size());
-    nodes.push_back({{"name", node.name}, {"parent", parent}, {"part", node.part ? Json(*node.part) : Json()}});
+    Json json{{"name", node.name}, {"parent", parent}, {"part", node.part ? Json(*node.part) : Json()}};
+    if (!node.product.empty())
+        json["product"] = node.product;
+    if (!node.partNumber.empty())
+        json["partNumber"] = node.partNumber;
+    if (node.holdsBodies)
+        json["holdsBodies"] = true;
+    nodes.push_back(std::move(json));
     for (const PartNode& child : node.children)
         addNodes(child, own, nodes);
 }
@@ -107,6 +114,8 @@ private:
                   {"layer", part.layer},
                   {"repairs", part.repairs},
                   {"warnings", part.warnings}};
+        if (!part.bodyOf.empty())
+            json["bodyOf"] = part.bodyOf;
         if (!part.box.isEmpty())
             json["box"] = {numbers(part.box.min()), numbers(part.box.max())};
         if (part.exact)
@@ -188,6 +197,9 @@ PartNode treeOf(const Json& nodes, std::size_t parts)
         PartNode node{json.at("name").get<std::string>(), std::nullopt, {}};
         if (!json.at("part").is_null())
             node.part = json.at("part").get<std::size_t>();
+        node.product = json.value("product", std::string());
+        node.partNumber = json.value("partNumber", std::string());
+        node.holdsBodies = json.value("holdsBodies", false);
         if (node.part && *node.part >= parts)
             fail("the tree names a part that is not there");
         const auto parent = json.at("parent").get<std::int64_t>();
@@ -297,6 +309,7 @@ private:
         Part part;
         part.name = json.at("name").get<std::string>();
         part.path = json.at("path").get<std::string>();
+        part.bodyOf = json.value("bodyOf", std::string());
         part.color = colorOrNone(json.at("color"));
         for (const Json& face : json.at("faces"))
             part.faces.push_back({colorOrNone(face)});

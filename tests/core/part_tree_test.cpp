@@ -57,6 +57,8 @@ private slots:
     void namesMayHaveSlashes();
     void pathsOfTheTreeAreThoseOfTheParts();
     void prunedTreesKeepWhatIsLeft();
+    void bodiesKnowTheirFormerPaths();
+    void productsAreTakenOver();
 };
 
 void PartTreeTest::pathsBecomeAssemblies_data()
@@ -111,6 +113,36 @@ void PartTreeTest::prunedTreesKeepWhatIsLeft()
     QCOMPARE(written(prunedTree(tree, {false, true, false, true})), std::string("[m [a [y 0]], c 1]"));
     QCOMPARE(written(prunedTree(tree, {false, false, true, false})), std::string("[m [b [x 0]]]"));
     QCOMPARE(written(prunedTree(tree, {false, false, false, false})), std::string("[]"));
+}
+
+void PartTreeTest::bodiesKnowTheirFormerPaths()
+{
+    Part body = part("machine/remote/lid");
+    QCOMPARE(formerPath(body), std::string("machine/remote/lid"));
+    body.bodyOf = "remote (2)";
+    QCOMPARE(formerPath(body), std::string("machine/remote (2)"));
+    Part alone = part("remote/lid");
+    alone.bodyOf = "remote";
+    QCOMPARE(formerPath(alone), std::string("remote"));
+    const PartNode tree = treeOf({body, alone, part("c")});
+    QVERIFY(tree.children[0].children[0].holdsBodies && tree.children[1].holdsBodies && !tree.holdsBodies);
+}
+
+void PartTreeTest::productsAreTakenOver()
+{
+    PartNode from = treeOf({part("m/bolt"), part("m/bolt"), part("m/nut")});
+    from.children[0].product = "machine";
+    from.children[0].children[0].product = "M3";
+    from.children[0].children[1].product = "M4";
+    from.children[0].children[2].partNumber = "P-7";
+    PartNode to = treeOf({part("m/nut"), part("m/bolt"), part("m/bolt"), part("m/bolt"), part("else")});
+    takeProducts(from, to);
+    const std::vector<PartNode>& nodes = to.children[0].children;
+    QCOMPARE(to.children[0].product, std::string("machine"));
+    QCOMPARE(nodes[0].partNumber, std::string("P-7"));
+    QCOMPARE(nodes[1].product, std::string("M3"));
+    QCOMPARE(nodes[2].product, std::string("M4"));
+    QVERIFY(nodes[3].product.empty() && to.children[1].product.empty());
 }
 
 QTEST_APPLESS_MAIN(PartTreeTest)

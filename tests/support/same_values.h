@@ -270,13 +270,13 @@ inline auto members(const TriangleMesh& v)
 }
 inline auto members(const Part& v)
 {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t] = v;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = v;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
 }
 inline auto members(const PartNode& v)
 {
-    const auto& [a, b, c] = v;
-    return std::tie(a, b, c);
+    const auto& [a, b, c, d, e, f] = v;
+    return std::tie(a, b, c, d, e, f);
 }
 inline auto members(const UnitRemark& v)
 {

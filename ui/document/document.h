@@ -208,6 +208,11 @@ public:
     /// Adds a tool above the bodies and selects it once it is there.
     void addTool(const ToolKindLook& look);
     void addTool(ToolKind kind);
+    /// Whether the part is as it was opened, and something can press it.
+    bool canPressIt() const;
+    /// Holds the part, adds the block of firstPress(), takes a floor away that would be in its way, and plays: one entry of the
+    /// history.
+    void pressIt();
     /// The selected body, or every one, takes its present shape for its own. Rigid bodies have nothing to lose by it.
     void renormalize();
     /// The selected body, or every one that yields, is filled anew in the shape that it has.
