@@ -11,6 +11,7 @@
 #include "io/readable_name.h"
 #include "io/step_assembly_size.h"
 #include "io/step_check.h"
+#include "io/step_face_sides.h"
 #include "io/step_lost_faces.h"
 #include "io/step_names.h"
 #include "io/step_pruning.h"
@@ -147,6 +148,7 @@ void readStep(const std::string& path, bool onlyShapes, TaskControl& control, Ca
         }
     }
     result.names = namesOfStepSolids(reader.Reader());
+    mendFaceSides(reader.Reader(), path, result);
     StepLosses losses = findLosses(reader.Reader(), pruned);
     result.incompleteShells = std::move(losses.incomplete);
     result.missing.insert(result.missing.end(), losses.missing.begin(), losses.missing.end());

@@ -3,6 +3,7 @@
 
 #include "corpus/check.h"
 #include "corpus/page.h"
+#include "corpus/shapes.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -179,8 +180,13 @@ int main(int argc, char** argv)
         std::cout << knead::corpus::checkFiles(arguments[2].toStdString(), arguments[3].toStdString()).dump() << '\n';
         return 0;
     }
+    if (arguments.size() == 3 && arguments[1] == "--shapes") {
+        QDir().mkpath(arguments[2]);
+        std::cout << knead::corpus::writeShapes(arguments[2].toStdString()) << " shapes\n";
+        return 0;
+    }
     if (arguments.size() != 3 || !QDir(arguments[1]).exists()) {
-        std::cerr << "knead_corpus FOLDER OUT: FOLDER holds CAD files\n";
+        std::cerr << "knead_corpus FOLDER OUT: FOLDER holds CAD files\nknead_corpus --shapes FOLDER: makes some\n";
         return 2;
     }
     std::vector<Json> files;

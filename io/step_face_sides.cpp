@@ -1,0 +1,314 @@
+#include "io/step_face_sides.h"
+
+#include "io/outer_face.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepLib.hxx>
+#include <BRepTools.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomAPI_ProjectPointOnCurve.hxx>
+#include <Geom_CartesianPoint.hxx>
+#include <Geom_Curve.hxx>
+#include <Interface_InterfaceModel.hxx>
+#include <STEPControl_Reader.hxx>
+#include <Standard_Failure.hxx>
+#include <StepGeom_BSplineSurface.hxx>
+#include <StepGeom_CartesianPoint.hxx>
+#include <StepGeom_Conic.hxx>
+#include <StepGeom_Curve.hxx>
+#include <StepGeom_SphericalSurface.hxx>
+#include <StepGeom_SurfaceCurve.hxx>
+#include <StepGeom_SurfaceOfRevolution.hxx>
+#include <StepShape_EdgeCurve.hxx>
+#include <StepShape_EdgeLoop.hxx>
+#include <StepShape_FaceBound.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <StepShape_OrientedEdge.hxx>
+#include <StepShape_VertexLoop.hxx>
+#include <StepShape_VertexPoint.hxx>
+#include <StepToGeom.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Solid.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace knead {
+
+namespace {
+
+/// A place of the border of a face, and which way it goes around the face there.
+struct Course {
+    gp_Pnt place;
+    gp_Vec direction; ///< unit
+};
+
+constexpr double parallel = 0.99; // cosine from which two directions are one
+
+bool mayHavePoles(const Handle(StepGeom_Surface) & surface)
+{
+    return !surface.IsNull() && (surface->IsKind(STANDARD_TYPE(StepGeom_SphericalSurface)) ||
+                                 surface->IsKind(STANDARD_TYPE(StepGeom_SurfaceOfRevolution)) ||
+                                 surface->IsKind(STANDARD_TYPE(StepGeom_BSplineSurface)));
+}
+
+Handle(Geom_Curve) curveOf(const Handle(StepShape_EdgeCurve) & edge)
+{
+    Handle(StepGeom_Curve) curve = edge->EdgeGeometry();
+    if (const auto onSurface = Handle(StepGeom_SurfaceCurve)::DownCast(curve); !onSurface.IsNull())
+        curve = onSurface->Curve3d();
+    return curve.IsNull() ? Handle(Geom_Curve)() : StepToGeom::MakeCurve(curve);
+}
+
+/// Where the edge begins, along the loop.
+std::optional<Course> courseOf(const Handle(StepShape_OrientedEdge) & oriented)
+{
+    const auto edge = Handle(StepShape_EdgeCurve)::DownCast(oriented->EdgeElement());
+    if (edge.IsNull())
+        return std::nullopt;
+    const auto vertex = Handle(StepShape_VertexPoint)::DownCast(edge->EdgeStart());
+    const auto point = vertex.IsNull() ? Handle(StepGeom_CartesianPoint)()
+                                       : Handle(StepGeom_CartesianPoint)::DownCast(vertex->VertexGeometry());
+    const Handle(Geom_Curve) curve = curveOf(edge);
+    if (point.IsNull() || curve.IsNull())
+        return std::nullopt;
+    const gp_Pnt place = StepToGeom::MakeCartesianPoint(point)->Pnt();
+    const GeomAPI_ProjectPointOnCurve projection(place, curve);
+    if (projection.NbPoints() == 0)
+        return std::nullopt;
+    gp_Pnt found;
+    gp_Vec along;
+    curve->D1(projection.LowerDistanceParameter(), found, along);
+    if (along.Magnitude() < gp::Resolution())
+        return std::nullopt;
+    return Course{place, along.Normalized() * (edge->SameSense() == oriented->Orientation() ? 1 : -1)};
+}
+
+/// The one bound of a face that is no single vertex, as of a pole; null when there are more.
+Handle(StepShape_FaceBound) onlyBound(const Handle(StepShape_FaceSurface) & face)
+{
+    Handle(StepShape_FaceBound) only;
+    for (int i = 1; i <= face->NbBounds(); ++i) {
+        const Handle(StepShape_FaceBound) bound = face->BoundsValue(i);
+        if (bound.IsNull() || bound->Bound().IsNull() || bound->Bound()->IsKind(STANDARD_TYPE(StepShape_VertexLoop)))
+            continue;
+        if (!only.IsNull())
+            return {};
+        only = bound;
+    }
+    return only;
+}
+
+/// Of the one loop that bounds the face, at an edge that is no seam: around the material as the surface is seen from its own front.
+std::optional<Course> courseOf(const Handle(StepShape_FaceSurface) & face)
+{
+    const Handle(StepShape_FaceBound) bound = onlyBound(face);
+    const auto loop =
+        bound.IsNull() ? Handle(StepShape_EdgeLoop)() : Handle(StepShape_EdgeLoop)::DownCast(bound->Bound());
+    if (loop.IsNull() || loop->EdgeList().IsNull())
+        return std::nullopt;
+    for (int i = 1; i <= loop->NbEdgeList(); ++i) {
+        const Handle(StepShape_OrientedEdge) edge = loop->EdgeListValue(i);
+        int uses = 0;
+        for (int j = 1; j <= loop->NbEdgeList(); ++j)
+            uses += loop->EdgeListValue(j)->EdgeElement() == edge->EdgeElement() ? 1 : 0;
+        if (uses != 1)
+            continue;
+        std::optional<Course> course = courseOf(edge);
+        if (course && bound->Orientation() != face->SameSense())
+            course->direction.Reverse();
+        return course;
+    }
+    return std::nullopt;
+}
+
+/// Whether a face goes round its border the other way. @return none where it does not have the place
+std::optional<bool> goesAgainst(const TopoDS_Face& face, const Course& course)
+{
+    const TopoDS_Shape front = face.Oriented(TopAbs_FORWARD);
+    for (TopExp_Explorer edges(front, TopAbs_EDGE); edges.More(); edges.Next()) {
+        const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
+        double first = 0;
+        double last = 0;
+        const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+        if (curve.IsNull())
+            continue;
+        const double nearness = 1e-4 * curve->Value(first).Distance(curve->Value(0.5 * (first + last)));
+        for (const double end : {first, last}) {
+            gp_Pnt place;
+            gp_Vec along;
+            curve->D1(end, place, along);
+            if (place.Distance(course.place) > nearness || along.Magnitude() < gp::Resolution())
+                continue;
+            const double cosine =
+                along.Normalized() * course.direction * (edge.Orientation() == TopAbs_REVERSED ? -1 : 1);
+            if (std::abs(cosine) > parallel)
+                return cosine < 0;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Whether a face has seams and poles where they belong. Where it crosses the seam, OpenCASCADE may leave it none, or lay its border
+/// over them, more than once around the surface.
+bool isWhole(const TopoDS_Face& face)
+{
+    bool hasSeam = false;
+    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
+        hasSeam = hasSeam || BRep_Tool::IsClosed(TopoDS::Edge(edges.Current()), face);
+    double u0 = 0;
+    double u1 = 0;
+    double v0 = 0;
+    double v1 = 0;
+    BRepTools::UVBounds(face, u0, u1, v0, v1);
+    double begin = 0;
+    double end = 0;
+    BRep_Tool::Surface(face)->Bounds(begin, end, v0, v1);
+    return hasSeam && u1 - u0 < 1.001 * (end - begin);
+}
+
+/// A face as it was read, and as it should be.
+struct Mend {
+    TopoDS_Face before;
+    TopoDS_Face after;
+};
+
+/// Turned about its own axis a whole conic covers each place twice, with normals to both sides: then the side is anyone's guess.
+bool coversTwice(const Handle(StepGeom_Surface) & surface)
+{
+    const auto turned = Handle(StepGeom_SurfaceOfRevolution)::DownCast(surface);
+    return !turned.IsNull() && !turned->SweptCurve().IsNull() &&
+           turned->SweptCurve()->IsKind(STANDARD_TYPE(StepGeom_Conic));
+}
+
+struct Mends {
+    std::vector<Mend> faces;
+    int unsure = 0; ///< faces that may be the wrong ones
+};
+
+Mends mendsOf(const STEPControl_Reader& reader)
+{
+    Mends mends;
+    const Handle(Transfer_TransientProcess)& process = reader.WS()->TransferReader()->TransientProcess();
+    const Handle(Interface_InterfaceModel) model = reader.Model();
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+        const auto entity = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
+        if (entity.IsNull() || !mayHavePoles(entity->FaceGeometry()))
+            continue;
+        const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
+        if (shape.IsNull() || shape.ShapeType() != TopAbs_FACE)
+            continue;
+        const TopoDS_Face before = TopoDS::Face(shape.Oriented(TopAbs_FORWARD));
+        try {
+            const std::optional<Course> course = courseOf(entity);
+            const std::optional<bool> goesBack = course ? goesAgainst(before, *course) : std::nullopt;
+            if (!goesBack || isWhole(before))
+                continue;
+            if (coversTwice(entity->FaceGeometry()))
+                ++mends.unsure;
+            else if (const std::optional<TopoDS_Face> after = outerFace(before, *goesBack))
+                mends.faces.push_back({before, *after});
+        } catch (const Standard_Failure&) { // a curve that cannot be: the face stays as it was read
+        }
+    }
+    return mends;
+}
+
+class Mending {
+public:
+    Mending(const std::vector<Mend>& mends, CadDocument& document)
+        : m_document(document)
+    {
+        for (const Mend& mend : mends) {
+            m_faces.Replace(mend.before, mend.after);
+            m_concerned.insert(geometryOf(mend.before));
+            keepNotes(mend.before, mend.after);
+        }
+    }
+
+    void mend(CadNode& node)
+    {
+        for (CadNode& child : node.children)
+            mend(child);
+        if (node.shape && isConcerned(*node.shape))
+            node.shape = std::make_shared<const TopoDS_Shape>(mended(*node.shape));
+    }
+
+private:
+    bool isConcerned(const TopoDS_Shape& shape) const
+    {
+        for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
+            if (m_concerned.contains(geometryOf(faces.Current())))
+                return true;
+        return false;
+    }
+
+    /// Instances go on sharing what they shared.
+    TopoDS_Shape mended(const TopoDS_Shape& shape)
+    {
+        TopoDS_Shape& own = m_mended[geometryOf(shape)];
+        if (own.IsNull())
+            own = outward(m_faces.Apply(shape.Located(TopLoc_Location()).Oriented(TopAbs_FORWARD)));
+        for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next())
+            keepNotes(solids.Current(), m_solids.Value(m_faces.Value(solids.Current())));
+        return own.Located(shape.Location()).Oriented(shape.Orientation());
+    }
+
+    TopoDS_Shape outward(const TopoDS_Shape& shape)
+    {
+        for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next()) {
+            TopoDS_Solid solid = TopoDS::Solid(solids.Current());
+            if (BRepLib::OrientClosedSolid(solid) && !solid.IsSame(solids.Current()))
+                m_solids.Replace(solids.Current(), solid);
+        }
+        return m_solids.Apply(shape);
+    }
+
+    /// What the file says of a shape is so of the one that is in its place.
+    void keepNotes(const TopoDS_Shape& before, const TopoDS_Shape& after)
+    {
+        keepNote(m_document.colors, before, after);
+        keepNote(m_document.displays, before, after);
+        keepNote(m_document.names, before, after);
+    }
+
+    template <typename Value>
+    static void keepNote(ShapeNotes<Value>& notes, const TopoDS_Shape& before, const TopoDS_Shape& after)
+    {
+        if (const std::optional<Value> note = notes.find(before); note && !after.IsNull())
+            notes.set(after, *note);
+    }
+
+    CadDocument& m_document;
+    BRepTools_ReShape m_faces;
+    BRepTools_ReShape m_solids;
+    std::set<const void*> m_concerned;
+    std::map<const void*, TopoDS_Shape> m_mended; // by what they are made of
+};
+
+} // namespace
+
+void mendFaceSides(const STEPControl_Reader& reader, const std::string& path, CadDocument& document)
+{
+    const Mends mends = mendsOf(reader);
+    if (!mends.faces.empty())
+        Mending(mends.faces, document).mend(document.root);
+    if (mends.unsure > 0)
+        document.warnings.push_back(shortName(path) +
+                                    ": a turned face is bounded across its seam, and the file does not tell " +
+                                    "on which side of its border it lies; check the volume of its part.");
+}
+
+} // namespace knead
