@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace knead {
 
@@ -20,7 +22,9 @@ constexpr double heldShare = 0.12;    // of an extent
 constexpr double longShare = 2;       // times as long as thick: what is bent
 constexpr double bendShare = 0.07;    // of the length
 constexpr double squeezeShare = 0.12; // of the height
-constexpr double breakShare = 0.5;    // of the strain that the material bears
+constexpr double thinWallShare =
+    0.55;                          // of that, where walls are too thin for the objects: gaps as thin would close unseen
+constexpr double breakShare = 0.5; // of the strain that the material bears
 
 Box boxOfClosedParts(const Model& model)
 {
@@ -34,8 +38,14 @@ Box boxOfClosedParts(const Model& model)
     return box;
 }
 
+/// How a model is filled.
+struct Filling {
+    int objects = 0;
+    double cells = 0; ///< across the thinnest wall, in the mean of its part, at most those that are wanted
+};
+
 /// Fine enough for two cells across the wall of every part, as far as a run of some seconds allows.
-int suitableObjects(const Model& model)
+Filling suitableFilling(const Model& model)
 {
     double volume = 0;
     double spacing = std::numeric_limits<double>::infinity();
@@ -45,8 +55,10 @@ int suitableObjects(const Model& model)
         volume += part.volume;
         spacing = std::min(spacing, part.volume / part.area); // half the thickness of a plate
     }
+    constexpr double wantedCells = 2;
     const double objects = volume / (spacing * spacing * spacing);
-    return objects > fewObjects ? static_cast<int>(std::min(objects, manyObjects)) : fewObjects;
+    return {objects > fewObjects ? static_cast<int>(std::min(objects, manyObjects)) : fewObjects,
+            wantedCells * std::min(1.0, std::cbrt(manyObjects / objects))};
 }
 
 /// The axes of a box by its extent.
@@ -64,13 +76,45 @@ Axes axesOf(const Box& box)
     return {order[0], order[1], order[2]};
 }
 
+/// How much of an extent, from its low end, has the lowest tenth of the surface: a thin rim holds nothing.
+double lowestTenth(const Model& model, const Box& box, Eigen::Index axis)
+{
+    constexpr double share = 0.1;
+    constexpr int slices = 100;
+    std::array<double, slices> areas{};
+    double total = 0;
+    const auto place = [&](double coordinate) { return slices * (coordinate - box.min()[axis]) / box.sizes()[axis]; };
+    for (const Part& part : model.parts) {
+        if (!part.canBeFilled())
+            continue;
+        for (const auto& [a, b, c] : part.mesh.triangles) {
+            const Vec3& first = part.mesh.vertices[a];
+            const Vec3& second = part.mesh.vertices[b];
+            const Vec3& third = part.mesh.vertices[c];
+            const double area = 0.5 * (second - first).cross(third - first).norm();
+            const auto [low, high] = std::minmax({place(first[axis]), place(second[axis]), place(third[axis])});
+            const int begin = std::clamp(static_cast<int>(low), 0, slices - 1);
+            const int end = std::clamp(static_cast<int>(high), begin, slices - 1);
+            for (int slice = begin; slice <= end; ++slice)
+                areas.at(static_cast<std::size_t>(slice)) += area / (end - begin + 1);
+            total += area;
+        }
+    }
+    double sum = 0;
+    for (int slice = 0; slice < slices; ++slice)
+        if ((sum += areas.at(static_cast<std::size_t>(slice))) >= share * total)
+            return static_cast<double>(slice + 1) / slices;
+    return 1;
+}
+
 /// A slice of the model at the low end of an axis, with room around it so that rounding leaves nothing out.
-Box lowEnd(const Box& box, Eigen::Index axis)
+Box lowEnd(const Model& model, const Box& box, Eigen::Index axis)
 {
     const double room = 0.1 * box.diagonal().norm();
     const Vec3 low = box.min() - Vec3::Constant(room);
     Vec3 high = box.max() + Vec3::Constant(room);
-    high[axis] = box.min()[axis] + heldShare * box.sizes()[axis];
+    constexpr double most = 2.5 * heldShare; // the rest is to move
+    high[axis] = box.min()[axis] + std::clamp(lowestTenth(model, box, axis), heldShare, most) * box.sizes()[axis];
     return {low, high};
 }
 
@@ -115,7 +159,8 @@ Manipulator blockGoingDown(Vec3 middle, const Vec3& size, Eigen::Index down, dou
 }
 
 /// Bends what is long or flat: the block goes down near the end that is free.
-Manipulator bendingBlock(const Model& model, const Box& box, const Axes& axes, double bearableStrain)
+/// @param share of what would be its stroke
+Manipulator bendingBlock(const Model& model, const Box& box, const Axes& axes, double share, double bearableStrain)
 {
     const double length = box.sizes()[axes.longest];
     const double place = box.min()[axes.longest] + 0.82 * length;
@@ -131,21 +176,7 @@ Manipulator bendingBlock(const Model& model, const Box& box, const Axes& axes, d
     // Strain at the skin of a clamped bar, its end moved by d: e = 3 t d / (2 l^2).
     const double arm = (place - box.min()[axes.longest]) - heldShare * length;
     const double mostStroke = breakShare * bearableStrain * 2 * arm * arm / (3 * box.sizes()[axes.shortest]);
-    return blockGoingDown(middle, size, axes.shortest, 0.01 * length, std::min(bendShare * length, mostStroke));
-}
-
-/// Squeezes what is compact, along its shortest extent: a block over part of a solid body, all over a hollow one, whose walls an
-/// edge would fold.
-Manipulator squeezingBlock(const Box& box, const Axes& axes, bool isHollow, double bearableStrain)
-{
-    const double height = box.sizes()[axes.shortest];
-    Vec3 size = (isHollow ? 1.2 : 0.6) * box.sizes();
-    size[axes.middle] = 1.2 * box.sizes()[axes.middle];
-    size[axes.shortest] = 0.25 * height;
-    Vec3 middle = box.center();
-    middle[axes.shortest] = box.max()[axes.shortest];
-    const double share = std::min(squeezeShare, breakShare * bearableStrain);
-    return blockGoingDown(middle, size, axes.shortest, 0.02 * height, share * height);
+    return blockGoingDown(middle, size, axes.shortest, 0.01 * length, std::min(share * bendShare * length, mostStroke));
 }
 
 /// Whether material is less than half of the box.
@@ -155,6 +186,23 @@ bool isHollow(const Model& model, const Box& box)
     for (const Part& part : model.parts)
         volume += part.canBeFilled() ? part.volume : 0;
     return volume < 0.5 * box.sizes().prod();
+}
+
+/// Squeezes what is compact, along its shortest extent: a block over part of a solid body, all over a hollow one, whose walls an
+/// edge would fold.
+Manipulator squeezingBlock(const Model& model, const Box& box, const Axes& axes, double share, double bearableStrain)
+{
+    const double height = box.sizes()[axes.shortest];
+    Vec3 size = (isHollow(model, box) ? 1.2 : 0.6) * box.sizes();
+    size[axes.middle] = 1.2 * box.sizes()[axes.middle];
+    size[axes.shortest] = 0.25 * height;
+    Vec3 middle = box.center();
+    const double half = size[axes.longest] / 2;
+    middle[axes.shortest] =
+        topBetween(model, axes.longest, middle[axes.longest] - half, middle[axes.longest] + half, axes.shortest)
+            .value_or(box.max()[axes.shortest]);
+    const double stroke = std::min(share * squeezeShare, breakShare * bearableStrain);
+    return blockGoingDown(middle, size, axes.shortest, 0.02 * height, stroke * height);
 }
 
 } // namespace
@@ -176,13 +224,16 @@ FirstPress firstPress(const Model& model, double bearableStrain)
     const auto bodies =
         std::count_if(model.parts.begin(), model.parts.end(), [](const Part& one) { return one.canBeFilled(); });
     FirstPress press;
-    press.held = lowEnd(box, isLong ? axes.longest : axes.shortest);
-    press.block = isLong ? bendingBlock(model, box, axes, bearableStrain)
-                         : squeezingBlock(box, axes, isHollow(model, box), bearableStrain);
+    press.held = lowEnd(model, box, isLong ? axes.longest : axes.shortest);
+    const Filling filling = suitableFilling(model);
+    // Two cells across a wall show what it does.
+    const double share = std::max(thinWallShare, std::min(1.0, 0.5 * filling.cells));
+    press.block = isLong ? bendingBlock(model, box, axes, share, bearableStrain)
+                         : squeezingBlock(model, box, axes, share, bearableStrain);
     press.bends = isLong;
     press.duration = endTime;
     press.hasBodies = bodies > 1;
-    press.objects = suitableObjects(model);
+    press.objects = filling.objects;
     return press;
 }
 

@@ -10,7 +10,7 @@ namespace knead {
 
 /// Something to begin with that shows what a part does: what is at least twice as long as thick is held at one end and bent by a
 /// block near the other; what is compact is held at the bottom and squeezed. The stroke is a share of the size, so that any
-/// part moves visibly and none is crushed, and less where that would break it.
+/// part moves visibly and none is crushed; less where that would break it, or where its walls are too thin for the objects.
 struct FirstPress {
     Box held;               ///< material in it stays where it is [m]
     Manipulator block;      ///< with key frames from time 0 on

@@ -5,6 +5,7 @@
 #include "io/export/place_words.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -17,7 +18,7 @@ namespace knead {
 namespace {
 
 constexpr std::size_t mostCrossings = 50'000; // pairs of triangles that are looked at more closely
-constexpr int mostHalvings = 8;
+constexpr int halvings = 4;                   // that tell what crosses from what seems to
 
 /// A place at which the surface is folded: two triangles that lay nearly in a plane beside each other face opposite ways.
 /// @param now where the map takes `rest`
@@ -69,19 +70,79 @@ TriangleMesh trianglesOf(const TriangleMesh& mesh, const Crossings& crossings)
     return some;
 }
 
-/// Whether only chords cross, and not the surface that they stand for: then finer triangles cross less and less.
-bool isOfChords(const SmoothMap& map, const TriangleMesh& rest, const Crossings& found)
+/// Takes out the pairs that lie beside each other at rest and face one way: the chords of a curved edge between two faces, of which
+/// each has triangles of its own, overlap by nothing. What is folded faces other ways, and what runs into itself came from elsewhere.
+void keepRealOnes(const TriangleMesh& rest, const TriangleMesh& now, Crossings& crossings)
+{
+    constexpr double oneWay = 0.9; // cosine
+    const auto corners = [](const TriangleMesh& mesh, std::uint32_t t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        return std::array<Vec3, 3>{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+    };
+    const auto normal = [&](std::uint32_t t) {
+        const auto [a, b, c] = corners(now, t);
+        return Vec3((b - a).cross(c - a).normalized());
+    };
+    const auto box = [&](std::uint32_t t) {
+        Box around;
+        for (const Vec3& corner : corners(rest, t))
+            around.extend(corner);
+        return around;
+    };
+    const std::size_t before = crossings.some.size();
+    std::erase_if(crossings.some, [&](const std::array<std::uint32_t, 2>& pair) {
+        return normal(pair[0]).dot(normal(pair[1])) > oneWay && box(pair[0]).intersects(box(pair[1]));
+    });
+    crossings.count -= before - crossings.some.size();
+    if (crossings.some.empty() || crossings.some.size() == before)
+        return;
+    crossings.where = Box();
+    for (const auto& pair : crossings.some)
+        for (const Vec3& corner : corners(now, pair[0]))
+            crossings.where.extend(corner);
+}
+
+/// How far triangles reach through each other at most: what lies on the other side of the other one's plane, of the lesser part [m].
+double depthOf(const TriangleMesh& mesh, const Crossings& crossings)
+{
+    const auto beyond = [&](const TriangleMesh::Triangle& plane, const TriangleMesh::Triangle& other) {
+        const Vec3& origin = mesh.vertices[plane[0]];
+        const Vec3 normal =
+            (mesh.vertices[plane[1]] - origin).cross(mesh.vertices[plane[2]] - origin).stableNormalized();
+        double above = 0;
+        double below = 0;
+        for (const std::uint32_t corner : other) {
+            const double height = normal.dot(mesh.vertices[corner] - origin);
+            above = std::max(above, height);
+            below = std::max(below, -height);
+        }
+        return std::min(above, below);
+    };
+    double depth = 0;
+    for (const auto& [a, b] : crossings.some)
+        depth = std::max(depth, std::min(beyond(mesh.triangles[a], mesh.triangles[b]),
+                                         beyond(mesh.triangles[b], mesh.triangles[a])));
+    return depth;
+}
+
+/// Whether only chords cross, and not the surface that they stand for: then triangles of half the size reach a quarter as far through
+/// each other; those of surfaces that cross reach half as far.
+bool isOfChords(const SmoothMap& map, const TriangleMesh& rest, const TriangleMesh& bent, const Crossings& found)
 {
     TriangleMesh mesh = rest;
+    TriangleMesh now = bent;
     Crossings crossings = found;
-    for (int round = 0; round < mostHalvings && crossings.count <= crossings.some.size(); ++round) {
+    const double first = depthOf(now, crossings);
+    for (int round = 0; round < halvings && crossings.count <= crossings.some.size(); ++round) {
         mesh = halveEdges(trianglesOf(mesh, crossings));
-        const std::size_t before = crossings.count;
-        crossings = findCrossings(carried(map, mesh), TaskControl::none(), mostCrossings);
-        if (crossings.count == 0 || crossings.count >= before)
-            break;
+        now = carried(map, mesh);
+        crossings = findCrossings(now, TaskControl::none(), mostCrossings);
+        keepRealOnes(mesh, now, crossings);
+        if (crossings.count == 0)
+            return true;
     }
-    return crossings.count == 0;
+    // Between a half and a quarter, to the power of the halvings.
+    return crossings.count <= crossings.some.size() && depthOf(now, crossings) < std::pow(0.35, halvings) * first;
 }
 
 } // namespace
@@ -95,8 +156,10 @@ TriangleMesh carried(const SmoothMap& map, TriangleMesh mesh)
 void noteCrossings(const SmoothMap& map, const std::array<const TriangleMesh*, 2>& rest, const TriangleMesh& now,
                    TaskControl& control, PartExportReport& report)
 {
-    const Crossings found = findCrossings(now, control, mostCrossings);
-    if (found.count == 0 || found.count <= findCrossings(*rest[0], control).count || isOfChords(map, *rest[1], found))
+    Crossings found = findCrossings(now, control, mostCrossings);
+    keepRealOnes(*rest[1], now, found);
+    if (found.count == 0 || found.count <= findCrossings(*rest[0], control).count ||
+        isOfChords(map, *rest[1], now, found))
         return;
     report.crossesItself = true;
     report.remarks.push_back("its surface passes through itself near " + placeWords(found.where.center()) +

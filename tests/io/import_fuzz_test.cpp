@@ -122,13 +122,14 @@ void report(const std::vector<Outcome>& outcomes)
 
 /// Thousands of damaged files, each read in a process of its own: every one gives a sound model or one clear sentence.
 ///
-/// KNEAD_FUZZ_INPUTS says how many, KNEAD_FUZZ_SEED which, KNEAD_FUZZ_KEEP where those stay that are to be looked at.
+/// KNEAD_FUZZ_INPUTS says how many, KNEAD_FUZZ_SEED which, KNEAD_FUZZ_KEEP where those stay that are to be looked at, and
+/// KNEAD_FUZZ_FOLDER of which CAD files they are made instead of small ones of our own.
 class ImportFuzzTest : public QObject {
     Q_OBJECT
 
 public:
     ImportFuzzTest()
-        : m_inputs(std::string(KNEAD_TEST_DATA) + "/fuzz/seeds")
+        : m_inputs(inputs())
         , m_kept(qEnvironmentVariable("KNEAD_FUZZ_KEEP", QDir::tempPath() + "/knead-fuzz").toStdString())
     {
         qputenv("TMPDIR", m_temporary.path().toUtf8());
@@ -143,6 +144,13 @@ private slots:
     void nothingIsLeftBehind();
 
 private:
+    static fuzz::Inputs inputs()
+    {
+        const std::string folder = qEnvironmentVariable("KNEAD_FUZZ_FOLDER").toStdString();
+        return folder.empty() ? fuzz::Inputs(std::string(KNEAD_TEST_DATA) + "/fuzz/seeds")
+                              : fuzz::Inputs::ofFolder(folder);
+    }
+
     std::filesystem::path write(const fuzz::Input& input) const
     {
         const std::filesystem::path path = m_folder.filePath(input.name.c_str()).toStdString();
@@ -187,7 +195,7 @@ void ImportFuzzTest::entitiesArePutTogetherAgain()
 
 void ImportFuzzTest::theSameSeedGivesTheSameFiles()
 {
-    const fuzz::Inputs others(std::string(KNEAD_TEST_DATA) + "/fuzz/seeds");
+    const fuzz::Inputs others = inputs();
     int different = 0;
     for (std::uint64_t number = 0; number < 50; ++number) {
         QVERIFY(m_inputs.input(m_seed, number).bytes == others.input(m_seed, number).bytes);

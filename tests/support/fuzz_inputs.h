@@ -5,9 +5,11 @@
 #include "support/mesh_containers.h"
 #include "support/step_mutation.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -20,7 +22,7 @@ struct Input {
     ImportOptions options;
 };
 
-/// Damaged files of every format, made of small sound ones: always the same for the same seed and number.
+/// Damaged files, made of sound ones: always the same for the same seed and number.
 class Inputs {
 public:
     /// @param folder of the sound files
@@ -43,6 +45,23 @@ public:
         add(Format::threeMf, "angle.model");
         add(Format::gltf, "angle.gltf");
         m_gltfNumbers = contentOf(folder + "/angle.bin");
+    }
+
+    /// Made of all CAD files of a folder, as people have them.
+    static Inputs ofFolder(const std::string& folder)
+    {
+        Inputs inputs;
+        std::vector<std::filesystem::path> paths;
+        for (const auto& entry : std::filesystem::directory_iterator(folder))
+            paths.push_back(entry.path());
+        std::sort(paths.begin(), paths.end());
+        for (const std::filesystem::path& path : paths) {
+            const std::string ending = path.extension().string();
+            if (const auto format = formatOf(ending))
+                inputs.m_sound.push_back({*format, path.stem().string() + ending, contentOf(path.string())});
+        }
+        inputs.m_takesAny = true;
+        return inputs;
     }
 
     /// The sound files, as they are read.
@@ -71,6 +90,8 @@ public:
     }
 
 private:
+    Inputs() = default;
+
     enum class Format { step, iges, brep, text, binary, threeMf, gltf };
 
     struct Sound {
@@ -78,6 +99,15 @@ private:
         std::string name;
         std::string content;
     };
+
+    static std::optional<Format> formatOf(const std::string& ending)
+    {
+        if (ending == ".step" || ending == ".stp")
+            return Format::step;
+        if (ending == ".igs" || ending == ".iges")
+            return Format::iges;
+        return ending == ".brep" ? std::optional(Format::brep) : std::nullopt;
+    }
 
     static std::string contentOf(const std::string& path)
     {
@@ -90,6 +120,8 @@ private:
     /// Most mistakes are made where files are most complicated.
     const Sound& someFile(Random& random) const
     {
+        if (m_takesAny)
+            return m_sound[random.below(m_sound.size())];
         static constexpr std::array<Format, 20> formats{
             Format::step, Format::step, Format::step, Format::step, Format::step,   Format::step, Format::step,
             Format::step, Format::step, Format::iges, Format::iges, Format::iges,   Format::iges, Format::iges,
@@ -163,6 +195,7 @@ private:
 
     std::vector<Sound> m_sound;
     std::string m_gltfNumbers;
+    bool m_takesAny = false; ///< each file as often as the others, instead of each format by its difficulty
 };
 
 } // namespace knead::fuzz
