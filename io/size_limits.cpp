@@ -1,5 +1,6 @@
 #include "io/size_limits.h"
 
+#include "core/geometry/mass_properties.h"
 #include "io/cad_format.h"
 #include "io/number_words.h"
 
@@ -60,7 +61,9 @@ std::optional<std::string> sicknessOf(const Part& part)
     if (part.maxTolerance > widestGapShare * size)
         return "its faces and edges are up to " + lengthWords(part.maxTolerance) + " apart, at a size of " +
                lengthWords(size);
-    if (part.solids > 0 && part.openEdges.empty() && part.volume <= leastVolumeShare * std::pow(size, 3))
+    const double leastVolume = leastVolumeShare * std::pow(size, 3);
+    const bool isFlat = part.watertight && !(massProperties(part.mesh).volume > leastVolume);
+    if (part.solids > 0 && part.openEdges.empty() && (part.volume <= leastVolume || isFlat))
         return "the solid has no volume";
     return std::nullopt;
 }

@@ -462,6 +462,14 @@
         <source>Roller</source>
         <translation>Rolle</translation>
     </message>
+    <message>
+        <source>Press it</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>Hold one end of the new part and let a block press it, to see what it does</source>
+        <translation>Hält das neue Teil an einem Ende und drückt es mit einem Block, um zu sehen, was es tut</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -987,6 +995,14 @@
     <message>
         <source>No body is of material that yields: elastic ones keep their shape at rest, and are not filled anew.</source>
         <translation>Kein Körper ist aus Material, das fließt: elastische behalten ihre Ruheform und werden nicht neu gefüllt.</translation>
+    </message>
+    <message>
+        <source>Press it</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Block</translation>
     </message>
 </context>
 <context>
@@ -1907,6 +1923,10 @@
     <message>
         <source>No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps or a smaller load, hold what is free to slide or turn, or let time run (dynamic).</source>
         <translation>Bei %1 s fand sich kein Gleichgewicht: Kräfte von %2 derer, die wirken, sind übrig. Mehr Lastschritte oder eine kleinere Last nehmen, festhalten, was gleiten oder sich drehen kann, oder die Zeit laufen lassen (dynamic).</translation>
+    </message>
+    <message>
+        <source>%1: a turned face is bounded across its seam, and the file does not tell on which side of its border it lies; check the volume of its part.</source>
+        <translation>%1: Eine gedrehte Fläche ist über ihre Naht hinweg begrenzt, und die Datei sagt nicht, auf welcher Seite ihres Randes sie liegt; das Volumen ihres Teils ist zu prüfen.</translation>
     </message>
 </context>
 <context>

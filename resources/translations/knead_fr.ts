@@ -462,6 +462,14 @@
         <source>Roller</source>
         <translation>Rouleau</translation>
     </message>
+    <message>
+        <source>Press it</source>
+        <translation>Presser</translation>
+    </message>
+    <message>
+        <source>Hold one end of the new part and let a block press it, to see what it does</source>
+        <translation>Tient la nouvelle pièce par un bout et la presse avec un bloc, pour voir ce qu’elle fait</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -987,6 +995,14 @@
     <message>
         <source>No body is of material that yields: elastic ones keep their shape at rest, and are not filled anew.</source>
         <translation>Aucun corps n’est d’un matériau plastique : les corps élastiques gardent leur forme au repos et ne sont pas remplis de nouveau.</translation>
+    </message>
+    <message>
+        <source>Press it</source>
+        <translation>Presser</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Bloc</translation>
     </message>
 </context>
 <context>
@@ -1907,6 +1923,10 @@
     <message>
         <source>No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps or a smaller load, hold what is free to slide or turn, or let time run (dynamic).</source>
         <translation>Aucun équilibre trouvé à %1 s : il reste %2 des forces qui agissent. Prenez plus de pas de charge ou une charge plus petite, tenez ce qui peut glisser ou tourner, ou laissez courir le temps (dynamic).</translation>
+    </message>
+    <message>
+        <source>%1: a turned face is bounded across its seam, and the file does not tell on which side of its border it lies; check the volume of its part.</source>
+        <translation>%1 : une face de révolution est bordée à travers sa couture, et le fichier ne dit pas de quel côté de son bord elle se trouve ; vérifiez le volume de sa pièce.</translation>
     </message>
 </context>
 <context>

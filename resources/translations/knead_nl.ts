@@ -462,6 +462,14 @@
         <source>Roller</source>
         <translation>Rol</translation>
     </message>
+    <message>
+        <source>Press it</source>
+        <translation>Indrukken</translation>
+    </message>
+    <message>
+        <source>Hold one end of the new part and let a block press it, to see what it does</source>
+        <translation>Houdt het nieuwe onderdeel aan één eind vast en drukt het met een blok, om te zien wat het doet</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -987,6 +995,14 @@
     <message>
         <source>No body is of material that yields: elastic ones keep their shape at rest, and are not filled anew.</source>
         <translation>Geen lichaam is van materiaal dat vloeit: elastische houden hun rustvorm en worden niet opnieuw gevuld.</translation>
+    </message>
+    <message>
+        <source>Press it</source>
+        <translation>Indrukken</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Blok</translation>
     </message>
 </context>
 <context>
@@ -1907,6 +1923,10 @@
     <message>
         <source>No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps or a smaller load, hold what is free to slide or turn, or let time run (dynamic).</source>
         <translation>Bij %1 s is geen evenwicht gevonden: krachten van %2 van die welke werken zijn over. Neem meer belastingstappen of een kleinere belasting, houd vast wat kan glijden of draaien, of laat de tijd lopen (dynamic).</translation>
+    </message>
+    <message>
+        <source>%1: a turned face is bounded across its seam, and the file does not tell on which side of its border it lies; check the volume of its part.</source>
+        <translation>%1: een gedraaid vlak is over zijn naad heen begrensd, en het bestand zegt niet aan welke kant van zijn rand het ligt; controleer het volume van zijn onderdeel.</translation>
     </message>
 </context>
 <context>

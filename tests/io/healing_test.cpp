@@ -3,6 +3,7 @@
 #include "io/free_edges.h"
 #include "io/healing.h"
 #include "io/importer.h"
+#include "io/size_limits.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -135,6 +136,7 @@ private slots:
     void curvedOpeningIsNotCapped();
     void importHealsUnlessToldNotTo();
     void sickPartDoesNotTakeTheOthersAlong();
+    void flatSolidsAreLeftOut();
     void onlySickPartsAreRefused();
 
 private:
@@ -411,6 +413,28 @@ void HealingTest::sickPartDoesNotTakeTheOthersAlong()
     QCOMPARE(model.missing.size(), std::size_t(1));
     QVERIFY(mention(model.missing, "\"two (2)\" was left out: it reaches farther than 100 km"));
     QCOMPARE(model.tree.children.front().children.size(), std::size_t(1));
+}
+
+/// Two faces on the same edges: where one is said to lie beside them, its integral finds a volume, and there is none.
+void HealingTest::flatSolidsAreLeftOut()
+{
+    Part flat;
+    flat.name = "flat";
+    flat.mesh.vertices = {{0, 0, 0}, {0.02, 0, 0}, {0.02, 0, 0.002}};
+    flat.mesh.triangles = {{0, 1, 2}, {0, 2, 1}};
+    for (const Vec3& vertex : flat.mesh.vertices)
+        flat.box.extend(vertex);
+    flat.solids = 1;
+    flat.volume = 3.6e-9;
+    flat.area = 40e-6;
+    flat.watertight = true;
+    QCOMPARE(sicknessOf(flat), std::optional<std::string>("the solid has no volume"));
+    flat.mesh.vertices.emplace_back(0.01, 0.01, 0);
+    flat.mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+    if (massProperties(flat.mesh).volume < 0)
+        for (auto& triangle : flat.mesh.triangles)
+            std::swap(triangle[0], triangle[1]);
+    QVERIFY(!sicknessOf(flat));
 }
 
 void HealingTest::onlySickPartsAreRefused()

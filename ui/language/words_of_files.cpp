@@ -79,6 +79,8 @@ constexpr const char* const sentences[] = {
                                    "all; what needs them could not be read (faces: %4)."),
     QT_TRANSLATE_NOOP("FileWords", "%1: the entity %2 and %3 more refer to something of the wrong kind or nothing at "
                                    "all; what needs them could not be read (shapes: %4)."),
+    QT_TRANSLATE_NOOP("FileWords", "%1: a turned face is bounded across its seam, and the file does not tell on which "
+                                   "side of its border it lies; check the volume of its part."),
     QT_TRANSLATE_NOOP("FileWords", "the assembly refers to the file %1, which is not there: its parts are missing. Put "
                                    "it beside the assembly and open that again."),
     QT_TRANSLATE_NOOP("FileWords", "the assembly refers to %1 files that are not there: %2. Their parts are missing; "
