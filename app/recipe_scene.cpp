@@ -4,6 +4,7 @@
 #include "core/aggregate/published_fill.h"
 #include "core/model/part_tree.h"
 #include "io/cad_format.h"
+#include "io/readable_name.h"
 
 #include <algorithm>
 #include <memory>
@@ -176,9 +177,13 @@ std::vector<BodyId> bodiesNamed(const std::string& name, const std::vector<Part>
             bodies.push_back(body);
         known += (known.empty() ? "\"" : ", \"") + parts[body].name + "\"";
     }
+    const bool isFormer =
+        bodies.empty(); // as versions wrote it that did not know the names of bodies, or took stock ones
     for (BodyId body = 0; body < parts.size(); ++body)
-        if (bodies.empty() && (parts[body].bodyOf == name || formerPath(parts[body]) == name))
-            return {body};
+        if (isFormer && (parts[body].bodyOf == name || formerPath(parts[body]) == name))
+            bodies.push_back(body);
+    if (bodies.empty() && parts.size() == 1 && isGeneratedName(name))
+        bodies.push_back(0);
     for (BodyId body = 0; body < parts.size() && bodies.empty(); ++body)
         if (name == '#' + std::to_string(body))
             return {body};

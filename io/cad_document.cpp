@@ -148,10 +148,10 @@ void readStep(const std::string& path, bool onlyShapes, TaskControl& control, Ca
         }
     }
     result.names = namesOfStepSolids(reader.Reader());
-    mendFaceSides(reader.Reader(), path, result);
     StepLosses losses = findLosses(reader.Reader(), pruned);
     result.incompleteShells = std::move(losses.incomplete);
     result.missing.insert(result.missing.end(), losses.missing.begin(), losses.missing.end());
+    mendFaceSides(reader.Reader(), path, result);
 }
 
 std::string igesUnit(const IGESCAFControl_Reader& reader)

@@ -63,10 +63,9 @@ bool isSameProduct(const PartsToWrite& a, const PartsToWrite& b)
 
 class DocumentMaker {
 public:
-    DocumentMaker(const std::vector<CadPartToWrite>& parts, bool keepsPartNumbers,
-                  const Handle(TDocStd_Document) & document)
+    DocumentMaker(const std::vector<CadPartToWrite>& parts, bool isStep, const Handle(TDocStd_Document) & document)
         : m_parts(parts)
-        , m_keepsPartNumbers(keepsPartNumbers)
+        , m_isStep(isStep)
         , m_shapes(XCAFDoc_DocumentTool::ShapeTool(document->Main()))
         , m_colors(XCAFDoc_DocumentTool::ColorTool(document->Main()))
         , m_layers(XCAFDoc_DocumentTool::LayerTool(document->Main()))
@@ -88,16 +87,22 @@ public:
     }
 
 private:
-    /// The part of a leaf, or the bodies of a product when all are solids: loose surfaces would change places with them.
-    /// Empty for an assembly.
+    /// The part of a leaf, or the bodies of a product where that can be written and read back as it is: loose surfaces would change
+    /// places with solids, nothing of OpenCASCADE's writers hides bodies or names them in IGES, and a single one would be named as its
+    /// product. Empty for an assembly.
     PartsToWrite partsOfProduct(const PartNode& node) const
     {
         if (node.part)
             return {&m_parts[*node.part]};
+        if (!m_isStep || !node.holdsBodies || node.children.size() < 2)
+            return {};
         PartsToWrite bodies;
         for (const PartNode& child : node.children) {
-            const bool isBody = node.holdsBodies && child.part && child.children.empty();
-            if (!isBody || !consistsOfSolids(m_parts[*child.part].shape))
+            if (!child.part || !child.children.empty())
+                return {};
+            const CadPartToWrite& part = m_parts[*child.part];
+            const bool isLayered = !part.layer.empty() && part.shape.ShapeType() != TopAbs_SOLID;
+            if (!part.visible || isLayered || !consistsOfSolids(part.shape))
                 return {};
             bodies.push_back(&m_parts[*child.part]);
         }
@@ -198,11 +203,11 @@ private:
         if (!isFirst && !m_productNames.insert(name = instance).second)
             for (int number = 2; !m_productNames.insert(name = own + " (" + std::to_string(number) + ")").second;)
                 ++number;
-        return isFirst && m_keepsPartNumbers ? withPartNumber(name, node.partNumber) : name;
+        return isFirst && m_isStep ? withPartNumber(name, node.partNumber) : name;
     }
 
     const std::vector<CadPartToWrite>& m_parts;
-    bool m_keepsPartNumbers;
+    bool m_isStep;
     Handle(XCAFDoc_ShapeTool) m_shapes;
     Handle(XCAFDoc_ColorTool) m_colors;
     Handle(XCAFDoc_LayerTool) m_layers;
@@ -213,10 +218,10 @@ private:
 
 } // namespace
 
-NamedShapes fillDocument(const std::vector<CadPartToWrite>& parts, const PartNode& tree, bool keepsPartNumbers,
+NamedShapes fillDocument(const std::vector<CadPartToWrite>& parts, const PartNode& tree, bool isStep,
                          const Handle(TDocStd_Document) & document)
 {
-    return DocumentMaker(parts, keepsPartNumbers, document).add(tree);
+    return DocumentMaker(parts, isStep, document).add(tree);
 }
 
 } // namespace knead

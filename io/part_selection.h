@@ -16,7 +16,8 @@ public:
     /// @param assembly path of what the part is in, empty for the file itself
     bool wants(const std::string& assembly, const std::string& name);
 
-    /// Whether any body of a leaf could be wanted. Bodies have the name of the leaf, numbered from the second on.
+    /// Whether any body of a leaf could be wanted. Bodies are below it, or have its name, numbered
+    /// from the second on, as in earlier versions.
     bool mayWant(const std::string& assembly, const std::string& leaf) const;
 
     /// To be called after all parts of the file have been asked for: takes nodes without parts out of the tree.

@@ -142,11 +142,9 @@ bool isShapeNumbered(std::string_view name)
            std::find(shapes.begin(), shapes.end(), wordsOf(word)) != shapes.end();
 }
 
-bool isNumber(std::string_view name)
+bool isDigits(std::string_view text)
 {
-    return std::all_of(name.begin(), name.end(), [](unsigned char c) {
-        return std::isdigit(c) != 0 || c == ' ' || c == '.' || c == ',' || c == ':' || c == '#' || c == '-' || c == '_';
-    });
+    return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
 /// "3f2504e0-4f89-11d3-9a0c-0305e82c3301"
@@ -204,7 +202,7 @@ bool isGeneratedName(std::string_view name)
                                                             "step translator"};
     if (name.starts_with("=>[") || name.starts_with("NAUO") || name.starts_with("Open CASCADE "))
         return true;
-    return isNumber(name) || isUuid(name) || isShapeNumbered(name) ||
+    return isDigits(name) || isUuid(name) || isShapeNumbered(name) ||
            std::find(stock.begin(), stock.end(), wordsOf(name)) != stock.end();
 }
 

@@ -9,13 +9,14 @@
 #include <BRep_Tool.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <Geom_CartesianPoint.hxx>
+#include <Geom_Conic.hxx>
 #include <Geom_Curve.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <STEPControl_Reader.hxx>
 #include <Standard_Failure.hxx>
 #include <StepGeom_BSplineSurface.hxx>
 #include <StepGeom_CartesianPoint.hxx>
-#include <StepGeom_Conic.hxx>
 #include <StepGeom_Curve.hxx>
 #include <StepGeom_SphericalSurface.hxx>
 #include <StepGeom_SurfaceCurve.hxx>
@@ -38,6 +39,7 @@
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <gp_Lin.hxx>
 
 #include <cmath>
 #include <map>
@@ -185,12 +187,16 @@ struct Mend {
     TopoDS_Face after;
 };
 
-/// Turned about its own axis a whole conic covers each place twice, with normals to both sides: then the side is anyone's guess.
-bool coversTwice(const Handle(StepGeom_Surface) & surface)
+/// Turned about an axis through its middle a whole conic covers each place twice, with normals to both sides: then the side is
+/// anyone's guess.
+bool coversTwice(const TopoDS_Face& face)
 {
-    const auto turned = Handle(StepGeom_SurfaceOfRevolution)::DownCast(surface);
-    return !turned.IsNull() && !turned->SweptCurve().IsNull() &&
-           turned->SweptCurve()->IsKind(STANDARD_TYPE(StepGeom_Conic));
+    const auto turned = Handle(Geom_SurfaceOfRevolution)::DownCast(BRep_Tool::Surface(face));
+    const auto conic = turned.IsNull() ? Handle(Geom_Conic)() : Handle(Geom_Conic)::DownCast(turned->BasisCurve());
+    if (conic.IsNull() || !conic->IsClosed())
+        return false;
+    const double size = conic->Location().Distance(conic->Value(conic->FirstParameter()));
+    return gp_Lin(turned->Axis()).Distance(conic->Location()) < 1e-6 * size;
 }
 
 struct Mends {
@@ -216,7 +222,7 @@ Mends mendsOf(const STEPControl_Reader& reader)
             const std::optional<bool> goesBack = course ? goesAgainst(before, *course) : std::nullopt;
             if (!goesBack || isWhole(before))
                 continue;
-            if (coversTwice(entity->FaceGeometry()))
+            if (coversTwice(before))
                 ++mends.unsure;
             else if (const std::optional<TopoDS_Face> after = outerFace(before, *goesBack))
                 mends.faces.push_back({before, *after});
@@ -246,6 +252,13 @@ public:
             node.shape = std::make_shared<const TopoDS_Shape>(mended(*node.shape));
     }
 
+    /// Shells that are incomplete are so, mended or not.
+    void mend(std::vector<IncompleteShell>& shells)
+    {
+        for (IncompleteShell& shell : shells)
+            shell.shape = std::make_shared<const TopoDS_Shape>(m_solids.Value(m_faces.Value(*shell.shape)));
+    }
+
 private:
     bool isConcerned(const TopoDS_Shape& shape) const
     {
@@ -261,8 +274,9 @@ private:
         TopoDS_Shape& own = m_mended[geometryOf(shape)];
         if (own.IsNull())
             own = outward(m_faces.Apply(shape.Located(TopLoc_Location()).Oriented(TopAbs_FORWARD)));
-        for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next())
-            keepNotes(solids.Current(), m_solids.Value(m_faces.Value(solids.Current())));
+        for (const TopAbs_ShapeEnum kind : {TopAbs_SOLID, TopAbs_SHELL})
+            for (TopExp_Explorer parts(shape, kind); parts.More(); parts.Next())
+                keepNotes(parts.Current(), m_solids.Value(m_faces.Value(parts.Current())));
         return own.Located(shape.Location()).Oriented(shape.Orientation());
     }
 
@@ -303,8 +317,11 @@ private:
 void mendFaceSides(const STEPControl_Reader& reader, const std::string& path, CadDocument& document)
 {
     const Mends mends = mendsOf(reader);
-    if (!mends.faces.empty())
-        Mending(mends.faces, document).mend(document.root);
+    if (!mends.faces.empty()) {
+        Mending mending(mends.faces, document);
+        mending.mend(document.root);
+        mending.mend(document.incompleteShells);
+    }
     if (mends.unsure > 0)
         document.warnings.push_back(shortName(path) +
                                     ": a turned face is bounded across its seam, and the file does not tell " +

@@ -46,16 +46,26 @@ PartNode treeOfPaths(const std::vector<const Part*>& parts)
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Part& part = *parts[i];
         PartNode* node = &root;
+        PartNode* above = &root;
         if (part.path.size() > part.name.size() && part.path.ends_with("/" + part.name)) {
             const std::string assembly = part.path.substr(0, part.path.size() - part.name.size() - 1);
             for (std::size_t begin = 0; begin <= assembly.size();) {
                 const std::size_t end = std::min(assembly.find('/', begin), assembly.size());
+                above = node;
                 node = &assemblyIn(*node, assembly.substr(begin, end - begin));
                 begin = end + 1;
             }
         }
+        if (node != &root && !part.bodyOf.empty()) {
+            // A second instance of a name begins with a body that the first one has.
+            const auto isSame = [&](const PartNode& child) {
+                return child.part && parts[*child.part]->bodyOf == part.bodyOf;
+            };
+            if (std::any_of(node->children.begin(), node->children.end(), isSame))
+                node = &above->children.emplace_back(PartNode{node->name, std::nullopt, {}});
+            node->holdsBodies = true;
+        }
         node->children.push_back({part.name, i, {}});
-        node->holdsBodies = node != &root && !part.bodyOf.empty();
     }
     return root;
 }

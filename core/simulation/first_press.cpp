@@ -159,8 +159,9 @@ Manipulator blockGoingDown(Vec3 middle, const Vec3& size, Eigen::Index down, dou
 }
 
 /// Bends what is long or flat: the block goes down near the end that is free.
-/// @param share of what would be its stroke
-Manipulator bendingBlock(const Model& model, const Box& box, const Axes& axes, double share, double bearableStrain)
+/// @param held where what is held ends, along the longest axis [m] @param share of what would be its stroke
+Manipulator bendingBlock(const Model& model, const Box& box, const Axes& axes, double held, double share,
+                         double bearableStrain)
 {
     const double length = box.sizes()[axes.longest];
     const double place = box.min()[axes.longest] + 0.82 * length;
@@ -174,7 +175,7 @@ Manipulator bendingBlock(const Model& model, const Box& box, const Axes& axes, d
     middle[axes.shortest] =
         topBetween(model, axes.longest, place - half, place + half, axes.shortest).value_or(box.max()[axes.shortest]);
     // Strain at the skin of a clamped bar, its end moved by d: e = 3 t d / (2 l^2).
-    const double arm = (place - box.min()[axes.longest]) - heldShare * length;
+    const double arm = place - held;
     const double mostStroke = breakShare * bearableStrain * 2 * arm * arm / (3 * box.sizes()[axes.shortest]);
     return blockGoingDown(middle, size, axes.shortest, 0.01 * length, std::min(share * bendShare * length, mostStroke));
 }
@@ -228,7 +229,7 @@ FirstPress firstPress(const Model& model, double bearableStrain)
     const Filling filling = suitableFilling(model);
     // Two cells across a wall show what it does.
     const double share = std::max(thinWallShare, std::min(1.0, 0.5 * filling.cells));
-    press.block = isLong ? bendingBlock(model, box, axes, share, bearableStrain)
+    press.block = isLong ? bendingBlock(model, box, axes, press.held.max()[axes.longest], share, bearableStrain)
                          : squeezingBlock(model, box, axes, share, bearableStrain);
     press.bends = isLong;
     press.duration = endTime;

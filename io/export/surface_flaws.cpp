@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -102,6 +103,35 @@ void keepRealOnes(const TriangleMesh& rest, const TriangleMesh& now, Crossings& 
             crossings.where.extend(corner);
 }
 
+/// Crossings that hang together, each place by itself: coarse triangles at one say nothing of fine ones at another.
+std::vector<Crossings> placesOf(const TriangleMesh& mesh, const Crossings& crossings)
+{
+    std::unordered_map<std::uint32_t, std::uint32_t> above; // of vertices, up to the one that stands for the place
+    const auto top = [&](std::uint32_t vertex) {
+        for (auto next = above.try_emplace(vertex, vertex).first->second; next != vertex; next = above.at(vertex))
+            vertex = next;
+        return vertex;
+    };
+    for (const auto& [a, b] : crossings.some) {
+        const std::uint32_t place = top(mesh.triangles[a][0]);
+        for (const std::uint32_t triangle : {a, b})
+            for (const std::uint32_t vertex : mesh.triangles[triangle])
+                above[top(vertex)] = place;
+    }
+    std::map<std::uint32_t, Crossings> places;
+    for (const auto& pair : crossings.some) {
+        Crossings& place = places[top(mesh.triangles[pair[0]][0])];
+        ++place.count;
+        place.some.push_back(pair);
+        for (const std::uint32_t vertex : mesh.triangles[pair[0]])
+            place.where.extend(mesh.vertices[vertex]);
+    }
+    std::vector<Crossings> result;
+    for (auto& [vertex, place] : places)
+        result.push_back(std::move(place));
+    return result;
+}
+
 /// How far triangles reach through each other at most: what lies on the other side of the other one's plane, of the lesser part [m].
 double depthOf(const TriangleMesh& mesh, const Crossings& crossings)
 {
@@ -125,7 +155,7 @@ double depthOf(const TriangleMesh& mesh, const Crossings& crossings)
     return depth;
 }
 
-/// Whether only chords cross, and not the surface that they stand for: then triangles of half the size reach a quarter as far through
+/// Whether only chords cross at a place, and not the surface that they stand for: then triangles of half the size reach a quarter as far through
 /// each other; those of surfaces that cross reach half as far.
 bool isOfChords(const SmoothMap& map, const TriangleMesh& rest, const TriangleMesh& bent, const Crossings& found)
 {
@@ -158,9 +188,20 @@ void noteCrossings(const SmoothMap& map, const std::array<const TriangleMesh*, 2
 {
     Crossings found = findCrossings(now, control, mostCrossings);
     keepRealOnes(*rest[1], now, found);
-    if (found.count == 0 || found.count <= findCrossings(*rest[0], control).count ||
-        isOfChords(map, *rest[1], now, found))
+    if (found.count == 0)
         return;
+    Crossings atRest = findCrossings(*rest[0], control, mostCrossings);
+    keepRealOnes(*rest[0], *rest[0], atRest);
+    if (found.count <= atRest.count)
+        return;
+    if (found.count <= found.some.size()) { // else there are more than can be looked at
+        const std::vector<Crossings> places = placesOf(now, found);
+        const auto real = std::find_if(places.begin(), places.end(),
+                                       [&](const Crossings& place) { return !isOfChords(map, *rest[1], now, place); });
+        if (real == places.end())
+            return;
+        found.where = real->where;
+    }
     report.crossesItself = true;
     report.remarks.push_back("its surface passes through itself near " + placeWords(found.where.center()) +
                              "; other programs may refuse that.");

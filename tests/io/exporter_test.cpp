@@ -1,7 +1,9 @@
 #include "core/skin/refilled.h"
 #include "io/export/job_file.h"
 #include "support/export_jobs.h"
+#include "support/hard_parts.h"
 
+#include <BRepTools.hxx>
 #include <QtTest>
 
 #include <algorithm>
@@ -29,6 +31,7 @@ private slots:
     void facesFollowACrease();
     void facesThatAreFarOffAreFlatOnes();
     void surfacesThatPassThroughThemselvesAreNamed();
+    void chordsBesideAnEdgeAreNoCrossing();
     void igesKeepsNames();
     void facesThatAreNotFollowedAreNamed();
     void jobsAndReportsSurviveTheirWay();
@@ -349,6 +352,20 @@ void ExporterTest::surfacesThatPassThroughThemselvesAreNamed()
     QCOMPARE(part.remarks.size(), std::size_t{1});
     QVERIFY2(part.remarks.front().find("passes through itself near (") != std::string::npos,
              part.remarks.front().c_str());
+}
+
+/// The chords of a wavy wall and of the plane above it overlap beside their edge, as deep as they leave the curve.
+void ExporterTest::chordsBesideAnEdgeAreNoCrossing()
+{
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("blob.brep").toStdString();
+    QVERIFY(BRepTools::Write(hard_shapes::pushed(hard_shapes::blob(7, 1.5), 6), path.c_str()));
+    const Model model = importFile(path);
+    for (const auto& [angle, cells] : {std::pair(0.05, 10.0), std::pair(0.6, 16.0)}) {
+        const maps::Bend bend(boxOf(model), angle * std::numbers::pi);
+        const ExportedFile file = exportCad(FormatKind::Step, jobOf(model, &bend, cells), TaskControl::none());
+        QVERIFY(!file.report.parts.front().crossesItself && file.report.isSound());
+    }
 }
 
 void ExporterTest::igesKeepsNames()

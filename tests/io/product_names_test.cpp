@@ -178,9 +178,9 @@ void ProductNamesTest::stockNamesGiveWay_data()
     QTest::newRow("number") << "17"
                             << "17"
                             << "knob";
-    QTest::newRow("number with dots") << "1.2.3"
-                                      << "1.2.3"
-                                      << "knob";
+    QTest::newRow("part number") << "10-4432-01"
+                                 << "10-4432-01"
+                                 << "10-4432-01";
     QTest::newRow("body") << "Body1"
                           << "Body1"
                           << "knob";

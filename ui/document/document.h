@@ -210,8 +210,8 @@ public:
     void addTool(ToolKind kind);
     /// Whether the part is as it was opened, and something can press it.
     bool canPressIt() const;
-    /// Holds the part, adds the block of firstPress(), takes a floor away that would be in its way, and plays: one entry of the
-    /// history.
+    /// Holds the part, adds the block of firstPress(), takes a floor away that would be in its way: one entry of the history; then
+    /// plays.
     void pressIt();
     /// The selected body, or every one, takes its present shape for its own. Rigid bodies have nothing to lose by it.
     void renormalize();

@@ -36,7 +36,9 @@ bool Document::canPressIt() const
     if (isEmpty() || m_content->bodies.empty() || m_isPlaying || m_hasAgenda || isGoing())
         return false;
     const Snapshot& now = *m_frame->snapshot;
+    const std::vector<Part>& parts = m_content->model->parts;
     return now.time == 0 && now.tools.empty() && now.fixtures.empty() &&
+           std::any_of(parts.begin(), parts.end(), [](const Part& part) { return part.canBeFilled(); }) &&
            std::any_of(now.bodies.begin(), now.bodies.end(),
                        [](const auto& body) { return body.kind == BodyKind::deformable; });
 }

@@ -49,6 +49,8 @@ bool PressButton::eventFilter(QObject* object, QEvent* event)
 {
     if (event->type() == QEvent::Resize || event->type() == QEvent::LanguageChange)
         place();
+    if (event->type() == QEvent::Resize || event->type() == QEvent::ChildAdded)
+        raise(); // above views that came later
     return QToolButton::eventFilter(object, event);
 }
 
