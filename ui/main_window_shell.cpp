@@ -266,6 +266,8 @@ QString MainWindow::whyDisabled(const QAction& action) const
         return tr("Nothing in this part is closed, so nothing can be simulated.");
     if (&action == a.step)
         return tr("Pause first.");
+    if (&action == a.pressIt)
+        return tr("Only a part to which nothing was done yet is pressed like this.");
     if (&action == a.remove)
         return tr("Select a tool or a fixture first.");
     const SelectionActions& s = *m_selection;

@@ -2904,6 +2904,10 @@ Simuliert: %2, Schritt %3
         <translation>Nichts in diesem Teil ist geschlossen, also kann nichts simuliert werden.</translation>
     </message>
     <message>
+        <source>Only a part to which nothing was done yet is pressed like this.</source>
+        <translation>Nur ein Teil, mit dem noch nichts getan wurde, wird so gedrückt.</translation>
+    </message>
+    <message>
         <source>Pause first.</source>
         <translation>Halten Sie zuerst an.</translation>
     </message>

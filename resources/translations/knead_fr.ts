@@ -2904,6 +2904,10 @@ Simulé&#xa0;: %2, pas %3
         <translation>Rien dans cette pièce n&apos;est fermé, rien ne peut donc être simulé.</translation>
     </message>
     <message>
+        <source>Only a part to which nothing was done yet is pressed like this.</source>
+        <translation>Seule une pièce à laquelle rien n’a encore été fait est pressée ainsi.</translation>
+    </message>
+    <message>
         <source>Pause first.</source>
         <translation>Mettez d&apos;abord en pause.</translation>
     </message>

@@ -2904,6 +2904,10 @@ Gesimuleerd: %2, stap %3
         <translation>Niets in dit onderdeel is gesloten, dus er kan niets gesimuleerd worden.</translation>
     </message>
     <message>
+        <source>Only a part to which nothing was done yet is pressed like this.</source>
+        <translation>Alleen een onderdeel waaraan nog niets is gedaan, wordt zo ingedrukt.</translation>
+    </message>
+    <message>
         <source>Pause first.</source>
         <translation>Pauzeer eerst.</translation>
     </message>

@@ -58,6 +58,7 @@ private slots:
     void pathsOfTheTreeAreThoseOfTheParts();
     void prunedTreesKeepWhatIsLeft();
     void bodiesKnowTheirFormerPaths();
+    void instancesOfOneNameStayApart();
     void productsAreTakenOver();
 };
 
@@ -126,6 +127,14 @@ void PartTreeTest::bodiesKnowTheirFormerPaths()
     QCOMPARE(formerPath(alone), std::string("remote"));
     const PartNode tree = treeOf({body, alone, part("c")});
     QVERIFY(tree.children[0].children[0].holdsBodies && tree.children[1].holdsBodies && !tree.holdsBodies);
+}
+
+void PartTreeTest::instancesOfOneNameStayApart()
+{
+    std::vector<Part> parts{part("m/remote/lid"), part("m/remote/base"), part("m/remote/lid"), part("m/remote/base")};
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        parts[i].bodyOf = i % 2 == 0 ? "remote" : "remote (2)";
+    QCOMPARE(written(treeOf(parts)), std::string("[m [remote [lid 0, base 1], remote [lid 2, base 3]]]"));
 }
 
 void PartTreeTest::productsAreTakenOver()

@@ -68,15 +68,15 @@ struct Written {
     Model model;
 };
 
-Written written(const Machine& machine, const QString& name = "machine.step")
+Written written(const Machine& machine, FormatKind kind = FormatKind::Step)
 {
     Written result;
     {
         const OcctSession session;
-        result.text = writeCad(FormatKind::Step, machine.parts, machine.tree, {.unit = "mm"}, TaskControl::none());
+        result.text = writeCad(kind, machine.parts, machine.tree, {.unit = "mm"}, TaskControl::none());
     }
     QTemporaryDir folder;
-    const std::string path = folder.filePath(name).toStdString();
+    const std::string path = folder.filePath(kind == FormatKind::Step ? "machine.step" : "machine.igs").toStdString();
     std::ofstream(path, std::ios::binary) << result.text;
     result.model = importFile(path);
     return result;
@@ -107,6 +107,9 @@ private slots:
     void stockNamesGiveWay_data();
     void stockNamesGiveWay();
     void bodiesWithoutNamesAreNumbered();
+    void hiddenBodiesStayHidden();
+    void oneBodyOfAProductKeepsItsName();
+    void bodiesKeepTheirNamesInIges();
 };
 
 void ProductNamesTest::productsAndInstancesComeBack()
@@ -226,6 +229,38 @@ void ProductNamesTest::bodiesWithoutNamesAreNumbered()
     const PartNode& remote = file.model.tree.children.front().children.at(2);
     QCOMPARE(QString::fromStdString(remote.children[0].name), "remote:1");
     QCOMPARE(QString::fromStdString(remote.children[1].name), "remote:1 (2)");
+}
+
+void ProductNamesTest::hiddenBodiesStayHidden()
+{
+    Machine machine;
+    machine.parts[2].visible = false;
+    const Written file = written(machine);
+    QCOMPARE(file.model.parts.size(), std::size_t{4});
+    for (const Part& part : file.model.parts)
+        QCOMPARE(part.visible, part.name != "lid");
+}
+
+/// The others are not exported.
+void ProductNamesTest::oneBodyOfAProductKeepsItsName()
+{
+    Machine machine;
+    PartNode& nodes = machine.tree.children.front();
+    nodes.children.back().children.pop_back();
+    const Written file = written(machine);
+    QCOMPARE(QString::fromStdString(file.model.parts.back().name), "lid");
+    QCOMPARE(QString::fromStdString(file.model.parts.back().path), "machine/remote:1/lid");
+    QCOMPARE(countOf(file.text, "PRODUCT('4711-B','remote'"), 1);
+}
+
+void ProductNamesTest::bodiesKeepTheirNamesInIges()
+{
+    const Written file = written(Machine(), FormatKind::Iges);
+    QStringList names;
+    for (const Part& part : file.model.parts)
+        names << QString::fromStdString(part.name);
+    names.sort();
+    QCOMPARE(names, QStringList({"base", "left bolt", "lid", "right bolt"}));
 }
 
 QTEST_APPLESS_MAIN(ProductNamesTest)
