@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <numeric>
 
 namespace knead {
@@ -46,46 +45,6 @@ SplineKnots SplineKnots::split(const std::vector<bool>& wanted) const
             result.values.push_back(std::midpoint(values[i], values[i + 1]));
             result.multiplicities.push_back(1);
         }
-    }
-    return result;
-}
-
-SplineKnots SplineKnots::relaxed(const std::vector<double>& errors, double wanted, int order,
-                                 const SplineKnots& kept) const
-{
-    constexpr double least = 0.25;   // new spans for an old one
-    constexpr double steepest = 3.0; // between the lengths of neighbors, see split()
-    std::vector<double> density(spans());
-    for (std::size_t i = 0; i < spans(); ++i)
-        density[i] = std::clamp(std::pow(errors[i] / wanted, 1.0 / order), least, 1.0) / (values[i + 1] - values[i]);
-    for (std::size_t i = 1; i < spans(); ++i)
-        density[i] = std::max(density[i], density[i - 1] / steepest);
-    for (std::size_t i = spans() - 1; i > 0; --i)
-        density[i - 1] = std::max(density[i - 1], density[i] / steepest);
-
-    SplineKnots result{{kept.values.front()}, {kept.multiplicities.front()}};
-    std::size_t span = 0;
-    for (std::size_t segment = 0; segment < kept.spans(); ++segment) {
-        const double end = kept.values[segment + 1];
-        const std::size_t first = span;
-        double sum = 0;
-        for (; span < spans() && values[span] < end; ++span)
-            sum += density[span] * (values[span + 1] - values[span]);
-        const auto count = static_cast<std::size_t>(std::ceil(sum - 1e-9));
-        double done = 0; // of the sum
-        std::size_t next = 1;
-        for (std::size_t i = first; i < span; ++i) {
-            const double share = density[i] * (values[i + 1] - values[i]);
-            for (; next < count && sum * static_cast<double>(next) / static_cast<double>(count) <= done + share;
-                 ++next) {
-                result.values.push_back(
-                    values[i] + (sum * static_cast<double>(next) / static_cast<double>(count) - done) / density[i]);
-                result.multiplicities.push_back(1);
-            }
-            done += share;
-        }
-        result.values.push_back(end);
-        result.multiplicities.push_back(kept.multiplicities[segment + 1]);
     }
     return result;
 }

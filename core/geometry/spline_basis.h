@@ -23,11 +23,6 @@ struct SplineKnots {
     /// times as long, since interpolation overshoots where spans of very different lengths meet.
     SplineKnots split(const std::vector<bool>& wanted) const;
 
-    /// Fewer knots, so that errors become about as large everywhere as wanted: e ~ h^order, h the length of a span.
-    /// @param errors per span, seen with these knots
-    /// @param kept knots that stay, among these
-    SplineKnots relaxed(const std::vector<double>& errors, double wanted, int order, const SplineKnots& kept) const;
-
     /// Knots at a and b and nothing between.
     static SplineKnots between(double a, double b);
 };

@@ -18,9 +18,6 @@ constexpr int mostSlopeRounds = 4;    // for normals: a target may have kinks of
 constexpr double leastSine = 1e-3;    // between tangents that make a normal
 constexpr double slopeStep = 1e-3;    // of a feature or the surface, over which slopes are taken
 constexpr double lastSlack = 1.5;     // by which errors between the lines may be larger than along them
-constexpr double relaxedShare = 0.6; // of the tolerance: what errors are to be when halved spans have made them smaller
-constexpr double worthIt = 0.95;     // so few poles of those before
-constexpr int relaxedRounds = 3;     // until those are enough
 
 /// How often to look at a span, and where: nowhere near its ends, at which interpolation is good by itself.
 std::vector<double> looksInto(double begin, double end, double feature, std::size_t most)
@@ -57,24 +54,8 @@ public:
 
     SplineFit<SplineCurve> run()
     {
-        const SplineKnots start = m_knots;
-        SplineFit<SplineCurve> fit = refined(mostRounds, m_options.mostSpans);
-        if (!fit.converged)
-            return fit;
-        // Each span is halved as a whole: errors fall by 2^6 where a little would do.
-        m_knots = m_knots.relaxed(m_errors, relaxedShare * m_options.tolerance, m_options.degree + 1, start);
-        const auto most = static_cast<std::size_t>(worthIt * static_cast<double>(fit.spline.knots.spans()));
-        if (m_knots.spans() > most)
-            return fit;
-        SplineFit<SplineCurve> fewer = refined(relaxedRounds, most);
-        return fewer.converged ? fewer : fit;
-    }
-
-private:
-    SplineFit<SplineCurve> refined(int rounds, std::size_t mostSpans)
-    {
         SplineFit<SplineCurve> fit;
-        for (int round = 0; round < rounds; ++round) {
+        for (int round = 0; round < mostRounds; ++round) {
             const SplineBasis basis(m_knots, m_options.degree);
             std::vector<Vec3> poles(basis.size());
             m_target(basis.greville(), poles);
@@ -85,13 +66,14 @@ private:
             if (fit.converged)
                 break;
             m_knots = m_knots.split(missed);
-            if (m_knots.spans() > mostSpans)
+            if (m_knots.spans() > m_options.mostSpans)
                 break;
         }
         return fit;
     }
 
-    std::vector<bool> findMisses(const SplineBasis& basis, const std::vector<Vec3>& poles, double& error)
+private:
+    std::vector<bool> findMisses(const SplineBasis& basis, const std::vector<Vec3>& poles, double& error) const
     {
         std::vector<double> parameters;
         std::vector<std::size_t> spans;
@@ -104,7 +86,6 @@ private:
         std::vector<Vec3> places(parameters.size());
         m_target(parameters, places);
         std::vector<bool> missed(m_knots.spans(), false);
-        m_errors.assign(m_knots.spans(), 0);
         error = 0;
         for (std::size_t i = 0; i < parameters.size(); ++i) {
             SplineBasis::Values values;
@@ -114,7 +95,6 @@ private:
                 place += values[k] * poles[first + k];
             const double distance = (place - places[i]).norm();
             error = std::max(error, distance);
-            m_errors[spans[i]] = std::max(m_errors[spans[i]], distance);
             if (!(distance <= m_options.tolerance))
                 missed[spans[i]] = true;
         }
@@ -125,7 +105,6 @@ private:
     SplineKnots m_knots;
     double m_feature;
     const SplineFitOptions& m_options;
-    std::vector<double> m_errors; // largest per span
 };
 
 class SurfaceFitter {
@@ -134,7 +113,6 @@ public:
         : m_wanted(wanted)
         , m_options(options)
         , m_knots{wanted.u, wanted.v}
-        , m_mostPoles(options.mostPoles)
         , m_checks(wanted.checks.size())
     {
         m_wanted.target(m_wanted.checks, m_checks);
@@ -144,25 +122,8 @@ public:
 
     SplineFit<SplineSurface> run()
     {
-        SplineFit<SplineSurface> fit = refined(mostRounds);
-        if (!fit.converged)
-            return fit;
-        // Each span is halved as a whole: errors fall by 2^6 where a little would do.
-        const double wanted = relaxedShare * m_options.tolerance;
-        m_knots = {m_knots[0].relaxed(m_errors[0], wanted, m_options.degree + 1, m_wanted.u),
-                   m_knots[1].relaxed(m_errors[1], wanted, m_options.degree + 1, m_wanted.v)};
-        m_mostPoles = static_cast<std::size_t>(worthIt * static_cast<double>(fit.spline.poles.size()));
-        if (polesFor(m_knots) > m_mostPoles)
-            return fit;
-        SplineFit<SplineSurface> fewer = refined(relaxedRounds);
-        return fewer.converged ? std::move(fewer) : std::move(fit);
-    }
-
-private:
-    SplineFit<SplineSurface> refined(int rounds)
-    {
         int slopeRounds = 0;
-        for (int round = 0; round < rounds; ++round) {
+        for (int round = 0; round < mostRounds; ++round) {
             interpolate();
             m_error = 0;
             m_errors = {std::vector<double>(m_knots[0].spans(), 0), std::vector<double>(m_knots[1].spans(), 0)};
@@ -180,11 +141,7 @@ private:
         return result(false);
     }
 
-    std::size_t polesFor(const std::array<SplineKnots, 2>& knots) const
-    {
-        return SplineBasis(knots[0], m_options.degree).size() * SplineBasis(knots[1], m_options.degree).size();
-    }
-
+private:
     /// The target's tangents at a place, by differences between places on both sides of it.
     struct Slope {
         std::array<Vec2, 4> around; ///< before and behind along u, then along v
@@ -429,7 +386,7 @@ private:
                 finer[direction] = split;
         const auto degree = static_cast<std::size_t>(m_options.degree);
         const bool changed = finer[0].spans() + finer[1].spans() > m_knots[0].spans() + m_knots[1].spans();
-        if (!changed || (finer[0].spans() + degree) * (finer[1].spans() + degree) > m_mostPoles)
+        if (!changed || (finer[0].spans() + degree) * (finer[1].spans() + degree) > m_options.mostPoles)
             return false;
         m_knots = std::move(finer);
         return true;
@@ -448,8 +405,7 @@ private:
 
     const SurfaceToFit& m_wanted;
     const SplineFitOptions& m_options;
-    std::array<SplineKnots, 2> m_knots; // of the present round, finer from one to the next
-    std::size_t m_mostPoles;
+    std::array<SplineKnots, 2> m_knots;  // of the present round, finer from one to the next
     std::array<SplineKnots, 2> m_fitted; // that the poles belong to
     std::vector<SplineBasis> m_bases;
     std::vector<Vec3> m_poles;

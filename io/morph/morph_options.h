@@ -11,8 +11,8 @@ struct MorphOptions {
 
     double slope = 3e-3; ///< by which normals may be off along edges, so that faces that met smoothly still do [rad]
 
-    double faceTolerance() const { return 0.6 * tolerance; }
-    double edgeTolerance() const { return std::max(1e-8, 0.2 * tolerance); } ///< several faces meet there
+    double faceTolerance() const { return 0.3 * tolerance; }
+    double edgeTolerance() const { return std::max(1e-8, 0.1 * tolerance); } ///< several faces meet there
 
     /// What moves as a rigid thing up to this stays exactly what it was.
     double rigidTolerance() const { return std::max(1e-7, 0.01 * tolerance); }

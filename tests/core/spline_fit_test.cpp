@@ -36,7 +36,6 @@ CurveTarget targetOf(const std::function<Vec3(double)>& function)
 class SplineFitTest : public QObject {
     Q_OBJECT
 private slots:
-    void relaxedKnotsSpreadTheErrors();
     void functionsSumToOne()
     {
         const SplineBasis basis({{0, 0.3, 0.5, 1}, {1, 2, 5, 1}}, degree);
@@ -129,31 +128,6 @@ private slots:
                 QVERIFY((values[i * v.size() + j] - field(u[i], v[j])).norm() < 1e-5);
     }
 };
-
-/// e ~ h^6: where errors are a thousandth of what is wanted, spans may be three times as long.
-void SplineFitTest::relaxedKnotsSpreadTheErrors()
-{
-    SplineKnots kept{{0, 0.5, 1}, {1, 5, 1}};
-    SplineKnots fine{{0}, {1}};
-    for (int i = 1; i <= 16; ++i) {
-        fine.values.push_back(i / 16.0);
-        fine.multiplicities.push_back(i == 8 ? 5 : 1);
-    }
-    const SplineKnots fewer = fine.relaxed(std::vector<double>(16, 1e-9), 1e-6, 6, kept);
-    QCOMPARE(fewer.spans(), std::size_t{6});
-    QVERIFY(std::is_sorted(fewer.values.begin(), fewer.values.end()));
-    QCOMPARE(fewer.values[3], 0.5);
-    QCOMPARE(fewer.multiplicities[3], 5);
-    QCOMPARE(fine.relaxed(std::vector<double>(16, 1e-6), 1e-6, 6, kept).values, fine.values);
-
-    // Where one half is wanted as it is, only the other one gives knots up, those beside it last.
-    std::vector<double> errors(16, 1e-6);
-    std::fill(errors.begin() + 8, errors.end(), 1e-12);
-    const SplineKnots half = fine.relaxed(errors, 1e-6, 6, kept);
-    QVERIFY(std::equal(fine.values.begin(), fine.values.begin() + 9, half.values.begin()));
-    QVERIFY(half.spans() < 14);
-    QVERIFY(half.values[9] - half.values[8] < half.values.back() - half.values[half.values.size() - 2]);
-}
 
 QTEST_GUILESS_MAIN(SplineFitTest)
 #include "spline_fit_test.moc"
