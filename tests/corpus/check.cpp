@@ -38,8 +38,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double fineShare = 2e-5; // of the diagonal: chord error of the triangles that the STL is compared with
-constexpr double fineAngle = 0.05; // [rad]
+constexpr double fineShare = 1e-4; // of the diagonal: chord error of the triangles that the STL is compared with
+constexpr double fineAngle = 0.1;  // [rad]
 constexpr std::size_t mostSamples = 20'000;
 
 int countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind)
