@@ -71,4 +71,24 @@ DividedShape withoutClosedFaces(const TopoDS_Shape& shape)
     }
 }
 
+bool hasBoredClosedFaces(const TopoDS_Shape& shape)
+{
+    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
+        int wires = 0;
+        for (TopExp_Explorer found(faces.Current(), TopAbs_WIRE); found.More(); found.Next())
+            ++wires;
+        int poles = 0;
+        bool hasBorder = false; // a hole across the seam is part of the wire that has the poles
+        for (TopExp_Explorer edges(faces.Current(), TopAbs_EDGE); edges.More(); edges.Next()) {
+            const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
+            const bool isPole = BRep_Tool::Degenerated(edge);
+            poles += isPole ? 1 : 0;
+            hasBorder = hasBorder || (!isPole && !BRep_Tool::IsClosed(edge, TopoDS::Face(faces.Current())));
+        }
+        if (poles == 2 && hasBorder && wires <= 2)
+            return true;
+    }
+    return false;
+}
+
 } // namespace knead

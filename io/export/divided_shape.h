@@ -21,4 +21,8 @@ bool hasClosedFaces(const TopoDS_Shape& shape);
 /// @return the shape as it is when there are none, or when they cannot be divided
 DividedShape withoutClosedFaces(const TopoDS_Shape& shape);
 
+/// Whether a face goes from pole to pole around its surface and has one hole: OpenCASCADE, and programs that read with it, take what
+/// is in the hole for the face, see mendFaceSides().
+bool hasBoredClosedFaces(const TopoDS_Shape& shape);
+
 } // namespace knead

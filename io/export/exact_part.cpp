@@ -177,7 +177,8 @@ std::string bend(ReadyPart& ready, TaskControl& control)
 /// Its own faces bent, divided where that is needed, or flat ones.
 void makeBent(const PartToExport& part, const FaceChoice& choice, TaskControl& control, ReadyPart& ready)
 {
-    const FaceManner from = choice.from;
+    const bool isMisread = choice.from == FaceManner::own && hasBoredClosedFaces(ready.source);
+    const FaceManner from = isMisread ? FaceManner::divided : choice.from;
     ready.next = from == FaceManner::own && hasClosedFaces(ready.source) ? FaceManner::divided : FaceManner::flat;
     std::string reason = choice.reason;
     if (from == FaceManner::own) {
