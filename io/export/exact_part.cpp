@@ -177,7 +177,9 @@ std::string bend(ReadyPart& ready, TaskControl& control)
 /// Its own faces bent, divided where that is needed, or flat ones.
 void makeBent(const PartToExport& part, const FaceChoice& choice, TaskControl& control, ReadyPart& ready)
 {
-    const bool isMisread = choice.from == FaceManner::own && hasBoredClosedFaces(ready.source);
+    // What cannot be divided is better smooth and misread by some than flat.
+    const bool isMisread = choice.from == FaceManner::own && hasBoredClosedFaces(ready.source) &&
+                           withoutClosedFaces(ready.source).origin.size() > part.part.faces.size();
     const FaceManner from = isMisread ? FaceManner::divided : choice.from;
     ready.next = from == FaceManner::own && hasClosedFaces(ready.source) ? FaceManner::divided : FaceManner::flat;
     std::string reason = choice.reason;
