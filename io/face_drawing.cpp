@@ -2,36 +2,17 @@
 
 #include "core/geometry/planar_mesh.h"
 #include "core/geometry/polygon_triangulation.h"
-#include "io/millimeter.h"
 
-#include <BRepAdaptor_Curve.hxx>
-#include <BRepAdaptor_Surface.hxx>
 #include <BRepTools_WireExplorer.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GCPnts_TangentialDeflection.hxx>
 #include <Geom2d_Curve.hxx>
-#include <Poly_PolygonOnTriangulation.hxx>
-#include <Poly_Triangulation.hxx>
 #include <Standard_Failure.hxx>
-#include <TColStd_Array1OfInteger.hxx>
-#include <TColStd_Array1OfReal.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Edge.hxx>
-#include <TopoDS_Face.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numbers>
-#include <optional>
-#include <set>
 #include <utility>
 
 namespace knead {
@@ -43,15 +24,8 @@ using Vec2 = Eigen::Vector2d;
 constexpr double closedShare = 1e-3;           // of the extent of a loop in its parameters: gaps that rounding makes
 constexpr std::size_t mostPoints = 60'000;     // of a face
 constexpr std::size_t mostBorderPoints = 6000; // the time to triangulate goes with their square
-constexpr double coarsestPole = 8;             // pieces of an edge without length, where no angle says more
 constexpr double normalAngleOfSides = 1.5;     // of the angle between chords, between the normals at the ends of a side
 constexpr double leastSideOverDeflection = 20; // shorter sides are not divided for their normals
-
-/// The points that divide an edge, from its first to its last parameter.
-struct EdgePoints {
-    std::vector<double> parameters;
-    std::vector<gp_Pnt> points; ///< where the edge lies in the shape [mm]
-};
 
 /// A point of the border of a face.
 struct BorderPoint {
@@ -71,32 +45,25 @@ struct Run {
 /// triangles lie too far off the surface.
 class FaceDrawing {
 public:
-    FaceDrawing(const TopoDS_Face& face, const TopTools_IndexedDataMapOfShapeListOfShape& facesOfEdges,
-                const std::set<const void*>& badFaces, const Tessellation& tessellation)
+    FaceDrawing(const TopoDS_Face& face, SurfaceToDraw& surface, const DrawingFineness& fineness)
         : m_face(TopoDS::Face(face.Oriented(TopAbs_FORWARD)))
-        , m_facesOfEdges(facesOfEdges)
-        , m_badFaces(badFaces)
-        , m_deflection(tessellation.deflection / millimeter)
-        , m_angle(tessellation.angle)
-        , m_surface(m_face, false)
+        , m_surface(surface)
+        , m_fineness(fineness)
     {
     }
 
-    /// @return false when the border does not close
-    bool draw()
+    /// @return none when the border does not close
+    std::optional<DrawnFace> draw()
     {
-        if (!slitsOf(m_face).IsEmpty())
-            return false;
         for (TopoDS_Iterator wires(m_face); wires.More(); wires.Next())
             if (wires.Value().ShapeType() == TopAbs_WIRE && !addWire(TopoDS::Wire(wires.Value())))
-                return false;
+                return std::nullopt;
         if (m_loopEnds.empty() || m_border.size() > mostBorderPoints || !orderLoops())
-            return false;
+            return std::nullopt;
         chooseScale();
         triangulateBorder();
         refine();
-        store();
-        return true;
+        return result();
     }
 
 private:
@@ -123,7 +90,7 @@ private:
     /// @return where the edge ends, in the parameters
     Vec2 addEdge(const TopoDS_Edge& edge)
     {
-        const EdgePoints points = pointsOf(edge);
+        const EdgePoints points = m_surface.pointsOf(edge);
         double first = 0;
         double last = 0;
         const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, m_face, first, last);
@@ -143,75 +110,6 @@ private:
             m_border.push_back({at(k), points.points[k]});
         }
         return at(isReversed ? 0 : count - 1);
-    }
-
-    /// Those of the neighbor, or else of our own.
-    EdgePoints pointsOf(const TopoDS_Edge& edge)
-    {
-        EdgePoints& known = m_pointsOfEdge[edge.TShape().get()];
-        if (known.points.empty())
-            if (const auto ofNeighbor = pointsOfNeighbor(edge))
-                known = *ofNeighbor;
-        if (known.points.empty())
-            known = BRep_Tool::Degenerated(edge) ? pointsOfPole(edge) : ownPoints(edge);
-        return known;
-    }
-
-    std::optional<EdgePoints> pointsOfNeighbor(const TopoDS_Edge& edge) const
-    {
-        const int index = m_facesOfEdges.FindIndex(edge);
-        if (index == 0 || BRep_Tool::Degenerated(edge))
-            return std::nullopt;
-        for (const TopoDS_Shape& other : m_facesOfEdges(index)) {
-            const TopoDS_Face& neighbor = TopoDS::Face(other);
-            if (neighbor.IsSame(m_face) || m_badFaces.contains(neighbor.TShape().get()))
-                continue;
-            const Handle(Poly_PolygonOnTriangulation) polygon = polygonOf(edge, neighbor);
-            if (polygon.IsNull() || !polygon->HasParameters() || polygon->NbNodes() < 2)
-                continue;
-            TopLoc_Location location;
-            const Handle(Poly_Triangulation)& triangulation = BRep_Tool::Triangulation(neighbor, location);
-            EdgePoints points;
-            for (int i = 1; i <= polygon->NbNodes(); ++i) {
-                points.parameters.push_back(polygon->Parameter(i));
-                points.points.push_back(triangulation->Node(polygon->Node(i)).Transformed(location.Transformation()));
-            }
-            return points;
-        }
-        return std::nullopt;
-    }
-
-    EdgePoints ownPoints(const TopoDS_Edge& edge) const
-    {
-        const BRepAdaptor_Curve curve(edge);
-        const GCPnts_TangentialDeflection division(curve, m_angle, m_deflection, 2);
-        EdgePoints points;
-        for (int i = 1; i <= division.NbPoints(); ++i) {
-            points.parameters.push_back(division.Parameter(i));
-            points.points.push_back(division.Value(i));
-        }
-        return points;
-    }
-
-    /// An edge without length: a pole or an apex.
-    EdgePoints pointsOfPole(const TopoDS_Edge& edge) const
-    {
-        double first = 0;
-        double last = 0;
-        const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, m_face, first, last);
-        if (curve.IsNull())
-            throw Standard_Failure("an edge without a curve in the parameters");
-        const gp_Pnt2d start = curve->Value(first);
-        const bool isRound = m_surface.IsUPeriodic();
-        const double pieces = isRound ? std::abs(curve->Value(last).X() - start.X()) / m_angle : coarsestPole;
-        const auto count = static_cast<int>(std::clamp(std::ceil(pieces), 1.0, 100.0));
-        const gp_Pnt place = m_surface.Value(start.X(), start.Y());
-        EdgePoints points;
-        for (int i = 0; i <= count; ++i) {
-            points.parameters.push_back(first + (last - first) * i / count);
-            points.points.push_back(place);
-        }
-        return points;
     }
 
     /// Whether each of the last runs ends where the next one begins.
@@ -274,13 +172,8 @@ private:
     void chooseScale()
     {
         Vec2 sum = Vec2::Zero();
-        for (const BorderPoint& point : m_border) {
-            gp_Pnt place;
-            gp_Vec alongU;
-            gp_Vec alongV;
-            m_surface.D1(point.parameters.x(), point.parameters.y(), place, alongU, alongV);
-            sum += Vec2(alongU.Magnitude(), alongV.Magnitude());
-        }
+        for (const BorderPoint& point : m_border)
+            sum += m_surface.metricAt(point.parameters);
         m_scale = sum / static_cast<double>(m_border.size());
         for (int i = 0; i < 2; ++i)
             if (!(m_scale[i] > 0))
@@ -296,7 +189,7 @@ private:
         m_mesh.emplace(corners, triangulate(corners, m_cornerLoopEnds));
         for (const std::uint32_t point : m_pointOfCorner) {
             m_places.push_back(m_border[point].place);
-            m_normals.push_back(normalAt(m_border[point].parameters));
+            m_normals.push_back(m_surface.normalAt(m_border[point].parameters));
         }
     }
 
@@ -330,17 +223,17 @@ private:
         const Vec2 center =
             (m_mesh->points()[t[0]] + m_mesh->points()[t[1]] + m_mesh->points()[t[2]]).cwiseQuotient(3 * m_scale);
         const gp_XYZ middle = (m_places[t[0]].XYZ() + m_places[t[1]].XYZ() + m_places[t[2]].XYZ()) / 3;
-        const bool isLarge = m_places[t[0]].Distance(m_places[t[1]]) > m_deflection &&
-                             m_places[t[1]].Distance(m_places[t[2]]) > m_deflection;
-        if (isLarge && valueAt(center).Distance(gp_Pnt(middle)) / m_deflection > worst)
+        const bool isLarge = m_places[t[0]].Distance(m_places[t[1]]) > m_fineness.undividedSide() &&
+                             m_places[t[1]].Distance(m_places[t[2]]) > m_fineness.undividedSide();
+        if (isLarge && m_surface.placeAt(center).Distance(gp_Pnt(middle)) / m_fineness.deflection > worst)
             at = 3;
         if (at > 3)
             return {};
         const std::vector<std::uint32_t> changed =
             at == 3 ? m_mesh->addInside(triangle) : m_mesh->addOnSide(triangle, at);
         const Vec2 parameters = m_mesh->points().back().cwiseQuotient(m_scale);
-        m_places.push_back(valueAt(parameters));
-        m_normals.push_back(normalAt(parameters));
+        m_places.push_back(m_surface.placeAt(parameters));
+        m_normals.push_back(m_surface.normalAt(parameters));
         return changed;
     }
 
@@ -348,84 +241,42 @@ private:
     double excessOf(std::uint32_t a, std::uint32_t b) const
     {
         const double length = m_places[a].Distance(m_places[b]);
-        if (length < m_deflection)
+        if (length < m_fineness.undividedSide())
             return 0;
         const Vec2 middle = (m_mesh->points()[a] + m_mesh->points()[b]).cwiseQuotient(2 * m_scale);
         const gp_Pnt chord((m_places[a].XYZ() + m_places[b].XYZ()) / 2);
-        double excess = valueAt(middle).Distance(chord) / m_deflection;
-        if (length > leastSideOverDeflection * m_deflection)
-            excess = std::max(excess, m_normals[a].Angle(m_normals[b]) / (normalAngleOfSides * m_angle));
-        return excess;
+        double excess = m_surface.placeAt(middle).Distance(chord) / m_fineness.deflection;
+        if (length > leastSideOverDeflection * m_fineness.deflection)
+            excess = std::max(excess, m_normals[a].Angle(m_normals[b]) / (normalAngleOfSides * m_fineness.angle));
+        return std::max(excess, length / m_fineness.longestSide);
     }
 
-    gp_Pnt valueAt(const Vec2& parameters) const { return m_surface.Value(parameters.x(), parameters.y()); }
-
-    gp_Vec normalAt(const Vec2& parameters) const
+    DrawnFace result() const
     {
-        gp_Pnt place;
-        gp_Vec alongU;
-        gp_Vec alongV;
-        m_surface.D1(parameters.x(), parameters.y(), place, alongU, alongV);
-        const gp_Vec normal = alongU.Crossed(alongV);
-        return normal.Magnitude() > 0 ? normal : gp_Vec(0, 0, 1);
-    }
-
-    /// Writes the triangles to the face and the points of the border to its edges.
-    void store() const
-    {
-        TopLoc_Location location = m_face.Location();
-        const gp_Trsf back = location.Transformation().Inverted();
-        const Handle(Poly_Triangulation) triangulation = new Poly_Triangulation(
-            static_cast<int>(m_places.size()), static_cast<int>(m_mesh->triangles().size()), true);
-        for (std::size_t i = 0; i < m_places.size(); ++i) {
-            const Vec2 parameters = m_mesh->points()[i].cwiseQuotient(m_scale);
-            triangulation->SetNode(static_cast<int>(i) + 1, m_places[i].Transformed(back));
-            triangulation->SetUVNode(static_cast<int>(i) + 1, gp_Pnt2d(parameters.x(), parameters.y()));
-        }
-        for (std::size_t t = 0; t < m_mesh->triangles().size(); ++t) {
-            const auto [a, b, c] = m_mesh->triangles()[t];
-            triangulation->SetTriangle(
-                static_cast<int>(t) + 1,
-                Poly_Triangle(static_cast<int>(a) + 1, static_cast<int>(b) + 1, static_cast<int>(c) + 1));
-        }
-        triangulation->Deflection(m_deflection);
-        BRep_Builder().UpdateFace(m_face, triangulation);
-        storeEdges(triangulation, location);
-    }
-
-    void storeEdges(const Handle(Poly_Triangulation) & triangulation, const TopLoc_Location& location) const
-    {
-        std::vector<int> nodeOfPoint(m_border.size(), 0);
-        for (std::size_t corner = 0; corner < m_pointOfCorner.size(); ++corner)
-            nodeOfPoint[m_pointOfCorner[corner]] = static_cast<int>(corner) + 1;
-        std::map<const void*, std::vector<std::pair<bool, Handle(Poly_PolygonOnTriangulation)>>> polygons;
+        DrawnFace drawn;
+        for (const Vec2& point : m_mesh->points())
+            drawn.parameters.emplace_back(point.cwiseQuotient(m_scale));
+        drawn.places = m_places;
+        drawn.triangles = m_mesh->triangles();
+        constexpr std::uint32_t none = 0xffffffffU;
+        std::vector<std::uint32_t> numbers(m_border.size(), none);
+        for (std::uint32_t corner = 0; corner < m_pointOfCorner.size(); ++corner)
+            numbers[m_pointOfCorner[corner]] = corner;
         for (std::size_t i = 0; i < m_runs.size(); ++i) {
             const Run& run = m_runs[i];
             const std::size_t count = run.parameters.size();
-            TColStd_Array1OfInteger nodes(1, static_cast<int>(count));
-            TColStd_Array1OfReal parameters(1, static_cast<int>(count));
+            DrawnFace::Run& along = drawn.runs.emplace_back();
+            along.edge = run.edge;
+            along.parameters = run.parameters;
             for (std::size_t k = 0; k < count; ++k) {
                 const std::size_t step = run.isReversed ? count - 1 - k : k;
-                const std::size_t point = step + 1 < count ? run.first + step : startAfter(i);
-                nodes.SetValue(static_cast<int>(k) + 1, nodeOfPoint[point]);
-                parameters.SetValue(static_cast<int>(k) + 1, run.parameters[k]);
+                along.points.push_back(numbers[step + 1 < count ? run.first + step : startAfter(i)]);
             }
-            if (std::find(nodes.begin(), nodes.end(), 0) != nodes.end()) // of a loop of two points
-                continue;
-            Handle(Poly_PolygonOnTriangulation) polygon = new Poly_PolygonOnTriangulation(nodes, parameters);
-            polygon->Deflection(m_deflection);
-            polygons[run.edge.TShape().get()].emplace_back(run.isReversed, polygon);
+            if (std::find(along.points.begin(), along.points.end(), none) !=
+                along.points.end()) // of a loop of two points
+                along.points.clear();
         }
-        for (const Run& run : m_runs) {
-            const auto& ofEdge = polygons[run.edge.TShape().get()];
-            if (ofEdge.size() == 1)
-                BRep_Builder().UpdateEdge(run.edge, ofEdge.front().second, triangulation, location);
-            else if (ofEdge.size() == 2) {
-                const std::size_t forward = ofEdge.front().first ? 1 : 0;
-                BRep_Builder().UpdateEdge(TopoDS::Edge(run.edge.Oriented(TopAbs_FORWARD)), ofEdge[forward].second,
-                                          ofEdge[1 - forward].second, triangulation, location);
-            }
-        }
+        return drawn;
     }
 
     /// The first point of the run that follows in the same wire.
@@ -441,14 +292,10 @@ private:
     }
 
     TopoDS_Face m_face;
-    const TopTools_IndexedDataMapOfShapeListOfShape& m_facesOfEdges;
-    const std::set<const void*>& m_badFaces;
-    double m_deflection; // [mm]
-    double m_angle;
-    BRepAdaptor_Surface m_surface;
+    SurfaceToDraw& m_surface;
+    DrawingFineness m_fineness;
     Vec2 m_scale = Vec2::Ones();
 
-    std::map<const void*, EdgePoints> m_pointsOfEdge;
     std::vector<BorderPoint> m_border; // of all wires, one after the other
     std::vector<std::size_t> m_loopEnds;
     std::vector<Run> m_runs;
@@ -462,31 +309,9 @@ private:
 
 } // namespace
 
-TopTools_MapOfShape slitsOf(const TopoDS_Face& face)
+std::optional<DrawnFace> drawFace(const TopoDS_Face& face, SurfaceToDraw& surface, const DrawingFineness& fineness)
 {
-    TopTools_MapOfShape seen;
-    TopTools_MapOfShape slits;
-    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
-        if (!seen.Add(edges.Current()) && !BRep_Tool::IsClosed(TopoDS::Edge(edges.Current()), face))
-            slits.Add(edges.Current());
-    return slits;
-}
-
-Handle(Poly_PolygonOnTriangulation) polygonOf(const TopoDS_Edge& edge, const TopoDS_Face& face)
-{
-    TopLoc_Location location;
-    const Handle(Poly_Triangulation)& triangulation = BRep_Tool::Triangulation(face, location);
-    if (triangulation.IsNull())
-        return {};
-    return BRep_Tool::PolygonOnTriangulation(edge, triangulation, location);
-}
-
-bool drawFace(const TopoDS_Face& face, const TopTools_IndexedDataMapOfShapeListOfShape& facesOfEdges,
-              const std::set<const void*>& badFaces, const Tessellation& tessellation)
-try {
-    return FaceDrawing(face, facesOfEdges, badFaces, tessellation).draw();
-} catch (const Standard_Failure&) {
-    return false; // what cannot be evaluated stays as it is
+    return FaceDrawing(face, surface, fineness).draw();
 }
 
 } // namespace knead

@@ -1,6 +1,6 @@
 #include "io/face_triangulation.h"
 
-#include "io/face_drawing.h"
+#include "io/face_redrawing.h"
 
 #include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
@@ -107,7 +107,7 @@ void draw(const TopTools_IndexedMapOfShape& faces, const TopTools_IndexedDataMap
 {
     for (int i = 1; i <= faces.Extent() && !bad.empty(); ++i) {
         const TopoDS_Face& face = TopoDS::Face(faces(i));
-        if (bad.contains(face.TShape().get()) && drawFace(face, facesOfEdges, bad, tessellation))
+        if (bad.contains(face.TShape().get()) && redrawFace(face, facesOfEdges, bad, tessellation))
             bad.erase(face.TShape().get());
     }
 }
@@ -163,7 +163,7 @@ bool redrawFacesOfWrongArea(const TopoDS_Shape& shape, const Tessellation& tesse
     // Their points on edges are good, and those of the neighbors: they are what faces are drawn between.
     for (int i = 1; i <= faces.Extent(); ++i)
         if (const TopoDS_Face& face = TopoDS::Face(faces(i)); bad.contains(face.TShape().get()))
-            drawFace(face, facesOfEdges, {}, tessellation);
+            redrawFace(face, facesOfEdges, {}, tessellation);
     return true;
 }
 

@@ -61,6 +61,10 @@ void addLines(const PartExportReport& part, std::vector<std::string>& lines)
         lines.push_back("  distance to the skin at " + std::to_string(part.samples) +
                         " places: " + millimetres(part.largestDeviation) + " at most, " +
                         millimetres(part.meanDeviation) + " in the mean, " + millimetres(part.tolerance) + " allowed");
+    if (part.flatFaces > 0)
+        lines.push_back("  " + std::to_string(part.flatFaces) + (part.flatFaces == 1 ? " face is" : " faces are") +
+                        " made of flat triangles, " + millimetres(part.largestFlatDeviation) +
+                        " off the skin at most, " + millimetres(part.flatTolerance) + " allowed");
     if (part.smoothEdges > 0)
         lines.push_back("  normals across " + std::to_string(part.smoothEdges) + " smooth edges agree within " +
                         number("%.2g°", part.largestKink * 180 / std::numbers::pi));
@@ -88,7 +92,7 @@ bool PartExportReport::isSound() const
 bool PartExportReport::isFit() const
 {
     return valid && ((closed && freeEdges == 0) || !wasClosed) && std::abs(volumeError()) <= largestVolumeError &&
-           largestDeviation <= tolerance;
+           largestDeviation <= tolerance && largestFlatDeviation <= flatTolerance;
 }
 
 bool ExportReport::isSound() const

@@ -11,14 +11,14 @@ namespace knead {
 /// What was found when one exported part was read back.
 struct PartExportReport {
     enum class Form {
-        exact,   ///< smooth trimmed faces, one for each of the original
+        exact,   ///< smooth trimmed faces, one for each of the original; but see flatFaces
         faceted, ///< a solid of flat triangles
         mesh,    ///< triangles, in a mesh format
     };
 
     std::string name;
     Form form = Form::exact;
-    std::string reason;               ///< why it is not exact, a sentence; empty when it is
+    std::string reason;               ///< why it, or a face of it, is flat: a sentence; empty when nothing is
     std::vector<std::string> remarks; ///< sentences about what a person should look at
 
     // Before and after.
@@ -51,6 +51,12 @@ struct PartExportReport {
     double largestKink = 0;      ///< between the normals of two faces at those now [rad]
     bool crossesItself = false;  ///< the surface passes through itself although it did not at rest
     int keptFaces = 0;           ///< exactly where and what they were
+
+    // Of faces that are made of flat triangles among smooth ones.
+    int flatFaces = 0;               ///< of the original
+    double flatTolerance = 0;        ///< allowed [m]
+    double largestFlatDeviation = 0; ///< between the triangles and the skin, both ways [m]
+
     bool nameKept = false;
     bool colorsKept = false;
 

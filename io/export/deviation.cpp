@@ -14,6 +14,7 @@
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
@@ -132,17 +133,20 @@ public:
     {
         TopExp::MapShapes(written.source, TopAbs_FACE, m_sources);
         TopExp::MapShapes(back, TopAbs_FACE, m_backs);
+        TopExp::MapShapesAndUniqueAncestors(written.source, TopAbs_EDGE, TopAbs_FACE, m_facesOfEdge);
     }
 
-    void into(PartExportReport& report) const
+    std::vector<double> into(PartExportReport& report) const
     {
-        if (m_sources.Extent() != m_backs.Extent())
-            return; // nothing says which face is which
-        double sum = 0;
         std::vector<double> ofFaces(static_cast<std::size_t>(m_sources.Extent()), 0);
-        for (int i = 1; i <= m_sources.Extent(); ++i) {
+        const std::vector<int> backOfFace = backs();
+        double sum = 0;
+        for (int i = 1; i <= static_cast<int>(backOfFace.size()); ++i) {
+            const auto number = static_cast<std::size_t>(i) - 1;
+            if (m_written.isFlat(number))
+                continue;
             try {
-                ofFaces[static_cast<std::size_t>(i) - 1] = measure(i, report, sum);
+                ofFaces[number] = measure(i, m_backs(backOfFace[number]), report, sum);
             } catch (const std::runtime_error&) { // a face that could not be looked at: it was kept as it is
             } catch (const Standard_Failure&) {
             }
@@ -150,14 +154,29 @@ public:
         if (report.samples > 0)
             report.meanDeviation = sum / static_cast<double>(report.samples);
         noteMisses(ofFaces, report);
+        return ofFaces;
     }
 
 private:
+    /// Per face of the source, its number among those that were read back; none when nothing says which is which.
+    std::vector<int> backs() const
+    {
+        const auto sources = static_cast<std::size_t>(m_sources.Extent());
+        const std::vector<std::uint32_t>& origin = m_written.origin;
+        const std::size_t written = origin.empty() ? sources : origin.size();
+        if (static_cast<std::size_t>(m_backs.Extent()) != written)
+            return {};
+        std::vector<int> numbers(sources, 0);
+        for (std::size_t i = 0; i < written; ++i)
+            numbers[origin.empty() ? i : origin[i]] = static_cast<int>(i) + 1;
+        return numbers;
+    }
+
     /// @return the largest distance of the face [m]
-    double measure(int index, PartExportReport& report, double& sum) const
+    double measure(int index, const TopoDS_Shape& backFace, PartExportReport& report, double& sum) const
     {
         const TrimmedFace source(TopoDS::Face(m_sources(index).Oriented(TopAbs_FORWARD)));
-        const Handle(Geom_Surface) surface = BRep_Tool::Surface(TopoDS::Face(m_backs(index)));
+        const Handle(Geom_Surface) surface = BRep_Tool::Surface(TopoDS::Face(backFace));
         if (surface.IsNull())
             return 0;
         SurfaceMiss back(surface, 1e3 * report.tolerance);
@@ -165,7 +184,7 @@ private:
         const bool hasNotes = m_written.notes.size() == static_cast<std::size_t>(m_sources.Extent());
         const MorphedFaceNote* note = hasNotes ? &m_written.notes[number] : nullptr;
         const bool fellShort = (note != nullptr && !note->converged) ||
-                               1e-3 * BRep_Tool::MaxTolerance(m_backs(index), TopAbs_EDGE) > report.tolerance;
+                               1e-3 * BRep_Tool::MaxTolerance(backFace, TopAbs_EDGE) > report.tolerance;
         const std::vector<Vec2> samples = samplesOf(source, fellShort, note);
         std::vector<Vec3> points;
         for (const Vec2& at : samples)
@@ -180,21 +199,31 @@ private:
             ++report.samples;
         }
         if (fellShort)
-            largest = std::max(largest, 1e-3 * missOfEdges(index, 1e3 * report.tolerance));
+            largest = std::max(largest, 1e-3 * missOfEdges(index, backFace, 1e3 * report.tolerance));
         report.largestDeviation = std::max(report.largestDeviation, largest);
         return largest;
     }
 
+    /// Whether triangles end at an edge, which came in pieces then.
+    bool isCut(const TopoDS_Edge& edge) const
+    {
+        const int at = m_facesOfEdge.FindIndex(edge);
+        for (const TopoDS_Shape& face : m_facesOfEdge(at))
+            if (m_written.isFlat(static_cast<std::size_t>(m_sources.FindIndex(face) - 1)))
+                return true;
+        return false;
+    }
+
     /// The largest of a face [mm].
-    double missOfEdges(int index, double enough) const
+    double missOfEdges(int index, const TopoDS_Shape& backFace, double enough) const
     {
         double largest = 0;
         for (TopExp_Explorer edges(m_sources(index), TopAbs_EDGE); edges.More(); edges.Next()) {
             const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
-            if (BRep_Tool::Degenerated(edge))
+            if (BRep_Tool::Degenerated(edge) || isCut(edge))
                 continue;
             try {
-                largest = std::max(largest, missOfEdge(edge, m_backs(index), enough));
+                largest = std::max(largest, missOfEdge(edge, backFace, enough));
             } catch (const Standard_Failure&) { // of an edge without a curve nothing can be said
             }
         }
@@ -259,17 +288,24 @@ private:
     MillimetreMap m_map;
     TopTools_IndexedMapOfShape m_sources;
     TopTools_IndexedMapOfShape m_backs;
+    TopTools_IndexedDataMapOfShapeListOfShape m_facesOfEdge;
+};
+
+struct Distances {
+    double largest = 0; ///< [m]
+    double sum = 0;     ///< [m]
+    std::size_t count = 0;
 };
 
 /// Adds the distances of points of one surface to another one.
-void addDistances(const TriangleMesh& from, const TriangleMesh& to, double& sum, PartExportReport& report)
+void addDistances(const TriangleMesh& from, const TriangleMesh& to, Distances& distances)
 {
     const SurfaceDistance surface(to);
     const auto add = [&](const Vec3& point) {
         const double distance = surface.nearest(point).distance;
-        report.largestDeviation = std::max(report.largestDeviation, distance);
-        sum += distance;
-        ++report.samples;
+        distances.largest = std::max(distances.largest, distance);
+        distances.sum += distance;
+        ++distances.count;
     };
     const std::size_t stride = from.triangles.size() / flatSamples + 1;
     for (std::size_t t = 0; t < from.triangles.size(); t += stride) {
@@ -282,20 +318,40 @@ void addDistances(const TriangleMesh& from, const TriangleMesh& to, double& sum,
 TriangleMesh together(const std::vector<const Part*>& parts)
 {
     TriangleMesh all;
+    std::uint32_t firstFace = 0;
     for (const Part* part : parts) {
         const auto first = static_cast<std::uint32_t>(all.vertices.size());
         all.vertices.insert(all.vertices.end(), part->mesh.vertices.begin(), part->mesh.vertices.end());
         for (const auto& [a, b, c] : part->mesh.triangles)
             all.triangles.push_back({first + a, first + b, first + c});
+        for (const std::uint32_t face : part->mesh.faceOfTriangle)
+            all.faceOfTriangle.push_back(firstFace + face);
+        firstFace += static_cast<std::uint32_t>(part->faces.size());
     }
     return all;
 }
 
 } // namespace
 
-void measureDeviation(const ReadyPart& written, const TopoDS_Shape& back, PartExportReport& report)
+std::vector<double> measureDeviation(const ReadyPart& written, const TopoDS_Shape& back, PartExportReport& report)
 {
-    DeviationMeasure(written, back).into(report);
+    return DeviationMeasure(written, back).into(report);
+}
+
+void measurePatches(const ReadyPart& written, const std::vector<const Part*>& backs, PartExportReport& report)
+{
+    const TriangleMesh back = together(backs);
+    TriangleMesh patches{.vertices = back.vertices, .triangles = {}, .faceOfTriangle = {}};
+    for (std::size_t t = 0; t < back.triangles.size(); ++t)
+        if (const std::uint32_t face = back.faceOfTriangle[t];
+            face < written.origin.size() && written.isFlat(written.origin[face]))
+            patches.triangles.push_back(back.triangles[t]);
+    if (written.skin.triangles.empty() || patches.triangles.empty())
+        return;
+    Distances distances;
+    addDistances(written.skin, patches, distances);
+    addDistances(patches, written.skin, distances);
+    report.largestFlatDeviation = distances.largest;
 }
 
 void measureFlatDeviation(const TriangleMesh& skin, const std::vector<const Part*>& backs, PartExportReport& report)
@@ -303,10 +359,12 @@ void measureFlatDeviation(const TriangleMesh& skin, const std::vector<const Part
     const TriangleMesh back = together(backs);
     if (skin.triangles.empty() || back.triangles.empty())
         return;
-    double sum = 0;
-    addDistances(skin, back, sum, report);
-    addDistances(back, skin, sum, report);
-    report.meanDeviation = sum / static_cast<double>(report.samples);
+    Distances distances;
+    addDistances(skin, back, distances);
+    addDistances(back, skin, distances);
+    report.largestDeviation = std::max(report.largestDeviation, distances.largest);
+    report.samples += distances.count;
+    report.meanDeviation = distances.sum / static_cast<double>(distances.count);
 }
 
 } // namespace knead

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 namespace knead {
@@ -31,7 +32,10 @@ constexpr double facetDeflection = 1.0 / 400;  // of the size of a part that is 
 constexpr double facetAngle = 0.35;            // [rad]
 constexpr std::size_t wantedFacets = 10'000;
 constexpr std::size_t mostFacets = 60'000;
-constexpr double flatness = 0.1;      // of the tolerance, by which corners may be off a flat face
+constexpr double flatness = 0.1;  // of the tolerance, by which corners may be off a flat face
+constexpr double flatShare = 0.4; // of what single flat faces may be off, that their triangles are drawn with
+constexpr double leastSide =
+    1.0 / 150; // of the size, to which their triangles are divided however short the map's features are
 constexpr double triangleEdges = 100; // across a part whose map has no spacing
 
 /// Leaves everything where it is.
@@ -150,53 +154,178 @@ bool divideClosedFaces(const PartToExport& part, ReadyPart& ready)
     if (divided.origin.size() <= part.part.faces.size())
         return false;
     ready.source = divided.shape;
+    ready.originOfDivided = divided.origin;
     addFaceColors(part.part, divided.origin, ready.out);
     ready.report.remarks.push_back(std::to_string(added) + (added == 1 ? " face was" : " faces were") +
-                                   " added: those that close in themselves came in two, since as they were bent here "
-                                   "they did not make a sound solid.");
+                                   " added: those that close in themselves came in two, which other programs read "
+                                   "more surely.");
     return true;
 }
 
+/// What came of bending faces.
+struct Bent {
+    std::string reason;                ///< why they cannot be used; empty when they can
+    std::vector<std::uint32_t> faulty; ///< those of the source because of which, as far as known
+};
+
 /// Carries the faces of the source through the map.
-/// @return why they cannot be used; empty when they can
-std::string bend(ReadyPart& ready, TaskControl& control)
+/// @param flat those that are to be triangles
+Bent bend(ReadyPart& ready, TaskControl& control, const std::set<std::uint32_t>& flat = {},
+          const DrawingFineness& flatFineness = {})
 {
     PartExportReport& report = ready.report;
-    const MorphOptions options{.tolerance = 1e3 * report.tolerance};
+    const MorphOptions options{.tolerance = 1e3 * report.tolerance, .flat = flat, .flatFineness = flatFineness};
     MorphedShape morphed = morphShape(ready.source, *ready.map, options, control);
     if (const std::string reason = whyNot(morphed); !reason.empty())
-        return reason;
+        return {reason, morphed.faulty};
     report.keptFaces =
         static_cast<int>(std::count_if(morphed.notes.begin(), morphed.notes.end(),
                                        [](const MorphedFaceNote& note) { return note.kind == MorphedFaceKind::kept; }));
     ready.notes = std::move(morphed.notes);
+    ready.origin = std::move(morphed.origin);
     ready.out.shape = faceIntegralsOf(morphed.shape).volume < 0 ? morphed.shape.Reversed() : morphed.shape;
     return {};
 }
 
-/// Its own faces bent, divided where that is needed, or flat ones.
+/// What a face of the source is of, in the part.
+std::uint32_t originOf(std::uint32_t face, const ReadyPart& ready)
+{
+    return ready.manner == FaceManner::own ? face : ready.originOfDivided[face];
+}
+
+/// "faces 3, 7 and 12"
+std::string facesInWords(const std::set<std::uint32_t>& faces)
+{
+    constexpr std::size_t mostNamed = 8;
+    std::string words = faces.size() == 1 ? "face" : "faces";
+    std::size_t named = 0;
+    for (const std::uint32_t face : faces)
+        if (++named <= mostNamed)
+            words += (named == 1 ? " " : ", ") + std::to_string(face);
+    return faces.size() > mostNamed ? words + ", ..." : words;
+}
+
+/// Bends the faces of the source but for some, in whose place triangles come that end at the smooth ones beside them.
+/// @return what came of it; triangles may be at fault, too
+Bent bendAround(const PartToExport& part, const std::set<std::uint32_t>& flat, const std::string& why,
+                TaskControl& control, ReadyPart& ready)
+{
+    PartExportReport& report = ready.report;
+    const double size = part.part.box.diagonal().norm();
+    const double allowed = std::max(report.tolerance, facetDeflection * size);
+    const DrawingFineness fineness{.deflection = 1e3 * flatShare * allowed,
+                                   .angle = facetAngle,
+                                   .longestSide = 1e3 * std::max(ready.map->featureSize(), leastSide * size),
+                                   .shortestSide = 1e3 * leastSide * size / 2};
+    Bent bent;
+    try {
+        bent = bend(ready, control, flat, fineness);
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        return {error.what(), {}};
+    }
+    if (!bent.reason.empty())
+        return bent;
+    if (ready.origin.size() > mostFacets)
+        return {"too many triangles would be needed.", {}};
+    report.flatFaces = static_cast<int>(flat.size());
+    report.flatTolerance = allowed;
+    report.reason = why;
+    report.remarks.push_back("\"" + report.name + "\": " + facesInWords(flat) + (flat.size() == 1 ? " is" : " are") +
+                             " made of flat triangles; its other faces are smooth.");
+    std::vector<std::uint32_t> origin; // in the part
+    for (const std::uint32_t face : ready.origin)
+        origin.push_back(originOf(face, ready));
+    addFaceColors(part.part, origin, ready.out);
+    ready.next = FaceManner::flat;
+    return bent;
+}
+
+/// Adds a face, and the other half of it where it was divided.
+void addWhole(std::uint32_t face, const ReadyPart& ready, std::set<std::uint32_t>& faces)
+{
+    faces.insert(face);
+    for (std::uint32_t other = 0; ready.manner != FaceManner::own && other < ready.originOfDivided.size(); ++other)
+        if (originOf(other, ready) == originOf(face, ready))
+            faces.insert(other);
+}
+
+/// The part of a skin that flat faces stand for.
+/// @param skin numbered by the faces of the part
+TriangleMesh skinOfFlatFaces(const ReadyPart& ready, const TriangleMesh& skin)
+{
+    std::set<std::uint32_t> flat;
+    for (std::uint32_t face = 0; face < ready.notes.size(); ++face)
+        if (ready.isFlat(face))
+            flat.insert(originOf(face, ready));
+    TriangleMesh patch{.vertices = skin.vertices, .triangles = {}, .faceOfTriangle = {}};
+    for (std::size_t t = 0; t < skin.triangles.size(); ++t)
+        if (flat.contains(skin.faceOfTriangle[t]))
+            patch.triangles.push_back(skin.triangles[t]);
+    return patch;
+}
+
+/// Faces that failed, or made the solid invalid, become triangles; so do those that fail beside them then.
+/// @return whether there is a solid
+bool bendAroundFaulty(const PartToExport& part, Bent last, TaskControl& control, ReadyPart& ready)
+{
+    constexpr int mostRounds = 3;
+    std::set<std::uint32_t> flat;
+    const std::string why = last.reason;
+    for (int round = 0; round < mostRounds; ++round) {
+        const std::size_t before = flat.size();
+        for (const std::uint32_t face : last.faulty)
+            addWhole(face, ready, flat);
+        if (flat.size() == before)
+            return false;
+        last = bendAround(part, flat, why, control, ready);
+        if (last.reason.empty())
+            return true;
+    }
+    return false;
+}
+
+/// Its own faces bent, divided where that is needed, some of them flat where nothing else goes, or all flat.
 void makeBent(const PartToExport& part, const FaceChoice& choice, TaskControl& control, ReadyPart& ready)
 {
     // What cannot be divided is better smooth and misread by some than flat.
     const bool isMisread = choice.from == FaceManner::own && hasBoredClosedFaces(ready.source) &&
                            withoutClosedFaces(ready.source).origin.size() > part.part.faces.size();
-    const FaceManner from = isMisread ? FaceManner::divided : choice.from;
-    ready.next = from == FaceManner::own && hasClosedFaces(ready.source) ? FaceManner::divided : FaceManner::flat;
+    ready.manner = isMisread ? FaceManner::divided : choice.from;
+    ready.next =
+        ready.manner == FaceManner::own && hasClosedFaces(ready.source) ? FaceManner::divided : FaceManner::flat;
     std::string reason = choice.reason;
-    if (from == FaceManner::own) {
-        TaskPortion portion(control, 0, 0.5);
-        reason = bend(ready, portion);
-        if (reason.empty())
+    Bent bent;
+    if (!choice.flat.empty() && !isMisread) {
+        if (ready.manner == FaceManner::divided)
+            divideClosedFaces(part, ready);
+        if (bendAroundFaulty(part, {reason, choice.flat}, control, ready))
             return;
+        makeFaceted(part, reason, ready);
+        return;
     }
-    if (from != FaceManner::flat && divideClosedFaces(part, ready)) {
+    if (ready.manner == FaceManner::own) {
+        TaskPortion portion(control, 0, 0.4);
+        bent = bend(ready, portion);
+        if (bent.reason.empty())
+            return;
+        reason = bent.reason;
+    }
+    if (ready.manner != FaceManner::flat && divideClosedFaces(part, ready)) {
+        ready.manner = FaceManner::divided;
         ready.next = FaceManner::flat;
-        TaskPortion portion(control, 0.5, 1);
-        reason = bend(ready, portion);
-        if (reason.empty())
+        TaskPortion portion(control, 0.4, 0.8);
+        bent = bend(ready, portion);
+        if (bent.reason.empty())
             return;
-        ready.report.remarks.pop_back();
+        reason = bent.reason;
     }
+    TaskPortion portion(control, 0.8, 1);
+    if (bendAroundFaulty(part, bent, portion, ready))
+        return;
+    if (ready.manner == FaceManner::divided)
+        ready.report.remarks.pop_back();
     makeFaceted(part, reason, ready);
 }
 
@@ -279,6 +408,8 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
     noteFold(rest, now, report);
     if (report.form == PartExportReport::Form::faceted)
         ready.skin = std::move(now);
+    else if (report.flatFaces > 0)
+        ready.skin = skinOfFlatFaces(ready, now);
     return ready;
 }
 

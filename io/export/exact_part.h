@@ -6,9 +6,11 @@
 #include "io/cad_writer.h"
 #include "io/morph/brep_morph.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace knead {
 
@@ -23,17 +25,26 @@ enum class FaceManner {
 struct FaceChoice {
     FaceManner from = FaceManner::own; ///< what comes before did not come back sound
     std::string reason;                ///< why they do not: a sentence; empty for `own`
+    std::vector<std::uint32_t> flat;   ///< faces of that manner that are to be triangles among smooth ones
 };
 
 /// A part as it will be written, and what the check needs to know about it.
 struct ReadyPart {
     CadPartToWrite out;
+    FaceManner manner = FaceManner::own; ///< in which its faces are
     std::optional<FaceManner> next; ///< what to try when it does not come back sound; none: nothing would be better
     PartExportReport report;        ///< what is known before the file is read back
     TopoDS_Shape source;            ///< of an exact part, at rest [mm]
-    std::shared_ptr<const SmoothMap> map; ///< that took it where it is [m]
-    std::vector<MorphedFaceNote> notes;   ///< on the faces of `source`; none where they stayed or are flat
-    TriangleMesh skin;                    ///< where the surface of a faceted part is, finely [m]
+    std::vector<std::uint32_t> originOfDivided; ///< where faces of it were divided: of which of the part each is
+    std::shared_ptr<const SmoothMap> map;       ///< that took it where it is [m]
+    std::vector<MorphedFaceNote> notes;         ///< on the faces of `source`; none where they stayed or are flat
+    std::vector<std::uint32_t> origin; ///< per written face, which of `source` it is or is a part of; none: in order
+    TriangleMesh skin;                 ///< where the surface that is written as flat faces is, finely [m]
+    std::vector<std::uint32_t>
+        misfits; ///< faces of `source` that did not come back fit at all, as checkWritten() finds
+
+    /// Whether a face of `source` is written as triangles among smooth ones.
+    bool isFlat(std::size_t face) const { return face < notes.size() && notes[face].kind == MorphedFaceKind::flat; }
 };
 
 /// Makes the shape of a part: its own faces, carried through the skin's map; or, with the reason, another manner where these

@@ -8,8 +8,20 @@
 #include "io/morph/millimetre_map.h"
 #include "io/shape_measure.h"
 
+#include <BRepCheck_Analyzer.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
+
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace knead {
 
@@ -36,6 +48,50 @@ bool keepsColors(const CadPartToWrite& written, const Part& back)
     return !written.faceColors.empty() || isClose(written.color, back.color);
 }
 
+TopoDS_Shape asOne(const std::vector<TopoDS_Shape>& shapes)
+{
+    if (shapes.size() == 1)
+        return shapes.front();
+    TopoDS_Compound all;
+    const BRep_Builder builder;
+    builder.MakeCompound(all);
+    for (const TopoDS_Shape& shape : shapes)
+        builder.Add(all, shape);
+    return all;
+}
+
+/// Faces of the source that did not come back fit: far off, not valid, or beside a gap.
+/// @param misses how far each is off [m]
+std::vector<std::uint32_t> misfitsOf(const ReadyPart& written, const std::vector<double>& misses,
+                                     const TopoDS_Shape& back)
+{
+    std::set<std::uint32_t> misfits;
+    for (std::size_t i = 0; i < misses.size(); ++i)
+        if (misses[i] > roughFaces * written.report.tolerance)
+            misfits.insert(static_cast<std::uint32_t>(i));
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(back, TopAbs_FACE, faces);
+    const std::size_t count = written.origin.empty() ? misses.size() : written.origin.size();
+    if (static_cast<std::size_t>(faces.Extent()) != count)
+        return {misfits.begin(), misfits.end()};
+    const BRepCheck_Analyzer check(back);
+    TopTools_IndexedDataMapOfShapeListOfShape facesOfEdges;
+    TopExp::MapShapesAndAncestors(back, TopAbs_EDGE, TopAbs_FACE, facesOfEdges);
+    const auto isAtGap = [&](const TopoDS_Shape& face) {
+        for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
+            if (!BRep_Tool::Degenerated(TopoDS::Edge(edges.Current())) &&
+                facesOfEdges.FindFromKey(edges.Current()).Extent() < 2)
+                return true;
+        return false;
+    };
+    for (int i = 1; i <= faces.Extent(); ++i) {
+        const auto number = static_cast<std::size_t>(i) - 1;
+        if (!check.IsValid(faces(i)) || (written.report.wasClosed && isAtGap(faces(i))))
+            misfits.insert(written.origin.empty() ? static_cast<std::uint32_t>(number) : written.origin[number]);
+    }
+    return {misfits.begin(), misfits.end()};
+}
+
 /// The solids of a part may come back as several parts: then these are added up.
 void compare(ReadyPart& written, const std::vector<const Part*>& backs, const TopoDS_Shape& shape)
 {
@@ -55,11 +111,14 @@ void compare(ReadyPart& written, const std::vector<const Part*>& backs, const To
     }
     if (report.form == PartExportReport::Form::faceted)
         measureFlatDeviation(written.skin, backs, report);
-    if (written.source.IsNull() || backs.size() != 1)
+    if (written.source.IsNull() || backs.empty())
         return;
-    measureDeviation(written, shape, report);
+    const std::vector<double> misses = measureDeviation(written, shape, report);
+    if (report.flatFaces > 0)
+        measurePatches(written, backs, report);
+    written.misfits = misfitsOf(written, misses, shape);
     const SmoothEdges edges =
-        compareSmoothEdges(written.source, shape, MillimetreMap(*written.map), 1e3 * report.tolerance);
+        compareSmoothEdges(written.source, shape, written.origin, MillimetreMap(*written.map), 1e3 * report.tolerance);
     report.smoothEdges = edges.count;
     report.largestKink = edges.largestAngle;
     if (edges.largestAngle > largestKinkOfSoundParts)
@@ -82,14 +141,14 @@ std::vector<std::string> checkWritten(std::vector<ReadyPart>& written, const Mod
         // A part of several solids comes back as several, numbered.
         std::vector<const Part*> backs;
         const auto wanted = static_cast<std::size_t>(std::max(1, countDistinct(written[i].out.shape, TopAbs_SOLID)));
-        TopoDS_Shape shape;
+        std::vector<TopoDS_Shape> ofParts;
         for (; backs.size() < wanted && next < model.parts.size(); ++next) {
             const Part& part = model.parts[next];
             backs.push_back(&part);
             if (part.exact)
-                shape = shapes[part.exact->number];
+                ofParts.push_back(shapes[part.exact->number]);
         }
-        compare(written[i], backs, shape);
+        compare(written[i], backs, asOne(ofParts));
     }
     if (next != model.parts.size())
         warnings.push_back("The file holds " + std::to_string(model.parts.size()) + " parts where " +

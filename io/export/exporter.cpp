@@ -98,10 +98,17 @@ Model readBackWithoutHoles(FormatKind kind, const std::string& bytes, const Expo
     return model;
 }
 
-/// A file, and what to try where a part did not come back sound.
+/// What to know of a part that did not come back sound.
+struct Outcome {
+    FaceManner manner;              ///< that was tried
+    std::optional<FaceManner> next; ///< to try
+    std::vector<std::uint32_t> misfits;
+};
+
+/// A file, and what became of its parts.
 struct Attempt {
     ExportedFile file;
-    std::vector<std::optional<FaceManner>> next; ///< per part
+    std::vector<Outcome> outcomes; ///< per part
 };
 
 Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Choices& choices, TaskControl& control)
@@ -131,13 +138,12 @@ Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Choices& c
     file.report.bytes = file.bytes.size();
     for (ReadyPart& part : ready) {
         file.report.parts.push_back(std::move(part.report));
-        attempt.next.push_back(part.next);
+        attempt.outcomes.push_back({part.manner, part.next, std::move(part.misfits)});
     }
     return attempt;
 }
 
-// Faces that are off by so many tolerances, or hold so much of the volume too much or too little, are a shape of their own.
-constexpr double roughFaces = 20;
+// Faces that hold so much of the volume too much or too little are a shape of their own, as those that are far off are.
 constexpr double roughVolume = 2e-3;
 
 bool isRough(const PartExportReport& report)
@@ -186,9 +192,13 @@ bool choose(const ExportJob& job, const Attempt& last, Choices& choices)
     bool isAny = false;
     for (std::size_t i = 0; i < job.parts.size(); ++i) {
         const PartExportReport& report = last.file.report.parts[i];
-        if (!last.next[i] || !isSpoilt(job.parts[i], report) || !areOthersBetter(report))
+        const Outcome& outcome = last.outcomes[i];
+        if (!outcome.next || !isSpoilt(job.parts[i], report) || !areOthersBetter(report))
             continue;
-        choices[i] = {*last.next[i], whyUnfit(report)};
+        if (*outcome.next == FaceManner::flat && !outcome.misfits.empty() && choices[i].flat.empty())
+            choices[i] = {outcome.manner, whyUnfit(report), outcome.misfits};
+        else
+            choices[i] = {*outcome.next, whyUnfit(report), {}};
         isAny = true;
     }
     return isAny;
@@ -204,8 +214,8 @@ ExportedFile exportCad(FormatKind kind, const ExportJob& job, TaskControl& contr
     Choices choices(job.parts.size());
     TaskPortion first(control, 0, 0.8);
     Attempt attempt = writeAndReadBack(kind, job, choices, first);
-    for (double done = 0.8; choose(job, attempt, choices); done += 0.1) {
-        TaskPortion again(control, done, done + 0.1);
+    for (double done = 0.8; choose(job, attempt, choices); done = 0.5 * (1 + done)) {
+        TaskPortion again(control, done, 0.5 * (1 + done));
         try {
             attempt = writeAndReadBack(kind, job, choices, again);
         } catch (const Cancelled&) {

@@ -116,6 +116,8 @@ Json toJson(const PartExportReport& part)
               {"samples", part.samples}}},
             {"smooth_edges", {{"count", part.smoothEdges}, {"largest_kink_rad", part.largestKink}}},
             {"crosses_itself", part.crossesItself},
+            {"flat_faces",
+             {{"count", part.flatFaces}, {"allowed_m", part.flatTolerance}, {"largest_m", part.largestFlatDeviation}}},
             {"name_kept", part.nameKept},
             {"colors_kept", part.colorsKept}};
 }
@@ -154,6 +156,9 @@ PartExportReport partFrom(const Json& json)
     part.smoothEdges = json.at("smooth_edges").at("count").get<std::size_t>();
     part.largestKink = json.at("smooth_edges").at("largest_kink_rad").get<double>();
     part.crossesItself = json.at("crosses_itself").get<bool>();
+    part.flatFaces = json.at("flat_faces").at("count").get<int>();
+    part.flatTolerance = json.at("flat_faces").at("allowed_m").get<double>();
+    part.largestFlatDeviation = json.at("flat_faces").at("largest_m").get<double>();
     part.nameKept = json.at("name_kept").get<bool>();
     part.colorsKept = json.at("colors_kept").get<bool>();
     return part;

@@ -113,7 +113,8 @@ Side sideOf(const TopoDS_Edge& edge, const TopoDS_Face& face, int index, const B
 
 class Comparison {
 public:
-    Comparison(const TopoDS_Shape& source, const TopoDS_Shape& moved, const MillimetreMap& map, double tolerance)
+    Comparison(const TopoDS_Shape& source, const TopoDS_Shape& moved, const std::vector<std::uint32_t>& origin,
+               const MillimetreMap& map, double tolerance)
         : m_map(map)
         , m_tolerance(tolerance)
     {
@@ -121,7 +122,7 @@ public:
         TopTools_IndexedMapOfShape faces;
         TopExp::MapShapes(moved, TopAbs_FACE, faces);
         m_before = surfacesOf(m_sources);
-        m_after = surfacesOf(faces);
+        m_after = ofOrigins(surfacesOf(faces), origin);
         for (int i = 1; i <= m_sources.Extent(); ++i)
             m_bounds.push_back(boundsOf(TopoDS::Face(m_sources(i))));
         TopExp::MapShapesAndUniqueAncestors(source, TopAbs_EDGE, TopAbs_FACE, m_facesOfEdge);
@@ -143,6 +144,20 @@ private:
         Surfaces surfaces;
         for (int i = 1; i <= faces.Extent(); ++i)
             surfaces.push_back(BRep_Tool::Surface(TopoDS::Face(faces(i))));
+        return surfaces;
+    }
+
+    /// Per face of the source; null for those that came in several ones. None when nothing says which is which.
+    Surfaces ofOrigins(const Surfaces& moved, const std::vector<std::uint32_t>& origin) const
+    {
+        if (origin.empty())
+            return moved;
+        if (origin.size() != moved.size())
+            return {};
+        Surfaces surfaces(m_before.size());
+        std::vector<int> counts(m_before.size(), 0);
+        for (std::size_t i = 0; i < origin.size(); ++i)
+            surfaces[origin[i]] = ++counts[origin[i]] == 1 ? moved[i] : Handle(Geom_Surface)();
         return surfaces;
     }
 
@@ -242,11 +257,11 @@ private:
 
 } // namespace
 
-SmoothEdges compareSmoothEdges(const TopoDS_Shape& source, const TopoDS_Shape& moved, const MillimetreMap& map,
-                               double tolerance)
+SmoothEdges compareSmoothEdges(const TopoDS_Shape& source, const TopoDS_Shape& moved,
+                               const std::vector<std::uint32_t>& origin, const MillimetreMap& map, double tolerance)
 {
     try {
-        return Comparison(source, moved, map, tolerance).result();
+        return Comparison(source, moved, origin, map, tolerance).result();
     } catch (const Standard_Failure&) {
         return {}; // nothing is said rather than something wrong
     }

@@ -6,6 +6,8 @@
 #include <TopoDS_Shape.hxx>
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace knead {
 
@@ -18,9 +20,11 @@ struct SmoothEdges {
 
 /// Compares normals across the smooth edges of a shape after it was carried along, at places spread over each edge.
 /// @param source at rest [mm]
-/// @param moved with the same faces in the same order, where `map` takes those of the source
+/// @param moved with the same faces, where `map` takes those of the source
+/// @param origin per face of `moved`, which of the source it is; none: they are in the same order. Edges of faces that came
+/// in several ones are not compared
 /// @param tolerance of the faces that were moved [mm]
-SmoothEdges compareSmoothEdges(const TopoDS_Shape& source, const TopoDS_Shape& moved, const MillimetreMap& map,
-                               double tolerance);
+SmoothEdges compareSmoothEdges(const TopoDS_Shape& source, const TopoDS_Shape& moved,
+                               const std::vector<std::uint32_t>& origin, const MillimetreMap& map, double tolerance);
 
 } // namespace knead

@@ -5,9 +5,9 @@
 #include "io/morph/face_morph.h"
 #include "io/morph/morph_options.h"
 
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,12 +26,13 @@ struct MorphedFaceNote {
 /// A boundary representation carried through a smooth map: the same topology, each face, edge and vertex where the map takes it.
 struct MorphedShape {
     TopoDS_Shape shape;
-    TopTools_IndexedMapOfShape sourceFaces; ///< as TopExp::MapShapes() numbers them
-    std::vector<TopoDS_Shape> faces;        ///< what became of each of these, in that order
-    std::vector<MorphedFaceNote> notes;     ///< on each of these
-    double largestEdgeTolerance = 0;        ///< [mm]
-    int widenedVertices = 0;                ///< whose ball had to grow for edges that nearly touch beside it
-    bool isValid = false;                   ///< by BRepCheck
+    std::vector<MorphedFaceNote> notes; ///< on each face of the source, as TopExp::MapShapes() numbers them
+    std::vector<std::uint32_t> origin;  ///< per face of the shape, which of the source it is or is a part of
+    double largestEdgeTolerance = 0;    ///< [mm]
+    int widenedVertices = 0;            ///< whose ball had to grow for edges that nearly touch beside it
+    bool isValid = false;               ///< by BRepCheck; not looked at when a face failed
+    std::vector<std::uint32_t>
+        faulty; ///< faces of the source that failed, or else are why it is not valid, as far as known
 };
 
 /// Morphs a shape: one new vertex per vertex, one curve per edge, one surface per face, in the parameters of the source, so that
@@ -39,7 +40,7 @@ struct MorphedShape {
 /// faces; the result does not depend on the number of threads.
 /// @param shape located where it is [mm]
 /// @param map in metres
-/// @throws Cancelled
+/// @throws Cancelled, and std::runtime_error, in words, when a face that is to be flat cannot be drawn
 MorphedShape morphShape(const TopoDS_Shape& shape, const SmoothMap& map, const MorphOptions& options,
                         TaskControl& control = TaskControl::none());
 

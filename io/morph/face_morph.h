@@ -21,6 +21,7 @@ enum class MorphedFaceKind {
     moved,  ///< exactly what it was, at another place
     planar, ///< a plane that became another plane
     fitted, ///< a B-spline surface
+    flat,   ///< triangles, as was asked for
     failed, ///< nothing to build a face on
 };
 

@@ -1,6 +1,10 @@
 #pragma once
 
+#include "io/face_drawing.h"
+
 #include <algorithm>
+#include <cstdint>
+#include <set>
 
 namespace knead {
 
@@ -10,6 +14,9 @@ struct MorphOptions {
     int degree = 5;          ///< of splines: fewer poles than 3 at such tolerances, and smoother across edges
 
     double slope = 3e-3; ///< by which normals may be off along edges, so that faces that met smoothly still do [rad]
+
+    std::set<std::uint32_t> flat; ///< faces (from 0, as TopExp::MapShapes() numbers them) that are to be triangles
+    DrawingFineness flatFineness; ///< of these
 
     double faceTolerance() const { return 0.3 * tolerance; }
     double edgeTolerance() const { return std::max(1e-8, 0.1 * tolerance); } ///< several faces meet there

@@ -80,6 +80,7 @@ void addReport(const Json& report, Json& file)
     int smooth = 0;
     int sound = 0;
     int faces = 0;
+    int flat = 0;
     double off = 0;
     double allowed = 0;
     std::string said;
@@ -87,6 +88,7 @@ void addReport(const Json& report, Json& file)
         smooth += part.at("form") == "smooth faces" ? 1 : 0;
         sound += part.at("sound").get<bool>() ? 1 : 0;
         faces += part.at("faces").at("after").get<int>();
+        flat += part.at("flat_faces").at("count").get<int>();
         off = std::max(off, 1e3 * part.at("deviation_m").at("largest").get<double>());
         allowed = std::max(allowed, 1e3 * part.at("deviation_m").at("allowed").get<double>());
         for (const Json& remark : part.at("remarks"))
@@ -95,6 +97,7 @@ void addReport(const Json& report, Json& file)
     file["bodies"] = report.at("parts").size();
     file["smooth"] = smooth;
     file["sound"] = sound;
+    file["flat_faces"] = flat;
     file["off_mm"] = off;
     file["allowed_mm"] = allowed;
     file["kb_per_face"] = 1e-3 * report.at("bytes").get<double>() / std::max(1, faces);

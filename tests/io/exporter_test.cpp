@@ -33,6 +33,7 @@ private slots:
     void meshesBecomeSolidsOfFlatFaces();
     void facesFollowAFold();
     void facesFollowACrease();
+    void aFaceThatIsFarOffIsFlatAlone();
     void facesThatAreFarOffAreFlatOnes();
     void surfacesThatPassThroughThemselvesAreNamed();
     void chordsBesideAnEdgeAreNoCrossing();
@@ -330,6 +331,62 @@ void ExporterTest::facesFollowACrease()
     QVERIFY(part.isSound() && part.facesAfter == part.facesBefore);
     QVERIFY(part.maxTolerance < part.tolerance); // edges follow the groove, too
     QVERIFY(isFoldSaid(part) && !part.crossesItself);
+}
+
+/// Waves in the middle of the top of a body, too short for a smooth surface to follow.
+class WavesMap final : public maps::PointMap {
+public:
+    explicit WavesMap(const Box& box)
+        : m_box(box)
+    {
+    }
+    double featureSize() const override { return 0.05 * m_box.sizes().x(); }
+
+protected:
+    Vec3 place(const Vec3& point) const override
+    {
+        const Vec3 share = (point - m_box.center()).cwiseQuotient(m_box.sizes()); // -.5 .. .5
+        const double inside = bump(2.5 * share.x()) * bump(2.5 * share.y()) * bump(share.z() - 0.5);
+        const double waves = std::sin(4001 * share.x()) * std::sin(977 * share.y());
+        return point +
+               Vec3(0, 0.02 * m_box.sizes().y() * share.x() * share.x(), 0.0118 * m_box.sizes().z() * inside * waves);
+    }
+
+private:
+    /// 1 at 0, and 0 from 1 on.
+    static double bump(double x) { return std::abs(x) < 1 ? std::pow(1 - x * x, 3) : 0; }
+
+    Box m_box;
+};
+
+/// One face that cannot be followed costs no other its smoothness.
+void ExporterTest::aFaceThatIsFarOffIsFlatAlone()
+{
+    const Model model = example("bar.step");
+    ExportJob job = jobOf(model, nullptr);
+    job.parts.front().map = std::make_shared<WavesMap>(boxOf(model));
+    job.parts.front().part.faces[0].color = Color{1, 0, 0};
+    const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
+    const PartExportReport& part = file.report.parts.front();
+    QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.c_str());
+    QCOMPARE(part.flatFaces, 1);
+    QVERIFY(part.valid && part.closed && part.freeEdges == 0 && part.colorsKept);
+    QVERIFY(part.largestDeviation <= part.tolerance);
+    QVERIFY(part.largestFlatDeviation > 0 && part.largestFlatDeviation <= part.flatTolerance);
+    QVERIFY(part.facesAfter > 100);
+    const auto said = std::ranges::find_if(part.remarks, [](const std::string& remark) {
+        return remark.find(" is made of flat triangles; its other faces are smooth.") != std::string::npos;
+    });
+    QVERIFY(said != part.remarks.end());
+    QVERIFY2(part.reason.find("mm off the skin where") != std::string::npos, part.reason.c_str());
+    QVERIFY(part.isSound());
+    // Five of the six are one face still.
+    const Model back = readBack(file, "step");
+    std::map<std::uint32_t, int> triangles;
+    for (const std::uint32_t face : back.parts.front().mesh.faceOfTriangle)
+        ++triangles[face];
+    const auto whole = std::ranges::count_if(triangles, [](const auto& face) { return face.second > 1; });
+    QVERIFY2(whole >= 4 && whole <= 6, qPrintable(QString::number(whole)));
 }
 
 /// Faces that miss what they stand for by more than a nuance are no result, sound as the solid may be.

@@ -157,10 +157,12 @@ constexpr const char* const sentences[] = {
     QT_TRANSLATE_NOOP(
         "FileWords",
         "\"%1\": %2 faces, %3, do not come as close to the skin as was aimed at, %4 mm; face %5 is %6 mm off."),
-    QT_TRANSLATE_NOOP("FileWords", "1 face was added: those that close in themselves came in two, since as they were "
-                                   "bent here they did not make a sound solid."),
-    QT_TRANSLATE_NOOP("FileWords", "%1 faces were added: those that close in themselves came in two, since as they "
-                                   "were bent here they did not make a sound solid."),
+    QT_TRANSLATE_NOOP("FileWords", "1 face was added: those that close in themselves came in two, which other programs "
+                                   "read more surely."),
+    QT_TRANSLATE_NOOP("FileWords", "%1 faces were added: those that close in themselves came in two, which other "
+                                   "programs read more surely."),
+    QT_TRANSLATE_NOOP("FileWords", "\"%1\": face %2 is made of flat triangles; its other faces are smooth."),
+    QT_TRANSLATE_NOOP("FileWords", "\"%1\": faces %2 are made of flat triangles; its other faces are smooth."),
     QT_TRANSLATE_NOOP("FileWords", "it came as a mesh, which has no smooth faces."),
     QT_TRANSLATE_NOOP("FileWords",
                       "faces that met smoothly now meet at an angle near %1; a smaller tolerance may help."),

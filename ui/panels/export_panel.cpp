@@ -48,7 +48,8 @@ QString formOf(const PartExportReport& part)
 {
     switch (part.form) {
     case PartExportReport::Form::exact:
-        return ExportPanel::tr("smooth faces");
+        return part.flatFaces == 0 ? ExportPanel::tr("smooth faces")
+                                   : ExportPanel::tr("smooth faces, %1 flat").arg(part.flatFaces);
     case PartExportReport::Form::faceted:
         return ExportPanel::tr("flat triangles");
     case PartExportReport::Form::mesh:
@@ -65,7 +66,7 @@ QString verdictOf(const PartExportReport& part)
         return ExportPanel::tr("not closed");
     if (std::abs(part.volumeError()) > largestVolumeError)
         return ExportPanel::tr("its volume is off");
-    if (part.largestDeviation > part.tolerance && part.samples > 0)
+    if ((part.largestDeviation > part.tolerance && part.samples > 0) || part.largestFlatDeviation > part.flatTolerance)
         return ExportPanel::tr("further from the material than asked for");
     if (part.crossesItself)
         return ExportPanel::tr("passes through itself");
