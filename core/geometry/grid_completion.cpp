@@ -12,8 +12,10 @@ namespace knead {
 
 namespace {
 
-// Ties values down where second derivatives do not: between lines that nothing known crosses. Relative to the largest factor.
-constexpr double tie = 1e-12;
+// Ties values down where second derivatives do not: between lines that nothing known crosses. Relative to the stiffness where
+// lines lie farthest apart: where they crowd it is larger by the cube of how much, and a tie to go with that would pull all
+// values to their mean.
+constexpr double tie = 1e-9;
 
 /// The second derivative from values at three places, by the root of the length it stands for: the sum of squares over a
 /// line is the integral of its square.
@@ -56,12 +58,17 @@ public:
     /// @param mean what unknown values are weakly tied to
     void solve(const Vec3& mean)
     {
-        double largest = 1;
+        std::vector<double> stiffness(static_cast<std::size_t>(m_unknowns), 0);
         for (const Eigen::Triplet<double>& entry : m_entries)
-            largest = std::max(largest, entry.value());
+            if (entry.row() == entry.col())
+                stiffness[static_cast<std::size_t>(entry.row())] += entry.value();
+        double least = 1;
+        for (const double value : stiffness)
+            if (value > 0)
+                least = std::min(least, value);
         for (int unknown = 0; unknown < m_unknowns; ++unknown) {
-            m_entries.emplace_back(unknown, unknown, tie * largest);
-            m_right.row(unknown) += tie * largest * mean.transpose();
+            m_entries.emplace_back(unknown, unknown, tie * least);
+            m_right.row(unknown) += tie * least * mean.transpose();
         }
         Eigen::SparseMatrix<double> matrix(m_unknowns, m_unknowns);
         matrix.setFromTriplets(m_entries.begin(), m_entries.end());

@@ -14,10 +14,14 @@ constexpr std::size_t leastLooks = 3; // at errors within a span
 constexpr std::size_t mostLooks = 96; // along a span of a surface
 constexpr std::size_t mostLooksAlongCurves = 480;
 constexpr std::size_t mostLines = 24; // along which errors are looked for, per direction
-constexpr int mostSlopeRounds = 4;    // for normals: a target may have kinks of its own
+constexpr int mostSlopeRounds = 8;    // for normals
+constexpr double leastGain = 0.9;     // of a lean, by one round
 constexpr double leastSine = 1e-3;    // between tangents that make a normal
-constexpr double slopeStep = 1e-3;    // of a feature or the surface, over which slopes are taken
-constexpr double lastSlack = 1.5;     // by which errors between the lines may be larger than along them
+constexpr double leastTrustedSine = 0.1;
+constexpr double slopeStep = 1e-3;   // of a feature or the surface, over which slopes are taken
+constexpr double roundStep = 2e-2;   // of a feature or the surface, over which it is seen how round the target is
+constexpr double largestFactor = 10; // for errors where it is round
+constexpr double lastSlack = 1.5;    // by which errors between the lines may be larger than along them
 
 /// How often to look at a span, and where: nowhere near its ends, at which interpolation is good by itself.
 std::vector<double> looksInto(double begin, double end, double feature, std::size_t most)
@@ -118,6 +122,7 @@ public:
         m_wanted.target(m_wanted.checks, m_checks);
         if (options.slopeTolerance > 0)
             findSlopes();
+        findCheckFactors();
     }
 
     SplineFit<SplineSurface> run()
@@ -146,6 +151,9 @@ private:
     struct Slope {
         std::array<Vec2, 4> around; ///< before and behind along u, then along v
         Vec3 normal;                ///< of length 1
+        double tolerance;           ///< sine of the angle by which a tangent may lean: less where tangents are nearly
+                                    ///< parallel, which turns a normal the more
+        std::array<double, 2> lastLean; ///< along u and v, when it was too much the last time
     };
 
     void findSlopes()
@@ -167,22 +175,58 @@ private:
             const Vec3 alongU = places[i + 1] - places[i];
             const Vec3 alongV = places[i + 3] - places[i + 2];
             const Vec3 normal = alongU.cross(alongV);
-            if (normal.norm() > leastSine * alongU.norm() * alongV.norm()) // else: a pole, which has no normal
-                m_slopes.push_back(
-                    {{parameters[i], parameters[i + 1], parameters[i + 2], parameters[i + 3]}, normal.normalized()});
+            const double sine = normal.norm() / (alongU.norm() * alongV.norm());
+            if (sine > leastSine) // else: a pole, which has no normal
+                m_slopes.push_back({{parameters[i], parameters[i + 1], parameters[i + 2], parameters[i + 3]},
+                                    normal.normalized(),
+                                    m_options.slopeTolerance * std::max(sine, leastTrustedSine),
+                                    {1, 1}});
+        }
+    }
+
+    /// Where a surface is round, being a little along it from where one should be turns the normal: there errors count as so many
+    /// times as large as they are.
+    void findCheckFactors()
+    {
+        m_checkFactors.assign(m_wanted.checks.size(), 1);
+        if (!(m_options.slopeTolerance > 0))
+            return;
+        std::vector<Vec2> parameters;
+        for (const Vec2& check : m_wanted.checks)
+            for (Eigen::Index axis = 0; axis < 2; ++axis) {
+                const double low = (axis == 0 ? m_wanted.u : m_wanted.v).values.front();
+                const double high = (axis == 0 ? m_wanted.u : m_wanted.v).values.back();
+                const double step = roundStep * std::min(m_wanted.feature[axis], high - low);
+                for (const double side : {-1.0, 0.0, 1.0}) {
+                    Vec2 there = check;
+                    there[axis] = std::clamp(check[axis], low + step, high - step) + side * step;
+                    parameters.push_back(there);
+                }
+            }
+        std::vector<Vec3> places(parameters.size());
+        m_wanted.target(parameters, places);
+        for (std::size_t i = 0; i < places.size(); i += 3) {
+            const Vec3 tangent = 0.5 * (places[i + 2] - places[i]);
+            const Vec3 bend = places[i + 2] - 2 * places[i + 1] + places[i];
+            const double length = tangent.squaredNorm();
+            const double curvature = length > 0 ? (bend - bend.dot(tangent) / length * tangent).norm() / length : 0;
+            const double factor = curvature * m_options.tolerance / m_options.slopeTolerance;
+            m_checkFactors[i / 6] = std::max(m_checkFactors[i / 6], std::min(factor, largestFactor));
         }
     }
 
     /// The direction whose tangents lean out of the target's surface is refined.
-    void lookAtSlopes(std::array<std::vector<bool>, 2>& missed) const
+    void lookAtSlopes(std::array<std::vector<bool>, 2>& missed)
     {
-        for (const Slope& slope : m_slopes)
+        for (Slope& slope : m_slopes)
             for (std::size_t direction = 0; direction < 2; ++direction) {
                 const Vec2& from = slope.around[2 * direction];
                 const Vec2& to = slope.around[2 * direction + 1];
                 const Vec3 tangent = at(to) - at(from);
-                if (std::abs(tangent.dot(slope.normal)) <= m_options.slopeTolerance * tangent.norm())
-                    continue;
+                const double lean = std::abs(tangent.dot(slope.normal)) / tangent.norm();
+                if (lean <= slope.tolerance || lean > leastGain * slope.lastLean[direction])
+                    continue; // good, or at a kink of the target's own, where more knots do not help
+                slope.lastLean[direction] = lean;
                 const Vec2 middle = 0.5 * (from + to);
                 missed[direction][m_knots[direction].spanOf(middle[static_cast<Eigen::Index>(direction)])] = true;
             }
@@ -318,7 +362,6 @@ private:
     void lookAllOver(std::array<std::vector<bool>, 2>& missed)
     {
         const auto note = [&](const Vec2& at, double error) {
-            noteError(at, error);
             if (error <= lastSlack * m_options.tolerance)
                 return;
             const std::size_t u = m_knots[0].spanOf(at[0]);
@@ -329,8 +372,11 @@ private:
             missed[0][u] = missed[0][u] || alongU || !alongV;
             missed[1][v] = missed[1][v] || alongV || !alongU;
         };
-        for (std::size_t i = 0; i < m_checks.size(); ++i)
-            note(m_wanted.checks[i], (at(m_wanted.checks[i]) - m_checks[i]).norm());
+        for (std::size_t i = 0; i < m_checks.size(); ++i) {
+            const double error = (at(m_wanted.checks[i]) - m_checks[i]).norm();
+            noteError(m_wanted.checks[i], error);
+            note(m_wanted.checks[i], m_checkFactors[i] * error);
+        }
         if (anyOf(missed[0]) || anyOf(missed[1]))
             return;
         std::vector<Vec2> parameters;
@@ -410,6 +456,7 @@ private:
     std::vector<SplineBasis> m_bases;
     std::vector<Vec3> m_poles;
     std::vector<Vec3> m_checks;                  // places wanted there
+    std::vector<double> m_checkFactors;          // that errors there are multiplied by
     std::vector<Slope> m_slopes;                 // wanted there
     std::array<std::vector<double>, 2> m_errors; // largest per span, along lines
     double m_error = 0;

@@ -36,7 +36,7 @@ struct SplineFitOptions {
     int degree = 5;
     double tolerance = 1e-6;     ///< largest distance at equal parameters
     double slopeTolerance = 0;   ///< of a surface's normals at the places that matter most [rad]; 0: not looked at
-    std::size_t mostSpans = 160; ///< per direction
+    std::size_t mostSpans = 640; ///< per direction
     std::size_t mostPoles = 60'000;
 };
 
