@@ -12,11 +12,13 @@
 #include <Geom_Conic.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <STEPControl_Reader.hxx>
 #include <Standard_Failure.hxx>
 #include <StepGeom_BSplineSurface.hxx>
 #include <StepGeom_CartesianPoint.hxx>
+#include <StepGeom_Conic.hxx>
 #include <StepGeom_Curve.hxx>
 #include <StepGeom_SphericalSurface.hxx>
 #include <StepGeom_SurfaceCurve.hxx>
@@ -26,6 +28,7 @@
 #include <StepShape_FaceBound.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <StepShape_OrientedEdge.hxx>
+#include <StepShape_Vertex.hxx>
 #include <StepShape_VertexLoop.hxx>
 #include <StepShape_VertexPoint.hxx>
 #include <StepToGeom.hxx>
@@ -57,7 +60,9 @@ struct Course {
     gp_Vec direction; ///< unit
 };
 
-constexpr double parallel = 0.99; // cosine from which two directions are one
+constexpr double parallel = 0.99;  // cosine from which two directions are one
+constexpr double nearShare = 1e-4; // of the size of an edge: what is so near lies on it
+constexpr double sameShare = 1e-9; // of the range of a curve: ends so near are one
 
 bool mayHavePoles(const Handle(StepGeom_Surface) & surface)
 {
@@ -74,25 +79,43 @@ Handle(Geom_Curve) curveOf(const Handle(StepShape_EdgeCurve) & edge)
     return curve.IsNull() ? Handle(Geom_Curve)() : StepToGeom::MakeCurve(curve);
 }
 
-/// Where the edge begins, along the loop.
+/// The parameter of a curve at which a vertex lies.
+std::optional<double> parameterOf(const Handle(StepShape_Vertex) & vertex, const Handle(Geom_Curve) & curve)
+{
+    const auto withPoint = Handle(StepShape_VertexPoint)::DownCast(vertex);
+    const auto point = withPoint.IsNull() ? Handle(StepGeom_CartesianPoint)()
+                                          : Handle(StepGeom_CartesianPoint)::DownCast(withPoint->VertexGeometry());
+    if (point.IsNull())
+        return std::nullopt;
+    const GeomAPI_ProjectPointOnCurve projection(StepToGeom::MakeCartesianPoint(point)->Pnt(), curve);
+    return projection.NbPoints() == 0 ? std::nullopt : std::optional(projection.LowerDistanceParameter());
+}
+
+/// In the middle of an edge, along the loop: at a vertex, edges that touch there could be taken for each other.
 std::optional<Course> courseOf(const Handle(StepShape_OrientedEdge) & oriented)
 {
     const auto edge = Handle(StepShape_EdgeCurve)::DownCast(oriented->EdgeElement());
-    if (edge.IsNull())
+    const Handle(Geom_Curve) curve = edge.IsNull() ? Handle(Geom_Curve)() : curveOf(edge);
+    if (curve.IsNull())
         return std::nullopt;
-    const auto vertex = Handle(StepShape_VertexPoint)::DownCast(edge->EdgeStart());
-    const auto point = vertex.IsNull() ? Handle(StepGeom_CartesianPoint)()
-                                       : Handle(StepGeom_CartesianPoint)::DownCast(vertex->VertexGeometry());
-    const Handle(Geom_Curve) curve = curveOf(edge);
-    if (point.IsNull() || curve.IsNull())
+    const std::optional<double> start = parameterOf(edge->EdgeStart(), curve);
+    const std::optional<double> end = parameterOf(edge->EdgeEnd(), curve);
+    if (!start || !end)
         return std::nullopt;
-    const gp_Pnt place = StepToGeom::MakeCartesianPoint(point)->Pnt();
-    const GeomAPI_ProjectPointOnCurve projection(place, curve);
-    if (projection.NbPoints() == 0)
-        return std::nullopt;
-    gp_Pnt found;
+    const double low = edge->SameSense() ? *start : *end;
+    double high = edge->SameSense() ? *end : *start;
+    const double range = curve->LastParameter() - curve->FirstParameter();
+    if (high <= low + sameShare * range) {
+        if (!curve->IsClosed())
+            return std::nullopt;
+        high += range;
+    }
+    double middle = 0.5 * (low + high);
+    if (middle > curve->LastParameter())
+        middle -= range;
+    gp_Pnt place;
     gp_Vec along;
-    curve->D1(projection.LowerDistanceParameter(), found, along);
+    curve->D1(middle, place, along);
     if (along.Magnitude() < gp::Resolution())
         return std::nullopt;
     return Course{place, along.Normalized() * (edge->SameSense() == oriented->Orientation() ? 1 : -1)};
@@ -147,21 +170,46 @@ std::optional<bool> goesAgainst(const TopoDS_Face& face, const Course& course)
         const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
         if (curve.IsNull())
             continue;
-        const double nearness = 1e-4 * curve->Value(first).Distance(curve->Value(0.5 * (first + last)));
-        for (const double end : {first, last}) {
-            gp_Pnt place;
-            gp_Vec along;
-            curve->D1(end, place, along);
-            if (place.Distance(course.place) > nearness || along.Magnitude() < gp::Resolution())
-                continue;
-            const double cosine =
-                along.Normalized() * course.direction * (edge.Orientation() == TopAbs_REVERSED ? -1 : 1);
-            if (std::abs(cosine) > parallel)
-                return cosine < 0;
-        }
+        const GeomAPI_ProjectPointOnCurve projection(course.place, curve, first, last);
+        const double size = curve->Value(first).Distance(curve->Value(0.5 * (first + last)));
+        if (projection.NbPoints() == 0 ||
+            projection.LowerDistance() > nearShare * size + 2 * BRep_Tool::Tolerance(edge))
+            continue;
+        gp_Pnt place;
+        gp_Vec along;
+        curve->D1(projection.LowerDistanceParameter(), place, along);
+        if (along.Magnitude() < gp::Resolution())
+            continue;
+        const double cosine = along.Normalized() * course.direction * (edge.Orientation() == TopAbs_REVERSED ? -1 : 1);
+        if (std::abs(cosine) > parallel)
+            return cosine < 0;
     }
     return std::nullopt;
 }
+
+/// How a face lies along u on its surface, which closes in itself that way.
+struct Extent {
+    double low;
+    double high;
+    double begin; ///< of the surface
+    double end;
+
+    explicit Extent(const TopoDS_Face& face)
+    {
+        double v0 = 0;
+        double v1 = 0;
+        BRepTools::UVBounds(face, low, high, v0, v1);
+        BRep_Tool::Surface(face)->Bounds(begin, end, v0, v1);
+    }
+
+    bool meetsSeam() const
+    {
+        const double hair = 1e-6 * (end - begin);
+        return low < begin + hair || high > end - hair;
+    }
+
+    bool isOnceAround() const { return high - low < 1.001 * (end - begin); }
+};
 
 /// Whether a face has seams and poles where they belong. Where it crosses the seam, OpenCASCADE may leave it none, or lay its border
 /// over them, more than once around the surface.
@@ -170,15 +218,7 @@ bool isWhole(const TopoDS_Face& face)
     bool hasSeam = false;
     for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
         hasSeam = hasSeam || BRep_Tool::IsClosed(TopoDS::Edge(edges.Current()), face);
-    double u0 = 0;
-    double u1 = 0;
-    double v0 = 0;
-    double v1 = 0;
-    BRepTools::UVBounds(face, u0, u1, v0, v1);
-    double begin = 0;
-    double end = 0;
-    BRep_Tool::Surface(face)->Bounds(begin, end, v0, v1);
-    return hasSeam && u1 - u0 < 1.001 * (end - begin);
+    return hasSeam && Extent(face).isOnceAround();
 }
 
 /// A face as it was read, and as it should be.
@@ -189,10 +229,17 @@ struct Mend {
 
 /// Turned about an axis through its middle a whole conic covers each place twice, with normals to both sides: then the side is
 /// anyone's guess.
-bool coversTwice(const TopoDS_Face& face)
+/// @param surface as the file has it; OpenCASCADE may have taken half of the conic
+bool coversTwice(const Handle(StepGeom_Surface) & surface, const TopoDS_Face& face)
 {
+    const auto inFile = Handle(StepGeom_SurfaceOfRevolution)::DownCast(surface);
     const auto turned = Handle(Geom_SurfaceOfRevolution)::DownCast(BRep_Tool::Surface(face));
-    const auto conic = turned.IsNull() ? Handle(Geom_Conic)() : Handle(Geom_Conic)::DownCast(turned->BasisCurve());
+    if (inFile.IsNull() || turned.IsNull() || !inFile->SweptCurve()->IsKind(STANDARD_TYPE(StepGeom_Conic)))
+        return false;
+    Handle(Geom_Curve) curve = turned->BasisCurve();
+    if (const auto half = Handle(Geom_TrimmedCurve)::DownCast(curve); !half.IsNull())
+        curve = half->BasisCurve();
+    const auto conic = Handle(Geom_Conic)::DownCast(curve);
     if (conic.IsNull() || !conic->IsClosed())
         return false;
     const double size = conic->Location().Distance(conic->Value(conic->FirstParameter()));
@@ -222,8 +269,8 @@ Mends mendsOf(const STEPControl_Reader& reader)
             const std::optional<bool> goesBack = course ? goesAgainst(before, *course) : std::nullopt;
             if (!goesBack || isWhole(before))
                 continue;
-            if (coversTwice(before))
-                ++mends.unsure;
+            if (coversTwice(entity->FaceGeometry(), before))
+                mends.unsure += Extent(before).meetsSeam() ? 1 : 0;
             else if (const std::optional<TopoDS_Face> after = outerFace(before, *goesBack))
                 mends.faces.push_back({before, *after});
         } catch (const Standard_Failure&) { // a curve that cannot be: the face stays as it was read

@@ -15,7 +15,7 @@ namespace {
 // Ties values down where second derivatives do not: between lines that nothing known crosses. Relative to the stiffness where
 // lines lie farthest apart: where they crowd it is larger by the cube of how much, and a tie to go with that would pull all
 // values to their mean.
-constexpr double tie = 1e-9;
+constexpr double tie = 1e-8;
 
 /// The second derivative from values at three places, by the root of the length it stands for: the sum of squares over a
 /// line is the integral of its square.

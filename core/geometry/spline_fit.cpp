@@ -16,7 +16,8 @@ constexpr std::size_t mostLooksAlongCurves = 480;
 constexpr std::size_t mostLines = 24; // along which errors are looked for, per direction
 constexpr int mostSlopeRounds = 8;    // for normals
 constexpr double leastGain = 0.9;     // of a lean, by one round
-constexpr double leastSine = 1e-3;    // between tangents that make a normal
+constexpr int mostVainRounds = 2;
+constexpr double leastSine = 1e-3; // between tangents that make a normal
 constexpr double leastTrustedSine = 0.1;
 constexpr double slopeStep = 1e-3;   // of a feature or the surface, over which slopes are taken
 constexpr double roundStep = 2e-2;   // of a feature or the surface, over which it is seen how round the target is
@@ -153,7 +154,8 @@ private:
         Vec3 normal;                ///< of length 1
         double tolerance;           ///< sine of the angle by which a tangent may lean: less where tangents are nearly
                                     ///< parallel, which turns a normal the more
-        std::array<double, 2> lastLean; ///< along u and v, when it was too much the last time
+        std::array<double, 2> leastLean; ///< along u and v, of all rounds
+        std::array<int, 2> vain;         ///< rounds that have not made it less
     };
 
     void findSlopes()
@@ -180,7 +182,8 @@ private:
                 m_slopes.push_back({{parameters[i], parameters[i + 1], parameters[i + 2], parameters[i + 3]},
                                     normal.normalized(),
                                     m_options.slopeTolerance * std::max(sine, leastTrustedSine),
-                                    {1, 1}});
+                                    {1, 1},
+                                    {0, 0}});
         }
     }
 
@@ -224,9 +227,10 @@ private:
                 const Vec2& to = slope.around[2 * direction + 1];
                 const Vec3 tangent = at(to) - at(from);
                 const double lean = std::abs(tangent.dot(slope.normal)) / tangent.norm();
-                if (lean <= slope.tolerance || lean > leastGain * slope.lastLean[direction])
+                if (lean <= slope.tolerance || slope.vain[direction] > mostVainRounds)
                     continue; // good, or at a kink of the target's own, where more knots do not help
-                slope.lastLean[direction] = lean;
+                slope.vain[direction] += lean > leastGain * slope.leastLean[direction] ? 1 : 0;
+                slope.leastLean[direction] = std::min(slope.leastLean[direction], lean);
                 const Vec2 middle = 0.5 * (from + to);
                 missed[direction][m_knots[direction].spanOf(middle[static_cast<Eigen::Index>(direction)])] = true;
             }

@@ -162,6 +162,12 @@ bool divideClosedFaces(const PartToExport& part, ReadyPart& ready)
     return true;
 }
 
+/// A closed shape with its outside outside.
+TopoDS_Shape outward(const TopoDS_Shape& shape)
+{
+    return faceIntegralsOf(shape).volume < 0 ? shape.Reversed() : shape;
+}
+
 /// What came of bending faces.
 struct Bent {
     std::string reason;                ///< why they cannot be used; empty when they can
@@ -183,7 +189,7 @@ Bent bend(ReadyPart& ready, TaskControl& control, const std::set<std::uint32_t>&
                                        [](const MorphedFaceNote& note) { return note.kind == MorphedFaceKind::kept; }));
     ready.notes = std::move(morphed.notes);
     ready.origin = std::move(morphed.origin);
-    ready.out.shape = faceIntegralsOf(morphed.shape).volume < 0 ? morphed.shape.Reversed() : morphed.shape;
+    ready.out.shape = outward(morphed.shape);
     return {};
 }
 
@@ -398,7 +404,7 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
     std::iota(own.begin(), own.end(), 0U);
     addFaceColors(part.part, own, ready.out);
     if (!isMoved) {
-        ready.out.shape = ready.source;
+        ready.out.shape = part.part.watertight ? outward(ready.source) : ready.source;
         report.keptFaces = report.facesBefore;
         return ready;
     }

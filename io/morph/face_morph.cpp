@@ -24,7 +24,7 @@ namespace {
 constexpr int borderSamplesPerEdge = 16;
 constexpr double leastLooks = 6; // into a face, per direction
 constexpr double mostLooks = 60;
-constexpr double reach = 0.4; // beyond a face, in features: so near to the material its map is good, and smooth
+constexpr double reach = 0.6; // beyond a face, in features: so near to the material its map is good, and smooth
 
 Handle(Geom2d_Curve) withoutTrim(Handle(Geom2d_Curve) curve)
 {
