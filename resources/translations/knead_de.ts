@@ -1341,6 +1341,10 @@
         <source>%1 of %2 parts are not sound.</source>
         <translation>%1 von %2 Teilen sind nicht einwandfrei.</translation>
     </message>
+    <message>
+        <source>smooth faces, %1 flat</source>
+        <translation>glatte Flächen, %1 flach</translation>
+    </message>
 </context>
 <context>
     <name>FileWords</name>
@@ -1741,14 +1745,6 @@
         <translation>„%1“: %2 Flächen, %3, kommen der Haut nicht so nahe wie angestrebt, %4 mm; Fläche %5 liegt %6 mm daneben.</translation>
     </message>
     <message>
-        <source>1 face was added: those that close in themselves came in two, since as they were bent here they did not make a sound solid.</source>
-        <translation>1 Fläche kam hinzu: in sich geschlossene wurden geteilt, weil sie so gebogen keinen fehlerfreien Körper ergaben.</translation>
-    </message>
-    <message>
-        <source>%1 faces were added: those that close in themselves came in two, since as they were bent here they did not make a sound solid.</source>
-        <translation>%1 Flächen kamen hinzu: in sich geschlossene wurden geteilt, weil sie so gebogen keinen fehlerfreien Körper ergaben.</translation>
-    </message>
-    <message>
         <source>it came as a mesh, which has no smooth faces.</source>
         <translation>es kam als Netz, das keine glatten Flächen hat.</translation>
     </message>
@@ -1927,6 +1923,22 @@
     <message>
         <source>%1: a turned face is bounded across its seam, and the file does not tell on which side of its border it lies; check the volume of its part.</source>
         <translation>%1: Eine gedrehte Fläche ist über ihre Naht hinweg begrenzt, und die Datei sagt nicht, auf welcher Seite ihres Randes sie liegt; das Volumen ihres Teils ist zu prüfen.</translation>
+    </message>
+    <message>
+        <source>1 face was added: those that close in themselves came in two, which other programs read more surely.</source>
+        <translation>1 Fläche kam hinzu: In sich geschlossene kamen zweigeteilt, was andere Programme sicherer lesen.</translation>
+    </message>
+    <message>
+        <source>%1 faces were added: those that close in themselves came in two, which other programs read more surely.</source>
+        <translation>%1 Flächen kamen hinzu: In sich geschlossene kamen zweigeteilt, was andere Programme sicherer lesen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: face %2 is made of flat triangles; its other faces are smooth.</source>
+        <translation>„%1“: Fläche %2 besteht aus flachen Dreiecken; die anderen Flächen sind glatt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: faces %2 are made of flat triangles; its other faces are smooth.</source>
+        <translation>„%1“: Flächen %2 bestehen aus flachen Dreiecken; die anderen Flächen sind glatt.</translation>
     </message>
 </context>
 <context>

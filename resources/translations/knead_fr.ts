@@ -1341,6 +1341,10 @@
         <source>%1 of %2 parts are not sound.</source>
         <translation>%1 pièces sur %2 ne sont pas saines.</translation>
     </message>
+    <message>
+        <source>smooth faces, %1 flat</source>
+        <translation>faces lisses, dont %1 à facettes</translation>
+    </message>
 </context>
 <context>
     <name>FileWords</name>
@@ -1741,14 +1745,6 @@
         <translation>« %1 » : %2 faces, %3, n&apos;approchent pas la peau d&apos;aussi près que visé, %4 mm ; la face %5 en est à %6 mm.</translation>
     </message>
     <message>
-        <source>1 face was added: those that close in themselves came in two, since as they were bent here they did not make a sound solid.</source>
-        <translation>1 face a été ajoutée : celles qui se referment sur elles-mêmes ont été divisées, car ainsi courbées elles ne formaient pas un solide correct.</translation>
-    </message>
-    <message>
-        <source>%1 faces were added: those that close in themselves came in two, since as they were bent here they did not make a sound solid.</source>
-        <translation>%1 faces ont été ajoutées : celles qui se referment sur elles-mêmes ont été divisées, car ainsi courbées elles ne formaient pas un solide correct.</translation>
-    </message>
-    <message>
         <source>it came as a mesh, which has no smooth faces.</source>
         <translation>elle est venue comme maillage, qui n&apos;a pas de faces lisses.</translation>
     </message>
@@ -1927,6 +1923,22 @@
     <message>
         <source>%1: a turned face is bounded across its seam, and the file does not tell on which side of its border it lies; check the volume of its part.</source>
         <translation>%1 : une face de révolution est bordée à travers sa couture, et le fichier ne dit pas de quel côté de son bord elle se trouve ; vérifiez le volume de sa pièce.</translation>
+    </message>
+    <message>
+        <source>1 face was added: those that close in themselves came in two, which other programs read more surely.</source>
+        <translation>1 face a été ajoutée : celles qui se referment sur elles-mêmes sont venues en deux, ce que d’autres programmes lisent plus sûrement.</translation>
+    </message>
+    <message>
+        <source>%1 faces were added: those that close in themselves came in two, which other programs read more surely.</source>
+        <translation>%1 faces ont été ajoutées : celles qui se referment sur elles-mêmes sont venues en deux, ce que d’autres programmes lisent plus sûrement.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: face %2 is made of flat triangles; its other faces are smooth.</source>
+        <translation>« %1 » : la face %2 est faite de triangles plans ; ses autres faces sont lisses.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: faces %2 are made of flat triangles; its other faces are smooth.</source>
+        <translation>« %1 » : les faces %2 sont faites de triangles plans ; ses autres faces sont lisses.</translation>
     </message>
 </context>
 <context>

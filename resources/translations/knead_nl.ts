@@ -1341,6 +1341,10 @@
         <source>%1 of %2 parts are not sound.</source>
         <translation>%1 van %2 onderdelen zijn niet in orde.</translation>
     </message>
+    <message>
+        <source>smooth faces, %1 flat</source>
+        <translation>gladde vlakken, %1 vlak</translation>
+    </message>
 </context>
 <context>
     <name>FileWords</name>
@@ -1741,14 +1745,6 @@
         <translation>&quot;%1&quot;: %2 vlakken, %3, komen niet zo dicht bij de huid als beoogd, %4 mm; vlak %5 ligt er %6 mm naast.</translation>
     </message>
     <message>
-        <source>1 face was added: those that close in themselves came in two, since as they were bent here they did not make a sound solid.</source>
-        <translation>1 vlak is toegevoegd: vlakken die in zichzelf sluiten zijn gedeeld, omdat ze zo gebogen geen gaaf lichaam vormden.</translation>
-    </message>
-    <message>
-        <source>%1 faces were added: those that close in themselves came in two, since as they were bent here they did not make a sound solid.</source>
-        <translation>%1 vlakken zijn toegevoegd: vlakken die in zichzelf sluiten zijn gedeeld, omdat ze zo gebogen geen gaaf lichaam vormden.</translation>
-    </message>
-    <message>
         <source>it came as a mesh, which has no smooth faces.</source>
         <translation>het kwam als net, dat geen gladde vlakken heeft.</translation>
     </message>
@@ -1927,6 +1923,22 @@
     <message>
         <source>%1: a turned face is bounded across its seam, and the file does not tell on which side of its border it lies; check the volume of its part.</source>
         <translation>%1: een gedraaid vlak is over zijn naad heen begrensd, en het bestand zegt niet aan welke kant van zijn rand het ligt; controleer het volume van zijn onderdeel.</translation>
+    </message>
+    <message>
+        <source>1 face was added: those that close in themselves came in two, which other programs read more surely.</source>
+        <translation>Er kwam 1 vlak bij: vlakken die in zichzelf sluiten kwamen in tweeën, wat andere programma’s zekerder lezen.</translation>
+    </message>
+    <message>
+        <source>%1 faces were added: those that close in themselves came in two, which other programs read more surely.</source>
+        <translation>Er kwamen %1 vlakken bij: vlakken die in zichzelf sluiten kwamen in tweeën, wat andere programma’s zekerder lezen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: face %2 is made of flat triangles; its other faces are smooth.</source>
+        <translation>&quot;%1&quot;: vlak %2 bestaat uit platte driehoeken; de andere vlakken zijn glad.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: faces %2 are made of flat triangles; its other faces are smooth.</source>
+        <translation>&quot;%1&quot;: vlakken %2 bestaan uit platte driehoeken; de andere vlakken zijn glad.</translation>
     </message>
 </context>
 <context>

@@ -154,6 +154,9 @@ private slots:
               "off.",
               "\"Bar\" is cracked but in one piece: 12 of its connections are broken, and its skin spans the crack, "
               "stretched to 2.5 times its length there near (1, 2, 3) mm.",
+              "\"Bar\": face 5 is made of flat triangles; its other faces are smooth.",
+              "\"Bar\": faces 5, 7, 12 are made of flat triangles; its other faces are smooth.",
+              "4 faces were added: those that close in themselves came in two, which other programs read more surely.",
               "read back from the file, its bent faces enclose a volume 0.35 % off that of the skin."}) {
             const QString said = inWords(sentence);
             QVERIFY2(said != sentence, sentence);
