@@ -72,6 +72,7 @@ public:
         return known;
     }
 
+private:
     std::optional<EdgePoints> pointsOfNeighbor(const TopoDS_Edge& edge) const
     {
         const int index = m_facesOfEdges.FindIndex(edge);

@@ -104,7 +104,7 @@ std::optional<Course> courseOf(const Handle(StepShape_OrientedEdge) & oriented)
         return std::nullopt;
     const double low = edge->SameSense() ? *start : *end;
     double high = edge->SameSense() ? *end : *start;
-    const double range = curve->LastParameter() - curve->FirstParameter();
+    const double range = curve->IsClosed() ? curve->LastParameter() - curve->FirstParameter() : 0;
     if (high <= low + sameShare * range) {
         if (!curve->IsClosed())
             return std::nullopt;
@@ -152,7 +152,9 @@ std::optional<Course> courseOf(const Handle(StepShape_FaceSurface) & face)
         if (uses != 1)
             continue;
         std::optional<Course> course = courseOf(edge);
-        if (course && bound->Orientation() != face->SameSense())
+        if (!course)
+            continue;
+        if (bound->Orientation() != face->SameSense())
             course->direction.Reverse();
         return course;
     }

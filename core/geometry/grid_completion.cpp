@@ -7,6 +7,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace knead {
 
@@ -16,6 +17,7 @@ namespace {
 // lines lie farthest apart: where they crowd it is larger by the cube of how much, and a tie to go with that would pull all
 // values to their mean.
 constexpr double tie = 1e-8;
+constexpr double rounding = 1e-15; // of the largest stiffness: less would be lost
 
 /// The second derivative from values at three places, by the root of the length it stands for: the sum of squares over a
 /// line is the integral of its square.
@@ -62,13 +64,16 @@ public:
         for (const Eigen::Triplet<double>& entry : m_entries)
             if (entry.row() == entry.col())
                 stiffness[static_cast<std::size_t>(entry.row())] += entry.value();
-        double least = 1;
-        for (const double value : stiffness)
-            if (value > 0)
-                least = std::min(least, value);
+        double least = std::numeric_limits<double>::max();
+        double largest = 0;
+        for (const double value : stiffness) {
+            least = value > 0 ? std::min(least, value) : least;
+            largest = std::max(largest, value);
+        }
+        const double spring = largest > 0 ? std::max(tie * least, rounding * largest) : 1;
         for (int unknown = 0; unknown < m_unknowns; ++unknown) {
-            m_entries.emplace_back(unknown, unknown, tie * least);
-            m_right.row(unknown) += tie * least * mean.transpose();
+            m_entries.emplace_back(unknown, unknown, spring);
+            m_right.row(unknown) += spring * mean.transpose();
         }
         Eigen::SparseMatrix<double> matrix(m_unknowns, m_unknowns);
         matrix.setFromTriplets(m_entries.begin(), m_entries.end());

@@ -338,20 +338,25 @@ std::vector<double> measureDeviation(const ReadyPart& written, const TopoDS_Shap
     return DeviationMeasure(written, back).into(report);
 }
 
-void measurePatches(const ReadyPart& written, const std::vector<const Part*>& backs, PartExportReport& report)
+bool measurePatches(const ReadyPart& written, const std::vector<const Part*>& backs, PartExportReport& report)
 {
+    std::size_t faces = 0;
+    for (const Part* back : backs)
+        faces += back->faces.size();
+    if (faces != written.origin.size())
+        return false;
     const TriangleMesh back = together(backs);
     TriangleMesh patches{.vertices = back.vertices, .triangles = {}, .faceOfTriangle = {}};
     for (std::size_t t = 0; t < back.triangles.size(); ++t)
-        if (const std::uint32_t face = back.faceOfTriangle[t];
-            face < written.origin.size() && written.isFlat(written.origin[face]))
+        if (written.isFlat(written.origin[back.faceOfTriangle[t]]))
             patches.triangles.push_back(back.triangles[t]);
     if (written.skin.triangles.empty() || patches.triangles.empty())
-        return;
+        return false;
     Distances distances;
     addDistances(written.skin, patches, distances);
     addDistances(patches, written.skin, distances);
     report.largestFlatDeviation = distances.largest;
+    return true;
 }
 
 void measureFlatDeviation(const TriangleMesh& skin, const std::vector<const Part*>& backs, PartExportReport& report)

@@ -18,7 +18,8 @@ std::vector<double> measureDeviation(const ReadyPart& written, const TopoDS_Shap
 
 /// Measures how far the triangles in the place of some faces are from the skin, both ways.
 /// @param backs as they were read, their faces in the order in which they were written
-void measurePatches(const ReadyPart& written, const std::vector<const Part*>& backs, PartExportReport& report);
+/// @return false when nothing says which face is which
+bool measurePatches(const ReadyPart& written, const std::vector<const Part*>& backs, PartExportReport& report);
 
 /// Measures how far flat faces that were read back and the skin are from each other, both ways.
 /// @param skin closed, finely divided [m]

@@ -4,8 +4,8 @@
 #include "core/geometry/refine.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/skin_map.h"
+#include "io/export/bent_faces.h"
 #include "io/export/cut_shape.h"
-#include "io/export/divided_shape.h"
 #include "io/export/faceted_solid.h"
 #include "io/export/surface_flaws.h"
 #include "io/face_integral.h"
@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
 #include <stdexcept>
 
 namespace knead {
@@ -28,14 +27,8 @@ namespace {
 
 constexpr double defaultTolerance = 1e-4;      // of the size of the part
 constexpr std::size_t mostTriangles = 400'000; // of the surface that volumes are compared with
-constexpr double facetDeflection = 1.0 / 400;  // of the size of a part that is written as flat faces
-constexpr double facetAngle = 0.35;            // [rad]
 constexpr std::size_t wantedFacets = 10'000;
-constexpr std::size_t mostFacets = 60'000;
-constexpr double flatness = 0.1;  // of the tolerance, by which corners may be off a flat face
-constexpr double flatShare = 0.4; // of what single flat faces may be off, that their triangles are drawn with
-constexpr double leastSide =
-    1.0 / 150; // of the size, to which their triangles are divided however short the map's features are
+constexpr double flatness = 0.1;      // of the tolerance, by which corners may be off a flat face
 constexpr double triangleEdges = 100; // across a part whose map has no spacing
 
 /// Leaves everything where it is.
@@ -111,28 +104,6 @@ TopoDS_Shape inMillimetres(const TopoDS_Shape& shape, double unit)
     return BRepBuilderAPI_Transform(shape, scale, true).Shape();
 }
 
-/// Why the faces of a shape cannot be used; empty when they can.
-std::string whyNot(const MorphedShape& shape)
-{
-    const auto isFailed = [](const MorphedFaceNote& note) { return note.kind == MorphedFaceKind::failed; };
-    const auto failed = std::count_if(shape.notes.begin(), shape.notes.end(), isFailed);
-    if (failed > 0) {
-        const auto first = std::find_if(shape.notes.begin(), shape.notes.end(), isFailed);
-        return std::to_string(failed) + " of its faces could not be carried along: " + first->problem + ".";
-    }
-    if (!shape.isValid)
-        return "its faces do not fit together any more as they are bent now.";
-    return {};
-}
-
-/// @param origin per face that is written: which of the part it is of
-void addFaceColors(const Part& part, const std::vector<std::uint32_t>& origin, CadPartToWrite& out)
-{
-    out.faceColors.clear();
-    for (const std::uint32_t face : origin)
-        out.faceColors.push_back(face < part.faces.size() ? part.faces[face].color : std::nullopt);
-}
-
 void makeFaceted(const PartToExport& part, const std::string& reason, ReadyPart& ready)
 {
     ready.next.reset();
@@ -140,199 +111,13 @@ void makeFaceted(const PartToExport& part, const std::string& reason, ReadyPart&
         facetedSolid(facetsOf(part, *ready.map, ready.source), flatness * ready.report.tolerance);
     ready.out.shape = solid.shape;
     ready.source.Nullify();
+    ready.notes.clear(); // of what was tried before
+    ready.origin.clear();
+    ready.report.keptFaces = 0;
     ready.report.form = PartExportReport::Form::faceted;
     ready.report.tolerance = std::max(ready.report.tolerance, facetDeflection * part.part.box.diagonal().norm());
     ready.report.reason = reason;
-    addFaceColors(part.part, solid.origin, ready.out);
-}
-
-/// Divides the faces of the source that close in themselves. @return false when there are none
-bool divideClosedFaces(const PartToExport& part, ReadyPart& ready)
-{
-    const DividedShape divided = withoutClosedFaces(ready.source);
-    const std::size_t added = divided.origin.size() - part.part.faces.size();
-    if (divided.origin.size() <= part.part.faces.size())
-        return false;
-    ready.source = divided.shape;
-    ready.originOfDivided = divided.origin;
-    addFaceColors(part.part, divided.origin, ready.out);
-    ready.report.remarks.push_back(std::to_string(added) + (added == 1 ? " face was" : " faces were") +
-                                   " added: those that close in themselves came in two, which other programs read "
-                                   "more surely.");
-    return true;
-}
-
-/// A closed shape with its outside outside.
-TopoDS_Shape outward(const TopoDS_Shape& shape)
-{
-    return faceIntegralsOf(shape).volume < 0 ? shape.Reversed() : shape;
-}
-
-/// What came of bending faces.
-struct Bent {
-    std::string reason;                ///< why they cannot be used; empty when they can
-    std::vector<std::uint32_t> faulty; ///< those of the source because of which, as far as known
-};
-
-/// Carries the faces of the source through the map.
-/// @param flat those that are to be triangles
-Bent bend(ReadyPart& ready, TaskControl& control, const std::set<std::uint32_t>& flat = {},
-          const DrawingFineness& flatFineness = {})
-{
-    PartExportReport& report = ready.report;
-    const MorphOptions options{.tolerance = 1e3 * report.tolerance, .flat = flat, .flatFineness = flatFineness};
-    MorphedShape morphed = morphShape(ready.source, *ready.map, options, control);
-    if (const std::string reason = whyNot(morphed); !reason.empty())
-        return {reason, morphed.faulty};
-    report.keptFaces =
-        static_cast<int>(std::count_if(morphed.notes.begin(), morphed.notes.end(),
-                                       [](const MorphedFaceNote& note) { return note.kind == MorphedFaceKind::kept; }));
-    ready.notes = std::move(morphed.notes);
-    ready.origin = std::move(morphed.origin);
-    ready.out.shape = outward(morphed.shape);
-    return {};
-}
-
-/// What a face of the source is of, in the part.
-std::uint32_t originOf(std::uint32_t face, const ReadyPart& ready)
-{
-    return ready.manner == FaceManner::own ? face : ready.originOfDivided[face];
-}
-
-/// "faces 3, 7 and 12"
-std::string facesInWords(const std::set<std::uint32_t>& faces)
-{
-    constexpr std::size_t mostNamed = 8;
-    std::string words = faces.size() == 1 ? "face" : "faces";
-    std::size_t named = 0;
-    for (const std::uint32_t face : faces)
-        if (++named <= mostNamed)
-            words += (named == 1 ? " " : ", ") + std::to_string(face);
-    return faces.size() > mostNamed ? words + ", ..." : words;
-}
-
-/// Bends the faces of the source but for some, in whose place triangles come that end at the smooth ones beside them.
-/// @return what came of it; triangles may be at fault, too
-Bent bendAround(const PartToExport& part, const std::set<std::uint32_t>& flat, const std::string& why,
-                TaskControl& control, ReadyPart& ready)
-{
-    PartExportReport& report = ready.report;
-    const double size = part.part.box.diagonal().norm();
-    const double allowed = std::max(report.tolerance, facetDeflection * size);
-    const DrawingFineness fineness{.deflection = 1e3 * flatShare * allowed,
-                                   .angle = facetAngle,
-                                   .longestSide = 1e3 * std::max(ready.map->featureSize(), leastSide * size),
-                                   .shortestSide = 1e3 * leastSide * size / 2};
-    Bent bent;
-    try {
-        bent = bend(ready, control, flat, fineness);
-    } catch (const Cancelled&) {
-        throw;
-    } catch (const std::runtime_error& error) {
-        return {error.what(), {}};
-    }
-    if (!bent.reason.empty())
-        return bent;
-    if (ready.origin.size() > mostFacets)
-        return {"too many triangles would be needed.", {}};
-    report.flatFaces = static_cast<int>(flat.size());
-    report.flatTolerance = allowed;
-    report.reason = why;
-    report.remarks.push_back("\"" + report.name + "\": " + facesInWords(flat) + (flat.size() == 1 ? " is" : " are") +
-                             " made of flat triangles; its other faces are smooth.");
-    std::vector<std::uint32_t> origin; // in the part
-    for (const std::uint32_t face : ready.origin)
-        origin.push_back(originOf(face, ready));
-    addFaceColors(part.part, origin, ready.out);
-    ready.next = FaceManner::flat;
-    return bent;
-}
-
-/// Adds a face, and the other half of it where it was divided.
-void addWhole(std::uint32_t face, const ReadyPart& ready, std::set<std::uint32_t>& faces)
-{
-    faces.insert(face);
-    for (std::uint32_t other = 0; ready.manner != FaceManner::own && other < ready.originOfDivided.size(); ++other)
-        if (originOf(other, ready) == originOf(face, ready))
-            faces.insert(other);
-}
-
-/// The part of a skin that flat faces stand for.
-/// @param skin numbered by the faces of the part
-TriangleMesh skinOfFlatFaces(const ReadyPart& ready, const TriangleMesh& skin)
-{
-    std::set<std::uint32_t> flat;
-    for (std::uint32_t face = 0; face < ready.notes.size(); ++face)
-        if (ready.isFlat(face))
-            flat.insert(originOf(face, ready));
-    TriangleMesh patch{.vertices = skin.vertices, .triangles = {}, .faceOfTriangle = {}};
-    for (std::size_t t = 0; t < skin.triangles.size(); ++t)
-        if (flat.contains(skin.faceOfTriangle[t]))
-            patch.triangles.push_back(skin.triangles[t]);
-    return patch;
-}
-
-/// Faces that failed, or made the solid invalid, become triangles; so do those that fail beside them then.
-/// @return whether there is a solid
-bool bendAroundFaulty(const PartToExport& part, Bent last, TaskControl& control, ReadyPart& ready)
-{
-    constexpr int mostRounds = 3;
-    std::set<std::uint32_t> flat;
-    const std::string why = last.reason;
-    for (int round = 0; round < mostRounds; ++round) {
-        const std::size_t before = flat.size();
-        for (const std::uint32_t face : last.faulty)
-            addWhole(face, ready, flat);
-        if (flat.size() == before)
-            return false;
-        last = bendAround(part, flat, why, control, ready);
-        if (last.reason.empty())
-            return true;
-    }
-    return false;
-}
-
-/// Its own faces bent, divided where that is needed, some of them flat where nothing else goes, or all flat.
-void makeBent(const PartToExport& part, const FaceChoice& choice, TaskControl& control, ReadyPart& ready)
-{
-    // What cannot be divided is better smooth and misread by some than flat.
-    const bool isMisread = choice.from == FaceManner::own && hasBoredClosedFaces(ready.source) &&
-                           withoutClosedFaces(ready.source).origin.size() > part.part.faces.size();
-    ready.manner = isMisread ? FaceManner::divided : choice.from;
-    ready.next =
-        ready.manner == FaceManner::own && hasClosedFaces(ready.source) ? FaceManner::divided : FaceManner::flat;
-    std::string reason = choice.reason;
-    Bent bent;
-    if (!choice.flat.empty() && !isMisread) {
-        if (ready.manner == FaceManner::divided)
-            divideClosedFaces(part, ready);
-        if (bendAroundFaulty(part, {reason, choice.flat}, control, ready))
-            return;
-        makeFaceted(part, reason, ready);
-        return;
-    }
-    if (ready.manner == FaceManner::own) {
-        TaskPortion portion(control, 0, 0.4);
-        bent = bend(ready, portion);
-        if (bent.reason.empty())
-            return;
-        reason = bent.reason;
-    }
-    if (ready.manner != FaceManner::flat && divideClosedFaces(part, ready)) {
-        ready.manner = FaceManner::divided;
-        ready.next = FaceManner::flat;
-        TaskPortion portion(control, 0.4, 0.8);
-        bent = bend(ready, portion);
-        if (bent.reason.empty())
-            return;
-        reason = bent.reason;
-    }
-    TaskPortion portion(control, 0.8, 1);
-    if (bendAroundFaulty(part, bent, portion, ready))
-        return;
-    if (ready.manner == FaceManner::divided)
-        ready.report.remarks.pop_back();
-    makeFaceted(part, reason, ready);
+    setFaceColors(part.part, solid.origin, ready.out);
 }
 
 /// A piece with the faces of its part as knives cut them: as if it had come so.
@@ -402,7 +187,7 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
     ready.source = shape;
     std::vector<std::uint32_t> own(part.part.faces.size());
     std::iota(own.begin(), own.end(), 0U);
-    addFaceColors(part.part, own, ready.out);
+    setFaceColors(part.part, own, ready.out);
     if (!isMoved) {
         ready.out.shape = part.part.watertight ? outward(ready.source) : ready.source;
         report.keptFaces = report.facesBefore;
@@ -410,7 +195,8 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
     }
     noteCrossings(*ready.map, {&part.part.mesh, &rest}, now, control, report);
     TaskPortion bending(control, 0.2, 1);
-    makeBent(part, choice, bending, ready);
+    if (const std::string reason = bendFaces(part, choice, bending, ready); !reason.empty())
+        makeFaceted(part, reason, ready);
     noteFold(rest, now, report);
     if (report.form == PartExportReport::Form::faceted)
         ready.skin = std::move(now);

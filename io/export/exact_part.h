@@ -26,6 +26,9 @@ struct FaceChoice {
     FaceManner from = FaceManner::own; ///< what comes before did not come back sound
     std::string reason;                ///< why they do not: a sentence; empty for `own`
     std::vector<std::uint32_t> flat;   ///< faces of that manner that are to be triangles among smooth ones
+
+    /// Faces of the manner before that did not come back fit, should there be none of this manner.
+    std::vector<std::uint32_t> misfits;
 };
 
 /// A part as it will be written, and what the check needs to know about it.

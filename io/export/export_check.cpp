@@ -114,9 +114,12 @@ void compare(ReadyPart& written, const std::vector<const Part*>& backs, const To
     if (written.source.IsNull() || backs.empty())
         return;
     const std::vector<double> misses = measureDeviation(written, shape, report);
-    if (report.flatFaces > 0)
-        measurePatches(written, backs, report);
-    written.misfits = misfitsOf(written, misses, shape);
+    if (report.flatFaces > 0 && !measurePatches(written, backs, report)) {
+        report.valid = false;
+        report.remarks.emplace_back("its faces were not found again as they were written.");
+    }
+    if (written.next && !report.isFit())
+        written.misfits = misfitsOf(written, misses, shape);
     const SmoothEdges edges =
         compareSmoothEdges(written.source, shape, written.origin, MillimetreMap(*written.map), 1e3 * report.tolerance);
     report.smoothEdges = edges.count;

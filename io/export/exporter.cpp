@@ -148,7 +148,8 @@ constexpr double roughVolume = 2e-3;
 
 bool isRough(const PartExportReport& report)
 {
-    return report.largestDeviation > roughFaces * report.tolerance || std::abs(report.volumeError()) > roughVolume;
+    return report.largestDeviation > roughFaces * report.tolerance || std::abs(report.volumeError()) > roughVolume ||
+           report.largestFlatDeviation > report.flatTolerance;
 }
 
 /// A sound part whose own faces were bent, and are no longer fit for who reads the file.
@@ -169,7 +170,14 @@ std::string whyUnfit(const PartExportReport& report)
         return bent + "do not pass the geometry checks.";
     if (!report.closed || report.freeEdges > 0)
         return bent + "leave gaps.";
-    char text[100];
+    char text[120];
+    if (report.largestFlatDeviation > report.flatTolerance) {
+        std::snprintf(
+            text, sizeof text,
+            "read back from the file, its flat faces are up to %.3g mm off the skin where %.3g mm are allowed.",
+            1e3 * report.largestFlatDeviation, 1e3 * report.flatTolerance);
+        return text;
+    }
     if (report.largestDeviation > report.tolerance)
         std::snprintf(text, sizeof text, "are up to %.3g mm off the skin where %.3g mm are allowed.",
                       1e3 * report.largestDeviation, 1e3 * report.tolerance);
@@ -196,9 +204,9 @@ bool choose(const ExportJob& job, const Attempt& last, Choices& choices)
         if (!outcome.next || !isSpoilt(job.parts[i], report) || !areOthersBetter(report))
             continue;
         if (*outcome.next == FaceManner::flat && !outcome.misfits.empty() && choices[i].flat.empty())
-            choices[i] = {outcome.manner, whyUnfit(report), outcome.misfits};
+            choices[i] = {outcome.manner, whyUnfit(report), outcome.misfits, {}};
         else
-            choices[i] = {*outcome.next, whyUnfit(report), {}};
+            choices[i] = {*outcome.next, whyUnfit(report), {}, outcome.misfits};
         isAny = true;
     }
     return isAny;

@@ -48,7 +48,7 @@ MorphedShape morphShape(const TopoDS_Shape& shape, const SmoothMap& map, const M
     TaskPortion geometry(control, 0, 0.85);
     copy.computeGeometry(geometry);
     MorphedShape result;
-    result.shape = copy.build();
+    result.shape = copy.build(control);
     result.origin = copy.originsIn(result.shape);
     for (const MorphedFace& face : copy.faceResults()) {
         const bool isFlat = copy.isFlat(static_cast<int>(result.notes.size()) + 1);

@@ -23,7 +23,8 @@ struct MorphedFaceNote {
     std::string problem;
 };
 
-/// A boundary representation carried through a smooth map: the same topology, each face, edge and vertex where the map takes it.
+/// A boundary representation carried through a smooth map: the same topology, each face, edge and vertex where the map takes it, but
+/// for faces that are to be flat (MorphOptions::flat): these come as triangles, and edges beside them in pieces.
 struct MorphedShape {
     TopoDS_Shape shape;
     std::vector<MorphedFaceNote> notes; ///< on each face of the source, as TopExp::MapShapes() numbers them

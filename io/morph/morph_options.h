@@ -3,6 +3,7 @@
 #include "io/face_drawing.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <set>
 
@@ -15,8 +16,9 @@ struct MorphOptions {
 
     double slope = 3e-3; ///< by which normals may be off along edges, so that faces that met smoothly still do [rad]
 
-    std::set<std::uint32_t> flat; ///< faces (from 0, as TopExp::MapShapes() numbers them) that are to be triangles
-    DrawingFineness flatFineness; ///< of these
+    std::set<std::uint32_t> flat;  ///< faces (from 0, as TopExp::MapShapes() numbers them) that are to be triangles
+    DrawingFineness flatFineness;  ///< of these
+    std::size_t mostFlat = 60'000; ///< triangles
 
     double faceTolerance() const { return 0.3 * tolerance; }
     double edgeTolerance() const { return std::max(1e-8, 0.1 * tolerance); } ///< several faces meet there

@@ -1,5 +1,8 @@
 #include "io/morph/patch_maker.h"
 
+#include "io/face_redrawing.h"
+#include "io/morph/trimmed_face.h"
+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
@@ -16,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace knead {
 
@@ -38,6 +42,14 @@ Handle(Geom_Curve) pieceOf(const Handle(Geom_Curve) & curve, double first, doubl
     Handle(Geom_BSplineCurve) piece = Handle(Geom_BSplineCurve)::DownCast(spline->Copy());
     piece->Segment(first, last);
     return piece;
+}
+
+/// Whether some of its wires lie a period of the surface away from the others.
+bool hasWiresApart(const TopoDS_Face& face)
+{
+    const TrimmedFace trimmed(face);
+    return std::any_of(trimmed.edges().begin(), trimmed.edges().end(),
+                       [](const FaceEdge& edge) { return edge.shift.Magnitude() > 0; });
 }
 
 gp_Pnt placeOf(const TopoDS_Vertex& vertex)
@@ -124,6 +136,8 @@ PatchMaker::PatchMaker(const DrawingFineness& fineness, Surroundings surrounding
 std::vector<TopoDS_Face> PatchMaker::facesFor(const TopoDS_Face& face, const MillimetreMap& map)
 try {
     const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+    if (!slitsOf(forward).IsEmpty() || hasWiresApart(forward))
+        throw std::runtime_error("its border cannot be drawn in its parameters");
     CarriedFace carried(forward, map, *this);
     const auto drawn = drawFace(forward, carried, m_fineness);
     if (!drawn)
@@ -149,12 +163,12 @@ try {
     }
     return faces;
 } catch (const Standard_Failure& failure) {
-    throw std::runtime_error(failure.GetMessageString());
+    throw std::runtime_error(std::string("a face cannot be drawn: ") + failure.GetMessageString());
 }
 
 const PatchMaker::Division& PatchMaker::divisionOf(const TopoDS_Edge& edge)
 {
-    Division& division = m_divisions[edge.TShape().get()];
+    Division& division = m_divisions[m_surroundings.numberOf(edge)];
     if (division.vertices.empty())
         division = divide(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)));
     return division;
@@ -201,7 +215,7 @@ void PatchMaker::cut(const TopoDS_Edge& edge, const TopoDS_Edge& image, const Di
     double first = 0;
     double last = 0;
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(image, first, last);
-    std::vector<TopoDS_Edge>& pieces = m_pieces[edge.TShape().get()];
+    std::vector<TopoDS_Edge>& pieces = m_pieces[m_surroundings.numberOf(edge)];
     for (std::size_t i = 0; i + 1 < division.vertices.size(); ++i) {
         const double begin = division.points.parameters[i];
         const double end = division.points.parameters[i + 1];
@@ -212,21 +226,21 @@ void PatchMaker::cut(const TopoDS_Edge& edge, const TopoDS_Edge& image, const Di
         m_builder.Range(piece, begin, end);
         piece.Closed(false);
         pieces.push_back(piece);
-        const Ends ends(numberOf(division.vertices[i]), numberOf(division.vertices[i + 1]));
+        const Ends ends(vertexNumber(division.vertices[i]), vertexNumber(division.vertices[i + 1]));
         if (m_edges.contains(ends) || m_edges.contains({ends.second, ends.first}))
             throw std::runtime_error("two of its edges are too short to be told apart");
         m_edges[ends] = piece;
     }
 }
 
-std::size_t PatchMaker::numberOf(const TopoDS_Vertex& vertex)
+std::size_t PatchMaker::vertexNumber(const TopoDS_Vertex& vertex)
 {
     return m_numbers.try_emplace(vertex.TShape().get(), m_numbers.size()).first->second;
 }
 
 TopoDS_Edge PatchMaker::edgeBetween(const TopoDS_Vertex& from, const TopoDS_Vertex& to)
 {
-    const Ends ends(numberOf(from), numberOf(to));
+    const Ends ends(vertexNumber(from), vertexNumber(to));
     if (const auto found = m_edges.find({ends.second, ends.first}); found != m_edges.end())
         return TopoDS::Edge(found->second.Oriented(TopAbs_REVERSED));
     TopoDS_Edge& edge = m_edges[ends];

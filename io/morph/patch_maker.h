@@ -24,6 +24,8 @@ public:
     struct Surroundings {
         /// What an edge became, forward, with its curves on all faces that stay smooth.
         std::function<TopoDS_Edge(const TopoDS_Edge& source)> imageOf;
+        /// What an edge is told from others by, wherever it lies.
+        std::function<int(const TopoDS_Edge& source)> numberOf;
         /// Whether one of the faces at an edge stays smooth.
         std::function<bool(const TopoDS_Edge& source)> isBesideSmooth;
     };
@@ -36,8 +38,8 @@ public:
     /// @throws std::runtime_error, in words, when it cannot be drawn
     std::vector<TopoDS_Face> facesFor(const TopoDS_Face& face, const MillimetreMap& map);
 
-    /// The edges that were cut (by TShape of the source), in pieces as they run.
-    const std::map<const void*, std::vector<TopoDS_Edge>>& pieces() const { return m_pieces; }
+    /// The edges that were cut, by number, in pieces as they run.
+    const std::map<int, std::vector<TopoDS_Edge>>& pieces() const { return m_pieces; }
 
 private:
     class CarriedFace;
@@ -52,16 +54,16 @@ private:
     const Division& divisionOf(const TopoDS_Edge& edge);
     Division divide(const TopoDS_Edge& edge);
     void cut(const TopoDS_Edge& edge, const TopoDS_Edge& image, const Division& division);
-    std::size_t numberOf(const TopoDS_Vertex& vertex);
+    std::size_t vertexNumber(const TopoDS_Vertex& vertex);
     TopoDS_Edge edgeBetween(const TopoDS_Vertex& from, const TopoDS_Vertex& to);
     TopoDS_Face triangle(const TopoDS_Vertex& a, const TopoDS_Vertex& b, const TopoDS_Vertex& c);
 
     DrawingFineness m_fineness;
     Surroundings m_surroundings;
     BRep_Builder m_builder;
-    std::map<const void*, Division> m_divisions;              // of edges of the source
-    std::map<const void*, std::vector<TopoDS_Edge>> m_pieces; // of edges of the source
-    std::map<const void*, std::size_t> m_numbers;             // of vertices
+    std::map<int, Division> m_divisions;              // of edges of the source, by number
+    std::map<int, std::vector<TopoDS_Edge>> m_pieces; // of edges of the source, by number
+    std::map<const void*, std::size_t> m_numbers;     // of vertices
     std::map<Ends, TopoDS_Edge> m_edges; // between vertices, straight ones and pieces; from first to second
 };
 

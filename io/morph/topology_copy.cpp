@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace knead {
 
@@ -119,6 +120,7 @@ TopologyCopy::TopologyCopy(const TopoDS_Shape& source, const MillimetreMap& map,
     , m_options(options)
     , m_patchMaker(options.flatFineness,
                    {.imageOf = [this](const TopoDS_Edge& edge) { return TopoDS::Edge(imageOf(edge)); },
+                    .numberOf = [this](const TopoDS_Edge& edge) { return m_edges.FindIndex(edge); },
                     .isBesideSmooth = [this](const TopoDS_Edge& edge) { return isBesideSmooth(edge); }})
 {
     TopExp::MapShapes(source, TopAbs_VERTEX, m_vertices);
@@ -146,7 +148,7 @@ void TopologyCopy::computeGeometry(TaskControl& control)
     });
 }
 
-TopoDS_Shape TopologyCopy::build()
+TopoDS_Shape TopologyCopy::build(TaskControl& control)
 {
     makeVertices();
     for (int i = 1; i <= m_edges.Extent(); ++i)
@@ -156,14 +158,25 @@ TopoDS_Shape TopologyCopy::build()
         if (!isFlat(i))
             images[static_cast<std::size_t>(i - 1)] =
                 makeFace(TopoDS::Face(m_faces(i)), m_faceResults[static_cast<std::size_t>(i - 1)]);
-    for (int i = 1; i <= m_faces.Extent(); ++i) // when edges have their curves on all faces, and before wires do
-        if (isFlat(i))
-            m_flatFaces[m_faces(i).TShape().get()] =
-                m_patchMaker.facesFor(TopoDS::Face(m_faces(i)), m_map.forFace(placesOnEdges(m_faces(i))));
+    makeFlatFaces(control); // when edges have their curves on all faces, and before wires have their edges
     for (int i = 1; i <= m_faces.Extent(); ++i)
         if (!isFlat(i))
             addWires(TopoDS::Face(m_faces(i)), images[static_cast<std::size_t>(i - 1)]);
     return copyOf(m_source);
+}
+
+void TopologyCopy::makeFlatFaces(TaskControl& control)
+{
+    std::size_t count = 0;
+    for (int i = 1; i <= m_faces.Extent(); ++i) {
+        if (!isFlat(i))
+            continue;
+        control.throwIfCancelled();
+        m_flatFaces[i] = m_patchMaker.facesFor(TopoDS::Face(m_faces(i)), m_map.forFace(placesOnEdges(m_faces(i))));
+        count += m_flatFaces[i].size();
+        if (count > m_options.mostFlat)
+            throw std::runtime_error("too many triangles would be needed");
+    }
 }
 
 std::vector<std::uint32_t> TopologyCopy::originsIn(const TopoDS_Shape& shape) const
@@ -176,7 +189,7 @@ std::vector<std::uint32_t> TopologyCopy::originsIn(const TopoDS_Shape& shape) co
         if (!isFlat(i))
             origins[static_cast<std::size_t>(faces.FindIndex(imageOf(m_faces(i))) - 1)] = number;
         else
-            for (const TopoDS_Face& face : m_flatFaces.at(m_faces(i).TShape().get()))
+            for (const TopoDS_Face& face : m_flatFaces.at(i))
                 origins[static_cast<std::size_t>(faces.FindIndex(face) - 1)] = number;
     }
     return origins;
@@ -293,8 +306,8 @@ void TopologyCopy::addWires(const TopoDS_Face& face, TopoDS_Face& image)
 /// Adds what a child of the source became: an edge may have become several ones, a face triangles.
 void TopologyCopy::addCopy(TopoDS_Shape& parent, const TopoDS_Shape& child)
 {
-    const auto pieces = m_patchMaker.pieces().find(child.TShape().get());
-    const auto flat = m_flatFaces.find(child.TShape().get());
+    const auto pieces = m_patchMaker.pieces().find(m_edges.FindIndex(child));
+    const auto flat = m_flatFaces.find(m_faces.FindIndex(child));
     if (pieces != m_patchMaker.pieces().end()) {
         std::vector<TopoDS_Edge> inOrder = pieces->second;
         if (child.Orientation() == TopAbs_REVERSED)

@@ -33,8 +33,8 @@ public:
     void computeGeometry(TaskControl& control);
 
     /// The new shape. Tolerances are not measured yet.
-    /// @throws std::runtime_error, in words, when a face that is to be flat cannot be drawn
-    TopoDS_Shape build();
+    /// @throws Cancelled, and std::runtime_error, in words, when a face that is to be flat cannot be drawn
+    TopoDS_Shape build(TaskControl& control);
 
     /// Whether triangles take the place of a face.
     bool isFlat(int face) const { return m_options.flat.contains(static_cast<std::uint32_t>(face - 1)); }
@@ -51,6 +51,7 @@ public:
 private:
     TopoDS_Shape imageOf(const TopoDS_Shape& source) const;
     bool isBesideSmooth(const TopoDS_Edge& edge) const;
+    void makeFlatFaces(TaskControl& control);
     void makeVertices();
     void makeEdge(const TopoDS_Edge& edge, const MorphedEdge& geometry);
     TopoDS_Face makeFace(const TopoDS_Face& face, const MorphedFace& geometry);
@@ -69,8 +70,8 @@ private:
     TopTools_IndexedDataMapOfShapeListOfShape m_facesOfEdge;
     std::vector<MorphedEdge> m_edgeResults;
     std::vector<MorphedFace> m_faceResults;
-    TopTools_DataMapOfShapeShape m_images;                       // of forward shapes
-    std::map<const void*, std::vector<TopoDS_Face>> m_flatFaces; // in the place of faces
+    TopTools_DataMapOfShapeShape m_images;               // of forward shapes
+    std::map<int, std::vector<TopoDS_Face>> m_flatFaces; // in the place of faces
 };
 
 } // namespace knead

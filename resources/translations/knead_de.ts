@@ -1940,6 +1940,14 @@
         <source>&quot;%1&quot;: faces %2 are made of flat triangles; its other faces are smooth.</source>
         <translation>„%1“: Flächen %2 bestehen aus flachen Dreiecken; die anderen Flächen sind glatt.</translation>
     </message>
+    <message>
+        <source>its faces were not found again as they were written.</source>
+        <translation>seine Flächen wurden nicht so wiedergefunden, wie sie geschrieben wurden.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its flat faces are up to %1 mm off the skin where %2 mm are allowed.</source>
+        <translation>aus der Datei zurückgelesen liegen seine flachen Flächen bis zu %1 mm neben der Haut, erlaubt sind %2 mm.</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>

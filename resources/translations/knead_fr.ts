@@ -1940,6 +1940,14 @@
         <source>&quot;%1&quot;: faces %2 are made of flat triangles; its other faces are smooth.</source>
         <translation>« %1 » : les faces %2 sont faites de triangles plans ; ses autres faces sont lisses.</translation>
     </message>
+    <message>
+        <source>its faces were not found again as they were written.</source>
+        <translation>ses faces n’ont pas été retrouvées telles qu’elles ont été écrites.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its flat faces are up to %1 mm off the skin where %2 mm are allowed.</source>
+        <translation>relues depuis le fichier, ses faces à facettes s’écartent de la peau de %1 mm au plus, alors que %2 mm sont permis.</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>

@@ -1940,6 +1940,14 @@
         <source>&quot;%1&quot;: faces %2 are made of flat triangles; its other faces are smooth.</source>
         <translation>&quot;%1&quot;: vlakken %2 bestaan uit platte driehoeken; de andere vlakken zijn glad.</translation>
     </message>
+    <message>
+        <source>its faces were not found again as they were written.</source>
+        <translation>de vlakken zijn niet teruggevonden zoals ze geschreven zijn.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its flat faces are up to %1 mm off the skin where %2 mm are allowed.</source>
+        <translation>teruggelezen uit het bestand liggen de platte vlakken tot %1 mm naast de huid, waar %2 mm is toegestaan.</translation>
+    </message>
 </context>
 <context>
     <name>FilmWriter</name>

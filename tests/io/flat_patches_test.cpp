@@ -3,12 +3,13 @@
 #include "support/space_maps.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
-#include <BRepCheck_Analyzer.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Tool.hxx>
@@ -85,6 +86,11 @@ TopoDS_Shape plate()
     return BRepPrimAPI_MakeBox(gp_Pnt(-20, -10, 0), 40, 20, 8).Shape();
 }
 
+TopoDS_Shape rectangle()
+{
+    return BRepBuilderAPI_MakeFace(gp_Pln(gp::XOY()), -20, 20, -10, 10).Face();
+}
+
 TopoDS_Shape boredPlate()
 {
     const gp_Ax2 axis(gp_Pnt(-6, 0, -1), gp::DZ());
@@ -133,6 +139,8 @@ void FlatPatchesTest::eachFaceAlone_data()
     QTest::newRow("cone to a tip") << BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(0, 0, 0), gp::DX()), 6, 0, 20).Shape();
     QTest::newRow("ball") << BRepPrimAPI_MakeSphere(8).Shape();
     QTest::newRow("ring") << BRepPrimAPI_MakeTorus(12, 4).Shape();
+    // Its bottom and its top are one face at two places.
+    QTest::newRow("prism") << BRepPrimAPI_MakePrism(rectangle(), gp_Vec(0, 0, 8)).Shape();
     QTest::newRow("plate inside out") << plate().Reversed();
 }
 
