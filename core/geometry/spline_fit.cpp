@@ -17,12 +17,12 @@ constexpr std::size_t mostLines = 24; // along which errors are looked for, per 
 constexpr int mostSlopeRounds = 8;    // for normals
 constexpr double leastGain = 0.9;     // of a lean, by one round
 constexpr int mostVainRounds = 2;
-constexpr double leastSine = 1e-3; // between tangents that make a normal
-constexpr double leastTrustedSine = 0.1;
-constexpr double slopeStep = 1e-3;   // of a feature or the surface, over which slopes are taken
-constexpr double roundStep = 2e-2;   // of a feature or the surface, over which it is seen how round the target is
-constexpr double largestFactor = 10; // for errors where it is round
-constexpr double lastSlack = 1.5;    // by which errors between the lines may be larger than along them
+constexpr double leastSine = 1e-3;       // between tangents that make a normal
+constexpr double leastTrustedSine = 0.1; // below it, slopes are not asked to be better still
+constexpr double slopeStep = 1e-3;       // of a feature or the surface, over which slopes are taken
+constexpr double roundStep = 2e-2;       // of a feature or the surface, over which it is seen how round the target is
+constexpr double largestFactor = 10;     // for errors where it is round
+constexpr double lastSlack = 1.5;        // by which errors between the lines may be larger than along them
 
 /// How often to look at a span, and where: nowhere near its ends, at which interpolation is good by itself.
 std::vector<double> looksInto(double begin, double end, double feature, std::size_t most)
@@ -227,7 +227,7 @@ private:
                 const Vec2& to = slope.around[2 * direction + 1];
                 const Vec3 tangent = at(to) - at(from);
                 const double lean = std::abs(tangent.dot(slope.normal)) / tangent.norm();
-                if (lean <= slope.tolerance || slope.vain[direction] > mostVainRounds)
+                if (!(lean > slope.tolerance) || slope.vain[direction] > mostVainRounds)
                     continue; // good, or at a kink of the target's own, where more knots do not help
                 slope.vain[direction] += lean > leastGain * slope.leastLean[direction] ? 1 : 0;
                 slope.leastLean[direction] = std::min(slope.leastLean[direction], lean);
