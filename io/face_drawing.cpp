@@ -82,6 +82,7 @@ private:
             return true;
         const std::size_t first = m_border.size();
         std::vector<Vec2> ends; // of the runs, in the parameters
+        ends.reserve(edges.size());
         for (const TopoDS_Edge& edge : edges)
             ends.push_back(addEdge(edge));
         return isClosed(first, edges.size(), ends);
@@ -229,8 +230,7 @@ private:
             at = 3;
         if (at > 3)
             return {};
-        const std::vector<std::uint32_t> changed =
-            at == 3 ? m_mesh->addInside(triangle) : m_mesh->addOnSide(triangle, at);
+        std::vector<std::uint32_t> changed = at == 3 ? m_mesh->addInside(triangle) : m_mesh->addOnSide(triangle, at);
         const Vec2 parameters = m_mesh->points().back().cwiseQuotient(m_scale);
         m_places.push_back(m_surface.placeAt(parameters));
         m_normals.push_back(m_surface.normalAt(parameters));

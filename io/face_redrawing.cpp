@@ -181,7 +181,7 @@ void storeEdges(const DrawnFace& drawn, const Handle(Poly_Triangulation) & trian
 /// Writes the triangles to the face and the points of the border to its edges.
 void store(const TopoDS_Face& face, const DrawnFace& drawn, double deflection)
 {
-    TopLoc_Location location = face.Location();
+    const TopLoc_Location& location = face.Location();
     const gp_Trsf back = location.Transformation().Inverted();
     const Handle(Poly_Triangulation) triangulation =
         new Poly_Triangulation(static_cast<int>(drawn.places.size()), static_cast<int>(drawn.triangles.size()), true);

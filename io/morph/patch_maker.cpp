@@ -32,6 +32,7 @@ constexpr double edgeDeflection =
     0.1; // of that of triangles: pieces of edges are to be straighter than triangles are thin
 constexpr double differences = 1e-4; // of the range of parameters, for derivatives
 constexpr int piecesOfPole = 16;
+constexpr double mostParts = 2000; // of a chord
 
 /// Only what an edge needs of its curve, so that files do not hold the whole of it for each piece.
 Handle(Geom_Curve) pieceOf(const Handle(Geom_Curve) & curve, double first, double last)
@@ -192,9 +193,9 @@ PatchMaker::Division PatchMaker::divide(const TopoDS_Edge& edge)
     for (int i = 1; i < chords.NbPoints(); ++i) {
         const double begin = chords.Parameter(i);
         const double end = chords.Parameter(i + 1);
-        const auto parts =
-            std::max(1.0, std::ceil(chords.Value(i).Distance(chords.Value(i + 1)) / m_fineness.longestSide));
-        for (double part = 0; part < parts; ++part)
+        const double length = chords.Value(i).Distance(chords.Value(i + 1));
+        const int parts = 1 + static_cast<int>(std::min(length / m_fineness.longestSide, mostParts));
+        for (int part = 0; part < parts; ++part)
             parameters.push_back(begin + (end - begin) * part / parts);
     }
     parameters.push_back(chords.Parameter(chords.NbPoints()));
