@@ -87,7 +87,8 @@ void addSolid(const TopoDS_Shape& body, double volume, const ImportOptions& opti
     part.volume = std::abs(measure.volume);
     part.watertight = measure.isWatertight;
     part.mesh = std::move(measure.mesh);
-    if (measure.volume < 0) {
+    part.insideOut = measure.volume < 0;
+    if (part.insideOut) {
         if (options.heal)
             part.repairs.emplace_back("The solid was inside out and has been turned.");
         else

@@ -49,6 +49,7 @@ struct Part {
     Box box;                 ///< exact as far as the b-rep allows [m]
     bool watertight = false; ///< closed shells, no free edge
     bool valid = false;      ///< passes the b-rep checks; for a mesh: watertight with positive volume
+    bool insideOut = false;  ///< as its exact shape is: volume and triangles have been turned
     double maxTolerance = 0; ///< largest vertex, edge or face tolerance [m]
 
     bool visible = true;                      ///< false: hidden in the file, and hidden here until the person shows it

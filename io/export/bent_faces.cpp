@@ -1,6 +1,7 @@
 #include "io/export/bent_faces.h"
 
 #include "io/export/divided_shape.h"
+#include "io/export/face_order.h"
 #include "io/face_integral.h"
 
 #include <TopExp.hxx>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace knead {
 
@@ -69,6 +71,7 @@ public:
     /// @return as bendFaces()
     std::string run(const FaceChoice& choice, TaskControl& control)
     {
+        m_firstFace = choice.firstFace;
         // What cannot be divided is better smooth and misread by some than flat.
         const bool isMisread = choice.from == FaceManner::own && hasBoredClosedFaces(m_ready.source) &&
                                withoutClosedFaces(m_ready.source).origin.size() > m_part.part.faces.size();
@@ -155,7 +158,27 @@ private:
         m_ready.notes = std::move(morphed.notes);
         m_ready.origin = std::move(morphed.origin);
         m_ready.out.shape = outward(morphed.shape);
+        if (m_firstFace > 0)
+            reorder();
         return {true, {}, {}};
+    }
+
+    void reorder()
+    {
+        const OrderedShape ordered = withFaceFirst(m_ready.out.shape, m_firstFace);
+        m_ready.out.shape = ordered.shape;
+        const std::vector<std::uint32_t> before = std::exchange(m_ready.origin, {});
+        for (const std::uint32_t face : ordered.order)
+            m_ready.origin.push_back(before.empty() ? face : before[face]);
+        setColorsByOrigin();
+    }
+
+    void setColorsByOrigin()
+    {
+        std::vector<std::uint32_t> origin;
+        for (const std::uint32_t face : m_ready.origin)
+            origin.push_back(originOf(face, m_ready));
+        setFaceColors(m_part.part, origin, m_ready.out);
     }
 
     double flatTolerance() const
@@ -216,15 +239,13 @@ private:
         report.remarks.push_back("\"" + report.name + "\": " + facesInWords(ofPart) +
                                  (ofPart.size() == 1 ? " is" : " are") +
                                  " made of flat triangles; its other faces are smooth.");
-        std::vector<std::uint32_t> origin;
-        for (const std::uint32_t face : m_ready.origin)
-            origin.push_back(originOf(face, m_ready));
-        setFaceColors(m_part.part, origin, m_ready.out);
+        setColorsByOrigin();
         m_ready.next = FaceManner::flat;
     }
 
     const PartToExport& m_part;
     ReadyPart& m_ready;
+    std::size_t m_firstFace = 0; ///< see FaceChoice
 };
 
 } // namespace

@@ -29,6 +29,8 @@ struct FaceChoice {
 
     /// Faces of the manner before that did not come back fit, should there be none of this manner.
     std::vector<std::uint32_t> misfits;
+
+    std::size_t firstFace = 0; ///< that is written first, see withFaceFirst()
 };
 
 /// A part as it will be written, and what the check needs to know about it.
@@ -45,6 +47,8 @@ struct ReadyPart {
     TriangleMesh skin;                 ///< where the surface that is written as flat faces is, finely [m]
     std::vector<std::uint32_t>
         misfits; ///< faces of `source` that did not come back fit at all, as checkWritten() finds
+
+    bool cameBackInsideOut = false; ///< as checkWritten() finds
 
     /// Whether a face of `source` is written as triangles among smooth ones.
     bool isFlat(std::size_t face) const { return face < notes.size() && notes[face].kind == MorphedFaceKind::flat; }

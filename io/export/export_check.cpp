@@ -102,7 +102,8 @@ void compare(ReadyPart& written, const std::vector<const Part*>& backs, const To
         report.facesAfter += static_cast<int>(back->faces.size());
         report.edgesAfter += back->edges;
         report.volume += back->volume;
-        report.valid = report.valid && back->valid;
+        report.valid = report.valid && back->valid && !back->insideOut;
+        written.cameBackInsideOut = written.cameBackInsideOut || back->insideOut;
         report.closed = report.closed && back->watertight;
         report.freeEdges += back->openEdges.size();
         report.maxTolerance = std::max(report.maxTolerance, back->maxTolerance);

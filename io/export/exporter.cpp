@@ -103,6 +103,7 @@ struct Outcome {
     FaceManner manner;              ///< that was tried
     std::optional<FaceManner> next; ///< to try
     std::vector<std::uint32_t> misfits;
+    bool cameBackInsideOut;
 };
 
 /// A file, and what became of its parts.
@@ -138,7 +139,7 @@ Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Choices& c
     file.report.bytes = file.bytes.size();
     for (ReadyPart& part : ready) {
         file.report.parts.push_back(std::move(part.report));
-        attempt.outcomes.push_back({part.manner, part.next, std::move(part.misfits)});
+        attempt.outcomes.push_back({part.manner, part.next, std::move(part.misfits), part.cameBackInsideOut});
     }
     return attempt;
 }
@@ -194,6 +195,8 @@ bool areOthersBetter(const PartExportReport& report)
     return !report.valid || !report.closed || report.freeEdges > 0 || isRough(report);
 }
 
+constexpr std::size_t mostFirstFaces = 3; // that are tried where a file is read inside out
+
 /// Chooses what is to be tried next. @return false when every part came back as well as it can
 bool choose(const ExportJob& job, const Attempt& last, Choices& choices)
 {
@@ -203,7 +206,9 @@ bool choose(const ExportJob& job, const Attempt& last, Choices& choices)
         const Outcome& outcome = last.outcomes[i];
         if (!outcome.next || !isSpoilt(job.parts[i], report) || !areOthersBetter(report))
             continue;
-        if (*outcome.next == FaceManner::flat && !outcome.misfits.empty() && choices[i].flat.empty())
+        if (outcome.cameBackInsideOut && choices[i].firstFace < mostFirstFaces)
+            ++choices[i].firstFace;
+        else if (*outcome.next == FaceManner::flat && !outcome.misfits.empty() && choices[i].flat.empty())
             choices[i] = {outcome.manner, whyUnfit(report), outcome.misfits, {}};
         else
             choices[i] = {*outcome.next, whyUnfit(report), {}, outcome.misfits};

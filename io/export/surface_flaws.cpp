@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::size_t mostCrossings = 50'000; // pairs of triangles that are looked at more closely
 constexpr int halvings = 4;                   // that tell what crosses from what seems to
+constexpr double touchShare = 0.1;            // of the tolerance: what reaches no deeper touches, as it does at rest
 
 /// A place at which the surface is folded: two triangles that lay nearly in a plane beside each other face opposite ways.
 /// @param now where the map takes `rest`
@@ -196,8 +197,9 @@ void noteCrossings(const SmoothMap& map, const std::array<const TriangleMesh*, 2
         return;
     if (found.count <= found.some.size()) { // else there are more than can be looked at
         const std::vector<Crossings> places = placesOf(now, found);
-        const auto real = std::find_if(places.begin(), places.end(),
-                                       [&](const Crossings& place) { return !isOfChords(map, *rest[1], now, place); });
+        const auto real = std::find_if(places.begin(), places.end(), [&](const Crossings& place) {
+            return depthOf(now, place) > touchShare * report.tolerance && !isOfChords(map, *rest[1], now, place);
+        });
         if (real == places.end())
             return;
         found.where = real->where;

@@ -12,7 +12,7 @@ namespace knead {
 /// A mesh where a map takes it.
 TriangleMesh carried(const SmoothMap& map, TriangleMesh mesh);
 
-/// Remarks on where a surface passes through itself although it did not at rest.
+/// Remarks on where a surface passes through itself although it did not at rest, by more than a tenth of the tolerance.
 /// @param rest the surface of the part, and the triangles that are carried to `now`
 void noteCrossings(const SmoothMap& map, const std::array<const TriangleMesh*, 2>& rest, const TriangleMesh& now,
                    TaskControl& control, PartExportReport& report);

@@ -109,6 +109,7 @@ private:
                   {"area", part.area},
                   {"watertight", part.watertight},
                   {"valid", part.valid},
+                  {"insideOut", part.insideOut},
                   {"maxTolerance", part.maxTolerance},
                   {"visible", part.visible},
                   {"layer", part.layer},
@@ -325,6 +326,7 @@ private:
             part.box = Box(vector(box->at(0)), vector(box->at(1)));
         part.watertight = json.at("watertight").get<bool>();
         part.valid = json.at("valid").get<bool>();
+        part.insideOut = json.value("insideOut", false); // earlier versions do not say it
         part.maxTolerance = finite(json.at("maxTolerance"));
         part.visible = json.at("visible").get<bool>();
         part.layer = json.at("layer").get<std::string>();

@@ -37,6 +37,7 @@ private slots:
     void facesThatAreFarOffAreFlatOnes();
     void surfacesThatPassThroughThemselvesAreNamed();
     void chordsBesideAnEdgeAreNoCrossing();
+    void wallsThatTouchAtRestDoNotCross();
     void boredBallsAreReadByOthersToo();
     void igesKeepsNames();
     void facesThatAreNotFollowedAreNamed();
@@ -427,6 +428,32 @@ void ExporterTest::chordsBesideAnEdgeAreNoCrossing()
         const maps::Bend bend(boxOf(model), angle * std::numbers::pi);
         const ExportedFile file = exportCad(FormatKind::Step, jobOf(model, &bend, cells), TaskControl::none());
         QVERIFY(!file.report.parts.front().crossesItself && file.report.isSound());
+    }
+}
+
+/// A cavity whose bottom is level with the shoulder around the stem below it: walls that meet along a line at rest meet there after
+/// it, too, and their triangles reach through each other by rounding.
+void ExporterTest::wallsThatTouchAtRestDoNotCross()
+{
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("piston.brep").toStdString();
+    const auto drum = [](double from, double radius, double height) {
+        return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, from), gp_Dir(0, 0, 1)), radius, height).Shape();
+    };
+    const auto shellOf = [](const TopoDS_Shape& solid) { return TopExp_Explorer(solid, TopAbs_SHELL).Current(); };
+    TopoDS_Solid piston;
+    const BRep_Builder builder;
+    builder.MakeSolid(piston);
+    builder.Add(piston, shellOf(BRepAlgoAPI_Fuse(drum(0, 37.5, 127), drum(-20, 16, 20)).Shape()));
+    builder.Add(piston, shellOf(drum(0, 16, 50)).Reversed());
+    QVERIFY(BRepTools::Write(piston, path.c_str()));
+    const Model model = importFile(path);
+    QVERIFY(model.parts.size() == 1 && model.parts.front().canBeFilled());
+    for (const double angle : {0.05, 0.2}) {
+        const maps::Bend bend(boxOf(model), angle * std::numbers::pi);
+        const ExportedFile file = exportCad(FormatKind::Step, jobOf(model, &bend), TaskControl::none());
+        QVERIFY(!file.report.parts.front().crossesItself);
+        QVERIFY(file.report.isSound());
     }
 }
 

@@ -1,0 +1,62 @@
+#include "io/export/face_order.h"
+
+#include <BRep_Builder.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Iterator.hxx>
+
+#include <algorithm>
+
+namespace knead {
+
+namespace {
+
+std::vector<TopoDS_Shape> childrenOf(const TopoDS_Shape& shape)
+{
+    std::vector<TopoDS_Shape> children;
+    for (TopoDS_Iterator child(shape); child.More(); child.Next())
+        children.push_back(child.Value());
+    return children;
+}
+
+/// A shape like another one, of other children.
+TopoDS_Shape remade(const TopoDS_Shape& like, const std::vector<TopoDS_Shape>& children)
+{
+    TopoDS_Shape shape = like.EmptyCopied();
+    for (const TopoDS_Shape& child : children)
+        BRep_Builder().Add(shape, child);
+    shape.Closed(like.Closed());
+    return shape;
+}
+
+TopoDS_Shape rotated(const TopoDS_Shape& shape, std::size_t first)
+{
+    std::vector<TopoDS_Shape> children = childrenOf(shape);
+    if (children.empty())
+        return shape;
+    if (shape.ShapeType() == TopAbs_SHELL)
+        std::rotate(children.begin(), children.begin() + static_cast<std::ptrdiff_t>(first % children.size()),
+                    children.end());
+    else if (shape.ShapeType() == TopAbs_SOLID)
+        children.front() = rotated(children.front(), first);
+    else
+        for (TopoDS_Shape& child : children)
+            child = rotated(child, first);
+    return remade(shape, children);
+}
+
+} // namespace
+
+OrderedShape withFaceFirst(const TopoDS_Shape& shape, std::size_t first)
+{
+    OrderedShape result{rotated(shape, first), {}};
+    TopTools_IndexedMapOfShape before;
+    TopTools_IndexedMapOfShape after;
+    TopExp::MapShapes(shape, TopAbs_FACE, before);
+    TopExp::MapShapes(result.shape, TopAbs_FACE, after);
+    for (int i = 1; i <= after.Extent(); ++i)
+        result.order.push_back(static_cast<std::uint32_t>(before.FindIndex(after(i)) - 1));
+    return result;
+}
+
+} // namespace knead
