@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace knead {
 
@@ -41,13 +42,36 @@ private:
         if (area == 0 || firstRow > lastRow || firstColumn > lastColumn)
             return;
         const double side = facesEye(t) ? 1 : -1;
-        for (int row = firstRow; row <= lastRow; ++row)
-            for (int column = firstColumn; column <= lastColumn; ++column) {
+        for (int row = firstRow; row <= lastRow; ++row) {
+            // Long thin triangles cover little of their box.
+            const auto [from, to] = spanAt(row + 0.5, {a, b, c});
+            if (from > to)
+                continue;
+            const int begin = std::max(firstColumn, static_cast<int>(std::floor(from - 0.5)) - 1);
+            const int end = std::min(lastColumn, static_cast<int>(std::ceil(to - 0.5)) + 1);
+            for (int column = begin; column <= end; ++column) {
                 const Vec3 place(column + 0.5, row + 0.5, 0);
                 const Vec3 weights = Vec3(cross(place, b, c), cross(a, place, c), cross(a, b, place)) / area;
                 if (weights.minCoeff() >= 0)
                     put(t, column, row, weights, weights.dot(Vec3(a.z(), b.z(), c.z())), side);
             }
+        }
+    }
+
+    /// Where a row crosses a triangle, from left to right; the other way round where it does not.
+    static std::array<double, 2> spanAt(double y, const std::array<Vec3, 3>& corners)
+    {
+        std::array<double, 2> span{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3& from = corners[i];
+            const Vec3& to = corners[(i + 1) % 3];
+            const double height = to.y() - from.y();
+            if (height == 0 || std::min(from.y(), to.y()) > y || std::max(from.y(), to.y()) < y)
+                continue; // the ends of a level side are ends of the others, too
+            const double x = from.x() + (y - from.y()) / height * (to.x() - from.x());
+            span = {std::min(span[0], x), std::max(span[1], x)};
+        }
+        return span;
     }
 
     void put(std::size_t t, int column, int row, const Vec3& weights, double depth, double side)

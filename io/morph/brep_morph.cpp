@@ -2,6 +2,7 @@
 
 #include "io/morph/millimetre_map.h"
 #include "io/morph/morph_tolerances.h"
+#include "io/morph/periodic_ranges.h"
 #include "io/morph/topology_copy.h"
 
 #include <BRepCheck_Analyzer.hxx>
@@ -62,6 +63,7 @@ MorphedShape morphShape(const TopoDS_Shape& shape, const SmoothMap& map, const M
         return result;
     control.throwIfCancelled();
     control.report(0.85, "measuring tolerances");
+    bringRangesIntoPeriod(result.shape);
     result.largestEdgeTolerance = raiseTolerances(result.shape);
     copy.markSmoothEdges();
     control.throwIfCancelled();
