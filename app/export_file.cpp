@@ -4,11 +4,11 @@
 #include "core/geometry/mass_properties.h"
 #include "core/skin/deformed_surface.h"
 #include "core/skin/torn_parts.h"
-#include "io/cad_format.h"
 #include "io/export/export_formats.h"
 #include "io/export/job_file.h"
-#include "io/mesh_writer.h"
-#include "io/safe_file.h"
+#include "io/files/safe_file.h"
+#include "io/formats/cad_format.h"
+#include "io/formats/mesh_writer.h"
 
 #include <algorithm>
 #include <chrono>

@@ -8,11 +8,11 @@
 #include "app/space_mouse.h"
 #include "app/thread_limit.h"
 #include "io/export/export_formats.h"
+#include "io/files/safe_file.h"
 #include "io/importer.h"
 #include "io/library_versions.h"
 #include "io/material_library.h"
 #include "io/project/packing.h"
-#include "io/safe_file.h"
 #include "ui/run_window.h"
 
 #include <memory>

@@ -2,7 +2,7 @@
 
 #include "app/recipe_scene.h"
 #include "core/simulation/command.h"
-#include "io/recipe.h"
+#include "io/recipe/recipe.h"
 
 #include <cstddef>
 #include <map>

@@ -4,8 +4,8 @@
 #include "core/model/part_tree.h"
 #include "core/skin/deformed_surface.h"
 #include "core/skin/torn_parts.h"
-#include "io/mesh_writer.h"
-#include "io/picture_writer.h"
+#include "io/formats/mesh_writer.h"
+#include "io/picture/picture_writer.h"
 
 #include <algorithm>
 #include <filesystem>

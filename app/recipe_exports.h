@@ -5,7 +5,7 @@
 #include "core/model/export_report.h"
 #include "core/simulation/snapshot.h"
 #include "core/task/task_control.h"
-#include "io/recipe.h"
+#include "io/recipe/recipe.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "app/recipe_parts.h"
 
 #include "app/cad_process.h"
-#include "io/cad_format.h"
+#include "io/formats/cad_format.h"
 #include "io/project/project_file.h"
 
 #include <map>

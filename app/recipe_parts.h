@@ -3,7 +3,7 @@
 #include "core/mechanics/tool_shape.h"
 #include "core/model/part.h"
 #include "core/task/task_control.h"
-#include "io/recipe.h"
+#include "io/recipe/recipe.h"
 
 #include <memory>
 #include <stdexcept>

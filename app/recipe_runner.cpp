@@ -9,7 +9,7 @@
 #include "core/skin/former_shape.h"
 #include "core/skin/skin.h"
 #include "core/skin/skin_map.h"
-#include "io/number_words.h"
+#include "io/document/number_words.h"
 
 #include <algorithm>
 #include <array>

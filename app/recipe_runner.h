@@ -8,7 +8,7 @@
 #include "core/simulation/snapshot.h"
 #include "core/simulation/static_report.h"
 #include "core/task/task_control.h"
-#include "io/recipe.h"
+#include "io/recipe/recipe.h"
 
 #include <cstdint>
 #include <functional>

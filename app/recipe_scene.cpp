@@ -3,8 +3,8 @@
 #include "core/aggregate/fill.h"
 #include "core/aggregate/published_fill.h"
 #include "core/model/part_tree.h"
-#include "io/cad_format.h"
-#include "io/readable_name.h"
+#include "io/document/readable_name.h"
+#include "io/formats/cad_format.h"
 
 #include <algorithm>
 #include <memory>

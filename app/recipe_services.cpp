@@ -1,12 +1,12 @@
 #include "app/recipe_services.h"
 
-#include "app/recipe_agenda.h"
 #include "app/recipe_progress.h"
+#include "app/recipe_script.h"
 #include "app/resources.h"
 #include "app/whole_file.h"
 #include "core/model/part_tree.h"
 #include "io/material_library.h"
-#include "io/project/recipe_of_project.h"
+#include "io/recipe/recipe_of_project.h"
 
 #include <filesystem>
 #include <utility>
@@ -86,13 +86,13 @@ RecipeStart open(const std::string& path, TaskControl& control)
                       .choices = choicesOf(recipe, scene),
                       .start = startOf(scene),
                       .fixtures = faceFixtures(recipe, scene),
-                      .agenda = {},
+                      .script = {},
                       .warnings = scene.warnings};
     if (recipe.analysis == Analysis::equilibrium)
         start.warnings.push_back(
             "This recipe asks for balance without inertia, which \"knead run\" finds. Play carries it "
             "out as motion in time.");
-    start.agenda = agendaOf(std::move(ready));
+    start.script = scriptOf(std::move(ready));
     return start;
 }
 

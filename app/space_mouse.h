@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/hands/space_motion.h"
+#include "ui/interaction/space_motion.h"
 
 #include <functional>
 #include <memory>

@@ -1,12 +1,12 @@
 #include "io/importer.h"
 
 #include "core/model/length_units.h"
-#include "io/cad_format.h"
-#include "io/cad_reader.h"
-#include "io/mesh_reader.h"
-#include "io/size_limits.h"
-#include "io/three_mf_reader.h"
-#include "io/unit_remark.h"
+#include "io/document/size_limits.h"
+#include "io/document/unit_remark.h"
+#include "io/formats/cad_format.h"
+#include "io/formats/cad_reader.h"
+#include "io/formats/mesh_reader.h"
+#include "io/formats/threemf/three_mf_reader.h"
 
 #include <stdexcept>
 #include <utility>

@@ -1,9 +1,9 @@
 #include "io/material_library.h"
 
 #include "core/aggregate/material_history.h"
-#include "io/json_reader.h"
-#include "io/json_text.h"
-#include "io/safe_file.h"
+#include "io/files/safe_file.h"
+#include "io/json/json_reader.h"
+#include "io/json/json_text.h"
 
 #include <algorithm>
 #include <cstdlib>

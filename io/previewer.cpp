@@ -1,11 +1,11 @@
 #include "io/previewer.h"
 
-#include "io/cad_document.h"
-#include "io/cad_format.h"
-#include "io/occt_session.h"
-#include "io/readable_name.h"
-#include "io/step_assembly_size.h"
-#include "io/step_check.h"
+#include "io/brep/occt_session.h"
+#include "io/document/cad_document.h"
+#include "io/document/readable_name.h"
+#include "io/formats/cad_format.h"
+#include "io/formats/step/step_assembly_size.h"
+#include "io/formats/step/step_check.h"
 
 #include <IGESControl_Reader.hxx>
 #include <IGESData_IGESModel.hxx>

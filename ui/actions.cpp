@@ -279,7 +279,10 @@ Actions::Actions(QWidget* window)
     , fullScreen(make(window, {"fullScreen", QT_TR_NOOP("Full screen"), nullptr, {Qt::Key_F11}, nullptr, true}))
     , tour(make(window,
                 {"tour", QT_TR_NOOP("&Tour of the window"), nullptr, {}, QT_TR_NOOP("What is where, in a minute")}))
-    , controls(make(window, {"controls", QT_TR_NOOP("Mouse and keys"), nullptr, {Qt::Key_F1}}))
+    , handbook(make(
+          window,
+          {"handbook", QT_TR_NOOP("&Handbook"), nullptr, {Qt::Key_F1}, QT_TR_NOOP("At the page of what one does")}))
+    , controls(make(window, {"controls", QT_TR_NOOP("Mouse and keys"), nullptr, {}}))
     , about(make(window, {"about", QT_TR_NOOP("About Knead")}))
 {
     auto* themes = new QActionGroup(window);

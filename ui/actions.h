@@ -76,6 +76,7 @@ struct Actions {
     QAction* resetLayout;
     QAction* fullScreen;
     QAction* tour;
+    QAction* handbook;
     QAction* controls;
     QAction* about;
 

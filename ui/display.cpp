@@ -3,7 +3,7 @@
 #include "ui/actions.h"
 #include "ui/document/document.h"
 #include "ui/theme.h"
-#include "ui/viewport/sight_overlay.h"
+#include "ui/viewport/surface_field_overlay.h"
 #include "ui/viewport/viewport_widget.h"
 
 #include <QAction>
@@ -49,7 +49,7 @@ Display::Display(const Document& document, ViewportWidget& view, const Actions& 
     contentChanged();
     connect(&view, &ViewportWidget::optionsChanged, this, &Display::follow);
     connect(&document, &Document::changed, this, [this](Document::Change what) {
-        if (what == Document::Change::Content)
+        if (what == Document::Change::Model)
             contentChanged();
     });
 }

@@ -1,8 +1,10 @@
 #include "ui/run_window.h"
 
+#include "ui/frame/features.h"
+#include "ui/frame/main_window.h"
 #include "ui/language/language.h"
-#include "ui/main_window.h"
-#include "ui/shell/preferences.h"
+#include "ui/preferences/preferences.h"
+#include "ui/project/project_keeper.h"
 #include "ui/theme.h"
 #include "ui/viewport/graphics_check.h"
 #include "ui/viewport/viewport_bridge.h"
@@ -57,9 +59,9 @@ int showMainWindow(int argc, char** argv, Services services, const std::vector<s
         paths << QFile::decodeName(file.c_str());
     if (!paths.empty())
         window.open(paths);
-    window.offerRecoveries();
+    window.projects().offerRecoveries(false);
     if (paths.empty())
-        window.offerTour();
+        window.features().help->offerTour();
     return QApplication::exec();
 }
 

@@ -8,7 +8,7 @@
 #include "core/model/import_options.h"
 #include "core/model/part.h"
 #include "core/task/task_control.h"
-#include "ui/hands/space_motion.h"
+#include "ui/interaction/space_motion.h"
 #include "ui/project/project_services.h"
 #include "ui/project/recipe_services.h"
 

@@ -7,8 +7,8 @@
 #include "app/import_arguments.h"
 #include "app/terminal_control.h"
 #include "io/export/export_formats.h"
-#include "io/mesh_writer.h"
-#include "io/picture_writer.h"
+#include "io/formats/mesh_writer.h"
+#include "io/picture/picture_writer.h"
 
 #include <CLI/CLI.hpp>
 

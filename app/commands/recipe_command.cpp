@@ -8,7 +8,7 @@
 #include "app/whole_file.h"
 #include "io/material_library.h"
 #include "io/project/project_file.h"
-#include "io/project/recipe_of_project.h"
+#include "io/recipe/recipe_of_project.h"
 
 #include <CLI/CLI.hpp>
 

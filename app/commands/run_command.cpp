@@ -13,8 +13,8 @@
 #include "io/export/job_file.h"
 #include "io/material_library.h"
 #include "io/project/project_file.h"
-#include "io/project/recipe_of_project.h"
-#include "io/recipe.h"
+#include "io/recipe/recipe.h"
+#include "io/recipe/recipe_of_project.h"
 #include "io/worker/child_process.h"
 
 #include <CLI/CLI.hpp>

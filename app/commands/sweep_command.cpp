@@ -6,7 +6,7 @@
 #include "app/sweep/local_engine.h"
 #include "app/sweep/slurm_engine.h"
 #include "app/sweep/sweep_run.h"
-#include "io/safe_file.h"
+#include "io/files/safe_file.h"
 
 #include <CLI/CLI.hpp>
 
@@ -22,7 +22,7 @@ namespace knead {
 namespace {
 
 struct SweepOptions {
-    SweepWish wish;
+    SweepRequest request;
     std::string folder;
     std::string engine = "local";
     unsigned jobs = 0;
@@ -124,7 +124,7 @@ void forget(const SweepFolder& folder)
 /// Points and folder, before anything is written.
 Sweep prepare(const SweepOptions& options)
 {
-    Sweep sweep{SweepFolder(options.folder), makePlan(options.wish), {}};
+    Sweep sweep{SweepFolder(options.folder), makePlan(options.request), {}};
     if (options.beginsAnew)
         forget(sweep.folder);
     sweep.folder.checkHasNoOther(sweep.plan);
@@ -184,7 +184,7 @@ void addVariations(CLI::App& command, SweepOptions& options)
 {
     command
         .add_option(
-            "--vary", options.wish.variations,
+            "--vary", options.request.variations,
             "What varies: PATH=A:B:lin:N or PATH=A:B:log:N for N values from A to B with equal steps or ratios, "
             "or a list PATH=V,W,...; paths are those of --set. Several make a grid, the last changing fastest")
         ->type_name("PATH=VALUES")
@@ -194,7 +194,7 @@ void addVariations(CLI::App& command, SweepOptions& options)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command.add_flag("--zip", options.goTogether,
                      "Take the first values of every --vary together, then the second ...");
-    addSetArgument(command, options.wish.settings);
+    addSetArgument(command, options.request.settings);
 }
 
 void addEngine(CLI::App& command, SweepOptions& options)
@@ -227,17 +227,17 @@ void addSweepCommand(CLI::App& program, int& exitStatus)
     auto options = std::make_shared<SweepOptions>();
     CLI::App* command = program.add_subcommand("sweep", "Carry out a recipe with many values, and make one table");
     command->footer("Results are in FOLDER/sweep.csv. The same command goes on with a sweep that was interrupted.");
-    command->add_option("RECIPE", options->wish.recipe, "Recipe to carry out, a JSON file")->required();
+    command->add_option("RECIPE", options->request.recipe, "Recipe to carry out, a JSON file")->required();
     addVariations(*command, *options);
     command->add_option("--out", options->folder, "Folder for the results, made when missing")
         ->type_name("FOLDER")
         ->required();
     addEngine(*command, *options);
-    command->add_flag("--exports", options->wish.keepsExports,
+    command->add_flag("--exports", options->request.keepsExports,
                       "Write the exports of each point too, to FOLDER/points/NUMBER");
     command->add_flag("--restart", options->beginsAnew, "Throw away what a sweep left in the folder, and begin anew");
     command->callback([options, &exitStatus] {
-        options->wish.combination = options->goTogether ? Combination::together : Combination::grid;
+        options->request.combination = options->goTogether ? Combination::together : Combination::grid;
         exitStatus = sweep(*options);
     });
 }

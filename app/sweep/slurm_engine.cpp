@@ -1,6 +1,6 @@
 #include "app/sweep/slurm_engine.h"
 
-#include "io/safe_file.h"
+#include "io/files/safe_file.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "app/sweep/sweep_folder.h"
 
-#include "io/safe_file.h"
+#include "io/files/safe_file.h"
 
 #include <nlohmann/json.hpp>
 

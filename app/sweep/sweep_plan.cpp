@@ -2,7 +2,7 @@
 
 #include "app/resources.h"
 #include "io/material_library.h"
-#include "io/recipe.h"
+#include "io/recipe/recipe.h"
 
 #include <nlohmann/json.hpp>
 
@@ -129,19 +129,19 @@ std::vector<RecipeOverride> SweepPlan::changesOf(std::size_t point) const
     return changes;
 }
 
-SweepPlan makePlan(const SweepWish& wish)
+SweepPlan makePlan(const SweepRequest& request)
 {
     SweepPlan plan;
     plan.program = KNEAD_VERSION;
-    plan.recipe = fs::absolute(wish.recipe).lexically_normal().string();
-    plan.keepsExports = wish.keepsExports;
-    std::transform(wish.settings.begin(), wish.settings.end(), std::back_inserter(plan.settings), parseOverride);
+    plan.recipe = fs::absolute(request.recipe).lexically_normal().string();
+    plan.keepsExports = request.keepsExports;
+    std::transform(request.settings.begin(), request.settings.end(), std::back_inserter(plan.settings), parseOverride);
     std::vector<Variation> variations;
-    for (const std::string& text : wish.variations) {
+    for (const std::string& text : request.variations) {
         variations.push_back(parseVariation(text));
         plan.paths.push_back(variations.back().path);
     }
-    plan.points = combine(variations, wish.combination);
+    plan.points = combine(variations, request.combination);
     plan.inputs = inputsOf(plan);
     plan.key = keyOf(plan);
     return plan;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/sweep/variation.h"
-#include "io/recipe_override.h"
+#include "io/recipe/recipe_override.h"
 
 #include <cstddef>
 #include <string>
@@ -33,7 +33,7 @@ struct SweepPlan {
 };
 
 /// What a person asks for.
-struct SweepWish {
+struct SweepRequest {
     std::string recipe;
     std::vector<std::string> settings;   ///< "PATH=VALUE"
     std::vector<std::string> variations; ///< as parseVariation() reads them
@@ -43,7 +43,7 @@ struct SweepWish {
 
 /// Reads the recipe as every point has it.
 /// @throws std::runtime_error, in a sentence, for wishes that cannot be read, and when not one point is a recipe
-SweepPlan makePlan(const SweepWish& wish);
+SweepPlan makePlan(const SweepRequest& request);
 
 /// Why results of one plan are none of another; empty when they are.
 std::string differenceOf(const SweepPlan& before, const SweepPlan& now);

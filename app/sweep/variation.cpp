@@ -1,7 +1,7 @@
 #include "app/sweep/variation.h"
 
-#include "io/json_value.h"
-#include "io/recipe_override.h"
+#include "io/json/json_value.h"
+#include "io/recipe/recipe_override.h"
 
 #include <algorithm>
 #include <array>

@@ -36,9 +36,9 @@ double secondsSince(Clock::time_point start)
 } // namespace
 
 struct SimulationThread::Worker {
-    Worker(Simulation sim, std::unique_ptr<Agenda> plan)
+    Worker(Simulation sim, std::unique_ptr<ScriptedEvents> plan)
         : simulation(std::move(sim))
-        , agenda(std::move(plan))
+        , script(std::move(plan))
         , latest(simulation.snapshot())
     {
         thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
@@ -124,7 +124,7 @@ struct SimulationThread::Worker {
         const double before = simulation.time();
         steps = 0;
         while (!stop.stop_requested() && simulation.time() < target && simulation.health().ok) {
-            if (carryOutAgenda()) {
+            if (carryOutScript()) {
                 playing = false;
                 break;
             }
@@ -147,7 +147,7 @@ struct SimulationThread::Worker {
     /// @param simulated in the frame just played @param spent on that [s]
     void govern(double simulated, double spent)
     {
-        const bool isOwn = !agenda || agendaEnds > 0; // what a recipe leads to does not depend on the machine
+        const bool isOwn = !script || scriptEnds > 0; // what a recipe leads to does not depend on the machine
         if (!keepsUp || !isOwn || !(simulated > 0) || latest->integrator != Integrator::implicitEuler)
             return;
         const double cost = (spent + snapshotSeconds) * speed / (steppingShare * simulated);
@@ -165,15 +165,15 @@ struct SimulationThread::Worker {
 
     void stepOnce()
     {
-        if (!playing && !carryOutAgenda())
+        if (!playing && !carryOutScript())
             simulation.step();
     }
 
     /// What is due before the next step. @return whether time is to stand still here, at the end; said once
-    bool carryOutAgenda()
+    bool carryOutScript()
     {
-        const bool hasEnded = agenda && agenda->carryOutDue(simulation);
-        agendaEnds += hasEnded ? 1 : 0;
+        const bool hasEnded = script && script->carryOutDue(simulation);
+        scriptEnds += hasEnded ? 1 : 0;
         return hasEnded;
     }
 
@@ -181,7 +181,7 @@ struct SimulationThread::Worker {
     {
         playing = false;
         carry = 0;
-        carryOutAgenda(); // what is due now acts
+        carryOutScript(); // what is due now acts
         try {
             return simulation.settle({}, control);
         } catch (const Cancelled&) {
@@ -192,8 +192,8 @@ struct SimulationThread::Worker {
     Gesture endGesture()
     {
         Gesture gesture = knead::endGesture(simulation);
-        if (agenda)
-            agenda->ended(gesture);
+        if (script)
+            script->ended(gesture);
         return gesture;
     }
 
@@ -202,10 +202,10 @@ struct SimulationThread::Worker {
         playing = false;
         carry = 0;
         governor.forget();
-        ++arrivals;
+        ++destinations;
         simulation.goTo(moment);
-        if (agenda)
-            agenda->wentTo(*moment, simulation.stateHash());
+        if (script)
+            script->wentTo(*moment, simulation.stateHash());
     }
 
     void meter(double simulated, Clock::time_point start)
@@ -233,9 +233,9 @@ struct SimulationThread::Worker {
         shot->updatesPerSecond = playing ? updates : 0;
         shot->stepsPerFrame = playing ? steps : 0;
         shot->snapshotSeconds = snapshotSeconds;
-        shot->arrivals = arrivals;
+        shot->destinations = destinations;
         shot->requests = carriedOut;
-        shot->agendaEnds = agendaEnds;
+        shot->scriptEnds = scriptEnds;
         {
             const std::lock_guard lock(mutex);
             latest = shot;
@@ -251,7 +251,7 @@ struct SimulationThread::Worker {
 
     // Owned by the thread.
     Simulation simulation;
-    std::unique_ptr<Agenda> agenda;
+    std::unique_ptr<ScriptedEvents> script;
     bool playing = false;
     bool keepsUp = true;
     Governor governor;
@@ -261,9 +261,9 @@ struct SimulationThread::Worker {
     double updates = 0;
     int steps = 0;
     double snapshotSeconds = 0;
-    std::uint64_t arrivals = 0;
+    std::uint64_t destinations = 0;
     std::uint64_t carriedOut = 0;
-    std::uint64_t agendaEnds = 0;
+    std::uint64_t scriptEnds = 0;
     std::deque<Frame> frames;
     std::function<void(const SnapshotPointer&)> watcher;
 
@@ -277,8 +277,8 @@ struct SimulationThread::Worker {
     std::jthread thread; // last: stops before the rest goes
 };
 
-SimulationThread::SimulationThread(Simulation simulation, std::unique_ptr<Agenda> agenda)
-    : m_worker(std::make_unique<Worker>(std::move(simulation), std::move(agenda)))
+SimulationThread::SimulationThread(Simulation simulation, std::unique_ptr<ScriptedEvents> script)
+    : m_worker(std::make_unique<Worker>(std::move(simulation), std::move(script)))
 {
 }
 SimulationThread::~SimulationThread() = default;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/simulation/agenda.h"
+#include "core/simulation/scripted_events.h"
 
 #include <cstdint>
 #include <functional>
@@ -15,8 +15,8 @@ namespace knead {
 class SimulationThread {
 public:
     /// Starts paused.
-    /// @param agenda carried out beside what is posted; null: none
-    explicit SimulationThread(Simulation simulation, std::unique_ptr<Agenda> agenda = nullptr);
+    /// @param script carried out beside what is posted; null: none
+    explicit SimulationThread(Simulation simulation, std::unique_ptr<ScriptedEvents> script = nullptr);
     /// Stops at the end of the present step and joins.
     ~SimulationThread();
     SimulationThread(const SimulationThread&) = delete;
@@ -24,10 +24,10 @@ public:
 
     void play();
     void pause();
-    void stepOnce();             ///< one step, while paused; none at the end of the agenda, as play() stops there
+    void stepOnce();             ///< one step, while paused; none at the end of the script, as play() stops there
     void reset();                ///< pauses and carries out Reset
     void setSpeed(double ratio); ///< wanted ratio of simulated to wall time, 0.01 .. 10; 1 at first
-    void keepUp(bool on); ///< by a rougher Pace where it is slow; it does at first, but not while an agenda goes on
+    void keepUp(bool on); ///< by a rougher Pace where it is slow; it does at first, but not while an script goes on
     void showPressing(bool on); ///< see Simulation::showPressing(); a new snapshot comes at once
     void post(Command command); ///< takes effect at the next step, at once while paused
 

@@ -1,8 +1,8 @@
 #include "io/export/bent_faces.h"
 
+#include "io/brep/face_integral.h"
 #include "io/export/divided_shape.h"
 #include "io/export/face_order.h"
-#include "io/face_integral.h"
 
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>

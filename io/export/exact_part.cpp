@@ -4,12 +4,12 @@
 #include "core/geometry/refine.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/skin_map.h"
+#include "io/brep/face_integral.h"
+#include "io/brep/tessellation.h"
 #include "io/export/bent_faces.h"
 #include "io/export/cut_shape.h"
 #include "io/export/faceted_solid.h"
 #include "io/export/surface_flaws.h"
-#include "io/face_integral.h"
-#include "io/tessellation.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_Transform.hxx>

@@ -1,12 +1,12 @@
 #include "io/export/export_check.h"
 
-#include "io/exact_shapes.h"
+#include "io/brep/exact_shapes.h"
+#include "io/brep/free_edges.h"
+#include "io/brep/shape_measure.h"
 #include "io/export/deviation.h"
 #include "io/export/place_words.h"
 #include "io/export/smooth_edges.h"
-#include "io/free_edges.h"
 #include "io/morph/millimetre_map.h"
-#include "io/shape_measure.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>

@@ -1,6 +1,6 @@
 #include "io/export/export_formats.h"
 
-#include "io/mesh_writer.h"
+#include "io/formats/mesh_writer.h"
 
 #include <algorithm>
 

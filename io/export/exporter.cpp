@@ -1,10 +1,10 @@
 #include "io/export/exporter.h"
 
-#include "io/cad_reader.h"
-#include "io/exact_shapes.h"
+#include "io/brep/exact_shapes.h"
+#include "io/brep/occt_session.h"
 #include "io/export/exact_part.h"
 #include "io/export/export_check.h"
-#include "io/occt_session.h"
+#include "io/formats/cad_reader.h"
 #include "io/worker/child_process.h"
 
 #include <algorithm>

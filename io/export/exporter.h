@@ -3,7 +3,7 @@
 #include "core/model/export_job.h"
 #include "core/model/export_report.h"
 #include "core/task/task_control.h"
-#include "io/cad_format.h"
+#include "io/formats/cad_format.h"
 
 #include <string>
 

@@ -1,8 +1,8 @@
 #include "io/export/job_file.h"
 
 #include "core/skin/former_shape.h"
-#include "io/aggregate_bytes.h"
-#include "io/byte_blocks.h"
+#include "io/files/byte_blocks.h"
+#include "io/project/aggregate_bytes.h"
 #include "io/worker/model_file.h"
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/face_drawing.h"
+#include "io/brep/face_drawing.h"
 
 #include <algorithm>
 #include <cstddef>

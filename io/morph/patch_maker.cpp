@@ -1,6 +1,6 @@
 #include "io/morph/patch_maker.h"
 
-#include "io/face_redrawing.h"
+#include "io/brep/face_redrawing.h"
 #include "io/morph/trimmed_face.h"
 
 #include <BRepAdaptor_Curve.hxx>

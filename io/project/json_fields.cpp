@@ -1,7 +1,7 @@
 #include "io/project/json_fields.h"
 
-#include "io/exact_number.h"
-#include "io/json_text.h"
+#include "io/json/exact_number.h"
+#include "io/json/json_text.h"
 
 #include <algorithm>
 #include <cmath>

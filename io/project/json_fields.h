@@ -2,8 +2,8 @@
 
 #include "core/geometry/vec3.h"
 #include "core/mechanics/tool_shape.h"
-#include "io/json_reader.h"
-#include "io/recipe_values.h"
+#include "io/json/json_reader.h"
+#include "io/recipe/recipe_values.h"
 
 #include <cstdint>
 #include <memory>

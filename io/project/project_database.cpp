@@ -1,6 +1,6 @@
 #include "io/project/project_database.h"
 
-#include "io/cad_format.h"
+#include "io/formats/cad_format.h"
 #include "io/project/schema.h"
 
 #include <SQLiteCpp/Backup.h>

@@ -2,7 +2,7 @@
 
 #include "core/document/project.h"
 #include "io/project/json_fields.h"
-#include "io/scene_words.h"
+#include "io/recipe/scene_words.h"
 
 namespace knead {
 

@@ -1,11 +1,11 @@
 #include "io/project/project_file.h"
 
-#include "io/cad_format.h"
+#include "io/files/safe_file.h"
+#include "io/formats/cad_format.h"
 #include "io/project/project_database.h"
 #include "io/project/project_reader.h"
 #include "io/project/project_tables.h"
 #include "io/project/schema.h"
-#include "io/safe_file.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 

@@ -1,6 +1,6 @@
 #include "io/project/project_lock.h"
 
-#include "io/cad_format.h"
+#include "io/formats/cad_format.h"
 
 #include <ctime>
 #include <filesystem>

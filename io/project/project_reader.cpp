@@ -1,6 +1,6 @@
 #include "io/project/project_reader.h"
 
-#include "io/aggregate_bytes.h"
+#include "io/project/aggregate_bytes.h"
 #include "io/project/command_json.h"
 #include "io/project/project_fields.h"
 #include "io/project/scene_fields.h"

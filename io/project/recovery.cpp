@@ -1,10 +1,10 @@
 #include "io/project/recovery.h"
 
+#include "io/files/safe_file.h"
 #include "io/project/project_database.h"
 #include "io/project/project_reader.h"
 #include "io/project/recovery_files.h"
 #include "io/project/schema.h"
-#include "io/safe_file.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 

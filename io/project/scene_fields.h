@@ -4,7 +4,7 @@
 #include "core/mechanics/manipulator.h"
 #include "core/simulation/scene.h"
 #include "io/project/json_fields.h"
-#include "io/scene_words.h"
+#include "io/recipe/scene_words.h"
 
 namespace knead {
 

@@ -1,4 +1,4 @@
-#include "io/project/recipe_of_project.h"
+#include "io/recipe/recipe_of_project.h"
 
 #include "core/document/history.h"
 

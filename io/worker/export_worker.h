@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/cad_format.h"
+#include "io/formats/cad_format.h"
 #include "io/worker/child_process.h"
 
 #include <string>

@@ -1,6 +1,6 @@
 #include "io/worker/import_worker.h"
 
-#include "io/cad_format.h"
+#include "io/formats/cad_format.h"
 #include "io/importer.h"
 #include "io/previewer.h"
 #include "io/worker/model_file.h"

@@ -1,9 +1,9 @@
 #include "io/worker/isolated_export.h"
 
-#include "io/cad_format.h"
 #include "io/export/export_formats.h"
 #include "io/export/job_file.h"
-#include "io/safe_file.h"
+#include "io/files/safe_file.h"
+#include "io/formats/cad_format.h"
 #include "io/worker/export_worker.h"
 #include "io/worker/isolated_work.h"
 

@@ -1,6 +1,6 @@
 #include "io/worker/isolated_import.h"
 
-#include "io/cad_format.h"
+#include "io/formats/cad_format.h"
 #include "io/worker/import_worker.h"
 #include "io/worker/isolated_work.h"
 #include "io/worker/model_file.h"

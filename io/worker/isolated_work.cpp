@@ -1,6 +1,6 @@
 #include "io/worker/isolated_work.h"
 
-#include "io/cad_format.h"
+#include "io/formats/cad_format.h"
 #include "io/worker/model_file.h"
 #include "io/worker/worker_process.h"
 

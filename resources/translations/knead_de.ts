@@ -470,6 +470,14 @@
         <source>Hold one end of the new part and let a block press it, to see what it does</source>
         <translation>Hält das neue Teil an einem Ende und drückt es mit einem Block, um zu sehen, was es tut</translation>
     </message>
+    <message>
+        <source>&amp;Handbook</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>At the page of what one does</source>
+        <translation>Auf der Seite zu dem, was man tut</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -580,6 +588,25 @@
     <message>
         <source>A page with these numbers, what was measured and a picture of the view, as PDF or HTML</source>
         <translation>Eine Seite mit diesen Zahlen, den Messungen und einem Bild der Ansicht, als PDF oder HTML</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonFeature</name>
+    <message>
+        <source>Comparing with the original</source>
+        <translation>Vergleich mit dem Original</translation>
+    </message>
+    <message>
+        <source>Write a report</source>
+        <translation>Einen Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Web page (*.html *.htm)</source>
+        <translation>Webseite (*.html *.htm)</translation>
     </message>
 </context>
 <context>
@@ -1225,6 +1252,37 @@
     <message>
         <source>Choose a place...</source>
         <translation>Ort wählen...</translation>
+    </message>
+</context>
+<context>
+    <name>ExportFeature</name>
+    <message>
+        <source>Export report</source>
+        <translation>Exportbericht</translation>
+    </message>
+    <message>
+        <source>Export a file for each part</source>
+        <translation>Eine Datei für jedes Teil exportieren</translation>
+    </message>
+    <message>
+        <source>Export the deformed parts</source>
+        <translation>Verformte Teile exportieren</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+    <message>
+        <source>Exported 1 part to %1.</source>
+        <translation>1 Teil nach %1 exportiert.</translation>
+    </message>
+    <message>
+        <source>Exported %2 parts to %1.</source>
+        <translation>%2 Teile nach %1 exportiert.</translation>
+    </message>
+    <message>
+        <source>Not everything in %1 is sound; the export report says what is not.</source>
+        <translation>Nicht alles in %1 ist einwandfrei; der Exportbericht sagt, was nicht.</translation>
     </message>
 </context>
 <context>
@@ -2159,6 +2217,21 @@
     </message>
 </context>
 <context>
+    <name>HandbookWindow</name>
+    <message>
+        <source>Handbook</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>No page has these words.</source>
+        <translation>Keine Seite hat diese Wörter.</translation>
+    </message>
+</context>
+<context>
     <name>Hands</name>
     <message>
         <source>Handles</source>
@@ -2243,6 +2316,40 @@
     <message>
         <source>Press and hold: the tool goes in until its force limit holds it   Esc: done</source>
         <translation>Drücken und halten: Das Werkzeug dringt ein, bis seine Kraftgrenze es hält   Esc: fertig</translation>
+    </message>
+</context>
+<context>
+    <name>HandsFeature</name>
+    <message>
+        <source>Hands</source>
+        <translation>Hände</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Kräfte</translation>
+    </message>
+    <message>
+        <source>Export forces over time</source>
+        <translation>Kräfte über der Zeit exportieren</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>There are no forces to write yet: press Play and let something happen first.</source>
+        <translation>Noch gibt es keine Kräfte zu schreiben: drücken Sie Starten und lassen Sie etwas geschehen.</translation>
+    </message>
+</context>
+<context>
+    <name>HelpFeature</name>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeric pad 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;top, isometric, front, right; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;clicks select parts, faces, edges, objects; Ctrl adds&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;one, two, four views; V: the active view alone&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Linke Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählen; ein Werkzeug ziehen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drehen; mit Umschalt oder Strg schieben&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zum Zeiger zoomen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pfeile, Bild auf, Bild ab&lt;/b&gt;&lt;/td&gt;&lt;td&gt;das gewählte Werkzeug fahren; mit Umschalt langsamer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Leertaste, . , Rücktaste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;starten oder anhalten, ein Schritt, zurücksetzen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Entf&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Block hinzufügen, Flächen fixieren, entfernen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Schwerkraft, renormieren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Objekte, Körper verbergen, Kanten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, Ziffernblock 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;oben, isometrisch, vorne, rechts; Strg: von der anderen Seite&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Klicks wählen Teile, Flächen, Kanten, Objekte; Strg fügt hinzu&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspektivisch oder parallel, einpassen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Strg+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Projekt speichern; Strg+Umschalt+S unter anderem Namen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;eine, zwei, vier Ansichten; V: nur die aktive&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Strg+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;jeden Befehl finden; F11: Vollbild&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;abbrechen&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
 </context>
 <context>
@@ -2515,6 +2622,84 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>ImportFeature</name>
+    <message>
+        <source>Import report</source>
+        <translation>Importbericht</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opening %1 and %n more</source>
+        <translation>
+            <numerusform>%1 und eine weitere Datei werden geöffnet</numerusform>
+            <numerusform>%1 und %n weitere Dateien werden geöffnet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking into %1</source>
+        <translation>%1 wird angesehen</translation>
+    </message>
+    <message>
+        <source>Parts (%1)</source>
+        <translation>Teile (%1)</translation>
+    </message>
+    <message>
+        <source>Projects, recipes and parts (%1)</source>
+        <translation>Projekte, Rezepte und Teile (%1)</translation>
+    </message>
+    <message>
+        <source>Recipes (%1)</source>
+        <translation>Rezepte (%1)</translation>
+    </message>
+    <message>
+        <source>Open parts</source>
+        <translation>Teile öffnen</translation>
+    </message>
+    <message>
+        <source>Open a project, a recipe or parts</source>
+        <translation>Ein Projekt, ein Rezept oder Teile öffnen</translation>
+    </message>
+    <message>
+        <source>Filling with a spacing of %1</source>
+        <translation>Füllen mit einem Abstand von %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not simulated: %2</source>
+        <translation>&quot;%1&quot; wird nicht simuliert: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 surfaces to look at, nothing to simulate.</source>
+        <translation>%1: %2, %3 Flächen zum Ansehen, nichts zu simulieren.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 objects of spacing %4, %5 connections, time step %6.</source>
+        <translation>%1: %2, %3 Objekte im Abstand %4, %5 Verbindungen, Zeitschritt %6.</translation>
+    </message>
+    <message>
+        <source>Take as %1</source>
+        <translation>Als %1 nehmen</translation>
+    </message>
+    <message>
+        <source>%1 parts of the file are missing; the import report says which and why.</source>
+        <translation>%1 Teile der Datei fehlen; der Importbericht sagt, welche und warum.</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translation>Bericht zeigen</translation>
+    </message>
+    <message>
+        <source>Nothing in this file is closed, so nothing can be filled and simulated; the import report says why. Open edges are drawn in color.</source>
+        <translation>Nichts in dieser Datei ist geschlossen, also kann nichts gefüllt und simuliert werden; der Importbericht sagt, warum. Offene Kanten sind farbig gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Taking lengths in %1</source>
+        <translation>Längen werden in %1 genommen</translation>
+    </message>
+</context>
+<context>
     <name>ImportPanel</name>
     <message>
         <source>As the file says</source>
@@ -2629,18 +2814,6 @@ Simuliert: %2, Schritt %3
         <translation>%1: abgebrochen, nichts hat sich geändert.</translation>
     </message>
     <message>
-        <source>%1 is still going on: wait for it, or cancel it with Esc.</source>
-        <translation>%1 läuft noch: warten Sie, oder brechen Sie mit Esc ab.</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3 surfaces to look at, nothing to simulate.</source>
-        <translation>%1: %2, %3 Flächen zum Ansehen, nichts zu simulieren.</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3 objects of spacing %4, %5 connections, time step %6.</source>
-        <translation>%1: %2, %3 Objekte im Abstand %4, %5 Verbindungen, Zeitschritt %6.</translation>
-    </message>
-    <message>
         <source>%1 &quot;%2&quot;</source>
         <translation>%1: %2</translation>
     </message>
@@ -2653,10 +2826,6 @@ Simuliert: %2, Schritt %3
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>Reset</source>
-        <translation>Zurücksetzen</translation>
-    </message>
-    <message>
         <source>Click faces to hold or free them   Esc: done</source>
         <translation>Flächen anklicken hält sie oder gibt sie frei   Esc: fertig</translation>
     </message>
@@ -2667,93 +2836,6 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Middle: orbit   Shift+middle: pan   Wheel: zoom</source>
         <translation>Mitte: drehen   Umschalt+Mitte: schieben   Rad: zoomen</translation>
-    </message>
-    <message>
-        <source>Parts (%1)</source>
-        <translation>Teile (%1)</translation>
-    </message>
-    <message>
-        <source>Projects, recipes and parts (%1)</source>
-        <translation>Projekte, Rezepte und Teile (%1)</translation>
-    </message>
-    <message>
-        <source>Recipes (%1)</source>
-        <translation>Rezepte (%1)</translation>
-    </message>
-    <message>
-        <source>Open parts</source>
-        <translation>Teile öffnen</translation>
-    </message>
-    <message>
-        <source>Open a project, a recipe or parts</source>
-        <translation>Ein Projekt, ein Rezept oder Teile öffnen</translation>
-    </message>
-    <message>
-        <source>Export a file for each part</source>
-        <translation>Eine Datei für jedes Teil exportieren</translation>
-    </message>
-    <message>
-        <source>Export the deformed parts</source>
-        <translation>Verformte Teile exportieren</translation>
-    </message>
-    <message>
-        <source>Mouse and keys</source>
-        <translation>Maus und Tasten</translation>
-    </message>
-    <message>
-        <source>Looking into %1</source>
-        <translation>%1 wird angesehen</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>%1 wird geöffnet</translation>
-    </message>
-    <message numerus="yes">
-        <source>Opening %1 and %n more</source>
-        <translation>
-            <numerusform>%1 und eine weitere Datei werden geöffnet</numerusform>
-            <numerusform>%1 und %n weitere Dateien werden geöffnet</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Filling with a spacing of %1</source>
-        <translation>Füllen mit einem Abstand von %1</translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation>%1 wird exportiert</translation>
-    </message>
-    <message>
-        <source>Exported 1 part to %1.</source>
-        <translation>1 Teil nach %1 exportiert.</translation>
-    </message>
-    <message>
-        <source>Exported %2 parts to %1.</source>
-        <translation>%2 Teile nach %1 exportiert.</translation>
-    </message>
-    <message>
-        <source>Not everything in %1 is sound; the export report says what is not.</source>
-        <translation>Nicht alles in %1 ist einwandfrei; der Exportbericht sagt, was nicht.</translation>
-    </message>
-    <message>
-        <source>Take as %1</source>
-        <translation>Als %1 nehmen</translation>
-    </message>
-    <message>
-        <source>%1 parts of the file are missing; the import report says which and why.</source>
-        <translation>%1 Teile der Datei fehlen; der Importbericht sagt, welche und warum.</translation>
-    </message>
-    <message>
-        <source>Show report</source>
-        <translation>Bericht zeigen</translation>
-    </message>
-    <message>
-        <source>Nothing in this file is closed, so nothing can be filled and simulated; the import report says why. Open edges are drawn in color.</source>
-        <translation>Nichts in dieser Datei ist geschlossen, also kann nichts gefüllt und simuliert werden; der Importbericht sagt, warum. Offene Kanten sind farbig gezeichnet.</translation>
-    </message>
-    <message>
-        <source>Taking lengths in %1</source>
-        <translation>Längen werden in %1 genommen</translation>
     </message>
     <message>
         <source>Nothing selected.</source>
@@ -2780,36 +2862,8 @@ Simuliert: %2, Schritt %3
         <translation>Zeitleiste</translation>
     </message>
     <message>
-        <source>Performance</source>
-        <translation>Leistung</translation>
-    </message>
-    <message>
-        <source>Import report</source>
-        <translation>Importbericht</translation>
-    </message>
-    <message>
-        <source>Export report</source>
-        <translation>Exportbericht</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
-    </message>
-    <message>
         <source>Open &amp;recent</source>
         <translation>&amp;Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;Simulation</source>
-        <translation>&amp;Simulation</translation>
-    </message>
-    <message>
-        <source>&amp;Tools</source>
-        <translation>&amp;Werkzeuge</translation>
     </message>
     <message>
         <source>Add tool</source>
@@ -2818,94 +2872,6 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Put a tool above the part to push it with</source>
         <translation>Ein Werkzeug über das Teil setzen, um es damit zu drücken</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>Erscheinung</translation>
-    </message>
-    <message>
-        <source>Panels</source>
-        <translation>Bereiche</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <source>%1[*] - Knead</source>
-        <translation>%1[*] - Knead</translation>
-    </message>
-    <message>
-        <source>Clear the list</source>
-        <translation>Liste leeren</translation>
-    </message>
-    <message>
-        <source>%1 is not there any more. It may have been moved: look for it with Ctrl+O.</source>
-        <translation>%1 ist nicht mehr da. Vielleicht wurde es verschoben: suchen Sie es mit Strg+O.</translation>
-    </message>
-    <message>
-        <source>A project is opened alone: choose one file, or only parts.</source>
-        <translation>Ein Projekt wird allein geöffnet: wählen Sie eine Datei oder nur Teile.</translation>
-    </message>
-    <message>
-        <source>A recipe is opened alone: choose one file, or only parts.</source>
-        <translation>Ein Rezept wird allein geöffnet: wählen Sie eine Datei oder nur Teile.</translation>
-    </message>
-    <message>
-        <source>Open %1</source>
-        <translation>%1 öffnen</translation>
-    </message>
-    <message>
-        <source>Play carries out %1; what is done by hand comes on top of it.</source>
-        <translation>Starten führt %1 aus; was von Hand getan wird, kommt dazu.</translation>
-    </message>
-    <message>
-        <source>Export as a recipe</source>
-        <translation>Als Rezept exportieren</translation>
-    </message>
-    <message>
-        <source>Recipes (*.%1)</source>
-        <translation>Rezepte (*.%1)</translation>
-    </message>
-    <message>
-        <source>Exported the session as a recipe to %1.</source>
-        <translation>Die Sitzung als Rezept nach %1 exportiert.</translation>
-    </message>
-    <message>
-        <source>There is nothing to record yet: press Play and let something happen first.</source>
-        <translation>Noch ist nichts aufzunehmen: drücken Sie Starten und lassen Sie etwas geschehen.</translation>
-    </message>
-    <message>
-        <source>Save the video</source>
-        <translation>Video speichern</translation>
-    </message>
-    <message>
-        <source>Make a folder for the pictures</source>
-        <translation>Ordner für die Bilder anlegen</translation>
-    </message>
-    <message>
-        <source>Video (*.ogv)</source>
-        <translation>Video (*.ogv)</translation>
-    </message>
-    <message>
-        <source>Folder (*)</source>
-        <translation>Ordner (*)</translation>
-    </message>
-    <message>
-        <source>Recording %1</source>
-        <translation>%1 wird aufgenommen</translation>
-    </message>
-    <message>
-        <source>%1: 1 picture recorded.</source>
-        <translation>%1: 1 Bild aufgenommen.</translation>
-    </message>
-    <message>
-        <source>%1: %2 pictures recorded.</source>
-        <translation>%1: %2 Bilder aufgenommen.</translation>
     </message>
     <message>
         <source>There is nothing to undo.</source>
@@ -2940,168 +2906,16 @@ Simuliert: %2, Schritt %3
         <translation>Jetzt nicht möglich.</translation>
     </message>
     <message>
-        <source>Tool bar</source>
-        <translation>Werkzeugleiste</translation>
-    </message>
-    <message>
         <source>Drag to move the timeline</source>
         <translation>Ziehen verschiebt die Zeitleiste</translation>
-    </message>
-    <message>
-        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeric pad 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;top, isometric, front, right; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;clicks select parts, faces, edges, objects; Ctrl adds&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;one, two, four views; V: the active view alone&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Linke Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;wählen; ein Werkzeug ziehen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Mittlere Taste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drehen; mit Umschalt oder Strg schieben&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Rad&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zum Zeiger zoomen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pfeile, Bild auf, Bild ab&lt;/b&gt;&lt;/td&gt;&lt;td&gt;das gewählte Werkzeug fahren; mit Umschalt langsamer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Leertaste, . , Rücktaste&lt;/b&gt;&lt;/td&gt;&lt;td&gt;starten oder anhalten, ein Schritt, zurücksetzen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Entf&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Block hinzufügen, Flächen fixieren, entfernen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Schwerkraft, renormieren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Objekte, Körper verbergen, Kanten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, Ziffernblock 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;oben, isometrisch, vorne, rechts; Strg: von der anderen Seite&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Klicks wählen Teile, Flächen, Kanten, Objekte; Strg fügt hinzu&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspektivisch oder parallel, einpassen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Strg+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;Projekt speichern; Strg+Umschalt+S unter anderem Namen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Umschalt+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;eine, zwei, vier Ansichten; V: nur die aktive&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Strg+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;jeden Befehl finden; F11: Vollbild&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;abbrechen&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
     <message>
         <source>Display</source>
         <translation>Darstellung</translation>
     </message>
     <message>
-        <source>Hands</source>
-        <translation>Hände</translation>
-    </message>
-    <message>
-        <source>Forces</source>
-        <translation>Kräfte</translation>
-    </message>
-    <message>
-        <source>Export forces over time</source>
-        <translation>Kräfte über der Zeit exportieren</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabelle (*.csv)</translation>
-    </message>
-    <message>
-        <source>There are no forces to write yet: press Play and let something happen first.</source>
-        <translation>Noch gibt es keine Kräfte zu schreiben: drücken Sie Starten und lassen Sie etwas geschehen.</translation>
-    </message>
-    <message>
-        <source>Writing %1</source>
-        <translation>%1 wird geschrieben</translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>&amp;Messen</translation>
-    </message>
-    <message>
-        <source>Measure the part</source>
-        <translation>Das Teil messen</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written (%2). Choose another folder, or make room on the disk.</source>
-        <translation>%1 kann nicht geschrieben werden (%2). Wählen Sie einen anderen Ordner, oder schaffen Sie Platz auf dem Datenträger.</translation>
-    </message>
-    <message>
-        <source>Measurements</source>
-        <translation>Messungen</translation>
-    </message>
-    <message>
-        <source>Place probe</source>
-        <translation>Sonde setzen</translation>
-    </message>
-    <message>
-        <source>Click places of the part to plot what happens there over time (P)</source>
-        <translation>Stellen des Teils anklicken, um aufzutragen, was dort über der Zeit geschieht (P)</translation>
-    </message>
-    <message>
-        <source>Probes</source>
-        <translation>Sonden</translation>
-    </message>
-    <message>
-        <source>Write what the probes read</source>
-        <translation>Messwerte der Sonden schreiben</translation>
-    </message>
-    <message>
-        <source>Write what was measured</source>
-        <translation>Messungen schreiben</translation>
-    </message>
-    <message>
-        <source>Written: %1.</source>
-        <translation>Geschrieben: %1.</translation>
-    </message>
-    <message>
-        <source>Comparing with the original</source>
-        <translation>Vergleich mit dem Original</translation>
-    </message>
-    <message>
-        <source>Write a report</source>
-        <translation>Einen Bericht schreiben</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Web page (*.html *.htm)</source>
-        <translation>Webseite (*.html *.htm)</translation>
-    </message>
-    <message>
-        <source>Se&amp;lect</source>
-        <translation>Auswah&amp;l</translation>
-    </message>
-    <message>
-        <source>Selecting</source>
-        <translation>Auswählen</translation>
-    </message>
-    <message>
-        <source>Selecting within %1</source>
-        <translation>Auswählen im Umkreis von %1</translation>
-    </message>
-    <message>
         <source>Select something first.</source>
         <translation>Wählen Sie zuerst etwas aus.</translation>
-    </message>
-    <message>
-        <source>Slower tools</source>
-        <translation>Langsamere Werkzeuge</translation>
-    </message>
-    <message>
-        <source>More damping</source>
-        <translation>Mehr Dämpfung</translation>
-    </message>
-    <message>
-        <source>Simulation</source>
-        <translation>Simulation</translation>
-    </message>
-    <message>
-        <source>Fill finer</source>
-        <translation>Feiner füllen</translation>
-    </message>
-    <message>
-        <source>Viewports</source>
-        <translation>Ansichten</translation>
-    </message>
-    <message>
-        <source>Show two or four views first.</source>
-        <translation>Zeigen Sie zuerst zwei oder vier Ansichten.</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Gravity as on</source>
-        <translation>Schwerkraft wie auf</translation>
-    </message>
-    <message>
-        <source>Integrator</source>
-        <translation>Integrator</translation>
-    </message>
-    <message>
-        <source>Speed of the film</source>
-        <translation>Geschwindigkeit des Films</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not simulated: %2</source>
-        <translation>&quot;%1&quot; wird nicht simuliert: %2</translation>
-    </message>
-    <message>
-        <source>Turn the section plane on (Shift+S) and put it where the cut shall be.</source>
-        <translation>Schalten Sie die Schnittebene ein (Umschalt+S) und setzen Sie sie dorthin, wo geschnitten werden soll.</translation>
-    </message>
-    <message>
-        <source>Table</source>
-        <translation>Tisch</translation>
     </message>
 </context>
 <context>
@@ -3863,6 +3677,25 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>MeasuringFeature</name>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Write what was measured</source>
+        <translation>Messungen schreiben</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+</context>
+<context>
     <name>ModelNotes</name>
     <message>
         <source>Group</source>
@@ -4405,6 +4238,29 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>ProbesFeature</name>
+    <message>
+        <source>Probes</source>
+        <translation>Sonden</translation>
+    </message>
+    <message>
+        <source>Write what the probes read</source>
+        <translation>Messwerte der Sonden schreiben</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Place probe</source>
+        <translation>Sonde setzen</translation>
+    </message>
+    <message>
+        <source>Click places of the part to plot what happens there over time (P)</source>
+        <translation>Stellen des Teils anklicken, um aufzutragen, was dort über der Zeit geschieht (P)</translation>
+    </message>
+</context>
+<context>
     <name>ProjectKeeper</name>
     <message>
         <source>The work is kept for recovery again.</source>
@@ -4508,6 +4364,29 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>ProjectsFeature</name>
+    <message>
+        <source>Knead</source>
+        <translation>Knead</translation>
+    </message>
+    <message>
+        <source>%1[*] - Knead</source>
+        <translation>%1[*] - Knead</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more. It may have been moved: look for it with Ctrl+O.</source>
+        <translation>%1 ist nicht mehr da. Vielleicht wurde es verschoben: suchen Sie es mit Strg+O.</translation>
+    </message>
+    <message>
+        <source>A project is opened alone: choose one file, or only parts.</source>
+        <translation>Ein Projekt wird allein geöffnet: wählen Sie eine Datei oder nur Teile.</translation>
+    </message>
+</context>
+<context>
     <name>PullHand</name>
     <message>
         <source>%1 does not deform: make it deformable in the properties, or push it with a tool.</source>
@@ -4604,6 +4483,41 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>RecipesFeature</name>
+    <message>
+        <source>A recipe is opened alone: choose one file, or only parts.</source>
+        <translation>Ein Rezept wird allein geöffnet: wählen Sie eine Datei oder nur Teile.</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Play carries out %1; what is done by hand comes on top of it.</source>
+        <translation>Starten führt %1 aus; was von Hand getan wird, kommt dazu.</translation>
+    </message>
+    <message>
+        <source>Export as a recipe</source>
+        <translation>Als Rezept exportieren</translation>
+    </message>
+    <message>
+        <source>Recipes (*.%1)</source>
+        <translation>Rezepte (*.%1)</translation>
+    </message>
+    <message>
+        <source>Exported the session as a recipe to %1.</source>
+        <translation>Die Sitzung als Rezept nach %1 exportiert.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+</context>
+<context>
     <name>RecordDialog</name>
     <message>
         <source>Record a video</source>
@@ -4679,6 +4593,41 @@ Simuliert: %2, Schritt %3
     <message>
         <source>picture %1 of %2</source>
         <translation>Bild %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingFeature</name>
+    <message>
+        <source>There is nothing to record yet: press Play and let something happen first.</source>
+        <translation>Noch ist nichts aufzunehmen: drücken Sie Starten und lassen Sie etwas geschehen.</translation>
+    </message>
+    <message>
+        <source>Save the video</source>
+        <translation>Video speichern</translation>
+    </message>
+    <message>
+        <source>Make a folder for the pictures</source>
+        <translation>Ordner für die Bilder anlegen</translation>
+    </message>
+    <message>
+        <source>Video (*.ogv)</source>
+        <translation>Video (*.ogv)</translation>
+    </message>
+    <message>
+        <source>Folder (*)</source>
+        <translation>Ordner (*)</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>%1 wird aufgenommen</translation>
+    </message>
+    <message>
+        <source>%1: 1 picture recorded.</source>
+        <translation>%1: 1 Bild aufgenommen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 pictures recorded.</source>
+        <translation>%1: %2 Bilder aufgenommen.</translation>
     </message>
 </context>
 <context>
@@ -5037,6 +4986,21 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>SelectionFeature</name>
+    <message>
+        <source>Se&amp;lect</source>
+        <translation>Auswah&amp;l</translation>
+    </message>
+    <message>
+        <source>Selecting</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Selecting within %1</source>
+        <translation>Auswählen im Umkreis von %1</translation>
+    </message>
+</context>
+<context>
     <name>SelectionPanel</name>
     <message>
         <source>Fix</source>
@@ -5151,6 +5115,37 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Take it from there</source>
         <translation>Von dort nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>SimulationFeature</name>
+    <message>
+        <source>Slower tools</source>
+        <translation>Langsamere Werkzeuge</translation>
+    </message>
+    <message>
+        <source>More damping</source>
+        <translation>Mehr Dämpfung</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Turn the section plane on (Shift+S) and put it where the cut shall be.</source>
+        <translation>Schalten Sie die Schnittebene ein (Umschalt+S) und setzen Sie sie dorthin, wo geschnitten werden soll.</translation>
+    </message>
+    <message>
+        <source>Fill finer</source>
+        <translation>Feiner füllen</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
     </message>
 </context>
 <context>
@@ -5315,6 +5310,10 @@ Simuliert: %2, Schritt %3
         <source>Adhesion</source>
         <translation>Haftung</translation>
     </message>
+    <message>
+        <source>Gravity as on</source>
+        <translation>Schwerkraft wie auf</translation>
+    </message>
 </context>
 <context>
     <name>StatusReadings</name>
@@ -5430,12 +5429,12 @@ Simuliert: %2, Schritt %3
 <context>
     <name>Studio</name>
     <message>
-        <source>The graphics card takes no more pictures. Close other programs and try again.</source>
-        <translation>Die Grafikkarte nimmt keine Bilder mehr auf. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
         <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
         <translation>Die Grafikkarte zeichnet keine Bilder dieser Größe. Wählen Sie eine kleinere.</translation>
+    </message>
+    <message>
+        <source>The graphics card takes no more pictures. Close other programs and try again.</source>
+        <translation>Die Grafikkarte nimmt keine Bilder mehr auf. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
@@ -5481,6 +5480,21 @@ Simuliert: %2, Schritt %3
     <message>
         <source>%1: there is not enough memory. Close other programs, or choose a larger spacing.</source>
         <translation>%1: der Speicher reicht nicht. Schließen Sie andere Programme, oder wählen Sie einen größeren Abstand.</translation>
+    </message>
+</context>
+<context>
+    <name>TextFiles</name>
+    <message>
+        <source>%1 cannot be written (%2). Choose another folder, or make room on the disk.</source>
+        <translation>%1 kann nicht geschrieben werden (%2). Wählen Sie einen anderen Ordner, oder schaffen Sie Platz auf dem Datenträger.</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Written: %1.</source>
+        <translation>Geschrieben: %1.</translation>
     </message>
 </context>
 <context>
@@ -5555,6 +5569,10 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Simulate something first, and look back at it.</source>
         <translation>Simulieren Sie zuerst etwas, und sehen Sie darauf zurück.</translation>
+    </message>
+    <message>
+        <source>Speed of the film</source>
+        <translation>Geschwindigkeit des Films</translation>
     </message>
 </context>
 <context>
@@ -5799,6 +5817,75 @@ Simuliert: %2, Schritt %3
     <message>
         <source>Double click: this view alone, and all of them again</source>
         <translation>Doppelklick: nur diese Ansicht, und wieder alle</translation>
+    </message>
+</context>
+<context>
+    <name>ViewsFeature</name>
+    <message>
+        <source>Open a part first.</source>
+        <translation>Öffnen Sie zuerst ein Teil.</translation>
+    </message>
+    <message>
+        <source>Show two or four views first.</source>
+        <translation>Zeigen Sie zuerst zwei oder vier Ansichten.</translation>
+    </message>
+</context>
+<context>
+    <name>WindowMenus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Simulation</source>
+        <translation>&amp;Simulation</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Viewports</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Erscheinung</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Bereiche</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Werkzeugleiste</translation>
+    </message>
+    <message>
+        <source>Measure the part</source>
+        <translation>Das Teil messen</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>%1 is still going on: wait for it, or cancel it with Esc.</source>
+        <translation>%1 läuft noch: warten Sie, oder brechen Sie mit Esc ab.</translation>
     </message>
 </context>
 </TS>

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>MainWindow</name>
+    <name>ImportFeature</name>
     <message numerus="yes">
         <source>Opening %1 and %n more</source>
         <translation>

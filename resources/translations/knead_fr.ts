@@ -470,6 +470,14 @@
         <source>Hold one end of the new part and let a block press it, to see what it does</source>
         <translation>Tient la nouvelle pièce par un bout et la presse avec un bloc, pour voir ce qu’elle fait</translation>
     </message>
+    <message>
+        <source>&amp;Handbook</source>
+        <translation>&amp;Manuel</translation>
+    </message>
+    <message>
+        <source>At the page of what one does</source>
+        <translation>À la page de ce que l’on fait</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -580,6 +588,25 @@
     <message>
         <source>A page with these numbers, what was measured and a picture of the view, as PDF or HTML</source>
         <translation>Une page avec ces nombres, ce qui a été mesuré et une image de la vue, en PDF ou HTML</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonFeature</name>
+    <message>
+        <source>Comparing with the original</source>
+        <translation>Comparaison à l&apos;original</translation>
+    </message>
+    <message>
+        <source>Write a report</source>
+        <translation>Écrire un rapport</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Web page (*.html *.htm)</source>
+        <translation>Page web (*.html *.htm)</translation>
     </message>
 </context>
 <context>
@@ -1225,6 +1252,37 @@
     <message>
         <source>Choose a place...</source>
         <translation>Choisir un endroit...</translation>
+    </message>
+</context>
+<context>
+    <name>ExportFeature</name>
+    <message>
+        <source>Export report</source>
+        <translation>Rapport d&apos;exportation</translation>
+    </message>
+    <message>
+        <source>Export a file for each part</source>
+        <translation>Exporter un fichier pour chaque pièce</translation>
+    </message>
+    <message>
+        <source>Export the deformed parts</source>
+        <translation>Exporter les pièces déformées</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Exportation de %1</translation>
+    </message>
+    <message>
+        <source>Exported 1 part to %1.</source>
+        <translation>1 pièce exportée vers %1.</translation>
+    </message>
+    <message>
+        <source>Exported %2 parts to %1.</source>
+        <translation>%2 pièces exportées vers %1.</translation>
+    </message>
+    <message>
+        <source>Not everything in %1 is sound; the export report says what is not.</source>
+        <translation>Tout n&apos;est pas sain dans %1&#xa0;; le rapport d&apos;exportation dit quoi.</translation>
     </message>
 </context>
 <context>
@@ -2159,6 +2217,21 @@
     </message>
 </context>
 <context>
+    <name>HandbookWindow</name>
+    <message>
+        <source>Handbook</source>
+        <translation>Manuel</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Chercher</translation>
+    </message>
+    <message>
+        <source>No page has these words.</source>
+        <translation>Aucune page ne contient ces mots.</translation>
+    </message>
+</context>
+<context>
     <name>Hands</name>
     <message>
         <source>Handles</source>
@@ -2243,6 +2316,40 @@
     <message>
         <source>Press and hold: the tool goes in until its force limit holds it   Esc: done</source>
         <translation>Appuyer et maintenir : l’outil s’enfonce jusqu’à ce que sa limite de force le retienne   Échap : terminé</translation>
+    </message>
+</context>
+<context>
+    <name>HandsFeature</name>
+    <message>
+        <source>Hands</source>
+        <translation>Manipulation</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Forces</translation>
+    </message>
+    <message>
+        <source>Export forces over time</source>
+        <translation>Exporter les forces au cours du temps</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tableau (*.csv)</translation>
+    </message>
+    <message>
+        <source>There are no forces to write yet: press Play and let something happen first.</source>
+        <translation>Il n&apos;y a encore aucune force à écrire&#xa0;: appuyez sur Lecture et laissez quelque chose se passer.</translation>
+    </message>
+</context>
+<context>
+    <name>HelpFeature</name>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Souris et touches</translation>
+    </message>
+    <message>
+        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeric pad 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;top, isometric, front, right; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;clicks select parts, faces, edges, objects; Ctrl adds&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;one, two, four views; V: the active view alone&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Bouton gauche&lt;/b&gt;&lt;/td&gt;&lt;td&gt;choisir&#xa0;; tirer un outil&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Bouton du milieu&lt;/b&gt;&lt;/td&gt;&lt;td&gt;tourner&#xa0;; avec Maj ou Ctrl glisser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Molette&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomer vers le curseur&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Flèches, Pg préc, Pg suiv&lt;/b&gt;&lt;/td&gt;&lt;td&gt;conduire l&apos;outil choisi&#xa0;; Maj est plus lent&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Espace, . , Retour arrière&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lecture ou pause, un pas, réinitialiser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Suppr&lt;/b&gt;&lt;/td&gt;&lt;td&gt;ajouter un bloc, fixer des faces, supprimer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;pesanteur, renormaliser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objets, cacher le corps, arêtes&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, pavé numérique 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dessus, isométrique, face, droite&#xa0;; Ctrl&#xa0;: de l&apos;autre côté&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;les clics choisissent pièces, faces, arêtes, objets&#xa0;; Ctrl ajoute&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective ou parallèle, ajuster&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;enregistrer le projet&#xa0;; Ctrl+Maj+S sous un autre nom&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Maj+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;une, deux, quatre vues&#xa0;; V&#xa0;: la vue active seule&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;trouver toute commande&#xa0;; F11&#xa0;: plein écran&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Échap&lt;/b&gt;&lt;/td&gt;&lt;td&gt;annuler&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
 </context>
 <context>
@@ -2515,6 +2622,84 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>ImportFeature</name>
+    <message>
+        <source>Import report</source>
+        <translation>Rapport d&apos;importation</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opening %1 and %n more</source>
+        <translation>
+            <numerusform>Ouverture de %1 et d&apos;un autre fichier</numerusform>
+            <numerusform>Ouverture de %1 et de %n autres fichiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking into %1</source>
+        <translation>Examen de %1</translation>
+    </message>
+    <message>
+        <source>Parts (%1)</source>
+        <translation>Pièces (%1)</translation>
+    </message>
+    <message>
+        <source>Projects, recipes and parts (%1)</source>
+        <translation>Projets, recettes et pièces (%1)</translation>
+    </message>
+    <message>
+        <source>Recipes (%1)</source>
+        <translation>Recettes (%1)</translation>
+    </message>
+    <message>
+        <source>Open parts</source>
+        <translation>Ouvrir des pièces</translation>
+    </message>
+    <message>
+        <source>Open a project, a recipe or parts</source>
+        <translation>Ouvrir un projet, une recette ou des pièces</translation>
+    </message>
+    <message>
+        <source>Filling with a spacing of %1</source>
+        <translation>Remplissage avec un espacement de %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not simulated: %2</source>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas simulé&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 surfaces to look at, nothing to simulate.</source>
+        <translation>%1&#xa0;: %2, %3 surfaces à regarder, rien à simuler.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 objects of spacing %4, %5 connections, time step %6.</source>
+        <translation>%1&#xa0;: %2, %3 objets d&apos;espacement %4, %5 liaisons, pas de temps %6.</translation>
+    </message>
+    <message>
+        <source>Take as %1</source>
+        <translation>Prendre en %1</translation>
+    </message>
+    <message>
+        <source>%1 parts of the file are missing; the import report says which and why.</source>
+        <translation>%1 pièces du fichier manquent&#xa0;; le rapport d&apos;importation dit lesquelles et pourquoi.</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translation>Montrer le rapport</translation>
+    </message>
+    <message>
+        <source>Nothing in this file is closed, so nothing can be filled and simulated; the import report says why. Open edges are drawn in color.</source>
+        <translation>Rien dans ce fichier n&apos;est fermé, rien ne peut donc être rempli et simulé&#xa0;; le rapport d&apos;importation dit pourquoi. Les arêtes ouvertes sont dessinées en couleur.</translation>
+    </message>
+    <message>
+        <source>Taking lengths in %1</source>
+        <translation>Prise des longueurs en %1</translation>
+    </message>
+</context>
+<context>
     <name>ImportPanel</name>
     <message>
         <source>As the file says</source>
@@ -2629,18 +2814,6 @@ Simulé&#xa0;: %2, pas %3
         <translation>%1&#xa0;: annulé, rien n&apos;a changé.</translation>
     </message>
     <message>
-        <source>%1 is still going on: wait for it, or cancel it with Esc.</source>
-        <translation>%1 est encore en cours&#xa0;: attendez ou annulez avec Échap.</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3 surfaces to look at, nothing to simulate.</source>
-        <translation>%1&#xa0;: %2, %3 surfaces à regarder, rien à simuler.</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3 objects of spacing %4, %5 connections, time step %6.</source>
-        <translation>%1&#xa0;: %2, %3 objets d&apos;espacement %4, %5 liaisons, pas de temps %6.</translation>
-    </message>
-    <message>
         <source>%1 &quot;%2&quot;</source>
         <translation>%1&#xa0;: %2</translation>
     </message>
@@ -2653,10 +2826,6 @@ Simulé&#xa0;: %2, pas %3
         <translation>Rétablir</translation>
     </message>
     <message>
-        <source>Reset</source>
-        <translation>Réinitialiser</translation>
-    </message>
-    <message>
         <source>Click faces to hold or free them   Esc: done</source>
         <translation>Cliquer des faces pour les tenir ou les libérer   Échap&#xa0;: fini</translation>
     </message>
@@ -2667,93 +2836,6 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Middle: orbit   Shift+middle: pan   Wheel: zoom</source>
         <translation>Milieu&#xa0;: tourner   Maj+milieu&#xa0;: glisser   Molette&#xa0;: zoomer</translation>
-    </message>
-    <message>
-        <source>Parts (%1)</source>
-        <translation>Pièces (%1)</translation>
-    </message>
-    <message>
-        <source>Projects, recipes and parts (%1)</source>
-        <translation>Projets, recettes et pièces (%1)</translation>
-    </message>
-    <message>
-        <source>Recipes (%1)</source>
-        <translation>Recettes (%1)</translation>
-    </message>
-    <message>
-        <source>Open parts</source>
-        <translation>Ouvrir des pièces</translation>
-    </message>
-    <message>
-        <source>Open a project, a recipe or parts</source>
-        <translation>Ouvrir un projet, une recette ou des pièces</translation>
-    </message>
-    <message>
-        <source>Export a file for each part</source>
-        <translation>Exporter un fichier pour chaque pièce</translation>
-    </message>
-    <message>
-        <source>Export the deformed parts</source>
-        <translation>Exporter les pièces déformées</translation>
-    </message>
-    <message>
-        <source>Mouse and keys</source>
-        <translation>Souris et touches</translation>
-    </message>
-    <message>
-        <source>Looking into %1</source>
-        <translation>Examen de %1</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>Ouverture de %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Opening %1 and %n more</source>
-        <translation>
-            <numerusform>Ouverture de %1 et d&apos;un autre fichier</numerusform>
-            <numerusform>Ouverture de %1 et de %n autres fichiers</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Filling with a spacing of %1</source>
-        <translation>Remplissage avec un espacement de %1</translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation>Exportation de %1</translation>
-    </message>
-    <message>
-        <source>Exported 1 part to %1.</source>
-        <translation>1 pièce exportée vers %1.</translation>
-    </message>
-    <message>
-        <source>Exported %2 parts to %1.</source>
-        <translation>%2 pièces exportées vers %1.</translation>
-    </message>
-    <message>
-        <source>Not everything in %1 is sound; the export report says what is not.</source>
-        <translation>Tout n&apos;est pas sain dans %1&#xa0;; le rapport d&apos;exportation dit quoi.</translation>
-    </message>
-    <message>
-        <source>Take as %1</source>
-        <translation>Prendre en %1</translation>
-    </message>
-    <message>
-        <source>%1 parts of the file are missing; the import report says which and why.</source>
-        <translation>%1 pièces du fichier manquent&#xa0;; le rapport d&apos;importation dit lesquelles et pourquoi.</translation>
-    </message>
-    <message>
-        <source>Show report</source>
-        <translation>Montrer le rapport</translation>
-    </message>
-    <message>
-        <source>Nothing in this file is closed, so nothing can be filled and simulated; the import report says why. Open edges are drawn in color.</source>
-        <translation>Rien dans ce fichier n&apos;est fermé, rien ne peut donc être rempli et simulé&#xa0;; le rapport d&apos;importation dit pourquoi. Les arêtes ouvertes sont dessinées en couleur.</translation>
-    </message>
-    <message>
-        <source>Taking lengths in %1</source>
-        <translation>Prise des longueurs en %1</translation>
     </message>
     <message>
         <source>Nothing selected.</source>
@@ -2780,36 +2862,8 @@ Simulé&#xa0;: %2, pas %3
         <translation>Chronologie</translation>
     </message>
     <message>
-        <source>Performance</source>
-        <translation>Performances</translation>
-    </message>
-    <message>
-        <source>Import report</source>
-        <translation>Rapport d&apos;importation</translation>
-    </message>
-    <message>
-        <source>Export report</source>
-        <translation>Rapport d&apos;exportation</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Fichier</translation>
-    </message>
-    <message>
         <source>Open &amp;recent</source>
         <translation>Ouvrir &amp;récent</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Édition</translation>
-    </message>
-    <message>
-        <source>&amp;Simulation</source>
-        <translation>&amp;Simulation</translation>
-    </message>
-    <message>
-        <source>&amp;Tools</source>
-        <translation>&amp;Outils</translation>
     </message>
     <message>
         <source>Add tool</source>
@@ -2818,94 +2872,6 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Put a tool above the part to push it with</source>
         <translation>Mettre un outil au-dessus de la pièce pour la pousser</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Vue</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>Thème</translation>
-    </message>
-    <message>
-        <source>Panels</source>
-        <translation>Panneaux</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Aide</translation>
-    </message>
-    <message>
-        <source>%1[*] - Knead</source>
-        <translation>%1[*] - Knead</translation>
-    </message>
-    <message>
-        <source>Clear the list</source>
-        <translation>Vider la liste</translation>
-    </message>
-    <message>
-        <source>%1 is not there any more. It may have been moved: look for it with Ctrl+O.</source>
-        <translation>%1 n&apos;est plus là. Il a peut-être été déplacé&#xa0;: cherchez-le avec Ctrl+O.</translation>
-    </message>
-    <message>
-        <source>A project is opened alone: choose one file, or only parts.</source>
-        <translation>Un projet s&apos;ouvre seul&#xa0;: choisissez un fichier, ou seulement des pièces.</translation>
-    </message>
-    <message>
-        <source>A recipe is opened alone: choose one file, or only parts.</source>
-        <translation>Une recette s&apos;ouvre seule&#xa0;: choisissez un fichier, ou seulement des pièces.</translation>
-    </message>
-    <message>
-        <source>Open %1</source>
-        <translation>Ouvrir %1</translation>
-    </message>
-    <message>
-        <source>Play carries out %1; what is done by hand comes on top of it.</source>
-        <translation>Lecture exécute %1&#xa0;; ce qui est fait à la main s&apos;y ajoute.</translation>
-    </message>
-    <message>
-        <source>Export as a recipe</source>
-        <translation>Exporter comme recette</translation>
-    </message>
-    <message>
-        <source>Recipes (*.%1)</source>
-        <translation>Recettes (*.%1)</translation>
-    </message>
-    <message>
-        <source>Exported the session as a recipe to %1.</source>
-        <translation>Session exportée comme recette vers %1.</translation>
-    </message>
-    <message>
-        <source>There is nothing to record yet: press Play and let something happen first.</source>
-        <translation>Il n&apos;y a encore rien à enregistrer&#xa0;: appuyez sur Lecture et laissez quelque chose se passer.</translation>
-    </message>
-    <message>
-        <source>Save the video</source>
-        <translation>Enregistrer la vidéo</translation>
-    </message>
-    <message>
-        <source>Make a folder for the pictures</source>
-        <translation>Créer un dossier pour les images</translation>
-    </message>
-    <message>
-        <source>Video (*.ogv)</source>
-        <translation>Vidéo (*.ogv)</translation>
-    </message>
-    <message>
-        <source>Folder (*)</source>
-        <translation>Dossier (*)</translation>
-    </message>
-    <message>
-        <source>Recording %1</source>
-        <translation>Enregistrement de %1</translation>
-    </message>
-    <message>
-        <source>%1: 1 picture recorded.</source>
-        <translation>%1&#xa0;: 1 image enregistrée.</translation>
-    </message>
-    <message>
-        <source>%1: %2 pictures recorded.</source>
-        <translation>%1&#xa0;: %2 images enregistrées.</translation>
     </message>
     <message>
         <source>There is nothing to undo.</source>
@@ -2940,168 +2906,16 @@ Simulé&#xa0;: %2, pas %3
         <translation>Impossible pour l&apos;instant.</translation>
     </message>
     <message>
-        <source>Tool bar</source>
-        <translation>Barre d’outils</translation>
-    </message>
-    <message>
         <source>Drag to move the timeline</source>
         <translation>Tirer pour déplacer la chronologie</translation>
-    </message>
-    <message>
-        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeric pad 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;top, isometric, front, right; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;clicks select parts, faces, edges, objects; Ctrl adds&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;one, two, four views; V: the active view alone&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Bouton gauche&lt;/b&gt;&lt;/td&gt;&lt;td&gt;choisir&#xa0;; tirer un outil&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Bouton du milieu&lt;/b&gt;&lt;/td&gt;&lt;td&gt;tourner&#xa0;; avec Maj ou Ctrl glisser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Molette&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoomer vers le curseur&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Flèches, Pg préc, Pg suiv&lt;/b&gt;&lt;/td&gt;&lt;td&gt;conduire l&apos;outil choisi&#xa0;; Maj est plus lent&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Espace, . , Retour arrière&lt;/b&gt;&lt;/td&gt;&lt;td&gt;lecture ou pause, un pas, réinitialiser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Suppr&lt;/b&gt;&lt;/td&gt;&lt;td&gt;ajouter un bloc, fixer des faces, supprimer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;pesanteur, renormaliser&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objets, cacher le corps, arêtes&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, pavé numérique 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;dessus, isométrique, face, droite&#xa0;; Ctrl&#xa0;: de l&apos;autre côté&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;les clics choisissent pièces, faces, arêtes, objets&#xa0;; Ctrl ajoute&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective ou parallèle, ajuster&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;enregistrer le projet&#xa0;; Ctrl+Maj+S sous un autre nom&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Maj+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;une, deux, quatre vues&#xa0;; V&#xa0;: la vue active seule&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;trouver toute commande&#xa0;; F11&#xa0;: plein écran&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Échap&lt;/b&gt;&lt;/td&gt;&lt;td&gt;annuler&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
     <message>
         <source>Display</source>
         <translation>Affichage</translation>
     </message>
     <message>
-        <source>Hands</source>
-        <translation>Manipulation</translation>
-    </message>
-    <message>
-        <source>Forces</source>
-        <translation>Forces</translation>
-    </message>
-    <message>
-        <source>Export forces over time</source>
-        <translation>Exporter les forces au cours du temps</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tableau (*.csv)</translation>
-    </message>
-    <message>
-        <source>There are no forces to write yet: press Play and let something happen first.</source>
-        <translation>Il n&apos;y a encore aucune force à écrire&#xa0;: appuyez sur Lecture et laissez quelque chose se passer.</translation>
-    </message>
-    <message>
-        <source>Writing %1</source>
-        <translation>Écriture de %1</translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>&amp;Mesure</translation>
-    </message>
-    <message>
-        <source>Measure the part</source>
-        <translation>Mesurer la pièce</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written (%2). Choose another folder, or make room on the disk.</source>
-        <translation>%1 ne peut pas être écrit (%2). Choisissez un autre dossier ou libérez de la place sur le disque.</translation>
-    </message>
-    <message>
-        <source>Measurements</source>
-        <translation>Mesures</translation>
-    </message>
-    <message>
-        <source>Place probe</source>
-        <translation>Placer une sonde</translation>
-    </message>
-    <message>
-        <source>Click places of the part to plot what happens there over time (P)</source>
-        <translation>Cliquer des points de la pièce pour tracer ce qui s&apos;y passe au cours du temps (P)</translation>
-    </message>
-    <message>
-        <source>Probes</source>
-        <translation>Sondes</translation>
-    </message>
-    <message>
-        <source>Write what the probes read</source>
-        <translation>Écrire les valeurs des sondes</translation>
-    </message>
-    <message>
-        <source>Write what was measured</source>
-        <translation>Écrire les mesures</translation>
-    </message>
-    <message>
-        <source>Written: %1.</source>
-        <translation>Écrit&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>Comparing with the original</source>
-        <translation>Comparaison à l&apos;original</translation>
-    </message>
-    <message>
-        <source>Write a report</source>
-        <translation>Écrire un rapport</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Web page (*.html *.htm)</source>
-        <translation>Page web (*.html *.htm)</translation>
-    </message>
-    <message>
-        <source>Se&amp;lect</source>
-        <translation>Sé&amp;lection</translation>
-    </message>
-    <message>
-        <source>Selecting</source>
-        <translation>Sélection</translation>
-    </message>
-    <message>
-        <source>Selecting within %1</source>
-        <translation>Sélection à moins de %1</translation>
-    </message>
-    <message>
         <source>Select something first.</source>
         <translation>Sélectionnez d&apos;abord quelque chose.</translation>
-    </message>
-    <message>
-        <source>Slower tools</source>
-        <translation>Outils plus lents</translation>
-    </message>
-    <message>
-        <source>More damping</source>
-        <translation>Plus d&apos;amortissement</translation>
-    </message>
-    <message>
-        <source>Simulation</source>
-        <translation>Simulation</translation>
-    </message>
-    <message>
-        <source>Fill finer</source>
-        <translation>Remplir plus fin</translation>
-    </message>
-    <message>
-        <source>Viewports</source>
-        <translation>Vues</translation>
-    </message>
-    <message>
-        <source>Show two or four views first.</source>
-        <translation>Montrez d&apos;abord deux ou quatre vues.</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Vitesse</translation>
-    </message>
-    <message>
-        <source>Gravity as on</source>
-        <translation>Pesanteur comme sur</translation>
-    </message>
-    <message>
-        <source>Integrator</source>
-        <translation>Intégrateur</translation>
-    </message>
-    <message>
-        <source>Speed of the film</source>
-        <translation>Vitesse du film</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not simulated: %2</source>
-        <translation>«&#xa0;%1&#xa0;» n&apos;est pas simulé&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>Turn the section plane on (Shift+S) and put it where the cut shall be.</source>
-        <translation>Activez le plan de coupe (Maj+S) et placez-le là où il faut couper.</translation>
-    </message>
-    <message>
-        <source>Table</source>
-        <translation>Table</translation>
     </message>
 </context>
 <context>
@@ -3863,6 +3677,25 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>MeasuringFeature</name>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Mesure</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Write what was measured</source>
+        <translation>Écrire les mesures</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tableau (*.csv)</translation>
+    </message>
+</context>
+<context>
     <name>ModelNotes</name>
     <message>
         <source>Group</source>
@@ -4405,6 +4238,29 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>ProbesFeature</name>
+    <message>
+        <source>Probes</source>
+        <translation>Sondes</translation>
+    </message>
+    <message>
+        <source>Write what the probes read</source>
+        <translation>Écrire les valeurs des sondes</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tableau (*.csv)</translation>
+    </message>
+    <message>
+        <source>Place probe</source>
+        <translation>Placer une sonde</translation>
+    </message>
+    <message>
+        <source>Click places of the part to plot what happens there over time (P)</source>
+        <translation>Cliquer des points de la pièce pour tracer ce qui s&apos;y passe au cours du temps (P)</translation>
+    </message>
+</context>
+<context>
     <name>ProjectKeeper</name>
     <message>
         <source>The work is kept for recovery again.</source>
@@ -4508,6 +4364,29 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>ProjectsFeature</name>
+    <message>
+        <source>Knead</source>
+        <translation>Knead</translation>
+    </message>
+    <message>
+        <source>%1[*] - Knead</source>
+        <translation>%1[*] - Knead</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>Vider la liste</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more. It may have been moved: look for it with Ctrl+O.</source>
+        <translation>%1 n&apos;est plus là. Il a peut-être été déplacé&#xa0;: cherchez-le avec Ctrl+O.</translation>
+    </message>
+    <message>
+        <source>A project is opened alone: choose one file, or only parts.</source>
+        <translation>Un projet s&apos;ouvre seul&#xa0;: choisissez un fichier, ou seulement des pièces.</translation>
+    </message>
+</context>
+<context>
     <name>PullHand</name>
     <message>
         <source>%1 does not deform: make it deformable in the properties, or push it with a tool.</source>
@@ -4604,6 +4483,41 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>RecipesFeature</name>
+    <message>
+        <source>A recipe is opened alone: choose one file, or only parts.</source>
+        <translation>Une recette s&apos;ouvre seule&#xa0;: choisissez un fichier, ou seulement des pièces.</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Ouvrir %1</translation>
+    </message>
+    <message>
+        <source>Play carries out %1; what is done by hand comes on top of it.</source>
+        <translation>Lecture exécute %1&#xa0;; ce qui est fait à la main s&apos;y ajoute.</translation>
+    </message>
+    <message>
+        <source>Export as a recipe</source>
+        <translation>Exporter comme recette</translation>
+    </message>
+    <message>
+        <source>Recipes (*.%1)</source>
+        <translation>Recettes (*.%1)</translation>
+    </message>
+    <message>
+        <source>Exported the session as a recipe to %1.</source>
+        <translation>Session exportée comme recette vers %1.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Exportation de %1</translation>
+    </message>
+</context>
+<context>
     <name>RecordDialog</name>
     <message>
         <source>Record a video</source>
@@ -4679,6 +4593,41 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>picture %1 of %2</source>
         <translation>image %1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingFeature</name>
+    <message>
+        <source>There is nothing to record yet: press Play and let something happen first.</source>
+        <translation>Il n&apos;y a encore rien à enregistrer&#xa0;: appuyez sur Lecture et laissez quelque chose se passer.</translation>
+    </message>
+    <message>
+        <source>Save the video</source>
+        <translation>Enregistrer la vidéo</translation>
+    </message>
+    <message>
+        <source>Make a folder for the pictures</source>
+        <translation>Créer un dossier pour les images</translation>
+    </message>
+    <message>
+        <source>Video (*.ogv)</source>
+        <translation>Vidéo (*.ogv)</translation>
+    </message>
+    <message>
+        <source>Folder (*)</source>
+        <translation>Dossier (*)</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>Enregistrement de %1</translation>
+    </message>
+    <message>
+        <source>%1: 1 picture recorded.</source>
+        <translation>%1&#xa0;: 1 image enregistrée.</translation>
+    </message>
+    <message>
+        <source>%1: %2 pictures recorded.</source>
+        <translation>%1&#xa0;: %2 images enregistrées.</translation>
     </message>
 </context>
 <context>
@@ -5037,6 +4986,21 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>SelectionFeature</name>
+    <message>
+        <source>Se&amp;lect</source>
+        <translation>Sé&amp;lection</translation>
+    </message>
+    <message>
+        <source>Selecting</source>
+        <translation>Sélection</translation>
+    </message>
+    <message>
+        <source>Selecting within %1</source>
+        <translation>Sélection à moins de %1</translation>
+    </message>
+</context>
+<context>
     <name>SelectionPanel</name>
     <message>
         <source>Fix</source>
@@ -5151,6 +5115,37 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Take it from there</source>
         <translation>La prendre de là</translation>
+    </message>
+</context>
+<context>
+    <name>SimulationFeature</name>
+    <message>
+        <source>Slower tools</source>
+        <translation>Outils plus lents</translation>
+    </message>
+    <message>
+        <source>More damping</source>
+        <translation>Plus d&apos;amortissement</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>Performances</translation>
+    </message>
+    <message>
+        <source>Turn the section plane on (Shift+S) and put it where the cut shall be.</source>
+        <translation>Activez le plan de coupe (Maj+S) et placez-le là où il faut couper.</translation>
+    </message>
+    <message>
+        <source>Fill finer</source>
+        <translation>Remplir plus fin</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
     </message>
 </context>
 <context>
@@ -5315,6 +5310,10 @@ Simulé&#xa0;: %2, pas %3
         <source>Adhesion</source>
         <translation>Adhérence</translation>
     </message>
+    <message>
+        <source>Gravity as on</source>
+        <translation>Pesanteur comme sur</translation>
+    </message>
 </context>
 <context>
     <name>StatusReadings</name>
@@ -5430,12 +5429,12 @@ Simulé&#xa0;: %2, pas %3
 <context>
     <name>Studio</name>
     <message>
-        <source>The graphics card takes no more pictures. Close other programs and try again.</source>
-        <translation>La carte graphique ne prend plus d&apos;images. Fermez d&apos;autres programmes et réessayez.</translation>
-    </message>
-    <message>
         <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
         <translation>La carte graphique ne dessine pas d&apos;images de cette taille. Choisissez-en une plus petite.</translation>
+    </message>
+    <message>
+        <source>The graphics card takes no more pictures. Close other programs and try again.</source>
+        <translation>La carte graphique ne prend plus d&apos;images. Fermez d&apos;autres programmes et réessayez.</translation>
     </message>
     <message>
         <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
@@ -5481,6 +5480,21 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>%1: there is not enough memory. Close other programs, or choose a larger spacing.</source>
         <translation>%1&#xa0;: la mémoire ne suffit pas. Fermez d&apos;autres programmes, ou choisissez un espacement plus grand.</translation>
+    </message>
+</context>
+<context>
+    <name>TextFiles</name>
+    <message>
+        <source>%1 cannot be written (%2). Choose another folder, or make room on the disk.</source>
+        <translation>%1 ne peut pas être écrit (%2). Choisissez un autre dossier ou libérez de la place sur le disque.</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Écriture de %1</translation>
+    </message>
+    <message>
+        <source>Written: %1.</source>
+        <translation>Écrit&#xa0;: %1.</translation>
     </message>
 </context>
 <context>
@@ -5555,6 +5569,10 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Simulate something first, and look back at it.</source>
         <translation>Simulez d&apos;abord quelque chose, puis revenez-y.</translation>
+    </message>
+    <message>
+        <source>Speed of the film</source>
+        <translation>Vitesse du film</translation>
     </message>
 </context>
 <context>
@@ -5799,6 +5817,75 @@ Simulé&#xa0;: %2, pas %3
     <message>
         <source>Double click: this view alone, and all of them again</source>
         <translation>Double clic&#xa0;: cette vue seule, puis de nouveau toutes</translation>
+    </message>
+</context>
+<context>
+    <name>ViewsFeature</name>
+    <message>
+        <source>Open a part first.</source>
+        <translation>Ouvrez d&apos;abord une pièce.</translation>
+    </message>
+    <message>
+        <source>Show two or four views first.</source>
+        <translation>Montrez d&apos;abord deux ou quatre vues.</translation>
+    </message>
+</context>
+<context>
+    <name>WindowMenus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Édition</translation>
+    </message>
+    <message>
+        <source>&amp;Simulation</source>
+        <translation>&amp;Simulation</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Chronologie</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Outils</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Vue</translation>
+    </message>
+    <message>
+        <source>Viewports</source>
+        <translation>Vues</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panneaux</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Aide</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Barre d’outils</translation>
+    </message>
+    <message>
+        <source>Measure the part</source>
+        <translation>Mesurer la pièce</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>%1 is still going on: wait for it, or cancel it with Esc.</source>
+        <translation>%1 est encore en cours&#xa0;: attendez ou annulez avec Échap.</translation>
     </message>
 </context>
 </TS>

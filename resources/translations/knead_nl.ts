@@ -470,6 +470,14 @@
         <source>Hold one end of the new part and let a block press it, to see what it does</source>
         <translation>Houdt het nieuwe onderdeel aan één eind vast en drukt het met een blok, om te zien wat het doet</translation>
     </message>
+    <message>
+        <source>&amp;Handbook</source>
+        <translation>&amp;Handboek</translation>
+    </message>
+    <message>
+        <source>At the page of what one does</source>
+        <translation>Op de pagina van wat men doet</translation>
+    </message>
 </context>
 <context>
     <name>Banner</name>
@@ -580,6 +588,25 @@
     <message>
         <source>A page with these numbers, what was measured and a picture of the view, as PDF or HTML</source>
         <translation>Een pagina met deze getallen, wat er gemeten is en een beeld van het aanzicht, als PDF of HTML</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonFeature</name>
+    <message>
+        <source>Comparing with the original</source>
+        <translation>Met het origineel vergelijken</translation>
+    </message>
+    <message>
+        <source>Write a report</source>
+        <translation>Een verslag schrijven</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Web page (*.html *.htm)</source>
+        <translation>Webpagina (*.html *.htm)</translation>
     </message>
 </context>
 <context>
@@ -1225,6 +1252,37 @@
     <message>
         <source>Choose a place...</source>
         <translation>Een plaats kiezen...</translation>
+    </message>
+</context>
+<context>
+    <name>ExportFeature</name>
+    <message>
+        <source>Export report</source>
+        <translation>Exportverslag</translation>
+    </message>
+    <message>
+        <source>Export a file for each part</source>
+        <translation>Een bestand voor elk onderdeel exporteren</translation>
+    </message>
+    <message>
+        <source>Export the deformed parts</source>
+        <translation>De vervormde onderdelen exporteren</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wordt geëxporteerd</translation>
+    </message>
+    <message>
+        <source>Exported 1 part to %1.</source>
+        <translation>1 onderdeel geëxporteerd naar %1.</translation>
+    </message>
+    <message>
+        <source>Exported %2 parts to %1.</source>
+        <translation>%2 onderdelen geëxporteerd naar %1.</translation>
+    </message>
+    <message>
+        <source>Not everything in %1 is sound; the export report says what is not.</source>
+        <translation>Niet alles in %1 is in orde; het exportverslag zegt wat niet.</translation>
     </message>
 </context>
 <context>
@@ -2159,6 +2217,21 @@
     </message>
 </context>
 <context>
+    <name>HandbookWindow</name>
+    <message>
+        <source>Handbook</source>
+        <translation>Handboek</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Zoeken</translation>
+    </message>
+    <message>
+        <source>No page has these words.</source>
+        <translation>Geen pagina heeft deze woorden.</translation>
+    </message>
+</context>
+<context>
     <name>Hands</name>
     <message>
         <source>Handles</source>
@@ -2243,6 +2316,40 @@
     <message>
         <source>Press and hold: the tool goes in until its force limit holds it   Esc: done</source>
         <translation>Drukken en vasthouden: het gereedschap gaat erin tot zijn krachtgrens het tegenhoudt   Esc: klaar</translation>
+    </message>
+</context>
+<context>
+    <name>HandsFeature</name>
+    <message>
+        <source>Hands</source>
+        <translation>Handbediening</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Krachten</translation>
+    </message>
+    <message>
+        <source>Export forces over time</source>
+        <translation>Krachten over de tijd exporteren</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabel (*.csv)</translation>
+    </message>
+    <message>
+        <source>There are no forces to write yet: press Play and let something happen first.</source>
+        <translation>Er zijn nog geen krachten te schrijven: druk op Afspelen en laat eerst iets gebeuren.</translation>
+    </message>
+</context>
+<context>
+    <name>HelpFeature</name>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Muis en toetsen</translation>
+    </message>
+    <message>
+        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeric pad 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;top, isometric, front, right; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;clicks select parts, faces, edges, objects; Ctrl adds&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;one, two, four views; V: the active view alone&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Linkerknop&lt;/b&gt;&lt;/td&gt;&lt;td&gt;kiezen; gereedschap slepen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middelste knop&lt;/b&gt;&lt;/td&gt;&lt;td&gt;draaien; met Shift of Ctrl schuiven&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wiel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;naar de aanwijzer zoomen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pijlen, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;het gekozen gereedschap rijden; Shift is langzamer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Spatie, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;afspelen of pauzeren, één stap, terugzetten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;blok toevoegen, vlakken vastzetten, verwijderen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zwaartekracht, hernormaliseren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objecten, lichaam verbergen, randen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeriek blok 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;boven, isometrisch, voor, rechts; Ctrl: van de andere kant&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;klikken kiest onderdelen, vlakken, randen, objecten; Ctrl voegt toe&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspectief of parallel, passend&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;het project opslaan; Ctrl+Shift+S onder een andere naam&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;één, twee, vier aanzichten; V: alleen het actieve&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;elke opdracht vinden; F11: volledig scherm&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;annuleren&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
 </context>
 <context>
@@ -2515,6 +2622,84 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>ImportFeature</name>
+    <message>
+        <source>Import report</source>
+        <translation>Importverslag</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wordt geopend</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opening %1 and %n more</source>
+        <translation>
+            <numerusform>%1 en nog één bestand worden geopend</numerusform>
+            <numerusform>%1 en nog %n bestanden worden geopend</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking into %1</source>
+        <translation>%1 bekijken</translation>
+    </message>
+    <message>
+        <source>Parts (%1)</source>
+        <translation>Onderdelen (%1)</translation>
+    </message>
+    <message>
+        <source>Projects, recipes and parts (%1)</source>
+        <translation>Projecten, recepten en onderdelen (%1)</translation>
+    </message>
+    <message>
+        <source>Recipes (%1)</source>
+        <translation>Recepten (%1)</translation>
+    </message>
+    <message>
+        <source>Open parts</source>
+        <translation>Onderdelen openen</translation>
+    </message>
+    <message>
+        <source>Open a project, a recipe or parts</source>
+        <translation>Een project, een recept of onderdelen openen</translation>
+    </message>
+    <message>
+        <source>Filling with a spacing of %1</source>
+        <translation>Vullen met een afstand van %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not simulated: %2</source>
+        <translation>&quot;%1&quot; wordt niet gesimuleerd: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 surfaces to look at, nothing to simulate.</source>
+        <translation>%1: %2, %3 oppervlakken om te bekijken, niets te simuleren.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 objects of spacing %4, %5 connections, time step %6.</source>
+        <translation>%1: %2, %3 objecten met afstand %4, %5 verbindingen, tijdstap %6.</translation>
+    </message>
+    <message>
+        <source>Take as %1</source>
+        <translation>Als %1 nemen</translation>
+    </message>
+    <message>
+        <source>%1 parts of the file are missing; the import report says which and why.</source>
+        <translation>%1 onderdelen van het bestand ontbreken; het importverslag zegt welke en waarom.</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translation>Verslag tonen</translation>
+    </message>
+    <message>
+        <source>Nothing in this file is closed, so nothing can be filled and simulated; the import report says why. Open edges are drawn in color.</source>
+        <translation>Niets in dit bestand is gesloten, dus er kan niets gevuld en gesimuleerd worden; het importverslag zegt waarom. Open randen zijn gekleurd getekend.</translation>
+    </message>
+    <message>
+        <source>Taking lengths in %1</source>
+        <translation>Lengtes worden in %1 genomen</translation>
+    </message>
+</context>
+<context>
     <name>ImportPanel</name>
     <message>
         <source>As the file says</source>
@@ -2629,18 +2814,6 @@ Gesimuleerd: %2, stap %3
         <translation>%1: geannuleerd, er is niets veranderd.</translation>
     </message>
     <message>
-        <source>%1 is still going on: wait for it, or cancel it with Esc.</source>
-        <translation>%1 is nog bezig: wacht erop of annuleer met Esc.</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3 surfaces to look at, nothing to simulate.</source>
-        <translation>%1: %2, %3 oppervlakken om te bekijken, niets te simuleren.</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3 objects of spacing %4, %5 connections, time step %6.</source>
-        <translation>%1: %2, %3 objecten met afstand %4, %5 verbindingen, tijdstap %6.</translation>
-    </message>
-    <message>
         <source>%1 &quot;%2&quot;</source>
         <translation>%1: %2</translation>
     </message>
@@ -2653,10 +2826,6 @@ Gesimuleerd: %2, stap %3
         <translation>Opnieuw</translation>
     </message>
     <message>
-        <source>Reset</source>
-        <translation>Terugzetten</translation>
-    </message>
-    <message>
         <source>Click faces to hold or free them   Esc: done</source>
         <translation>Vlakken aanklikken om ze vast te houden of vrij te geven   Esc: klaar</translation>
     </message>
@@ -2667,93 +2836,6 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Middle: orbit   Shift+middle: pan   Wheel: zoom</source>
         <translation>Midden: draaien   Shift+midden: schuiven   Wiel: zoomen</translation>
-    </message>
-    <message>
-        <source>Parts (%1)</source>
-        <translation>Onderdelen (%1)</translation>
-    </message>
-    <message>
-        <source>Projects, recipes and parts (%1)</source>
-        <translation>Projecten, recepten en onderdelen (%1)</translation>
-    </message>
-    <message>
-        <source>Recipes (%1)</source>
-        <translation>Recepten (%1)</translation>
-    </message>
-    <message>
-        <source>Open parts</source>
-        <translation>Onderdelen openen</translation>
-    </message>
-    <message>
-        <source>Open a project, a recipe or parts</source>
-        <translation>Een project, een recept of onderdelen openen</translation>
-    </message>
-    <message>
-        <source>Export a file for each part</source>
-        <translation>Een bestand voor elk onderdeel exporteren</translation>
-    </message>
-    <message>
-        <source>Export the deformed parts</source>
-        <translation>De vervormde onderdelen exporteren</translation>
-    </message>
-    <message>
-        <source>Mouse and keys</source>
-        <translation>Muis en toetsen</translation>
-    </message>
-    <message>
-        <source>Looking into %1</source>
-        <translation>%1 bekijken</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>%1 wordt geopend</translation>
-    </message>
-    <message numerus="yes">
-        <source>Opening %1 and %n more</source>
-        <translation>
-            <numerusform>%1 en nog één bestand worden geopend</numerusform>
-            <numerusform>%1 en nog %n bestanden worden geopend</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Filling with a spacing of %1</source>
-        <translation>Vullen met een afstand van %1</translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation>%1 wordt geëxporteerd</translation>
-    </message>
-    <message>
-        <source>Exported 1 part to %1.</source>
-        <translation>1 onderdeel geëxporteerd naar %1.</translation>
-    </message>
-    <message>
-        <source>Exported %2 parts to %1.</source>
-        <translation>%2 onderdelen geëxporteerd naar %1.</translation>
-    </message>
-    <message>
-        <source>Not everything in %1 is sound; the export report says what is not.</source>
-        <translation>Niet alles in %1 is in orde; het exportverslag zegt wat niet.</translation>
-    </message>
-    <message>
-        <source>Take as %1</source>
-        <translation>Als %1 nemen</translation>
-    </message>
-    <message>
-        <source>%1 parts of the file are missing; the import report says which and why.</source>
-        <translation>%1 onderdelen van het bestand ontbreken; het importverslag zegt welke en waarom.</translation>
-    </message>
-    <message>
-        <source>Show report</source>
-        <translation>Verslag tonen</translation>
-    </message>
-    <message>
-        <source>Nothing in this file is closed, so nothing can be filled and simulated; the import report says why. Open edges are drawn in color.</source>
-        <translation>Niets in dit bestand is gesloten, dus er kan niets gevuld en gesimuleerd worden; het importverslag zegt waarom. Open randen zijn gekleurd getekend.</translation>
-    </message>
-    <message>
-        <source>Taking lengths in %1</source>
-        <translation>Lengtes worden in %1 genomen</translation>
     </message>
     <message>
         <source>Nothing selected.</source>
@@ -2780,36 +2862,8 @@ Gesimuleerd: %2, stap %3
         <translation>Tijdlijn</translation>
     </message>
     <message>
-        <source>Performance</source>
-        <translation>Prestaties</translation>
-    </message>
-    <message>
-        <source>Import report</source>
-        <translation>Importverslag</translation>
-    </message>
-    <message>
-        <source>Export report</source>
-        <translation>Exportverslag</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Bestand</translation>
-    </message>
-    <message>
         <source>Open &amp;recent</source>
         <translation>&amp;Recent geopend</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>Be&amp;werken</translation>
-    </message>
-    <message>
-        <source>&amp;Simulation</source>
-        <translation>&amp;Simulatie</translation>
-    </message>
-    <message>
-        <source>&amp;Tools</source>
-        <translation>&amp;Gereedschap</translation>
     </message>
     <message>
         <source>Add tool</source>
@@ -2818,94 +2872,6 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Put a tool above the part to push it with</source>
         <translation>Gereedschap boven het onderdeel zetten om ermee te duwen</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>Aan&amp;zicht</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>Thema</translation>
-    </message>
-    <message>
-        <source>Panels</source>
-        <translation>Panelen</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Help</translation>
-    </message>
-    <message>
-        <source>%1[*] - Knead</source>
-        <translation>%1[*] - Knead</translation>
-    </message>
-    <message>
-        <source>Clear the list</source>
-        <translation>De lijst wissen</translation>
-    </message>
-    <message>
-        <source>%1 is not there any more. It may have been moved: look for it with Ctrl+O.</source>
-        <translation>%1 is er niet meer. Misschien is het verplaatst: zoek het met Ctrl+O.</translation>
-    </message>
-    <message>
-        <source>A project is opened alone: choose one file, or only parts.</source>
-        <translation>Een project wordt alleen geopend: kies één bestand, of alleen onderdelen.</translation>
-    </message>
-    <message>
-        <source>A recipe is opened alone: choose one file, or only parts.</source>
-        <translation>Een recept wordt alleen geopend: kies één bestand, of alleen onderdelen.</translation>
-    </message>
-    <message>
-        <source>Open %1</source>
-        <translation>%1 openen</translation>
-    </message>
-    <message>
-        <source>Play carries out %1; what is done by hand comes on top of it.</source>
-        <translation>Afspelen voert %1 uit; wat met de hand gedaan wordt komt daarbij.</translation>
-    </message>
-    <message>
-        <source>Export as a recipe</source>
-        <translation>Als recept exporteren</translation>
-    </message>
-    <message>
-        <source>Recipes (*.%1)</source>
-        <translation>Recepten (*.%1)</translation>
-    </message>
-    <message>
-        <source>Exported the session as a recipe to %1.</source>
-        <translation>De sessie als recept geëxporteerd naar %1.</translation>
-    </message>
-    <message>
-        <source>There is nothing to record yet: press Play and let something happen first.</source>
-        <translation>Er is nog niets op te nemen: druk op Afspelen en laat eerst iets gebeuren.</translation>
-    </message>
-    <message>
-        <source>Save the video</source>
-        <translation>De video opslaan</translation>
-    </message>
-    <message>
-        <source>Make a folder for the pictures</source>
-        <translation>Een map voor de beelden maken</translation>
-    </message>
-    <message>
-        <source>Video (*.ogv)</source>
-        <translation>Video (*.ogv)</translation>
-    </message>
-    <message>
-        <source>Folder (*)</source>
-        <translation>Map (*)</translation>
-    </message>
-    <message>
-        <source>Recording %1</source>
-        <translation>%1 wordt opgenomen</translation>
-    </message>
-    <message>
-        <source>%1: 1 picture recorded.</source>
-        <translation>%1: 1 beeld opgenomen.</translation>
-    </message>
-    <message>
-        <source>%1: %2 pictures recorded.</source>
-        <translation>%1: %2 beelden opgenomen.</translation>
     </message>
     <message>
         <source>There is nothing to undo.</source>
@@ -2940,168 +2906,16 @@ Gesimuleerd: %2, stap %3
         <translation>Nu niet mogelijk.</translation>
     </message>
     <message>
-        <source>Tool bar</source>
-        <translation>Werkbalk</translation>
-    </message>
-    <message>
         <source>Drag to move the timeline</source>
         <translation>Sleep om de tijdlijn te verplaatsen</translation>
-    </message>
-    <message>
-        <source>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Left button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;select; drag a tool&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middle button&lt;/b&gt;&lt;/td&gt;&lt;td&gt;orbit; with Shift or Ctrl pan&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wheel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zoom to the cursor&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Arrows, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;drive the selected tool; Shift is slower&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Space, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;play or pause, one step, reset&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;add a block, fix faces, remove&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;gravity, re-normalize&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objects, hide body, edges&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeric pad 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;top, isometric, front, right; Ctrl: from the other side&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;clicks select parts, faces, edges, objects; Ctrl adds&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspective or parallel, fit&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;save the project; Ctrl+Shift+S under another name&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;one, two, four views; V: the active view alone&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;find any command; F11: full screen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;cancel&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellpadding=3&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Linkerknop&lt;/b&gt;&lt;/td&gt;&lt;td&gt;kiezen; gereedschap slepen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Middelste knop&lt;/b&gt;&lt;/td&gt;&lt;td&gt;draaien; met Shift of Ctrl schuiven&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Wiel&lt;/b&gt;&lt;/td&gt;&lt;td&gt;naar de aanwijzer zoomen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Pijlen, PgUp, PgDn&lt;/b&gt;&lt;/td&gt;&lt;td&gt;het gekozen gereedschap rijden; Shift is langzamer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Spatie, . , Backspace&lt;/b&gt;&lt;/td&gt;&lt;td&gt;afspelen of pauzeren, één stap, terugzetten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;B, X, Del&lt;/b&gt;&lt;/td&gt;&lt;td&gt;blok toevoegen, vlakken vastzetten, verwijderen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;G, N&lt;/b&gt;&lt;/td&gt;&lt;td&gt;zwaartekracht, hernormaliseren&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;O, H, E&lt;/b&gt;&lt;/td&gt;&lt;td&gt;objecten, lichaam verbergen, randen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;7, 0, numeriek blok 1, 3&lt;/b&gt;&lt;/td&gt;&lt;td&gt;boven, isometrisch, voor, rechts; Ctrl: van de andere kant&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;1, 2, 3, 4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;klikken kiest onderdelen, vlakken, randen, objecten; Ctrl voegt toe&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;5, F&lt;/b&gt;&lt;/td&gt;&lt;td&gt;perspectief of parallel, passend&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+S&lt;/b&gt;&lt;/td&gt;&lt;td&gt;het project opslaan; Ctrl+Shift+S onder een andere naam&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Shift+F1, F2, F4&lt;/b&gt;&lt;/td&gt;&lt;td&gt;één, twee, vier aanzichten; V: alleen het actieve&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Ctrl+K&lt;/b&gt;&lt;/td&gt;&lt;td&gt;elke opdracht vinden; F11: volledig scherm&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;&lt;b&gt;Esc&lt;/b&gt;&lt;/td&gt;&lt;td&gt;annuleren&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
     <message>
         <source>Display</source>
         <translation>Weergave</translation>
     </message>
     <message>
-        <source>Hands</source>
-        <translation>Handbediening</translation>
-    </message>
-    <message>
-        <source>Forces</source>
-        <translation>Krachten</translation>
-    </message>
-    <message>
-        <source>Export forces over time</source>
-        <translation>Krachten over de tijd exporteren</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabel (*.csv)</translation>
-    </message>
-    <message>
-        <source>There are no forces to write yet: press Play and let something happen first.</source>
-        <translation>Er zijn nog geen krachten te schrijven: druk op Afspelen en laat eerst iets gebeuren.</translation>
-    </message>
-    <message>
-        <source>Writing %1</source>
-        <translation>%1 wordt geschreven</translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>&amp;Meten</translation>
-    </message>
-    <message>
-        <source>Measure the part</source>
-        <translation>Het onderdeel meten</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written (%2). Choose another folder, or make room on the disk.</source>
-        <translation>%1 kan niet worden geschreven (%2). Kies een andere map of maak ruimte vrij op de schijf.</translation>
-    </message>
-    <message>
-        <source>Measurements</source>
-        <translation>Metingen</translation>
-    </message>
-    <message>
-        <source>Place probe</source>
-        <translation>Meetpunt plaatsen</translation>
-    </message>
-    <message>
-        <source>Click places of the part to plot what happens there over time (P)</source>
-        <translation>Plaatsen van het onderdeel aanklikken om uit te zetten wat daar in de tijd gebeurt (P)</translation>
-    </message>
-    <message>
-        <source>Probes</source>
-        <translation>Meetpunten</translation>
-    </message>
-    <message>
-        <source>Write what the probes read</source>
-        <translation>Meetwaarden van de meetpunten schrijven</translation>
-    </message>
-    <message>
-        <source>Write what was measured</source>
-        <translation>Metingen schrijven</translation>
-    </message>
-    <message>
-        <source>Written: %1.</source>
-        <translation>Geschreven: %1.</translation>
-    </message>
-    <message>
-        <source>Comparing with the original</source>
-        <translation>Met het origineel vergelijken</translation>
-    </message>
-    <message>
-        <source>Write a report</source>
-        <translation>Een verslag schrijven</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Web page (*.html *.htm)</source>
-        <translation>Webpagina (*.html *.htm)</translation>
-    </message>
-    <message>
-        <source>Se&amp;lect</source>
-        <translation>Se&amp;lectie</translation>
-    </message>
-    <message>
-        <source>Selecting</source>
-        <translation>Selectie</translation>
-    </message>
-    <message>
-        <source>Selecting within %1</source>
-        <translation>Objecten binnen %1 worden gekozen</translation>
-    </message>
-    <message>
         <source>Select something first.</source>
         <translation>Selecteer eerst iets.</translation>
-    </message>
-    <message>
-        <source>Slower tools</source>
-        <translation>Langzamer gereedschap</translation>
-    </message>
-    <message>
-        <source>More damping</source>
-        <translation>Meer demping</translation>
-    </message>
-    <message>
-        <source>Simulation</source>
-        <translation>Simulatie</translation>
-    </message>
-    <message>
-        <source>Fill finer</source>
-        <translation>Fijner vullen</translation>
-    </message>
-    <message>
-        <source>Viewports</source>
-        <translation>Aanzichten</translation>
-    </message>
-    <message>
-        <source>Show two or four views first.</source>
-        <translation>Toon eerst twee of vier aanzichten.</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Snelheid</translation>
-    </message>
-    <message>
-        <source>Gravity as on</source>
-        <translation>Zwaartekracht zoals op</translation>
-    </message>
-    <message>
-        <source>Integrator</source>
-        <translation>Integrator</translation>
-    </message>
-    <message>
-        <source>Speed of the film</source>
-        <translation>Snelheid van de film</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not simulated: %2</source>
-        <translation>&quot;%1&quot; wordt niet gesimuleerd: %2</translation>
-    </message>
-    <message>
-        <source>Turn the section plane on (Shift+S) and put it where the cut shall be.</source>
-        <translation>Zet het doorsnedevlak aan (Shift+S) en plaats het waar gesneden moet worden.</translation>
-    </message>
-    <message>
-        <source>Table</source>
-        <translation>Tafel</translation>
     </message>
 </context>
 <context>
@@ -3863,6 +3677,25 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>MeasuringFeature</name>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Meten</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Metingen</translation>
+    </message>
+    <message>
+        <source>Write what was measured</source>
+        <translation>Metingen schrijven</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabel (*.csv)</translation>
+    </message>
+</context>
+<context>
     <name>ModelNotes</name>
     <message>
         <source>Group</source>
@@ -4405,6 +4238,29 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>ProbesFeature</name>
+    <message>
+        <source>Probes</source>
+        <translation>Meetpunten</translation>
+    </message>
+    <message>
+        <source>Write what the probes read</source>
+        <translation>Meetwaarden van de meetpunten schrijven</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabel (*.csv)</translation>
+    </message>
+    <message>
+        <source>Place probe</source>
+        <translation>Meetpunt plaatsen</translation>
+    </message>
+    <message>
+        <source>Click places of the part to plot what happens there over time (P)</source>
+        <translation>Plaatsen van het onderdeel aanklikken om uit te zetten wat daar in de tijd gebeurt (P)</translation>
+    </message>
+</context>
+<context>
     <name>ProjectKeeper</name>
     <message>
         <source>The work is kept for recovery again.</source>
@@ -4508,6 +4364,29 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>ProjectsFeature</name>
+    <message>
+        <source>Knead</source>
+        <translation>Knead</translation>
+    </message>
+    <message>
+        <source>%1[*] - Knead</source>
+        <translation>%1[*] - Knead</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>De lijst wissen</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more. It may have been moved: look for it with Ctrl+O.</source>
+        <translation>%1 is er niet meer. Misschien is het verplaatst: zoek het met Ctrl+O.</translation>
+    </message>
+    <message>
+        <source>A project is opened alone: choose one file, or only parts.</source>
+        <translation>Een project wordt alleen geopend: kies één bestand, of alleen onderdelen.</translation>
+    </message>
+</context>
+<context>
     <name>PullHand</name>
     <message>
         <source>%1 does not deform: make it deformable in the properties, or push it with a tool.</source>
@@ -4604,6 +4483,41 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>RecipesFeature</name>
+    <message>
+        <source>A recipe is opened alone: choose one file, or only parts.</source>
+        <translation>Een recept wordt alleen geopend: kies één bestand, of alleen onderdelen.</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wordt geopend</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 openen</translation>
+    </message>
+    <message>
+        <source>Play carries out %1; what is done by hand comes on top of it.</source>
+        <translation>Afspelen voert %1 uit; wat met de hand gedaan wordt komt daarbij.</translation>
+    </message>
+    <message>
+        <source>Export as a recipe</source>
+        <translation>Als recept exporteren</translation>
+    </message>
+    <message>
+        <source>Recipes (*.%1)</source>
+        <translation>Recepten (*.%1)</translation>
+    </message>
+    <message>
+        <source>Exported the session as a recipe to %1.</source>
+        <translation>De sessie als recept geëxporteerd naar %1.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wordt geëxporteerd</translation>
+    </message>
+</context>
+<context>
     <name>RecordDialog</name>
     <message>
         <source>Record a video</source>
@@ -4679,6 +4593,41 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>picture %1 of %2</source>
         <translation>beeld %1 van %2</translation>
+    </message>
+</context>
+<context>
+    <name>RecordingFeature</name>
+    <message>
+        <source>There is nothing to record yet: press Play and let something happen first.</source>
+        <translation>Er is nog niets op te nemen: druk op Afspelen en laat eerst iets gebeuren.</translation>
+    </message>
+    <message>
+        <source>Save the video</source>
+        <translation>De video opslaan</translation>
+    </message>
+    <message>
+        <source>Make a folder for the pictures</source>
+        <translation>Een map voor de beelden maken</translation>
+    </message>
+    <message>
+        <source>Video (*.ogv)</source>
+        <translation>Video (*.ogv)</translation>
+    </message>
+    <message>
+        <source>Folder (*)</source>
+        <translation>Map (*)</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>%1 wordt opgenomen</translation>
+    </message>
+    <message>
+        <source>%1: 1 picture recorded.</source>
+        <translation>%1: 1 beeld opgenomen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 pictures recorded.</source>
+        <translation>%1: %2 beelden opgenomen.</translation>
     </message>
 </context>
 <context>
@@ -5037,6 +4986,21 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>SelectionFeature</name>
+    <message>
+        <source>Se&amp;lect</source>
+        <translation>Se&amp;lectie</translation>
+    </message>
+    <message>
+        <source>Selecting</source>
+        <translation>Selectie</translation>
+    </message>
+    <message>
+        <source>Selecting within %1</source>
+        <translation>Objecten binnen %1 worden gekozen</translation>
+    </message>
+</context>
+<context>
     <name>SelectionPanel</name>
     <message>
         <source>Fix</source>
@@ -5151,6 +5115,37 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Take it from there</source>
         <translation>Daar weghalen</translation>
+    </message>
+</context>
+<context>
+    <name>SimulationFeature</name>
+    <message>
+        <source>Slower tools</source>
+        <translation>Langzamer gereedschap</translation>
+    </message>
+    <message>
+        <source>More damping</source>
+        <translation>Meer demping</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulatie</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>Prestaties</translation>
+    </message>
+    <message>
+        <source>Turn the section plane on (Shift+S) and put it where the cut shall be.</source>
+        <translation>Zet het doorsnedevlak aan (Shift+S) en plaats het waar gesneden moet worden.</translation>
+    </message>
+    <message>
+        <source>Fill finer</source>
+        <translation>Fijner vullen</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Terugzetten</translation>
     </message>
 </context>
 <context>
@@ -5315,6 +5310,10 @@ Gesimuleerd: %2, stap %3
         <source>Adhesion</source>
         <translation>Hechting</translation>
     </message>
+    <message>
+        <source>Gravity as on</source>
+        <translation>Zwaartekracht zoals op</translation>
+    </message>
 </context>
 <context>
     <name>StatusReadings</name>
@@ -5430,12 +5429,12 @@ Gesimuleerd: %2, stap %3
 <context>
     <name>Studio</name>
     <message>
-        <source>The graphics card takes no more pictures. Close other programs and try again.</source>
-        <translation>De grafische kaart neemt geen beelden meer op. Sluit andere programma&apos;s en probeer het opnieuw.</translation>
-    </message>
-    <message>
         <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
         <translation>De grafische kaart tekent geen beelden van deze grootte. Kies een kleinere.</translation>
+    </message>
+    <message>
+        <source>The graphics card takes no more pictures. Close other programs and try again.</source>
+        <translation>De grafische kaart neemt geen beelden meer op. Sluit andere programma&apos;s en probeer het opnieuw.</translation>
     </message>
     <message>
         <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
@@ -5481,6 +5480,21 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>%1: there is not enough memory. Close other programs, or choose a larger spacing.</source>
         <translation>%1: er is niet genoeg geheugen. Sluit andere programma&apos;s, of kies een grotere afstand.</translation>
+    </message>
+</context>
+<context>
+    <name>TextFiles</name>
+    <message>
+        <source>%1 cannot be written (%2). Choose another folder, or make room on the disk.</source>
+        <translation>%1 kan niet worden geschreven (%2). Kies een andere map of maak ruimte vrij op de schijf.</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wordt geschreven</translation>
+    </message>
+    <message>
+        <source>Written: %1.</source>
+        <translation>Geschreven: %1.</translation>
     </message>
 </context>
 <context>
@@ -5555,6 +5569,10 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Simulate something first, and look back at it.</source>
         <translation>Simuleer eerst iets, en kijk daarop terug.</translation>
+    </message>
+    <message>
+        <source>Speed of the film</source>
+        <translation>Snelheid van de film</translation>
     </message>
 </context>
 <context>
@@ -5799,6 +5817,75 @@ Gesimuleerd: %2, stap %3
     <message>
         <source>Double click: this view alone, and all of them again</source>
         <translation>Dubbelklik: alleen dit aanzicht, en weer alle</translation>
+    </message>
+</context>
+<context>
+    <name>ViewsFeature</name>
+    <message>
+        <source>Open a part first.</source>
+        <translation>Open eerst een onderdeel.</translation>
+    </message>
+    <message>
+        <source>Show two or four views first.</source>
+        <translation>Toon eerst twee of vier aanzichten.</translation>
+    </message>
+</context>
+<context>
+    <name>WindowMenus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Bestand</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>Be&amp;werken</translation>
+    </message>
+    <message>
+        <source>&amp;Simulation</source>
+        <translation>&amp;Simulatie</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Tijdlijn</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Gereedschap</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>Aan&amp;zicht</translation>
+    </message>
+    <message>
+        <source>Viewports</source>
+        <translation>Aanzichten</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thema</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panelen</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Help</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Werkbalk</translation>
+    </message>
+    <message>
+        <source>Measure the part</source>
+        <translation>Het onderdeel meten</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>%1 is still going on: wait for it, or cancel it with Esc.</source>
+        <translation>%1 is nog bezig: wacht erop of annuleer met Esc.</translation>
     </message>
 </context>
 </TS>

@@ -201,12 +201,12 @@ private:
     ReadProject opened(const std::string& path, std::chrono::milliseconds patience, Outcome& outcome) const
     {
         Impatient control(patience);
-        const ProjectWish wish{.path = path, .isCopy = true};
-        ReadProject read = readProjectFor(wish, m_services.projects, m_services.packing, control);
+        const ProjectRequest request{.path = path, .isCopy = true};
+        ReadProject read = readProjectFor(request, m_services.projects, m_services.packing, control);
         if (read.obstacle == ReadProject::Obstacle::none)
             return read;
         ++outcome.rescues;
-        const ProjectWish rescue{.path = path, .isCopy = true, .rescues = true};
+        const ProjectRequest rescue{.path = path, .isCopy = true, .rescues = true};
         return readProjectFor(rescue, m_services.projects, m_services.packing, control);
     }
 
@@ -214,13 +214,13 @@ private:
     {
         if (!read.project)
             return;
-        Arrival& arrival = read.project->arrival;
+        HistoryDestination& destination = read.project->destination;
         FaceFixtures fixtures;
         fixtures.remember(read.panels["fixtures"]);
-        fixtures.follow(*arrival.content, arrival.moment->fixtures);
+        fixtures.follow(*destination.content, destination.moment->fixtures);
         for (int step = 0; step < 5; ++step)
-            arrival.simulation->step();
-        arrival.simulation->snapshot();
+            destination.simulation->step();
+        destination.simulation->snapshot();
     }
 
     /// As `knead replay --all` does.

@@ -95,9 +95,9 @@ private slots:
         QVERIFY(lastLine().contains("In balance: the forces that are left are"));
         QVERIFY(m_window->statusBar()->currentMessage().startsWith("In balance: "));
         picture("balance");
-        m_window->setTheme(Theme::Dark);
+        m_window->features().preferences->setTheme(Theme::Dark);
         picture("balance-dark");
-        m_window->setTheme(Theme::Light);
+        m_window->features().preferences->setTheme(Theme::Light);
 
         // It stays there when time runs: within a thousandth of its sag.
         const double still = sag();
@@ -179,9 +179,9 @@ private slots:
                  qPrintable(m_window->banner().sentence()));
         QVERIFY(m_window->banner().sentence().contains("too stiff"));
         picture("thin-walls");
-        m_window->setTheme(Theme::Dark);
+        m_window->features().preferences->setTheme(Theme::Dark);
         picture("thin-walls-dark");
-        m_window->setTheme(Theme::Light);
+        m_window->features().preferences->setTheme(Theme::Light);
         QCOMPARE(find<QToolButton>("bannerRemedy")->text(), QString("Fill finer"));
         QTest::mouseClick(find<QToolButton>("bannerRemedy"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);

@@ -1,8 +1,8 @@
 #include "support/window_on_test.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/timeline_axis.h"
+#include "ui/preferences/preferences.h"
 #include "ui/run_window.h"
-#include "ui/shell/preferences.h"
 #include "ui/viewport/color_legend.h"
 
 #include <QCheckBox>
@@ -116,10 +116,10 @@ private slots:
         QTRY_COMPARE(legend()->text().ticks.front().text, QString("10"));
         Preferences chosen = readPreferences();
         chosen.lengthUnit = "in";
-        m_window->setPreferences(chosen);
+        m_window->features().preferences->set(chosen);
         QTRY_COMPARE(legend()->text().title, QString("Displacement [in]"));
         chosen.lengthUnit = "mm";
-        m_window->setPreferences(chosen);
+        m_window->features().preferences->set(chosen);
         QTRY_COMPARE(legend()->text().title, QString("Displacement [mm]"));
         choose("colorMap", "Cividis");
         QTRY_COMPARE(view().scale()->map, ColorMap::cividis);
@@ -265,7 +265,7 @@ private slots:
         for (const Vec3& point : section.points)
             whole.extend(point);
         near.fit(whole, static_cast<double>(view().width()) / view().height());
-        QTRY_VERIFY_WITH_TIMEOUT(view().sight() && view().sight()->wish.section == view().options().section.plane,
+        QTRY_VERIFY_WITH_TIMEOUT(view().fields() && view().fields()->request.section == view().options().section.plane,
                                  patience);
         view().jumpTo(near);
         const QImage seen = shot();
@@ -584,7 +584,7 @@ private:
     void bothThemes(const char* name)
     {
         for (const Theme theme : {Theme::Dark, Theme::Light}) {
-            m_window->setTheme(theme);
+            m_window->features().preferences->setTheme(theme);
             QTest::qWait(200);
             picture(qPrintable(QStringLiteral("display-%1-%2").arg(name, theme == Theme::Dark ? "dark" : "light")));
         }

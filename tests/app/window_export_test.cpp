@@ -119,7 +119,7 @@ private slots:
 private:
     void write(const QString& path, const ExportRequest& request)
     {
-        m_window->exportTo(path, request);
+        m_window->features().exports->exportTo(path, request);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QVERIFY2(problem().isEmpty(), qPrintable(problem()));
     }

@@ -183,13 +183,13 @@ private slots:
         remember();
         const QString path = m_folder->filePath("missing/" + name);
         if (name.endsWith(".csv"))
-            m_window->exportForces(path);
+            m_window->features().hands->exportForces(path);
         else if (name.endsWith(".knead"))
             m_window->projects().saveTo(path);
         else if (name.endsWith(".recipe.json"))
-            m_window->exportRecipe(path);
+            m_window->features().recipes->exportTo(path);
         else
-            m_window->exportTo(path);
+            m_window->features().exports->exportTo(path);
         verifySaid(name);
         QVERIFY(!QFile::exists(path));
         verifyNothingLost();
@@ -199,7 +199,7 @@ private slots:
     {
         openWithBlock();
         remember();
-        m_window->exportTo(m_folder->filePath("part.xyz"));
+        m_window->features().exports->exportTo(m_folder->filePath("part.xyz"));
         verifySaid("part.xyz");
         verifyNothingLost();
         QVERIFY(QDir(m_folder->path()).isEmpty());
@@ -214,7 +214,7 @@ private slots:
         remember();
         {
             const FullDisk disk(8);
-            m_window->exportForces(m_folder->filePath("forces.csv"));
+            m_window->features().hands->exportForces(m_folder->filePath("forces.csv"));
             // In the log: work may be kept for recovery at that time, which has its own sentence in the banner then.
             QTRY_VERIFY_WITH_TIMEOUT(logged().contains("forces.csv cannot be written"), patience);
             QVERIFY(m_window->banner().isVisible());
@@ -241,7 +241,7 @@ private slots:
         show(services);
         openWithBlock();
         remember();
-        m_window->exportTo(m_folder->filePath("part.stl"));
+        m_window->features().exports->exportTo(m_folder->filePath("part.stl"));
         verifySaid("Not everything in part.stl is sound; the export report says what is not.");
         QVERIFY(find<QDockWidget>("exportDock")->isVisible());
         QVERIFY(QFile::exists(m_folder->filePath("part.stl")));
@@ -252,7 +252,7 @@ private slots:
     {
         openWithBlock();
         QVERIFY(QDir(m_folder->path()).mkdir("out"));
-        m_window->exportTo(m_folder->filePath("out/part.stl"));
+        m_window->features().exports->exportTo(m_folder->filePath("out/part.stl"));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning() && line("part.stl") != nullptr, patience);
         QVERIFY(QDir(m_folder->filePath("out")).removeRecursively());
         remember();

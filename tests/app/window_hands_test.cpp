@@ -2,11 +2,11 @@
 #include "support/history_on_test.h"
 #include "support/stand_in_spacenavd.h"
 #include "ui/document/fold_watch.h"
-#include "ui/hands/gizmo_hand.h"
-#include "ui/hands/hands.h"
-#include "ui/hands/key_hand.h"
-#include "ui/hands/press_hand.h"
-#include "ui/hands/pull_hand.h"
+#include "ui/interaction/gizmo_hand.h"
+#include "ui/interaction/hands.h"
+#include "ui/interaction/key_hand.h"
+#include "ui/interaction/press_hand.h"
+#include "ui/interaction/pull_hand.h"
 #include "ui/measuring/fold_marks.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/quantity_field.h"
@@ -714,7 +714,7 @@ private slots:
         key(Qt::Key_1, Qt::KeypadModifier);
         key(Qt::Key_F);
         rest(500);
-        m_window->exportForces(m_folder.filePath("early.csv"));
+        m_window->features().hands->exportForces(m_folder.filePath("early.csv"));
         QVERIFY(m_window->banner().sentence().contains("press Play"));
         m_window->banner().hide();
         key(Qt::Key_F9);
@@ -748,7 +748,7 @@ private slots:
         QTest::mouseClick(plot, Qt::LeftButton, {}, plot->legendArea(1).center());
         QVERIFY(plot->isHidden(1));
 
-        m_window->exportForces(m_folder.filePath("forces.csv"));
+        m_window->features().hands->exportForces(m_folder.filePath("forces.csv"));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QFile file(m_folder.filePath("forces.csv"));
         QVERIFY(file.open(QFile::ReadOnly));
@@ -758,7 +758,7 @@ private slots:
         // Undo takes the plot back too.
         undo();
         settle();
-        m_window->exportForces(m_folder.filePath("missing/forces.csv"));
+        m_window->features().hands->exportForces(m_folder.filePath("missing/forces.csv"));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QVERIFY(!m_window->banner().sentence().isEmpty());
     }

@@ -13,7 +13,7 @@ using namespace knead;
 namespace {
 
 /// A fixture comes before the first step.
-class FixesSomething final : public Agenda {
+class FixesSomething final : public ScriptedEvents {
 public:
     bool carryOutDue(Simulation& simulation) override
     {
@@ -68,14 +68,14 @@ private slots:
         const std::optional<SpacingChoice> first = spacingOf();
         const Entry firstEntry = tree().current();
         const std::uint64_t before = digest();
-        std::vector<std::weak_ptr<const Content>> contents;
+        std::vector<std::weak_ptr<const FilledModel>> contents;
         for (const double cells : {6.0, 7.0, 8.0, 9.0}) {
-            m_window->refill(document().size() / cells);
+            m_window->features().imports->refill(document().size() / cells);
             QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
             settle();
             contents.push_back(document().history().starts().back().content);
         }
-        const auto isGone = [](const std::weak_ptr<const Content>& content) { return content.expired(); };
+        const auto isGone = [](const std::weak_ptr<const FilledModel>& content) { return content.expired(); };
         QTRY_COMPARE(std::count_if(contents.begin(), contents.end(), isGone), 2);
         QVERIFY(!isGone(contents[2]) && !isGone(contents[3])); // undo is quick
         document().goToEntry(firstEntry);
@@ -92,7 +92,7 @@ private slots:
     void whatIsDoneWhileItIsFilledIsInTheNewFilling()
     {
         const double spacing = document().size() / 9;
-        m_window->refill(spacing);
+        m_window->features().imports->refill(spacing);
         key(Qt::Key_B);
         QVERIFY(m_window->tasks().isRunning());
         QTRY_COMPARE_WITH_TIMEOUT(document().content().spacing, spacing, patience);
@@ -119,7 +119,7 @@ private slots:
             settle();
             QVERIFY(height() < added);
             const double spacing = document().content().spacing * 1.1;
-            m_window->refill(spacing);
+            m_window->features().imports->refill(spacing);
             resets ? key(Qt::Key_R, Qt::ControlModifier) : undo();
             QTRY_COMPARE_WITH_TIMEOUT(document().content().spacing, spacing, patience);
             settle();
@@ -178,9 +178,9 @@ private slots:
 
     void aFaceThatIsFreedWhileARecipeFixesAnotherIsTheOneMeant()
     {
-        PreparedContent prepared =
+        PreparedModel prepared =
             prepareRefill(document().content(), document().content().spacing, snapshot(), {}, TaskControl::none());
-        prepared.agenda = [] { return std::make_unique<FixesSomething>(); };
+        prepared.script = [] { return std::make_unique<FixesSomething>(); };
         m_window->projects().open(std::move(prepared));
         settle();
         document().stepOnce(); // by which the recipe fixes something, as the window does not know yet

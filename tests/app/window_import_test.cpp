@@ -80,7 +80,7 @@ class WindowImportTest : public QObject, WindowOnTest {
 
     ImportDialog* dialogFor(const QString& path)
     {
-        m_window->openWithChoices({path});
+        m_window->features().imports->openWithChoices({path});
         const auto hasDialog = [this] { return find<ImportDialog>("importDialog") != nullptr; };
         if (!QTest::qWaitFor(hasDialog, patience))
             return nullptr;

@@ -1,8 +1,8 @@
 #include "support/window_on_test.h"
+#include "ui/commands/command_palette.h"
+#include "ui/commands/listed_actions.h"
+#include "ui/commands/shortcuts.h"
 #include "ui/run_window.h"
-#include "ui/shell/command_palette.h"
-#include "ui/shell/listed_actions.h"
-#include "ui/shell/shortcuts.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -4,7 +4,7 @@
 #include "io/project/project_file.h"
 #include "io/project/recovery.h"
 #include "support/fuzz_random.h"
-#include "support/restless_window.h"
+#include "support/stress_window.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -117,7 +117,7 @@ class WindowKillTest : public QObject, WindowOnTest {
         m_window->projects().saveTo(QString::fromStdString(file()));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->projects().path().isEmpty(), patience);
         m_inFile = digests::of(readProject(file()));
-        m_window->exportTo(QString::fromStdString(exported()));
+        m_window->features().exports->exportTo(QString::fromStdString(exported()));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QVERIFY(std::filesystem::exists(exported()));
         m_window->projects().close();
@@ -258,7 +258,7 @@ private slots:
         if (left.empty())
             QSKIP("The last kill came just after a saving.");
         show(m_services);
-        m_window->offerRecoveries();
+        m_window->projects().offerRecoveries(false);
         QTRY_VERIFY_WITH_TIMEOUT(find<QDialog>("recoveryDialog") != nullptr, patience);
         QTest::keyClick(find<QDialog>("recoveryDialog"), Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(!document().isEmpty(), patience);

@@ -4,9 +4,9 @@
 #include "support/history_on_test.h"
 #include "support/story_on_test.h"
 #include "ui/panels/display_panel.h"
+#include "ui/project/thumbnails.h"
 #include "ui/run_window.h"
 #include "ui/selection/selection_model.h"
-#include "ui/shell/thumbnails.h"
 
 #include <QDialogButtonBox>
 #include <QPushButton>

@@ -64,7 +64,7 @@ class WindowMeasuringTest : public QObject, WindowOnTest {
         document().post(SetMaterial{0, material});
         document().post(SetFloor{});
         for (std::uint32_t face = 0; face < 6; ++face) { // the face in x = 0
-            const ContentBody& body = *document().content().bodies[0];
+            const FilledBody& body = *document().content().bodies[0];
             bool isEnd = true;
             for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t)
                 if (body.mesh.faceOfTriangle[t] == face)
@@ -223,7 +223,7 @@ private slots:
 
         const QTemporaryDir folder;
         for (const char* name : {"report.html", "report.pdf"}) {
-            m_window->writeComparison(folder.filePath(name), comparison);
+            m_window->features().comparison->write(folder.filePath(name), comparison);
             QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         }
         QFile html(folder.filePath("report.html"));
@@ -241,7 +241,7 @@ private slots:
                 QFile::copy(folder.filePath(name), QDir(pictures).filePath(name));
 
         // A place that cannot be written to: a sentence, and nothing is left there.
-        m_window->writeComparison(folder.filePath("none/report.pdf"), comparison);
+        m_window->features().comparison->write(folder.filePath("none/report.pdf"), comparison);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QCOMPARE(m_window->banner().sentence(),
                  QString("report.pdf: the file cannot be written (No such file or directory); choose another place or "
@@ -260,7 +260,7 @@ private slots:
         const QString copied = QApplication::clipboard()->text();
         QVERIFY2(copied.contains("Distance 1\tDistance\t160 mm\t160 mm"), qPrintable(copied));
         const QTemporaryDir folder;
-        m_window->writeMeasurements(folder.filePath("all.csv"));
+        m_window->features().measuring->write(folder.filePath("all.csv"));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QFile file(folder.filePath("all.csv"));
         QVERIFY(file.open(QFile::ReadOnly));
@@ -278,7 +278,7 @@ private slots:
         QCOMPARE(rows->topLevelItem(0)->text(0), QString("Bounding box 1"));
 
         // Filled anew the body keeps what was measured; another document has nothing.
-        m_window->refill(document().size() / 12);
+        m_window->features().imports->refill(document().size() / 12);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QCOMPARE(m_window->measuring().list().all().size(), std::size_t{1});
         openExample("bracket.step");
@@ -305,7 +305,7 @@ private slots:
     void anotherPartIsOpenedWhileOneMeasures()
     {
         openExample("bracket.step", 40);
-        const ContentBody& bracket = *document().content().bodies[0];
+        const FilledBody& bracket = *document().content().bodies[0];
         const SkinPlace last{0, static_cast<std::uint32_t>(bracket.mesh.triangles.size() - 1), Vec3(1, 0, 0)};
         m_window->probes().add(last);
         action("measureDistance")->trigger();
@@ -366,7 +366,7 @@ private slots:
         Preferences chosen = readPreferences();
         for (const char* code : {"de", "en"}) {
             chosen.language = code;
-            m_window->setPreferences(chosen);
+            m_window->features().preferences->set(chosen);
             QTRY_COMPARE(find<QTreeWidget>("measurements")->topLevelItem(0)->text(0),
                          nameOf(m_window->measuring().list().all()[0]));
             QCOMPARE(find<QTreeWidget>("probes")->topLevelItem(0)->text(0), ProbePanel::tr("Probe %1").arg(1));
@@ -390,13 +390,13 @@ private slots:
     {
         openExample("bar.step");
         const QTemporaryDir folder;
-        m_window->exportTo(folder.filePath("bar.stl"));
+        m_window->features().exports->exportTo(folder.filePath("bar.stl"));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         m_window->open(QStringList(folder.filePath("bar.stl")));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         rest(400);
         action("measureRadiusOfFace")->trigger();
-        const ContentBody& body = *document().content().bodies[0];
+        const FilledBody& body = *document().content().bodies[0];
         Box box;
         for (const Vec3& vertex : body.mesh.vertices)
             box.extend(vertex);

@@ -209,7 +209,7 @@ private slots:
         emit kind->activated(kind->currentIndex());
         QTRY_COMPARE(snapshot().bodies[0].kind, BodyKind::rigid);
         QCOMPARE(kind->currentText(), QString("Rigid"));
-        m_window->refill(document().size() / 12);
+        m_window->features().imports->refill(document().size() / 12);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QCOMPARE(snapshot().bodies[0].kind, BodyKind::rigid);
     }
@@ -227,7 +227,7 @@ private slots:
         emit choice->activated(choice->currentIndex());
         QTRY_COMPARE(find<QLabel>("integratorInUse")->text(), QString("Explicit"));
         QTRY_COMPARE(choice->currentText(), QString("Semi-implicit Euler"));
-        m_window->refill(document().size() / 12);
+        m_window->features().imports->refill(document().size() / 12);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QCOMPARE(snapshot().wantedIntegrator, Integrator::semiImplicitEuler);
     }

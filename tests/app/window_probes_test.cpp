@@ -42,7 +42,7 @@ class WindowProbesTest : public QObject, WindowOnTest {
         material.shapeDamping = 20;
         document().post(SetMaterial{0, material});
         document().post(SetFloor{});
-        const ContentBody& body = *document().content().bodies[0];
+        const FilledBody& body = *document().content().bodies[0];
         for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t) {
             const auto& [a, b, c] = body.mesh.triangles[t];
             const auto& v = body.mesh.vertices;
@@ -94,7 +94,7 @@ private slots:
         for (std::size_t i = 1; i < samples.size(); ++i)
             QVERIFY(samples[i].time > samples[i - 1].time);
         // As the drawn vertex has moved.
-        const ContentBody& body = *document().content().bodies[0];
+        const FilledBody& body = *document().content().bodies[0];
         double moved = 0;
         for (std::size_t v = 0; v < body.mesh.vertices.size(); ++v)
             if ((body.mesh.vertices[v] - Vec3(0.16, 0, 0.02)).norm() < 1e-9)
@@ -180,7 +180,7 @@ private slots:
         runTo(0.15);
         QTRY_COMPARE(newest(0).time, snapshot().time);
         const QTemporaryDir folder;
-        m_window->writeProbes(folder.filePath("probes.csv"));
+        m_window->features().probes->write(folder.filePath("probes.csv"));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QFile file(folder.filePath("probes.csv"));
         QVERIFY(file.open(QFile::ReadOnly));

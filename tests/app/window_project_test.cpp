@@ -2,8 +2,8 @@
 #include "io/project/project_lock.h"
 #include "io/project/recovery.h"
 #include "support/projects_on_test.h"
+#include "ui/project/thumbnails.h"
 #include "ui/run_window.h"
-#include "ui/shell/thumbnails.h"
 
 #include <QFileDialog>
 #include <QLabel>

@@ -1,11 +1,11 @@
 #include "support/window_on_test.h"
-#include "ui/hands/hands.h"
+#include "ui/interaction/hands.h"
 #include "ui/language/language.h"
 #include "ui/panels/status_readings.h"
+#include "ui/preferences/preferences.h"
+#include "ui/project/thumbnails.h"
 #include "ui/run_window.h"
 #include "ui/selection/selection_model.h"
-#include "ui/shell/preferences.h"
-#include "ui/shell/thumbnails.h"
 #include "ui/viewport/color_legend.h"
 #include "ui/viewport/scene_style.h"
 
@@ -63,7 +63,7 @@ private slots:
     {
         openExample("bracket.step");
         for (const Theme theme : {Theme::Light, Theme::Dark}) {
-            m_window->setTheme(theme);
+            m_window->features().preferences->setTheme(theme);
             document().selected().select({});
             const auto [place, face] = faceTowardsTheEye();
             QTest::mouseMove(&view(), QPoint(5, view().height() - 5));
@@ -148,7 +148,7 @@ private slots:
         action("fourViews")->trigger();
         Preferences other = readPreferences();
         other.language = "de";
-        m_window->setPreferences(other);
+        m_window->features().preferences->set(other);
         document().addTool(ToolKind::box);
         QTRY_COMPARE(snapshot().tools.size(), std::size_t{1});
         const auto look = [this](const char* what) {
@@ -218,7 +218,7 @@ private slots:
     void whatIsSelectedCanBeRead()
     {
         for (const Theme theme : {Theme::Light, Theme::Dark}) {
-            m_window->setTheme(theme);
+            m_window->features().preferences->setTheme(theme);
             const QPalette colors = QApplication::palette();
             const double contrast =
                 contrastOf(colors.color(QPalette::Highlight), colors.color(QPalette::HighlightedText));

@@ -135,7 +135,7 @@ private slots:
     void anotherFillingEndsItAndUndoGoesBack()
     {
         open(m_recipe);
-        m_window->refill(document().content().spacing * 1.2);
+        m_window->features().imports->refill(document().content().spacing * 1.2);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         settle();
         QVERIFY(logText().contains("The recipe belongs to the filling before"));
@@ -246,7 +246,7 @@ private slots:
 
     void whatCannotBeOpenedChangesNothing()
     {
-        const Content* before = &document().content();
+        const FilledModel* before = &document().content();
         json wrong = workshop::busyRecipe(example("bar.step").toStdString());
         wrong["cells_across"] = -3;
         m_window->open({m_shop.write(wrong, "wrong.json")});

@@ -122,7 +122,7 @@ private slots:
 
     void picturesFillAFolder()
     {
-        m_window->record(path("fall"), shortOne(Recording::Kind::pictures));
+        m_window->features().recording->record(path("fall"), shortOne(Recording::Kind::pictures));
         wait();
         QCOMPARE(names(), QStringList("fall"));
         const QDir folder(path("fall"));
@@ -142,7 +142,7 @@ private slots:
         Recording whole = shortOne(Recording::Kind::pictures);
         whole.from = whole.to = document().frame()->snapshot->time;
         whole.size = m_window->viewport().size();
-        m_window->record(path("now"), whole);
+        m_window->features().recording->record(path("now"), whole);
         wait();
         QCOMPARE(document().timeline().pictures.back().frame->time, whole.to); // the last moment is there, too
         const QImage drawn(path("now/now-0001.png"));
@@ -163,9 +163,9 @@ private slots:
         plain.to = 0;
         Recording read = plain;
         read.hasReadings = true;
-        m_window->record(path("plain"), plain);
+        m_window->features().recording->record(path("plain"), plain);
         wait();
-        m_window->record(path("read"), read);
+        m_window->features().recording->record(path("read"), read);
         wait();
         const QImage without(path("plain/plain-0001.png"));
         const QImage with(path("read/read-0001.png"));
@@ -178,7 +178,7 @@ private slots:
         Recording recording = shortOne(Recording::Kind::video);
         recording.speed = 0.5;
         recording.hasReadings = true;
-        m_window->record(path("fall.ogv"), recording);
+        m_window->features().recording->record(path("fall.ogv"), recording);
         wait();
         QCOMPARE(names(), QStringList("fall.ogv"));
         const VideoFacts facts = factsOf(path("fall.ogv"));
@@ -197,7 +197,7 @@ private slots:
         for (const auto kind : {Recording::Kind::pictures, Recording::Kind::video}) {
             Recording recording = shortOne(kind);
             recording.speed = 0.001;
-            m_window->record(path("long"), recording);
+            m_window->features().recording->record(path("long"), recording);
             QTRY_VERIFY_WITH_TIMEOUT(!names().isEmpty(), patience);
             QTest::keyClick(m_window.get(), Qt::Key_Escape);
             QVERIFY(!m_window->tasks().isRunning());
@@ -208,14 +208,14 @@ private slots:
     void whatIsThereIsNotWrittenOver()
     {
         QVERIFY(QDir(m_folder->path()).mkpath("mine/file"));
-        m_window->record(path("mine"), shortOne(Recording::Kind::pictures));
+        m_window->features().recording->record(path("mine"), shortOne(Recording::Kind::pictures));
         wait();
         QVERIFY(m_window->banner().sentence().contains("is there already"));
         QCOMPARE(QDir(path("mine")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList("file"));
-        m_window->record(path("nowhere/fall.ogv"), shortOne(Recording::Kind::video));
+        m_window->features().recording->record(path("nowhere/fall.ogv"), shortOne(Recording::Kind::video));
         wait();
         QVERIFY(m_window->banner().sentence().startsWith("fall.ogv: the file cannot be written"));
-        m_window->record(path("nowhere/fall"), shortOne(Recording::Kind::pictures));
+        m_window->features().recording->record(path("nowhere/fall"), shortOne(Recording::Kind::pictures));
         wait();
         QVERIFY(m_window->banner().sentence().startsWith("No folder can be made in "));
         m_window->banner().hide();
@@ -227,7 +227,7 @@ private slots:
         for (const auto kind : {Recording::Kind::pictures, Recording::Kind::video}) {
             {
                 const FullDisk disk(3000);
-                m_window->record(path("fall"), shortOne(kind));
+                m_window->features().recording->record(path("fall"), shortOne(kind));
                 [&] { wait(); }();
             }
             QVERIFY2(m_window->banner().sentence().startsWith("There is no room left in " + m_folder->path()),
@@ -241,7 +241,7 @@ private slots:
     {
         Recording recording = shortOne(Recording::Kind::pictures);
         recording.speed = 0.1;
-        m_window->record(path("fall"), recording);
+        m_window->features().recording->record(path("fall"), recording);
         QTRY_VERIFY_WITH_TIMEOUT(!names().isEmpty(), patience);
         QVERIFY(QDir(m_folder->path()).mkpath("fall/file"));
         wait();
@@ -256,7 +256,7 @@ private slots:
     void aGraphicsCardThatFailsIsSaid()
     {
         const auto failsWith = [&](const Recording& recording, const char* words) {
-            m_window->record(path("fall"), recording);
+            m_window->features().recording->record(path("fall"), recording);
             [&] { wait(); }();
             const QString sentence = m_window->banner().isVisible() ? m_window->banner().sentence() : QString();
             m_window->banner().hide();
@@ -275,7 +275,7 @@ private slots:
             large.size = {40'000, 16};
             QVERIFY(failsWith(large, "draws no pictures of this size. Choose a smaller one"));
         }
-        m_window->record(path("fall"), shortOne(Recording::Kind::pictures));
+        m_window->features().recording->record(path("fall"), shortOne(Recording::Kind::pictures));
         wait();
         QCOMPARE(names(), QStringList("fall"));
     }
@@ -293,7 +293,7 @@ private slots:
             QVERIFY(
                 find<QLabel>("recordExtent")->text().startsWith(QString::number(recording.pictures()) + " picture"));
             for (const Theme theme : {Theme::Dark, Theme::Light}) {
-                m_window->setTheme(theme);
+                m_window->features().preferences->setTheme(theme);
                 QTest::qWait(100);
                 const QString folder = qEnvironmentVariable("KNEAD_PICTURES");
                 if (!folder.isEmpty())

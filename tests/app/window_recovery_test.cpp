@@ -193,7 +193,7 @@ private slots:
         const std::uint64_t left = hash();
         for (int crash = 0; crash < 2; ++crash) {
             newWindow(m_services);
-            m_window->offerRecoveries();
+            m_window->projects().offerRecoveries(false);
             QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
             QCOMPARE(find<QListWidget>("recoveryList")->count(), 1);
             QTest::qWait(100);
@@ -219,7 +219,7 @@ private slots:
         saveTo(file("a.knead"));
         switchGravity();
         newWindow(m_services);
-        m_window->offerRecoveries();
+        m_window->projects().offerRecoveries(false);
         QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
         clickOn<QPushButton>("recoveryRecover");
         QTRY_COMPARE_WITH_TIMEOUT(projects().path(), file("a.knead"), patience);
@@ -322,7 +322,7 @@ private slots:
         openExample("bar.step", 10);
         switchGravity();
         newWindow(m_services);
-        m_window->offerRecoveries();
+        m_window->projects().offerRecoveries(false);
         QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("recoveryRecover") != nullptr, patience);
         {
             const RecoveryFile other(findRecoveries().at(0));
@@ -341,7 +341,7 @@ private slots:
         openExample("bar.step", 10);
         switchGravity();
         newWindow(m_services);
-        m_window->offerRecoveries();
+        m_window->projects().offerRecoveries(false);
         QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
         clickOn<QPushButton>("recoveryLater");
         QTRY_VERIFY(find<QListWidget>("recoveryList") == nullptr);

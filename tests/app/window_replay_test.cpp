@@ -59,7 +59,7 @@ private slots:
     void theSameBytesAsTheWindowWrites()
     {
         QFETCH(QString, ending);
-        m_window->exportTo(m_shop.qPath("window.") + ending);
+        m_window->features().exports->exportTo(m_shop.qPath("window.") + ending);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         const std::string shown = contentOf(m_shop.path("window.") + ending.toStdString());
         QVERIFY(!shown.empty());

@@ -591,7 +591,7 @@ private slots:
         const QRect all = screenBox(document().content().box).marginsAdded({20, 20, 20, 20});
         drag({all.topLeft(), all.center(), QPoint(all.center().x(), all.bottom())});
         QVERIFY(document().keepSet("half", selected().region()));
-        m_window->refill(document().size() / 24);
+        m_window->features().imports->refill(document().size() / 24);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QVERIFY(selected().region().level == Level::Part); // what was selected is gone
         const Region half = document().regionOf(*document().notes().set("half"));
@@ -622,7 +622,7 @@ private slots:
     {
         openExample("bar.step", 16);
         const double spacing = document().content().spacing;
-        m_window->refill(document().size() / 24);
+        m_window->features().imports->refill(document().size() / 24);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         key(Qt::Key_4);
         key(Qt::Key_A, Qt::ControlModifier);
@@ -652,7 +652,7 @@ private slots:
 
     void selectionLooksGoodInTheDark()
     {
-        m_window->setTheme(Theme::Dark);
+        m_window->features().preferences->setTheme(Theme::Dark);
         m_window->resize(1600, 1000);
         openExample("bracket.step");
         key(Qt::Key_2);
@@ -663,7 +663,7 @@ private slots:
         click(topOf(box));
         QTest::qWait(200);
         picture("selection-dark");
-        m_window->setTheme(Theme::Light);
+        m_window->features().preferences->setTheme(Theme::Light);
     }
 };
 

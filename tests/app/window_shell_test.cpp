@@ -1,12 +1,12 @@
 #include "support/window_on_test.h"
+#include "ui/commands/command_palette.h"
+#include "ui/commands/listed_actions.h"
+#include "ui/help/tour.h"
 #include "ui/language/language.h"
 #include "ui/panels/plot_view.h"
 #include "ui/panels/quantity_field.h"
+#include "ui/preferences/preferences_dialog.h"
 #include "ui/run_window.h"
-#include "ui/shell/command_palette.h"
-#include "ui/shell/listed_actions.h"
-#include "ui/shell/preferences_dialog.h"
-#include "ui/shell/tour.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -267,7 +267,7 @@ private slots:
         changed.language = "en";
         changed.filmMegabytes = 64;
         changed.lengthUnit = "in";
-        m_window->setPreferences(changed);
+        m_window->features().preferences->set(changed);
         QCOMPARE(find<QLabel>("units")->text(), QString("in, N, MPa"));
         action("preferences")->trigger();
         QTRY_VERIFY(dialog() != nullptr);
@@ -288,7 +288,7 @@ private slots:
         QVERIFY(size->tip().contains("Units: mm, m, cm, µm, in"));
         Preferences inches = readPreferences();
         inches.lengthUnit = "in";
-        m_window->setPreferences(inches);
+        m_window->features().preferences->set(inches);
         QVERIFY(size->text().endsWith(" in"));
         size->setFocus();
         size->selectAll();
@@ -297,7 +297,7 @@ private slots:
         QTRY_COMPARE(snapshot().tools[0].size.x(), 0.0127);
         Preferences usual = inches;
         usual.lengthUnit = "mm";
-        m_window->setPreferences(usual);
+        m_window->features().preferences->set(usual);
         QTRY_COMPARE(size->text(), QString("12.7 mm"));
     }
 
@@ -341,7 +341,7 @@ private slots:
         for (const char* code : {"fr", "nl", "en"}) {
             Preferences other = readPreferences();
             other.language = code;
-            m_window->setPreferences(other);
+            m_window->features().preferences->set(other);
             rest(500);
             picture(code);
         }
@@ -357,7 +357,7 @@ private slots:
         const QString part = QString::fromStdString(document().content().bodies[0]->name);
         Preferences german = readPreferences();
         german.language = "de";
-        m_window->setPreferences(german);
+        m_window->features().preferences->set(german);
         QCOMPARE(QString::fromStdString(document().content().bodies[0]->name), part);
         QCOMPARE(document().history().tree().records().size(), std::size_t{2}); // opened and refilled, no entry more
     }
@@ -400,11 +400,11 @@ private slots:
 
     void theTourIsOfferedOnce()
     {
-        m_window->offerTour();
+        m_window->features().help->offerTour();
         QTRY_VERIFY(find<Tour>("tour") != nullptr);
         find<Tour>("tour")->close();
         QTRY_VERIFY(find<Tour>("tour") == nullptr);
-        m_window->offerTour();
+        m_window->features().help->offerTour();
         QTest::qWait(100);
         QVERIFY(find<Tour>("tour") == nullptr);
     }
@@ -483,7 +483,7 @@ private slots:
             for (const char* code : {"de", "fr", "nl", "en"}) {
                 Preferences other = readPreferences();
                 other.language = code;
-                m_window->setPreferences(other);
+                m_window->features().preferences->set(other);
                 m_window->resize(width, 800);
                 QTRY_COMPARE(m_window->width(), width);
                 QTRY_VERIFY2(bar->findChild<QToolButton*>("measureButton")->geometry().right() < bar->width(), code);
@@ -568,7 +568,7 @@ private slots:
         QVERIFY(card != nullptr && card->isVisible());
         QVERIFY(find<QLabel>("recentTitle")->isVisible());
         picture("home-recent");
-        m_window->setTheme(Theme::Dark);
+        m_window->features().preferences->setTheme(Theme::Dark);
         picture("home-dark");
         QTest::mouseClick(card, Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(!document().isEmpty(), patience);

@@ -168,10 +168,10 @@ private slots:
         Preferences chosen = readPreferences();
         QCOMPARE(chosen.threads, 0);
         chosen.threads = 1;
-        m_window->setPreferences(chosen);
+        m_window->features().preferences->set(chosen);
         QCOMPARE(find<QComboBox>("threads")->currentIndex(), 1);
-        m_window->setTheme(Theme::Dark);
-        m_window->setTheme(Theme::Light);
+        m_window->features().preferences->setTheme(Theme::Dark);
+        m_window->features().preferences->setTheme(Theme::Light);
         QCOMPARE(limit, 1U);
         emit find<QComboBox>("threads")->activated(0);
         QCOMPARE(readPreferences().threads, 0);

@@ -2,7 +2,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/skin/fragments.h"
 #include "support/story_on_test.h"
-#include "ui/hands/press_hand.h"
+#include "ui/interaction/press_hand.h"
 #include "ui/panels/timeline_axis.h"
 #include "ui/run_window.h"
 
@@ -415,7 +415,7 @@ private slots:
         const std::uint64_t left = hash();
         const double seen = view().camera().viewHeight();
         newWindow(m_services);
-        m_window->offerRecoveries();
+        m_window->projects().offerRecoveries(false);
         QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
         QTest::qWait(200);
         stage("offered");

@@ -141,7 +141,7 @@ private slots:
         QTemporaryDir folder;
         for (const char* name : {"out.stl", "out.obj", "out.ply"}) {
             const QString path = folder.filePath(name);
-            m_window->exportTo(path);
+            m_window->features().exports->exportTo(path);
             QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
             QVERIFY2(problem().isEmpty(), qPrintable(problem()));
             const Model read = importFile(path.toStdString());
@@ -280,7 +280,7 @@ private slots:
         QTRY_VERIFY(snapshot().tools.size() == 1 && snapshot().fixtures.size() == 1 &&
                     snapshot().materials[0].youngsModulus == 3e5);
         const std::size_t objects = snapshot().objects;
-        m_window->refill(document().size() / 22);
+        m_window->features().imports->refill(document().size() / 22);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QTRY_COMPARE(snapshot().fixtures.size(), std::size_t{1});
         QVERIFY(snapshot().objects > objects);
@@ -291,11 +291,11 @@ private slots:
     void bothThemesApply()
     {
         openExample("bracket.step");
-        m_window->setTheme(Theme::Dark);
+        m_window->features().preferences->setTheme(Theme::Dark);
         QTest::qWait(200);
         const QColor dark = m_window->palette().color(QPalette::Window);
         picture("dark");
-        m_window->setTheme(Theme::Light);
+        m_window->features().preferences->setTheme(Theme::Light);
         QVERIFY(m_window->palette().color(QPalette::Window).lightness() > dark.lightness() + 100);
     }
 };

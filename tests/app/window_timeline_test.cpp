@@ -57,11 +57,11 @@ private slots:
             QTest::mouseMove(axis, axis->placeOf(0.6 * line.end));
             QTest::mouseMove(axis, axis->placeOf(at));
         };
-        dragTo(middle.at + 0.4 * Film::interval);
+        dragTo(middle.at + 0.4 * PlaybackCache::interval);
         QVERIFY(panel->isLookingBack());
         QTRY_VERIFY(caption->isVisible());
         QVERIFY(caption->text().startsWith("Looking back at "));
-        QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(middle.at + 0.4 * Film::interval));
+        QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(middle.at + 0.4 * PlaybackCache::interval));
         QVERIFY(panel->isLookingBack());
         QCOMPARE(digest(), end);
         QCOMPARE(tree().current(), last);
@@ -77,8 +77,8 @@ private slots:
         QVERIFY(!panel->isLookingBack() && !caption->isVisible());
 
         // What one sees is where a branch begins.
-        dragTo(middle.at + 0.4 * Film::interval);
-        QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(middle.at + 0.4 * Film::interval));
+        dragTo(middle.at + 0.4 * PlaybackCache::interval);
+        QTest::mouseRelease(axis, Qt::LeftButton, {}, axis->placeOf(middle.at + 0.4 * PlaybackCache::interval));
         QTest::mouseClick(find<QToolButton>("filmBranch"), Qt::LeftButton);
         settle();
         QVERIFY(presentName().startsWith("Branch at "));
@@ -108,7 +108,7 @@ private slots:
         settle();
         QVERIFY(tree().current() != last && present().time == tree().record(key.entry).time);
         QVERIFY(!panel->isLookingBack());
-        dragTo(middle.at + 0.4 * Film::interval);
+        dragTo(middle.at + 0.4 * PlaybackCache::interval);
         QTest::keyClick(m_window.get(), Qt::Key_Space); // time goes on from the present
         QTRY_VERIFY(snapshot().playing);
         QVERIFY(!panel->isLookingBack());
@@ -120,7 +120,7 @@ private slots:
         const Timeline line = filmed();
         const Entry last = tree().current();
         const Timeline::Picture& middle = line.pictures[line.pictures.size() / 2];
-        const double place = middle.at + 0.4 * Film::interval;
+        const double place = middle.at + 0.4 * PlaybackCache::interval;
         press(line.present);
         moveTo(place);
         QTest::mouseRelease(&axis(), Qt::LeftButton, {}, axis().placeOf(place));

@@ -124,7 +124,7 @@ private slots:
         document().colorPart(0, Color{1.0F, 0.5F, 0.0F});
         waitForGesture();
         const QString path = file("out.step");
-        m_window->exportTo(path);
+        m_window->features().exports->exportTo(path);
         wait();
         QVERIFY2(QFileInfo::exists(path), qPrintable(m_window->banner().sentence()));
         const Model written = importFile(bytesOf(path));
@@ -147,20 +147,20 @@ private slots:
         dialog->setCurrentColor(QColor(10, 200, 30));
         picture("tree-color");
         dialog->accept();
-        QTRY_VERIFY(document().looks().chosenColor(1).has_value());
-        QCOMPARE(textOf(*document().looks().chosenColor(1)), std::string("#0ac81e"));
+        QTRY_VERIFY(document().appearance().chosenColor(1).has_value());
+        QCOMPARE(textOf(*document().appearance().chosenColor(1)), std::string("#0ac81e"));
         wait();
         QTest::qWait(100);
         picture("tree-colored");
         m_window->activateWindow();
         action("fileColor")->trigger();
-        QTRY_VERIFY(!document().looks().chosenColor(1).has_value());
+        QTRY_VERIFY(!document().appearance().chosenColor(1).has_value());
         waitForGesture();
         action("undo")->trigger();
-        QTRY_VERIFY(document().looks().chosenColor(1).has_value());
+        QTRY_VERIFY(document().appearance().chosenColor(1).has_value());
         wait();
         action("undo")->trigger();
-        QTRY_VERIFY(!document().looks().chosenColor(1).has_value());
+        QTRY_VERIFY(!document().appearance().chosenColor(1).has_value());
     }
 
     void toolsAndFixturesGetOtherNames()
@@ -301,7 +301,7 @@ private slots:
         document().fixRegion(document().selected().region());
         QTest::qWait(100);
         QVERIFY(snapshot().materials[0] == before && snapshot().fixtures.empty());
-        QVERIFY(document().looks().chosenName(0).empty());
+        QVERIFY(document().appearance().chosenName(0).empty());
         saveTo(file("locked.knead"));
         newWindow(m_services);
         openProject(file("locked.knead"));
@@ -429,7 +429,7 @@ private slots:
     {
         openExample("bracket.step", 10);
         clickEye(partLine(1));
-        m_window->refill(document().size() / 14);
+        m_window->features().imports->refill(document().size() / 14);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QCOMPARE(hidden(), std::set<std::size_t>{1});
         QCOMPARE(partLine(1)->checkState(0), Qt::Unchecked);
@@ -460,7 +460,7 @@ private slots:
 
     void treeLooksGoodInTheDark()
     {
-        m_window->setTheme(Theme::Dark);
+        m_window->features().preferences->setTheme(Theme::Dark);
         openExample("bracket.step", 10);
         document().notes().addGroup("Fasteners", {1});
         document().setLocked({Selection::Kind::Body, 0}, true);
@@ -472,7 +472,7 @@ private slots:
         m_window->resize(1280, 1000);
         rest(300);
         picture("tree-dark");
-        m_window->setTheme(Theme::Light);
+        m_window->features().preferences->setTheme(Theme::Light);
         QTest::qWait(100);
         picture("tree-light");
     }

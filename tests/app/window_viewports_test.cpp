@@ -1,7 +1,7 @@
 #include "support/views_on_test.h"
-#include "ui/hands/gizmo.h"
+#include "ui/interaction/gizmo.h"
+#include "ui/preferences/preferences.h"
 #include "ui/run_window.h"
-#include "ui/shell/preferences.h"
 
 #include <QLineEdit>
 #include <QMenu>
@@ -333,14 +333,14 @@ private slots:
         press(Qt::Key_F4, Qt::ShiftModifier);
         Preferences chosen = readPreferences();
         chosen.language = "de";
-        m_window->setPreferences(chosen);
+        m_window->features().preferences->set(chosen);
         QTRY_COMPARE(namesShown(), QStringList({"Isometrisch", "Vorne", "Oben", "Rechts"}));
         QVERIFY(views().name(ViewSlot::front).toolTip().startsWith("Doppelklick"));
         for (const ViewSlot slot : allViewSlots)
             QVERIFY(views().name(slot).width() >= views().name(slot).sizeHint().width());
         picture("viewports-german");
         chosen.language = "en";
-        m_window->setPreferences(chosen);
+        m_window->features().preferences->set(chosen);
         QTRY_COMPARE(namesShown(), QStringList({"Isometric", "Front", "Top", "Right"}));
         ViewName& name = views().name(ViewSlot::free);
         QFont large = name.font();

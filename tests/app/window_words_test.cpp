@@ -89,11 +89,11 @@ private slots:
         picture("import-report-de");
         Preferences chosen = readPreferences();
         chosen.language = "fr";
-        m_window->setPreferences(chosen);
+        m_window->features().preferences->set(chosen);
         QTRY_VERIFY2(remarks->toPlainText().contains(QString::fromUtf8("n'est pas une surface fermée : ")),
                      qPrintable(remarks->toPlainText()));
         chosen.language = "en";
-        m_window->setPreferences(chosen);
+        m_window->features().preferences->set(chosen);
         QTRY_VERIFY(remarks->toPlainText().contains("is not a closed surface: "));
         QSettings().setValue("language", "en");
     }
@@ -108,7 +108,7 @@ private slots:
         for (const auto& [language, name] :
              {std::pair("de", "Knetmasse"), std::pair("fr", "Pâte à modeler"), std::pair("en", "Plasticine")}) {
             chosen.language = language;
-            m_window->setPreferences(chosen);
+            m_window->features().preferences->set(chosen);
             QTRY_VERIFY2(choice->findText(QString::fromUtf8(name)) >= 0, name);
             choice->setCurrentText(QString::fromUtf8(name));
             emit choice->activated(choice->currentIndex());
@@ -126,7 +126,7 @@ private slots:
         writeClosedBox(path);
         m_window->open(QStringList(path));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning() && !document().isEmpty(), patience);
-        m_window->exportTo(folder.filePath("box.step"));
+        m_window->features().exports->exportTo(folder.filePath("box.step"));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning() && shown().contains("Netz"), patience);
         QVERIFY2(shown().contains(QString::fromUtf8("es kam als Netz, das keine glatten Flächen hat.")),
                  qPrintable(shown()));
@@ -135,7 +135,7 @@ private slots:
         for (const auto& [language, words] :
              {std::pair("nl", "het kwam als net"), std::pair("en", "it came as a mesh, which has no smooth faces.")}) {
             chosen.language = language;
-            m_window->setPreferences(chosen);
+            m_window->features().preferences->set(chosen);
             QTRY_VERIFY2(shown().contains(words), qPrintable(shown()));
         }
         QSettings().setValue("language", "en");

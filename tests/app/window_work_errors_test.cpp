@@ -2,7 +2,7 @@
 #include "io/project/recovery.h"
 #include "support/errors_on_test.h"
 #include "support/sample_project.h"
-#include "ui/hands/hands.h"
+#include "ui/interaction/hands.h"
 #include "ui/project/project_keeper.h"
 #include "ui/run_window.h"
 #include "ui/selection/selection_model.h"
@@ -39,7 +39,7 @@ private slots:
         openWithBlock();
         remember();
         hold();
-        m_window->exportTo(m_folder->filePath("part.stl"));
+        m_window->features().exports->exportTo(m_folder->filePath("part.stl"));
         verifySaid("is still going on", true);
         m_window->banner().hide();
         m_window->open(QStringList(example("plate.step")));
@@ -61,7 +61,7 @@ private slots:
         const std::size_t left = findRecoveries().size();
         QVERIFY(left > 0);
         hold();
-        m_window->offerRecoveries();
+        m_window->projects().offerRecoveries(false);
         QTRY_VERIFY_WITH_TIMEOUT(find<QListWidget>("recoveryList") != nullptr, patience);
         QTest::mouseClick(find<QPushButton>("recoveryRecover"), Qt::LeftButton);
         verifySaid("Waiting is still going on: wait for it, or cancel it with Esc.", true);
@@ -137,7 +137,7 @@ private slots:
         remember();
         action("recordVideo")->trigger();
         verifySaid("nothing to record yet");
-        m_window->exportForces(m_folder->filePath("forces.csv"));
+        m_window->features().hands->exportForces(m_folder->filePath("forces.csv"));
         verifySaid("no forces to write yet");
         verifyNothingLost();
     }
@@ -217,7 +217,7 @@ private slots:
         settle();
         const std::size_t bodies = document().content().bodies.size();
         QCOMPARE(bodies, std::size_t{2});
-        m_window->refill(document().size() / 2);
+        m_window->features().imports->refill(document().size() / 2);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QCOMPARE(document().content().bodies.size(), std::size_t{1});
         verifySaid("\"Bushing\" is not simulated: ");
@@ -226,7 +226,7 @@ private slots:
         settle();
         QCOMPARE(document().content().bodies.size(), bodies);
         remember();
-        m_window->refill(document().size()); // and here no part is left
+        m_window->features().imports->refill(document().size()); // and here no part is left
         verifySaid("Choose a smaller spacing");
         verifyNothingLost();
     }
@@ -317,7 +317,7 @@ private slots:
         openWithBlock();
         Region some = regionOf(Level::Connection, 0, {connectionItem({0, 0})});
         QVERIFY(document().keepSet("Joints", some));
-        m_window->refill(document().size() / 7);
+        m_window->features().imports->refill(document().size() / 7);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         settle();
         remember();

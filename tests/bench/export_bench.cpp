@@ -2,7 +2,7 @@
 // back and compared. Beside it the same export of the plate where nothing has moved.
 #include "core/aggregate/fill.h"
 #include "core/skin/skin_map.h"
-#include "io/exact_shapes.h"
+#include "io/brep/exact_shapes.h"
 #include "io/export/exporter.h"
 #include "io/importer.h"
 #include "io/morph/brep_morph.h"
@@ -41,9 +41,10 @@ TopoDS_Shape plate(int n, int m)
     builder.MakeCompound(drills);
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < m; ++j)
-            builder.Add(drills, BRepPrimAPI_MakeCylinder(
-                                    gp_Ax2({(i + 0.5) * pitch, (j + 0.5) * pitch, -1}, gp_Dir(0, 0, 1)), 3, 2 + thickness)
-                                    .Shape());
+            builder.Add(drills,
+                        BRepPrimAPI_MakeCylinder(gp_Ax2({(i + 0.5) * pitch, (j + 0.5) * pitch, -1}, gp_Dir(0, 0, 1)), 3,
+                                                 2 + thickness)
+                            .Shape());
     const TopoDS_Shape drilled = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(n * pitch, m * pitch, thickness).Shape(), drills);
     BRepFilletAPI_MakeFillet fillet(drilled);
     for (TopExp_Explorer edges(drilled, TopAbs_EDGE); edges.More(); edges.Next()) {
@@ -73,8 +74,8 @@ const BentPlate& bentPlate(int n, int m)
     const Model model = importFile(path);
     std::filesystem::remove(path);
     PartToExport part{.part = model.parts.front()};
-    part.aggregate =
-        std::make_shared<const Aggregate>(fill(part.part.mesh, {.spacing = spacingForObjectCount(part.part.mesh, 20'000)}));
+    part.aggregate = std::make_shared<const Aggregate>(
+        fill(part.part.mesh, {.spacing = spacingForObjectCount(part.part.mesh, 20'000)}));
     const maps::Bend bend(part.part.box, 0.5 * std::numbers::pi);
     for (ObjectIndex i = 0; i < part.aggregate->size(); ++i) {
         const Vec3 at = part.aggregate->lattice.position(i);

@@ -1,7 +1,7 @@
 // Writing a million triangles to each mesh format, beside writing as many bytes as the STL has from memory, with and without
 // waiting for the disk.
-#include "io/mesh_writer.h"
-#include "io/safe_file.h"
+#include "io/files/safe_file.h"
+#include "io/formats/mesh_writer.h"
 #include "support/shapes.h"
 
 #include <benchmark/benchmark.h>

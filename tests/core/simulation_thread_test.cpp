@@ -26,7 +26,7 @@ Scene falling()
 }
 
 /// Gravity turns at a step, and a later step is the end.
-class TwoThings final : public Agenda {
+class TwoThings final : public ScriptedEvents {
 public:
     static constexpr std::uint64_t turn = 20;
     static constexpr std::uint64_t end = 50;
@@ -46,7 +46,7 @@ private:
 };
 
 /// Cannot go on at a step.
-class Failing final : public Agenda {
+class Failing final : public ScriptedEvents {
 public:
     bool carryOutDue(Simulation& simulation) override
     {
@@ -197,11 +197,11 @@ private slots:
             return waitFor(thread, [&](const Snapshot& shot) { return shot.requests == requests; });
         };
         QCOMPARE(stepTo(TwoThings::end)->step, TwoThings::end);
-        QCOMPARE(thread.latest()->agendaEnds, std::uint64_t{0});
+        QCOMPARE(thread.latest()->scriptEnds, std::uint64_t{0});
         QCOMPARE(stepTo(TwoThings::end + 1)->step, TwoThings::end);
-        QCOMPARE(thread.latest()->agendaEnds, std::uint64_t{1});
+        QCOMPARE(thread.latest()->scriptEnds, std::uint64_t{1});
         QCOMPARE(stepTo(TwoThings::end + 2)->step, TwoThings::end + 1); // once it was said, time goes on
-        QCOMPARE(thread.latest()->agendaEnds, std::uint64_t{1});
+        QCOMPARE(thread.latest()->scriptEnds, std::uint64_t{1});
     }
 
     void stepsOnceWhilePaused()

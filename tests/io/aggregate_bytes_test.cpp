@@ -1,6 +1,6 @@
 #include "core/aggregate/fill.h"
 #include "core/aggregate/published_fill.h"
-#include "io/aggregate_bytes.h"
+#include "io/project/aggregate_bytes.h"
 #include "support/byte_mutation.h"
 #include "support/same_values.h"
 #include "support/shapes.h"

@@ -1,4 +1,4 @@
-#include "io/body_check.h"
+#include "io/brep/body_check.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>

@@ -1,6 +1,6 @@
 // Lengths in recipes keep their bits, though they are millimeters.
-#include "io/exact_number.h"
-#include "io/json_reader.h"
+#include "io/json/exact_number.h"
+#include "io/json/json_reader.h"
 #include "support/fuzz_random.h"
 
 #include <QtTest>

@@ -1,4 +1,4 @@
-#include "io/face_integral.h"
+#include "io/brep/face_integral.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>

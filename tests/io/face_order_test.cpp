@@ -1,7 +1,7 @@
 #include "core/simulation/first_press.h"
 #include "core/simulation/simulation.h"
+#include "io/brep/occt_session.h"
 #include "io/export/face_order.h"
-#include "io/occt_session.h"
 #include "support/export_jobs.h"
 #include "support/hard_parts.h"
 

@@ -1,5 +1,5 @@
 #include "core/geometry/mass_properties.h"
-#include "io/face_triangulation.h"
+#include "io/brep/face_triangulation.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>

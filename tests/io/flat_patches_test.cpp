@@ -1,5 +1,5 @@
+#include "io/brep/occt_session.h"
 #include "io/morph/brep_morph.h"
-#include "io/occt_session.h"
 #include "support/space_maps.h"
 
 #include <BRepAlgoAPI_Cut.hxx>

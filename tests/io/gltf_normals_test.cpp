@@ -1,5 +1,5 @@
 // The normals in a glTF, read with nothing but a JSON parser.
-#include "io/mesh_writer.h"
+#include "io/formats/mesh_writer.h"
 #include "support/shapes.h"
 
 #include <QtTest>

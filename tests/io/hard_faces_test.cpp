@@ -1,6 +1,6 @@
+#include "io/brep/occt_session.h"
 #include "io/export/divided_shape.h"
 #include "io/morph/brep_morph.h"
-#include "io/occt_session.h"
 #include "support/export_jobs.h"
 
 #include <BRepAlgoAPI_Cut.hxx>

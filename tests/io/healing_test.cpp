@@ -1,9 +1,9 @@
 #include "core/geometry/mass_properties.h"
-#include "io/cad_part.h"
-#include "io/free_edges.h"
-#include "io/healing.h"
+#include "io/brep/free_edges.h"
+#include "io/brep/healing.h"
+#include "io/document/cad_part.h"
+#include "io/document/size_limits.h"
 #include "io/importer.h"
-#include "io/size_limits.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>

@@ -1,7 +1,7 @@
 #include "core/geometry/mass_properties.h"
+#include "io/formats/mesh_writer.h"
+#include "io/formats/vtp/base64_sink.h"
 #include "io/importer.h"
-#include "io/mesh_formats/base64_sink.h"
-#include "io/mesh_writer.h"
 #include "support/shapes.h"
 
 #include <QtTest>

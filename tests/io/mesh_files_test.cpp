@@ -1,6 +1,6 @@
 #include "core/geometry/mass_properties.h"
+#include "io/formats/mesh_writer.h"
 #include "io/importer.h"
-#include "io/mesh_writer.h"
 #include "support/shapes.h"
 
 #include <QtTest>

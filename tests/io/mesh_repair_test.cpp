@@ -1,5 +1,5 @@
 #include "core/geometry/mass_properties.h"
-#include "io/mesh_repair.h"
+#include "io/mesh/mesh_repair.h"
 #include "support/shapes.h"
 
 #include <QtTest>

@@ -1,5 +1,5 @@
-#include "io/corner_normals.h"
-#include "io/picture_writer.h"
+#include "io/mesh/corner_normals.h"
+#include "io/picture/picture_writer.h"
 #include "support/shapes.h"
 
 #include <QImage>

@@ -1,7 +1,7 @@
-#include "io/cad_writer.h"
+#include "io/brep/occt_session.h"
+#include "io/document/readable_name.h"
+#include "io/formats/cad_writer.h"
 #include "io/importer.h"
-#include "io/occt_session.h"
-#include "io/readable_name.h"
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>

@@ -1,6 +1,6 @@
+#include "io/files/safe_file.h"
 #include "io/project/project_file.h"
 #include "io/project/recovery.h"
-#include "io/safe_file.h"
 #include "support/killed_child.h"
 #include "support/same_values.h"
 #include "support/sample_project.h"

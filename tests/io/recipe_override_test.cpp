@@ -1,5 +1,5 @@
-#include "io/json_value.h"
-#include "io/recipe_override.h"
+#include "io/json/json_value.h"
+#include "io/recipe/recipe_override.h"
 #include "support/recipe_texts.h"
 
 #include <QtTest>

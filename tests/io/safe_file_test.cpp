@@ -1,4 +1,4 @@
-#include "io/safe_file.h"
+#include "io/files/safe_file.h"
 
 #include <QtTest>
 

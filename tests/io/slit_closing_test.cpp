@@ -1,5 +1,5 @@
 #include "core/geometry/mass_properties.h"
-#include "io/slit_closing.h"
+#include "io/brep/slit_closing.h"
 #include "support/shapes.h"
 
 #include <QtTest>

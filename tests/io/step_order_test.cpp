@@ -1,4 +1,4 @@
-#include "io/step_order.h"
+#include "io/formats/step/step_order.h"
 
 #include <QtTest>
 

@@ -1,7 +1,7 @@
 #include "core/model/length_units.h"
+#include "io/document/unit_remark.h"
+#include "io/formats/mesh_writer.h"
 #include "io/importer.h"
-#include "io/mesh_writer.h"
-#include "io/unit_remark.h"
 #include "support/shapes.h"
 
 #include <QtTest>

@@ -1,5 +1,5 @@
 #include "core/geometry/mass_properties.h"
-#include "io/tessellation.h"
+#include "io/brep/tessellation.h"
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>

@@ -1,5 +1,5 @@
 // What VTK's own reader finds in a VTP file.
-#include "io/mesh_writer.h"
+#include "io/formats/mesh_writer.h"
 #include "support/shapes.h"
 
 #include <QtTest>

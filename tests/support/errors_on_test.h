@@ -1,9 +1,9 @@
 #pragma once
 
 #include "support/history_on_test.h"
+#include "ui/commands/command_palette.h"
 #include "ui/panels/model_tree.h"
 #include "ui/panels/quantity_field.h"
-#include "ui/shell/command_palette.h"
 
 #include <QLineEdit>
 #include <QListWidget>

@@ -93,7 +93,7 @@ protected:
     {
         for (const Theme theme : {Theme::Dark, Theme::Light})
             for (const QSize size : {QSize(1920, 1080), QSize(1280, 800)}) {
-                m_window->setTheme(theme);
+                m_window->features().preferences->setTheme(theme);
                 m_window->resize(size);
                 QTest::qWait(200);
                 const char* word = theme == Theme::Dark ? "dark" : "light";

@@ -2,7 +2,7 @@
 
 #include "core/geometry/mass_properties.h"
 #include "core/model/part.h"
-#include "io/size_limits.h"
+#include "io/document/size_limits.h"
 
 #include <algorithm>
 #include <cmath>

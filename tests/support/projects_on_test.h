@@ -111,7 +111,7 @@ protected:
     /// Takes the first of the recoveries that are offered.
     void recoverByHand()
     {
-        m_window->offerRecoveries();
+        m_window->projects().offerRecoveries(false);
         QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("recoveryRecover") != nullptr, patience);
         clickOn<QPushButton>("recoveryRecover");
         QTRY_VERIFY_WITH_TIMEOUT(!document().isEmpty(), patience);

@@ -3,8 +3,8 @@
 #include "support/file_dialog_on_test.h"
 #include "support/projects_on_test.h"
 #include "support/window_watchdog.h"
-#include "ui/hands/gizmo_hand.h"
-#include "ui/hands/hands.h"
+#include "ui/interaction/gizmo_hand.h"
+#include "ui/interaction/hands.h"
 #include "ui/panels/quantity_field.h"
 
 #include <QComboBox>

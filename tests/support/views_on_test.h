@@ -114,7 +114,7 @@ protected:
     QPoint seenFace(ViewSlot slot)
     {
         const Camera camera = views().camera(slot);
-        const ContentBody& body = *document().content().bodies[0];
+        const FilledBody& body = *document().content().bodies[0];
         Vec3 nearest = Vec3::Zero();
         double height = -1e9;
         for (const auto& t : body.mesh.triangles) {
@@ -147,7 +147,7 @@ protected:
     void bothThemes(const char* name)
     {
         for (const Theme theme : {Theme::Dark, Theme::Light}) {
-            m_window->setTheme(theme);
+            m_window->features().preferences->setTheme(theme);
             QTest::qWait(150);
             picture(qPrintable(QString("viewports-%1-%2").arg(name, theme == Theme::Dark ? "dark" : "light")));
         }

@@ -2,7 +2,8 @@
 
 #include "app/cad_process.h"
 #include "app/gui.h"
-#include "ui/main_window.h"
+#include "ui/frame/features.h"
+#include "ui/frame/main_window.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/log_panel.h"
 #include "ui/viewport/viewport_widget.h"
@@ -79,7 +80,7 @@ protected:
         m_window->open(QStringList(example(name)));
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         QVERIFY2(!document().isEmpty(), qPrintable(m_window->banner().sentence()));
-        m_window->refill(document().size() / cells);
+        m_window->features().imports->refill(document().size() / cells);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->tasks().isRunning(), patience);
         rest(300); // the view turns to fit
     }

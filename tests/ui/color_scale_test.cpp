@@ -27,12 +27,12 @@ QStringList texts(const ColorScale& scale)
     return all;
 }
 
-Sight sightOf(SurfaceQuantity quantity, std::vector<std::vector<float>> values)
+SurfaceFields fieldsOf(SurfaceQuantity quantity, std::vector<std::vector<float>> values)
 {
-    Sight sight;
-    sight.wish.quantity = quantity;
-    sight.values = std::move(values);
-    return sight;
+    SurfaceFields fields;
+    fields.request.quantity = quantity;
+    fields.values = std::move(values);
+    return fields;
 }
 
 bool all(std::size_t /*body*/)
@@ -85,18 +85,18 @@ private slots:
         QVERIFY(std::abs(roundedUp(0.0137) - 0.015) < 1e-12);
         QVERIFY(std::abs(roundedUp(6.1) - 8) < 1e-12);
         QVERIFY(std::abs(roundedUp(9.2e6) - 1e7) < 1e-3);
-        const Sight sight = sightOf(SurfaceQuantity::displacement, {{0, 0.004F, 0.0137F}, {0.5F}});
+        const SurfaceFields fields = fieldsOf(SurfaceQuantity::displacement, {{0, 0.004F, 0.0137F}, {0.5F}});
         const ColorScale first =
-            colorScale(sight, {}, [](std::size_t body) { return body == 0; }); // the other is hidden
+            colorScale(fields, {}, [](std::size_t body) { return body == 0; }); // the other is hidden
         QCOMPARE(first.least, 0.0);
         QVERIFY(std::abs(first.most - 0.015) < 1e-9);
         QVERIFY(std::abs(first.shareOf(0.0075) - 0.5) < 1e-6);
-        QVERIFY(colorScale(sight, {}, all).most > 0.49);
+        QVERIFY(colorScale(fields, {}, all).most > 0.49);
     }
 
     void distancesHaveZeroInTheMiddle()
     {
-        const ColorScale scale = colorScale(sightOf(SurfaceQuantity::distance, {{-0.003F, 0.001F}}), {}, all);
+        const ColorScale scale = colorScale(fieldsOf(SurfaceQuantity::distance, {{-0.003F, 0.001F}}), {}, all);
         QCOMPARE(scale.map, ColorMap::diverging);
         QCOMPARE(scale.least, -scale.most);
         QVERIFY(std::abs(scale.most - 0.003) < 1e-9);
@@ -106,19 +106,19 @@ private slots:
 
     void stressSaysHowWrongItMayBe()
     {
-        Sight sight = sightOf(SurfaceQuantity::vonMisesStress, {{0, 2e6F}});
-        sight.errorShare = 0.0771;
-        QCOMPARE(textOf(colorScale(sight, {}, all)).title, QString("Von Mises stress [MPa], about ±8 %"));
-        sight.errorShare = 0.11;
-        QCOMPARE(textOf(colorScale(sight, {}, all)).title, QString("Von Mises stress [MPa], about ±12 %"));
-        sight.errorShare = 0;
-        QCOMPARE(textOf(colorScale(sight, {}, all)).title, QString("Von Mises stress [MPa]"));
+        SurfaceFields fields = fieldsOf(SurfaceQuantity::vonMisesStress, {{0, 2e6F}});
+        fields.errorShare = 0.0771;
+        QCOMPARE(textOf(colorScale(fields, {}, all)).title, QString("Von Mises stress [MPa], about ±8 %"));
+        fields.errorShare = 0.11;
+        QCOMPARE(textOf(colorScale(fields, {}, all)).title, QString("Von Mises stress [MPa], about ±12 %"));
+        fields.errorShare = 0;
+        QCOMPARE(textOf(colorScale(fields, {}, all)).title, QString("Von Mises stress [MPa]"));
     }
 
     void nothingToSeeHasARangeToo()
     {
         for (std::size_t i = 0; i < surfaceQuantityCount; ++i) {
-            const ColorScale scale = colorScale(sightOf(static_cast<SurfaceQuantity>(i), {{0, 0}}), {}, all);
+            const ColorScale scale = colorScale(fieldsOf(static_cast<SurfaceQuantity>(i), {{0, 0}}), {}, all);
             QVERIFY(scale.most > scale.least);
             QVERIFY(textOf(scale).ticks.size() >= 4);
         }

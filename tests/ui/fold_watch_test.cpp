@@ -14,7 +14,7 @@ using namespace knead;
 namespace {
 
 /// A bar along x, 100 x 20 x 20 mm, filled as the window fills it.
-PreparedContent bar(const std::function<void(TriangleMesh&)>& change = {})
+PreparedModel bar(const std::function<void(TriangleMesh&)>& change = {})
 {
     Part part;
     part.name = "bar";
@@ -37,7 +37,7 @@ PreparedContent bar(const std::function<void(TriangleMesh&)>& change = {})
 }
 
 /// The first frame with other places of the body.
-Frame drawnAs(const PreparedContent& content, const std::function<Vec3(const Vec3&)>& map)
+Frame drawnAs(const PreparedModel& content, const std::function<Vec3(const Vec3&)>& map)
 {
     Frame frame = *content.frame;
     auto body = std::make_shared<BodyFrame>(*frame.bodies[0]);
@@ -64,7 +64,7 @@ class FoldWatchTest : public QObject {
 private slots:
     void whatIsBentIsNotFolded()
     {
-        const PreparedContent content = bar();
+        const PreparedModel content = bar();
         QVERIFY(foldsOf(*content.frame).empty());
         for (const double angle : {0.3, 1.5, 2.5})
             QVERIFY(foldsOf(drawnAs(content, [&](const Vec3& p) {
@@ -76,7 +76,7 @@ private slots:
 
     void whatPassesThroughItselfIsFoundWhereItDoes()
     {
-        const PreparedContent content = bar();
+        const PreparedModel content = bar();
         const std::vector<Fold> folds =
             foldsOf(drawnAs(content, [](const Vec3& place) { return turnedOver(place, 3.1); }));
         QCOMPARE(folds.size(), std::size_t{1});
@@ -92,9 +92,9 @@ private slots:
     /// What lies on each other may reach into each other a little.
     void roughnessIsNoFold()
     {
-        const PreparedContent content = bar();
+        const PreparedModel content = bar();
         const double spacing = content.content.spacing;
-        auto body = std::make_shared<ContentBody>();
+        auto body = std::make_shared<FilledBody>();
         body->aggregate = content.content.bodies[0]->aggregate;
         body->mesh = refine(shapes::box(Vec3(0.1, 0.02, 0.02)), spacing);
         const std::size_t lower = body->mesh.vertices.size();
@@ -123,7 +123,7 @@ private slots:
     /// What does not deform has no folds of its own.
     void rigidBodiesAreLeftOut()
     {
-        const PreparedContent content = bar();
+        const PreparedModel content = bar();
         Frame frame = drawnAs(content, [](const Vec3& place) { return turnedOver(place, 3.1); });
         Snapshot rigid = *frame.snapshot;
         rigid.bodies[0].kind = BodyKind::rigid;

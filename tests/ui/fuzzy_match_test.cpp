@@ -1,4 +1,4 @@
-#include "ui/shell/fuzzy_match.h"
+#include "ui/commands/fuzzy_match.h"
 
 #include <QtTest>
 

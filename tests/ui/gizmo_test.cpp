@@ -1,5 +1,5 @@
-#include "ui/hands/gizmo.h"
-#include "ui/hands/typed_value.h"
+#include "ui/interaction/gizmo.h"
+#include "ui/interaction/typed_value.h"
 
 #include <QKeyEvent>
 #include <QtTest>

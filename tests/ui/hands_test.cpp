@@ -1,7 +1,7 @@
 #include "ui/document/force_record.h"
-#include "ui/hands/key_bindings.h"
-#include "ui/hands/pull_control.h"
-#include "ui/hands/space_hand.h"
+#include "ui/interaction/key_bindings.h"
+#include "ui/interaction/pull_control.h"
+#include "ui/interaction/space_hand.h"
 #include "ui/units.h"
 
 #include <QtTest>
@@ -119,7 +119,7 @@ private slots:
     void forcesBecomeATable()
     {
         const auto picture = [](double at, std::vector<ToolState> tools) {
-            auto frame = std::make_shared<FilmFrame>();
+            auto frame = std::make_shared<PlaybackFrame>();
             frame->tools = std::move(tools);
             frame->fixtures = {{.id = 0, .name = "Foot, left", .force = Vec3(0, 0, -1)}};
             Timeline::Picture seen;

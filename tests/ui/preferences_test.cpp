@@ -1,5 +1,5 @@
-#include "ui/shell/preferences.h"
-#include "ui/shell/system_theme.h"
+#include "ui/preferences/preferences.h"
+#include "ui/preferences/system_theme.h"
 
 #include <QDBusVariant>
 #include <QSettings>

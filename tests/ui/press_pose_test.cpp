@@ -1,4 +1,4 @@
-#include "ui/hands/press_pose.h"
+#include "ui/interaction/press_pose.h"
 
 #include "core/geometry/triangle_mesh.h"
 #include "support/scenes.h"

@@ -6,7 +6,7 @@
 #include "ui/selection/region_contents.h"
 #include "ui/viewport/edge_chains.h"
 #include "ui/viewport/projector.h"
-#include "ui/viewport/region_sight.h"
+#include "ui/viewport/region_view.h"
 
 #include <QtTest>
 
@@ -30,7 +30,7 @@ Part boxPart(const Vec3& size)
 }
 
 struct Filled {
-    Content content;
+    FilledModel content;
     FramePointer frame;
 };
 
@@ -39,7 +39,7 @@ Filled filledBox(const Vec3& size)
     auto model = std::make_shared<Model>();
     model->file = "box.step";
     model->parts = {boxPart(size)};
-    PreparedContent prepared = prepareModel(model, {{"box.step"}, {}}, {}, TaskControl::none());
+    PreparedModel prepared = prepareModel(model, {{"box.step"}, {}}, {}, TaskControl::none());
     return {std::move(prepared.content), prepared.frame};
 }
 

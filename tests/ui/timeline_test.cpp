@@ -1,6 +1,6 @@
 #include "core/simulation/moment.h"
 #include "support/scenes.h"
-#include "ui/document/arrival.h"
+#include "ui/document/history_navigation.h"
 #include "ui/document/history_outline.h"
 #include "ui/document/timeline.h"
 
@@ -60,7 +60,7 @@ class TimelineTest : public QObject {
 private slots:
     void framesBelongToTheEntryTheyLeadTo()
     {
-        Film film;
+        PlaybackCache film;
         for (int i = 0; i <= 30; ++i)
             film.add(frameAt(i / 30.0));
         QCOMPARE(film.underWay().size(), std::size_t{31});
@@ -76,7 +76,7 @@ private slots:
     void theLastFrameOfAnEntryIsKept()
     {
         for (const int last : {30, 31}) {
-            Film film;
+            PlaybackCache film;
             for (int i = 0; i <= last; ++i)
                 film.see(std::make_shared<Snapshot>(frameAt(i / 60.0)));
             QCOMPARE(film.underWay().size(), std::size_t{16});
@@ -85,7 +85,7 @@ private slots:
             QCOMPARE(film.framesOf(1).back()->time, last / 60.0);
             QCOMPARE(film.framesOf(1).size(), std::size_t{16} + (last == 31 ? 1 : 0));
         }
-        Film film;
+        PlaybackCache film;
         film.see(std::make_shared<Snapshot>(frameAt(0)));
         film.see(std::make_shared<Snapshot>(frameAt(1 / 60.0)));
         film.dropUnderWay();
@@ -99,7 +99,7 @@ private slots:
 
     void aBranchBeginsWithTheFramesOfTheOther()
     {
-        Film film;
+        PlaybackCache film;
         for (int i = 0; i <= 30; ++i)
             film.add(frameAt(i / 30.0));
         film.append(1, stepAt(1));
@@ -114,7 +114,7 @@ private slots:
     /// A minute in which nothing moves is two frames: where it begins, and where it ends.
     void aRestTakesTwoFrames()
     {
-        Film film;
+        PlaybackCache film;
         const auto see = [&](double time, std::uint64_t rest) {
             Snapshot shot = frameAt(time);
             shot.rest = rest;
@@ -127,7 +127,7 @@ private slots:
         QCOMPARE(film.underWay().size(), std::size_t{3});
         see(61, 0);
         std::vector<double> times;
-        for (const FilmFramePointer& frame : film.underWay())
+        for (const PlaybackFramePointer& frame : film.underWay())
             times.push_back(frame->time);
         QCOMPARE(times, (std::vector<double>{0, 0.1, 0.2, 0.2 + 3599 / 60.0, 61}));
         see(61.1, 8); // another rest is another pair
@@ -138,7 +138,7 @@ private slots:
 
     void aFilmThatIsTooLongLosesItsOldFramesByAndBy()
     {
-        Film film;
+        PlaybackCache film;
         constexpr std::size_t memory = 100'000;
         film.setMemory(memory);
         for (int i = 0; i < 3000; ++i) {
@@ -156,7 +156,7 @@ private slots:
 
     void oneFrameThatIsTooLargeIsNotKept()
     {
-        Film film;
+        PlaybackCache film;
         film.setMemory(1000);
         film.add(frameAt(0, 10'000));
         QCOMPARE(film.memory(), std::size_t{0});
@@ -195,7 +195,7 @@ private slots:
     void whatWasSeenBeforeTroubleBelongsToItsEntry()
     {
         History history(at(0));
-        Film film;
+        PlaybackCache film;
         for (int i = 0; i <= 9; ++i)
             film.add(frameAt(i / 10.0));
         const Entry run = history.append(at(0.5));
@@ -221,7 +221,7 @@ private slots:
     void timeGoesOnAfterAResetWithinAnEntry()
     {
         History history(at(0));
-        Film film;
+        PlaybackCache film;
         for (const std::uint32_t run : {0U, 1U, 2U})
             for (const double time : {0.25, 0.5})
                 film.add(frameAt(time, 1, run));
@@ -258,7 +258,7 @@ private slots:
     {
         Scene scene;
         scene.bodies.push_back(scenes::box({3, 3, 3}, 2e-3));
-        Journey journey;
+        HistoryNavigation navigation;
         Simulation simulation(scene);
         const HistoryRecord first = recordOf(endGesture(simulation), "start");
         std::vector<std::uint64_t> hashes;
@@ -274,10 +274,10 @@ private slots:
         }
         simulation.step();
         const Gesture gesture = endGesture(simulation);
-        journey.way = History(first).wayTo(0);
-        journey.start.start.scene = scene;
+        navigation.way = History(first).wayTo(0);
+        navigation.start.start.scene = scene;
         for (std::uint32_t run = 0; run < 2; ++run) {
-            const Branch branch = journey.branch(gesture.commands, run, 10, TaskControl::none());
+            const Branch branch = navigation.branch(gesture.commands, run, 10, TaskControl::none());
             QCOMPARE(branch.gesture.moment->step, std::uint64_t{10});
             QCOMPARE(branch.gesture.hash, hashes[run]);
             QCOMPARE(resetsIn(branch.gesture.commands), run);
@@ -300,7 +300,7 @@ private slots:
     void picturesLieWhereTheyWereTaken()
     {
         History history(at(0));
-        Film film;
+        PlaybackCache film;
         film.add(frameAt(0.5));
         film.add(frameAt(1));
         film.append(history.append(at(1)), stepAt(1));
@@ -327,7 +327,7 @@ private slots:
             return snapshot;
         };
         History history(at(0));
-        Film film;
+        PlaybackCache film;
         film.add(shot(0.5, opened));
         film.add(shot(1, opened));
         film.append(history.append(at(1)), stepAt(1));
@@ -351,13 +351,13 @@ private slots:
             return snapshot;
         };
         History history(at(0));
-        Film film;
+        PlaybackCache film;
         film.add(shot(0, 0));
         film.add(shot(0.1, 1));
         film.add(shot(0.9, 2));
         film.append(history.append(at(1)), stepAt(1));
         const Timeline line = timelineOf(history, film, false);
-        const FilmFramePointer frame = line.frameAt(0.025);
+        const PlaybackFramePointer frame = line.frameAt(0.025);
         QCOMPARE(frame->objects[0][3], 0.25F);
         QCOMPARE(frame->objects[0][4], 2.0F);
         QCOMPARE(frame->time, 0.025);

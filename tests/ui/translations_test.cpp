@@ -146,7 +146,8 @@ private slots:
         static const QRegularExpression key("&(.)");
         QStringList bar;
         for (const Message& message : messagesOf(code))
-            if (message.context == "MainWindow" && message.source.startsWith('&'))
+            if ((message.context == "WindowMenus" || message.context == "MeasuringFeature") &&
+                message.source.startsWith('&'))
                 bar << key.match(message.said.front()).captured(1).toLower();
         QVERIFY(code == "en" || bar.size() >= 6);
         QCOMPARE(bar.removeDuplicates(), 0);

@@ -47,7 +47,7 @@ ImportChoices choicesFor(const ProjectStart& start, const ImportChoices& ofAnoth
 
 Document::Document(QObject* parent)
     : QObject(parent)
-    , m_content(std::make_shared<const Content>())
+    , m_content(std::make_shared<const FilledModel>())
     , m_notes(new ModelNotes(this))
     , m_selected(new SelectionModel(*this))
     , m_ending(new QTimer(this))
@@ -62,9 +62,9 @@ Document::Document(QObject* parent)
         m_shown = entry;
         const HistoryRecord& record = m_history.tree().record(entry);
         if (record.start != m_history.tree().record(record.parent).start)
-            m_film.dropUnderWay();
-        m_film.append(entry, record.step, resetsIn(record.commands));
-        followLooks(record.commands);
+            m_playback.dropUnderWay();
+        m_playback.append(entry, record.step, resetsIn(record.commands));
+        followAppearance(record.commands);
     });
     connect(&m_history, &DocumentHistory::settled, this, &Document::tellSettled);
     connect(m_notes, &ModelNotes::edited, &m_history, &DocumentHistory::noteEdit);
@@ -80,38 +80,38 @@ void Document::setTasks(TaskRunner* tasks)
 {
     m_tasks = tasks;
     const auto tripEnded = [this](const QString& title) {
-        if (m_journey == JourneyState::looking && title == m_longTitle)
+        if (m_navigation == NavigationState::looking && title == m_longTitle)
             giveUp({});
     };
     connect(tasks, &TaskRunner::cancelled, this, tripEnded);
     connect(tasks, &TaskRunner::failed, this, tripEnded);
 }
 
-void Document::open(PreparedContent prepared)
+void Document::open(PreparedModel prepared)
 {
-    const auto content = std::make_shared<const Content>(std::move(prepared.content));
+    const auto content = std::make_shared<const FilledModel>(std::move(prepared.content));
     const QString file = QString::fromStdString(std::filesystem::path(content->model->file).filename().string());
     start(std::move(prepared.simulation), content, std::move(prepared.frame),
-          prepared.agenda ? prepared.agenda() : nullptr);
+          prepared.script ? prepared.script() : nullptr);
     forgetGoing();
     m_whenSettled.clear();
-    m_film.forget();
+    m_playback.forget();
     beginFixtures(prepared);
-    m_history.begin({startOf(*content, std::move(prepared.scene)), content, std::move(prepared.agenda)},
+    m_history.begin({startOf(*content, std::move(prepared.scene)), content, std::move(prepared.script)},
                     std::move(prepared.first),
                     prepared.name.empty() ? tr("Import %1").arg(file) : QString::fromStdString(prepared.name));
     m_start = 0;
     m_notes->remember({});
-    m_looks = {};
+    m_appearance = {};
     showStart();
 }
 
-void Document::refill(PreparedContent prepared, const QString& name)
+void Document::refill(PreparedModel prepared, const QString& name)
 {
-    const auto content = std::make_shared<const Content>(std::move(prepared.content));
+    const auto content = std::make_shared<const FilledModel>(std::move(prepared.content));
     if (!isGoing())
         finishGesture();
-    if (m_hasAgenda)
+    if (m_hasScript)
         emit recipeEnded(
             tr("The recipe belongs to the filling before and does not go on in this one. Undo goes back to it."));
     const std::vector<Fixture>& fixtures = prepared.scene.fixtures;
@@ -129,7 +129,7 @@ void Document::refill(PreparedContent prepared, const QString& name)
 void Document::open(PreparedProject prepared)
 {
     Project& project = prepared.project;
-    Arrival& arrival = prepared.arrival;
+    HistoryDestination& destination = prepared.destination;
     std::vector<DocumentHistory::Start> starts;
     for (ProjectStart& start : project.starts) {
         ImportChoices choices = choicesFor(start, project.import);
@@ -137,17 +137,17 @@ void Document::open(PreparedProject prepared)
     }
     m_history.begin(std::move(starts), std::move(project.entries), project.current);
     m_start = m_history.tree().record(project.current).start;
-    m_history.setContent(m_start, arrival.content);
-    start(std::move(*arrival.simulation), arrival.content, std::move(arrival.frame));
+    m_history.setModel(m_start, destination.content);
+    start(std::move(*destination.simulation), destination.content, std::move(destination.frame));
     forgetGoing();
     m_whenSettled.clear();
-    m_film.forget();
+    m_playback.forget();
     m_shown = project.current;
     m_fixtures.clear();
     m_fixtures.remember(project.panels[fixturesPanel]);
     m_notes->remember(project.panels[notesPanel]);
-    m_looks = PartLooks::at(m_history.tree(), project.current);
-    follow(*arrival.moment);
+    m_appearance = PartAppearance::at(m_history.tree(), project.current);
+    follow(*destination.moment);
     showStart();
 }
 
@@ -178,32 +178,32 @@ void Document::showStart()
     if (m_selection.kind != Selection::Kind::Fixture ||
         m_fixtures.find(m_selection.id) == nullptr) // tools have other numbers
         m_selection = m_content->bodies.empty() ? Selection{} : Selection{Selection::Kind::Body, 0};
-    emit changed(Change::Content);
+    emit changed(Change::Model);
     emit changed(Change::Selection);
 }
 
-void Document::start(Simulation simulation, std::shared_ptr<const Content> content, FramePointer frame,
-                     std::unique_ptr<Agenda> agenda)
+void Document::start(Simulation simulation, std::shared_ptr<const FilledModel> content, FramePointer frame,
+                     std::unique_ptr<ScriptedEvents> script)
 {
     retire();
     m_selected->forget();
     m_content = std::move(content);
     m_frame = std::move(frame);
     if (m_frame->filled != m_content->bodies) {
-        auto filled = std::make_shared<Content>(*m_content);
+        auto filled = std::make_shared<FilledModel>(*m_content);
         filled->bodies = m_frame->filled;
         m_content = std::move(filled);
     }
-    m_hasAgenda = agenda != nullptr;
-    m_simulation = std::make_unique<SimulationThread>(std::move(simulation), std::move(agenda));
+    m_hasScript = script != nullptr;
+    m_simulation = std::make_unique<SimulationThread>(std::move(simulation), std::move(script));
     if (m_showsPressing)
         m_simulation->showPressing(true);
     m_simulation->setSpeed(m_speed);
     m_simulation->keepUp(m_keepsUp);
     m_seen = m_simulation->latest();
-    m_arrivals = 0;
+    m_destinations = 0;
     ++m_edits;
-    m_agendaEnds = m_fixtureRequest = m_editRequest = 0;
+    m_scriptEnds = m_fixtureRequest = m_editRequest = 0;
     m_whenKnown.clear();
     m_toolRequests.forget();
     m_isPlaying = false;
@@ -249,7 +249,7 @@ void Document::poll()
 
 void Document::accept(const FramePointer& frame, std::uint64_t generation)
 {
-    if (generation != m_generation || frame->snapshot->arrivals < m_arrivals)
+    if (generation != m_generation || frame->snapshot->destinations < m_destinations)
         return;
     m_frame = frame;
     followFillings();
@@ -258,10 +258,10 @@ void Document::accept(const FramePointer& frame, std::uint64_t generation)
     noticeRecipeEnd();
     selectNewTool();
     dropLostSelection();
-    followAgenda();
+    followScript();
     emit changed(Change::Frame);
-    if (m_journey == JourneyState::arriving)
-        endJourney();
+    if (m_navigation == NavigationState::arriving)
+        endNavigation();
 }
 
 /// Bodies have other objects than they had, and whoever looks at objects begins again; or a cut has opened their surface further.
@@ -269,7 +269,7 @@ void Document::followFillings()
 {
     if (m_frame->filled == m_content->bodies)
         return;
-    auto content = std::make_shared<Content>(*m_content);
+    auto content = std::make_shared<FilledModel>(*m_content);
     content->bodies = m_frame->filled;
     m_content = std::move(content);
     emit changed(Change::Filling);
@@ -458,13 +458,13 @@ ExportJob Document::exportJob(const std::vector<bool>& keep) const
 {
     const Model& model = *m_content->model;
     ExportJob job;
-    job.tree = prunedTree(m_looks.dressed(model.tree), keep);
+    job.tree = prunedTree(m_appearance.dressed(model.tree), keep);
     job.options.unit = canBeWrittenIn(model.unit) ? model.unit : std::string();
     const Snapshot& snapshot = *m_frame->snapshot;
     for (std::size_t p = 0; p < model.parts.size(); ++p) {
         if (!keep[p])
             continue;
-        PartToExport& part = job.parts.emplace_back(PartToExport{.part = m_looks.dressed(model, p)});
+        PartToExport& part = job.parts.emplace_back(PartToExport{.part = m_appearance.dressed(model, p)});
         for (std::size_t b = 0; b < m_content->bodies.size(); ++b)
             if (m_content->bodies[b]->part == p) {
                 part.aggregate = snapshot.bodies[b].aggregate;

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "core/simulation/simulation_thread.h"
-#include "ui/document/arrival.h"
 #include "ui/document/document_history.h"
 #include "ui/document/face_fixtures.h"
-#include "ui/document/film.h"
 #include "ui/document/frame.h"
+#include "ui/document/history_navigation.h"
 #include "ui/document/model_notes.h"
-#include "ui/document/part_looks.h"
+#include "ui/document/part_appearance.h"
+#include "ui/document/playback_cache.h"
 #include "ui/document/timeline.h"
 #include "ui/document/tool_requests.h"
 
@@ -42,7 +42,7 @@ struct Selection {
 /// A project made ready to be shown, on a task thread.
 struct PreparedProject {
     Project project;
-    Arrival arrival; ///< at its current entry
+    HistoryDestination destination; ///< at its current entry
 };
 
 /// The open part with its simulation and its history: what every panel and the view show. Window thread only.
@@ -57,7 +57,7 @@ class Document final : public QObject {
     Q_OBJECT
 public:
     enum class Change {
-        Content,
+        Model,
         Filling, ///< of bodies while they are worked on: other objects, the same surfaces; a frame follows at once
         Frame,
         Selection,
@@ -74,16 +74,16 @@ public:
     void setTasks(TaskRunner* tasks);
 
     bool isEmpty() const { return m_content->isEmpty(); }
-    const Content& content() const { return *m_content; }
+    const FilledModel& content() const { return *m_content; }
     /// The newest frame; null while empty.
     const FramePointer& frame() const { return m_frame; }
     const Selection& selection() const { return m_selection; }
     const FaceFixtures& fixtures() const { return m_fixtures; }
 
     /// Shows another content with its simulation, paused at its start: a new document, with a history of its own.
-    void open(PreparedContent prepared);
+    void open(PreparedModel prepared);
     /// Shows the same model filled anew: the next entry of the history.
-    void refill(PreparedContent prepared, const QString& name = {});
+    void refill(PreparedModel prepared, const QString& name = {});
     /// Shows a project at its current entry.
     /// @throws std::runtime_error, in a sentence, when its entries do not form a tree; nothing has changed
     void open(PreparedProject prepared);
@@ -142,8 +142,8 @@ public:
     bool isUnderWay() const { return m_gesture.isAny; }
 
     /// What was seen while time ran.
-    const Film& film() const { return m_film; }
-    void setFilmMemory(std::size_t most) { m_film.setMemory(most); } ///< [bytes]
+    const PlaybackCache& film() const { return m_playback; }
+    void setFilmMemory(std::size_t most) { m_playback.setMemory(most); } ///< [bytes]
     /// What of it belongs to the content that is shown; empty on the way from one filling to another.
     Timeline timeline() const;
     /// Repeats what leads to a step within an entry, with progress, and goes on from there: another branch. What is under way
@@ -154,7 +154,7 @@ public:
 
     /// Between asking for another entry and seeing it. What is posted in the meantime happens there, or here when the journey
     /// is given up.
-    bool isGoing() const { return m_journey != JourneyState::none || !m_wishes.empty(); }
+    bool isGoing() const { return m_navigation != NavigationState::none || !m_requests.empty(); }
 
     /// Nothing is under way: the history has all that was done, and the frame shows it.
     bool isSettled() const;
@@ -188,7 +188,7 @@ public:
 
     // ---- What a person calls and groups (document_looks.cpp) ----
 
-    const PartLooks& looks() const { return m_looks; }
+    const PartAppearance& appearance() const { return m_appearance; }
     QString nameOfPart(std::size_t part) const; ///< by index into Model::parts
     QString nameOfBody(BodyId body) const;      ///< the same; told apart where the file has it twice
     /// @param name empty: as in its file
@@ -258,7 +258,7 @@ signals:
     void notice(const QString& sentence);      ///< something the person should know, for the log
     void balanced(const QString& sentence);    ///< found, and how well
     void notBalanced(const QString& sentence); ///< why not
-    void looksChanged();                       ///< what parts are called, and their colors
+    void appearanceChanged();                  ///< what parts are called, and their colors
     void stopping();                           ///< time is about to stand still: who drives a tool lets go of it
     void recipeEnded(const QString& sentence); ///< at its end, or where it cannot go on
 
@@ -272,11 +272,11 @@ private:
         QString key;
         double begin = 0; ///< simulated [s]
     };
-    enum class JourneyState { none, looking, arriving };
-    using Wish = std::function<std::optional<Entry>(const History&)>;
+    enum class NavigationState { none, looking, arriving };
+    using Request = std::function<std::optional<Entry>(const History&)>;
 
-    void start(Simulation simulation, std::shared_ptr<const Content> content, FramePointer frame,
-               std::unique_ptr<Agenda> agenda = nullptr);
+    void start(Simulation simulation, std::shared_ptr<const FilledModel> content, FramePointer frame,
+               std::unique_ptr<ScriptedEvents> script = nullptr);
     void keepFilm();
     void followFillings();
     void showStart();
@@ -289,13 +289,13 @@ private:
     void dropLostSelection();
     bool areFixturesKnown() const;
     bool whenFixturesAreKnown(std::function<void()> action);
-    void followAgenda();
+    void followScript();
     void followFixtures(const Snapshot& now);
     void noticeRecipeEnd();
-    void beginFixtures(const PreparedContent& prepared);
+    void beginFixtures(const PreparedModel& prepared);
     void postAll(std::vector<Command> commands, const QString& name);
-    void followLooks();
-    void followLooks(const std::vector<RecordedCommand>& commands);
+    void followAppearance();
+    void followAppearance(const std::vector<RecordedCommand>& commands);
     void postLook(std::size_t part, const std::string& name, const std::optional<Color>& color, const QString& entry);
     std::optional<Selection> targetOf(const Command& command) const;
     bool refuseLocked(const Selection& target);
@@ -314,16 +314,16 @@ private:
 
     bool later(std::function<void()> action);
     bool laterHere(std::function<void()> action);
-    void wish(Wish wish);
+    void request(Request request);
     void standStill();
-    void takeWishes();
+    void takeRequests();
     void tellSettled();
     void setOut();
-    Journey journeyTo(Entry entry) const;
-    void goLong(const Journey& journey);
-    void goShort(const Journey& journey);
-    void arrive(Arrival arrival);
-    std::unique_ptr<Agenda> agendaAt(std::uint32_t start, const Moment& moment, std::uint64_t hash) const;
+    HistoryNavigation navigationTo(Entry entry) const;
+    void goLong(const HistoryNavigation& navigation);
+    void goShort(const HistoryNavigation& navigation);
+    void arrive(HistoryDestination destination);
+    std::unique_ptr<ScriptedEvents> scriptAt(std::uint32_t start, const Moment& moment, std::uint64_t hash) const;
     bool canBranchAt(Entry entry) const;
     void setOutForBranch(Entry entry, std::uint64_t step, std::uint32_t run);
     void arriveAtBranch(Entry from, Branch branch);
@@ -331,17 +331,17 @@ private:
     void follow(const Moment& moment);
     void giveUp(const QString& sentence);
     void forgetGoing();
-    void endJourney();
+    void endNavigation();
 
     TaskRunner* m_tasks = nullptr;
-    std::shared_ptr<const Content> m_content;
+    std::shared_ptr<const FilledModel> m_content;
     std::uint32_t m_start = 0; ///< of the history's, that the content belongs to
     FaceFixtures m_fixtures;
-    PartLooks m_looks;
+    PartAppearance m_appearance;
     ModelNotes* m_notes;
     SelectionModel* m_selected;
     DocumentHistory m_history;
-    Film m_film;
+    PlaybackCache m_playback;
     Gesture m_gesture;
     QTimer* m_ending; ///< until a gesture that may be gone on with ends
     bool m_isPlaying = false;
@@ -349,15 +349,15 @@ private:
     bool m_keepsUp = true;
     std::uint64_t m_playRequest = 0; ///< snapshots that count as many requests have heard of it
 
-    JourneyState m_journey = JourneyState::none;
+    NavigationState m_navigation = NavigationState::none;
     Entry m_shown = 0;  ///< where the simulation is, or was when it began to do something else
     Entry m_target = 0; ///< of the journey
     std::uint64_t m_edits = 0;
-    std::uint64_t m_editRequest = 0; ///< the last of them
-    std::uint64_t m_travels = 0;     ///< counts them; who comes late is dropped
-    QString m_longTitle;             ///< of the task that does a long journey
-    std::uint64_t m_arrivals = 0;    ///< that frames must have seen
-    std::vector<Wish> m_wishes;
+    std::uint64_t m_editRequest = 0;  ///< the last of them
+    std::uint64_t m_travels = 0;      ///< counts them; who comes late is dropped
+    QString m_longTitle;              ///< of the task that does a long journey
+    std::uint64_t m_destinations = 0; ///< that frames must have seen
+    std::vector<Request> m_requests;
     bool m_isTakenBack = false;                      ///< the simulation is no longer where the history is
     std::vector<std::function<void()>> m_afterwards; ///< when the journey has ended
     std::vector<std::function<void()>> m_whenSettled;
@@ -368,8 +368,8 @@ private:
     Selection m_selection;
     QString m_refused; ///< what was locked; said once in a while
     QElapsedTimer m_sinceRefusal;
-    bool m_hasAgenda = false;                       ///< the simulation does more than what is posted
-    std::uint64_t m_agendaEnds = 0;                 ///< that were told
+    bool m_hasScript = false;                       ///< the simulation does more than what is posted
+    std::uint64_t m_scriptEnds = 0;                 ///< that were told
     std::uint64_t m_fixtureRequest = 0;             ///< the last one of a fixture
     std::vector<std::function<void()>> m_whenKnown; ///< when a frame has seen that
     std::shared_ptr<Balancing> m_balancing;         ///< the last one

@@ -6,7 +6,7 @@
 namespace knead {
 
 /// Those of the scene, and the faces that they hold.
-void Document::beginFixtures(const PreparedContent& prepared)
+void Document::beginFixtures(const PreparedModel& prepared)
 {
     m_fixtures.clear();
     for (const FaceFixture& fixture : prepared.fixtures)
@@ -18,7 +18,7 @@ void Document::beginFixtures(const PreparedContent& prepared)
 /// A recipe may have added others before those that were posted, so that ids are what the simulation says.
 bool Document::areFixturesKnown() const
 {
-    return !m_hasAgenda || m_frame->snapshot->requests >= m_fixtureRequest;
+    return !m_hasScript || m_frame->snapshot->requests >= m_fixtureRequest;
 }
 
 /// @return whether the action has to wait until the ids of fixtures are known
@@ -31,9 +31,9 @@ bool Document::whenFixturesAreKnown(std::function<void()> action)
 }
 
 /// Fixtures that come and go by a recipe.
-void Document::followAgenda()
+void Document::followScript()
 {
-    if (!m_hasAgenda || !areFixturesKnown())
+    if (!m_hasScript || !areFixturesKnown())
         return;
     followFixtures(*m_frame->snapshot);
     for (const auto& action : std::exchange(m_whenKnown, {}))

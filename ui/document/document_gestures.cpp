@@ -90,8 +90,8 @@ void Document::post(Command command, const QString& name)
     m_fixtures.posted(command);
     m_toolRequests.posted(command, m_simulation->requests() + 1);
     if (std::holds_alternative<SetPartLook>(command)) {
-        m_looks.follow(command);
-        emit looksChanged();
+        m_appearance.follow(command);
+        emit appearanceChanged();
     }
     m_simulation->post(std::move(command));
     noteEdit();
@@ -175,7 +175,7 @@ void Document::takeBackGesture()
     }
     m_gesture = {.begin = m_frame->snapshot->time};
     m_isTakenBack = true;
-    wish([](const History& tree) { return std::optional(tree.current()); });
+    request([](const History& tree) { return std::optional(tree.current()); });
     emit changed(Change::History);
 }
 
@@ -191,8 +191,8 @@ void Document::finishGesture()
 void Document::keepFilm()
 {
     const auto keep = [this, generation = m_generation](const SnapshotPointer& snapshot) {
-        if (generation == m_generation && snapshot->arrivals >= m_arrivals)
-            m_film.see(snapshot);
+        if (generation == m_generation && snapshot->destinations >= m_destinations)
+            m_playback.see(snapshot);
     };
     m_simulation->watch([this, keep](const SnapshotPointer& snapshot) {
         if (snapshot->playing)

@@ -35,28 +35,29 @@ std::optional<QString> Document::redoName() const
 
 void Document::undo()
 {
-    wish([](const History& tree) { return tree.undoTarget(); });
+    request([](const History& tree) { return tree.undoTarget(); });
 }
 
 void Document::redo()
 {
-    wish([](const History& tree) { return tree.redoTarget(); });
+    request([](const History& tree) { return tree.redoTarget(); });
 }
 
 void Document::goToEntry(Entry entry)
 {
-    wish([entry](const History& tree) { return entry < tree.records().size() ? std::optional(entry) : std::nullopt; });
+    request(
+        [entry](const History& tree) { return entry < tree.records().size() ? std::optional(entry) : std::nullopt; });
 }
 
 /// What is under way becomes an entry before anything else, so that nothing is lost.
-void Document::wish(Wish wish)
+void Document::request(Request request)
 {
     if (m_history.isEmpty())
         return;
     if (!isGoing())
         standStill();
-    m_wishes.push_back(std::move(wish));
-    takeWishes();
+    m_requests.push_back(std::move(request));
+    takeRequests();
 }
 
 /// What was done until now is, or will be, in the history.
@@ -79,85 +80,85 @@ void Document::whenSettled(std::function<void()> action)
 
 void Document::tellSettled()
 {
-    takeWishes();
+    takeRequests();
     const auto actions = std::exchange(m_whenSettled, {});
     for (const auto& action : actions)
         action();
 }
 
-void Document::takeWishes()
+void Document::takeRequests()
 {
     if (!m_history.isSettled())
         return; // called again when it is
-    const std::vector<Wish> wishes = std::exchange(m_wishes, {});
-    for (const Wish& wish : wishes)
-        if (const std::optional<Entry> entry = wish(m_history.tree()))
+    const std::vector<Request> requests = std::exchange(m_requests, {});
+    for (const Request& request : requests)
+        if (const std::optional<Entry> entry = request(m_history.tree()))
             m_history.goTo(*entry);
-    if (m_journey != JourneyState::none)
+    if (m_navigation != NavigationState::none)
         return; // goes on from there
     if (std::exchange(m_isTakenBack, false) || m_history.tree().current() != m_shown)
         setOut();
-    else if (!wishes.empty())
-        endJourney();
+    else if (!requests.empty())
+        endNavigation();
 }
 
-Journey Document::journeyTo(Entry entry) const
+HistoryNavigation Document::navigationTo(Entry entry) const
 {
     const History& tree = m_history.tree();
-    Journey journey;
-    journey.way = tree.wayTo(entry);
-    journey.start = m_history.starts()[journey.way.start];
-    journey.model = m_content->model;
-    journey.packing = m_history.packing();
-    journey.changesStart = journey.way.start != tree.record(m_shown).start;
-    return journey;
+    HistoryNavigation navigation;
+    navigation.way = tree.wayTo(entry);
+    navigation.start = m_history.starts()[navigation.way.start];
+    navigation.model = m_content->model;
+    navigation.packing = m_history.packing();
+    navigation.changesStart = navigation.way.start != tree.record(m_shown).start;
+    return navigation;
 }
 
 void Document::setOut()
 {
     m_target = m_history.tree().current();
-    m_journey = JourneyState::looking;
+    m_navigation = NavigationState::looking;
     ++m_travels;
-    const Journey journey = journeyTo(m_target);
-    if (journey.isLong() && m_tasks != nullptr)
-        goLong(journey);
+    const HistoryNavigation navigation = navigationTo(m_target);
+    if (navigation.isLong() && m_tasks != nullptr)
+        goLong(navigation);
     else
-        goShort(journey);
+        goShort(navigation);
 }
 
 /// With progress, to be cancelled.
-void Document::goLong(const Journey& journey)
+void Document::goLong(const HistoryNavigation& navigation)
 {
     const QString name = QString::fromStdString(m_history.tree().record(m_target).name);
-    const auto work = [journey](TaskControl& control) { return journey.go(control); };
-    const auto finish = [this, travel = m_travels](Arrival arrival) {
+    const auto work = [navigation](TaskControl& control) { return navigation.go(control); };
+    const auto finish = [this, travel = m_travels](HistoryDestination destination) {
         if (travel == m_travels)
-            arrive(std::move(arrival));
+            arrive(std::move(destination));
     };
     m_longTitle = tr("Going to %1").arg(name);
-    if (!m_tasks->run<Arrival>(m_longTitle, work, finish))
+    if (!m_tasks->run<HistoryDestination>(m_longTitle, work, finish))
         giveUp(
             tr("%1 is still going on: wait for it, or cancel it with Esc, then go to %2.").arg(m_tasks->title(), name));
 }
 
-void Document::goShort(const Journey& journey)
+void Document::goShort(const HistoryNavigation& navigation)
 {
     const QString name = QString::fromStdString(m_history.tree().record(m_target).name);
-    m_history.inBackground([this, journey, name, travel = m_travels] {
-        auto arrival = std::make_shared<Arrival>();
+    m_history.inBackground([this, navigation, name, travel = m_travels] {
+        auto destination = std::make_shared<HistoryDestination>();
         QString failure;
         try {
-            *arrival = journey.go(TaskControl::none());
+            *destination = navigation.go(TaskControl::none());
         } catch (const std::bad_alloc&) {
             failure = tr("There is not enough memory to go to %1. Close other programs and try again.").arg(name);
         } catch (const std::exception& error) {
             failure = QString::fromStdString(error.what());
         }
-        const auto tell = [this, arrival, failure, travel] {
+        const auto tell = [this, destination, failure, travel] {
             if (travel != m_travels)
                 return;
             if (failure.isEmpty())
-                arrive(std::move(*arrival));
+                arrive(std::move(*destination));
             else
                 giveUp(failure);
         };
@@ -165,27 +166,27 @@ void Document::goShort(const Journey& journey)
     });
 }
 
-void Document::arrive(Arrival arrival)
+void Document::arrive(HistoryDestination destination)
 {
-    if (arrival.found)
-        m_history.keep(m_target, std::move(arrival.found));
+    if (destination.found)
+        m_history.keep(m_target, std::move(destination.found));
     const std::uint32_t startIndex = m_history.tree().record(m_target).start;
-    m_history.setContent(startIndex, arrival.content);
+    m_history.setModel(startIndex, destination.content);
     if (m_history.tree().current() != m_target) {
-        endJourney();
+        endNavigation();
         return;
     }
     m_shown = m_target;
-    const MomentPointer moment = arrival.moment;
-    if (arrival.simulation) {
-        const std::uint64_t hash = arrival.simulation->stateHash();
-        start(std::move(*arrival.simulation), arrival.content, std::move(arrival.frame),
-              agendaAt(startIndex, *moment, hash));
+    const MomentPointer moment = destination.moment;
+    if (destination.simulation) {
+        const std::uint64_t hash = destination.simulation->stateHash();
+        start(std::move(*destination.simulation), destination.content, std::move(destination.frame),
+              scriptAt(startIndex, *moment, hash));
         m_start = startIndex;
         follow(*moment);
-        emit changed(Change::Content);
+        emit changed(Change::Model);
         emit changed(Change::Selection);
-        endJourney();
+        endNavigation();
         return;
     }
     goInSimulation(moment);
@@ -194,8 +195,8 @@ void Document::arrive(Arrival arrival)
 /// Of the start that is shown.
 void Document::goInSimulation(MomentPointer moment)
 {
-    m_journey = JourneyState::arriving; // until a frame shows it
-    ++m_arrivals;
+    m_navigation = NavigationState::arriving; // until a frame shows it
+    ++m_destinations;
     ++m_edits;
     m_toolRequests.forget();
     follow(*moment);
@@ -206,9 +207,8 @@ void Document::goInSimulation(MomentPointer moment)
 
 Timeline Document::timeline() const
 {
-    const bool isOfContent =
-        !m_history.isEmpty() && m_history.tree().record(m_history.tree().current()).start == m_start;
-    return isOfContent ? timelineOf(m_history.tree(), m_film, m_gesture.isAny || !m_history.isSettled()) : Timeline();
+    const bool isOfModel = !m_history.isEmpty() && m_history.tree().record(m_history.tree().current()).start == m_start;
+    return isOfModel ? timelineOf(m_history.tree(), m_playback, m_gesture.isAny || !m_history.isSettled()) : Timeline();
 }
 
 void Document::branchAt(Entry entry, std::uint64_t step, std::uint32_t run)
@@ -238,11 +238,11 @@ void Document::setOutForBranch(Entry entry, std::uint64_t step, std::uint32_t ru
     const HistoryRecord& record = m_history.tree().record(entry);
     m_target = record.parent;
     m_history.goTo(m_target);
-    m_journey = JourneyState::looking;
+    m_navigation = NavigationState::looking;
     ++m_travels;
     m_longTitle = tr("Branching from %1").arg(QString::fromStdString(record.name));
-    const auto work = [journey = journeyTo(record.parent), commands = record.commands, step,
-                       run](TaskControl& control) { return journey.branch(commands, run, step, control); };
+    const auto work = [navigation = navigationTo(record.parent), commands = record.commands, step,
+                       run](TaskControl& control) { return navigation.branch(commands, run, step, control); };
     const auto finish = [this, entry, travel = m_travels](Branch branch) {
         if (travel == m_travels)
             arriveAtBranch(entry, std::move(branch));
@@ -255,7 +255,7 @@ void Document::setOutForBranch(Entry entry, std::uint64_t step, std::uint32_t ru
 void Document::arriveAtBranch(Entry from, Branch branch)
 {
     if (m_history.tree().current() != m_target) {
-        endJourney();
+        endNavigation();
         return;
     }
     m_shown = m_target;
@@ -264,13 +264,13 @@ void Document::arriveAtBranch(Entry from, Branch branch)
     m_history.expect(tr("Branch at %1").arg(timeText(moment->time)))(std::move(branch.gesture));
     goInSimulation(moment);
     if (resets > 0 || moment->step > m_history.tree().record(m_target).step)
-        m_film.repeat(from, moment->step, resets);
+        m_playback.repeat(from, moment->step, resets);
 }
 
 /// What the window keeps besides the simulation becomes what it is at a moment.
 void Document::follow(const Moment& moment)
 {
-    m_film.dropUnderWay();
+    m_playback.dropUnderWay();
     m_fixtures.follow(*m_content, moment.fixtures);
     m_toolCount.clear();
     m_toolToSelect.clear();
@@ -290,21 +290,21 @@ void Document::follow(const Moment& moment)
 void Document::giveUp(const QString& sentence)
 {
     ++m_travels;
-    m_wishes.clear();
+    m_requests.clear();
     m_history.goTo(m_shown);
-    endJourney();
+    endNavigation();
     if (!sentence.isEmpty())
         emit notice(sentence);
 }
 
-void Document::endJourney()
+void Document::endNavigation()
 {
-    m_journey = JourneyState::none;
+    m_navigation = NavigationState::none;
     if (m_history.tree().current() != m_shown) { // it was thought better of
         setOut();
         return;
     }
-    followLooks();
+    followAppearance();
     emit changed(Change::Moment);
     const auto actions = std::exchange(m_afterwards, {});
     for (const auto& action : actions)
@@ -314,11 +314,11 @@ void Document::endJourney()
 /// Another document, or another start: nobody waits for the journey any more.
 void Document::forgetGoing()
 {
-    m_film.dropUnderWay();
+    m_playback.dropUnderWay();
     ++m_travels;
-    m_journey = JourneyState::none;
+    m_navigation = NavigationState::none;
     m_isTakenBack = false;
-    m_wishes.clear();
+    m_requests.clear();
     m_afterwards.clear();
 }
 
@@ -343,14 +343,15 @@ bool Document::laterHere(std::function<void()> action)
 PreparedProject prepareProject(Project project, const Packing& packing, TaskControl& control)
 {
     const History tree(project.entries, project.current, std::numeric_limits<std::size_t>::max());
-    Journey journey;
-    journey.way = tree.wayTo(project.current);
-    journey.start = {.start = project.starts.at(journey.way.start), .content = nullptr, .choices = project.import};
-    journey.model = project.model;
-    journey.packing = packing;
-    journey.changesStart = true;
-    Arrival arrival = journey.go(control);
-    return {std::move(project), std::move(arrival)};
+    HistoryNavigation navigation;
+    navigation.way = tree.wayTo(project.current);
+    navigation.start = {
+        .start = project.starts.at(navigation.way.start), .content = nullptr, .choices = project.import};
+    navigation.model = project.model;
+    navigation.packing = packing;
+    navigation.changesStart = true;
+    HistoryDestination destination = navigation.go(control);
+    return {std::move(project), std::move(destination)};
 }
 
 } // namespace knead

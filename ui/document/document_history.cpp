@@ -68,12 +68,12 @@ void DocumentHistory::forget()
 
 void DocumentHistory::addStart(Start start)
 {
-    const std::shared_ptr<const Content> content = start.content;
+    const std::shared_ptr<const FilledModel> content = start.content;
     m_starts.push_back(std::move(start));
-    setContent(static_cast<std::uint32_t>(m_starts.size() - 1), content);
+    setModel(static_cast<std::uint32_t>(m_starts.size() - 1), content);
 }
 
-void DocumentHistory::setContent(std::uint32_t start, std::shared_ptr<const Content> content)
+void DocumentHistory::setModel(std::uint32_t start, std::shared_ptr<const FilledModel> content)
 {
     constexpr std::size_t most = 2; // each may be as large as all that is simulated of it
     m_starts[start].choices = content->request;

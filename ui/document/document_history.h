@@ -2,7 +2,7 @@
 
 #include "core/document/history.h"
 #include "core/document/project.h"
-#include "ui/document/content.h"
+#include "ui/document/filled_model.h"
 #include "ui/tasks/ordered_worker.h"
 
 #include <QObject>
@@ -31,9 +31,9 @@ public:
 
     struct Start {
         ProjectStart start;
-        std::shared_ptr<const Content> content; ///< null where it has to be made anew to be shown
-        AgendaMaker agenda = {};                ///< of a recipe that the document was opened from
-        ImportChoices choices = {};             ///< that the content is made for
+        std::shared_ptr<const FilledModel> content; ///< null where it has to be made anew to be shown
+        ScriptedEventsMaker script = {};            ///< of a recipe that the document was opened from
+        ImportChoices choices = {};                 ///< that the content is made for
     };
 
     explicit DocumentHistory(QObject* parent = nullptr);
@@ -55,7 +55,7 @@ public:
     const History& tree() const { return *m_tree; } ///< @pre not empty
     const std::vector<Start>& starts() const { return m_starts; }
     /// What is shown from now on. It is kept, and what was shown before it; the others have to be made anew.
-    void setContent(std::uint32_t start, std::shared_ptr<const Content> content);
+    void setModel(std::uint32_t start, std::shared_ptr<const FilledModel> content);
 
     /// An entry is to come after all that were expected before. One in which nothing happened is left out.
     /// @param name empty: after how long was simulated

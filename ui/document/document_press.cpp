@@ -33,7 +33,7 @@ double bearableStrain(const std::vector<Material>& materials)
 
 bool Document::canPressIt() const
 {
-    if (isEmpty() || m_content->bodies.empty() || m_isPlaying || m_hasAgenda || isGoing())
+    if (isEmpty() || m_content->bodies.empty() || m_isPlaying || m_hasScript || isGoing())
         return false;
     const Snapshot& now = *m_frame->snapshot;
     const std::vector<Part>& parts = m_content->model->parts;

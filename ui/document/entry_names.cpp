@@ -18,7 +18,7 @@ struct Words {
 /// Names what commands do.
 class Namer {
 public:
-    Namer(const Content& content, const Snapshot& now)
+    Namer(const FilledModel& content, const Snapshot& now)
         : m_content(content)
         , m_now(now)
     {
@@ -130,7 +130,7 @@ private:
                          m_now.fixtures[static_cast<std::size_t>(found - m_now.fixtureIds.begin())].name);
     }
 
-    const Content& m_content;
+    const FilledModel& m_content;
     const Snapshot& m_now;
 };
 
@@ -228,7 +228,7 @@ const char* iconOf(EntryKind kind)
     return "gravity";
 }
 
-QString nameOf(const Command& command, const Content& content, const Snapshot& now)
+QString nameOf(const Command& command, const FilledModel& content, const Snapshot& now)
 {
     return std::visit(Namer(content, now), command);
 }

@@ -2,7 +2,7 @@
 
 #include "core/document/history_record.h"
 #include "core/simulation/snapshot.h"
-#include "ui/document/content.h"
+#include "ui/document/filled_model.h"
 
 #include <QString>
 
@@ -34,7 +34,7 @@ const char* iconOf(EntryKind kind);
 
 /// What a command does, in words for the history: "Add Block 1"; empty for one that is nothing by itself.
 /// @param now as it was before the command
-QString nameOf(const Command& command, const Content& content, const Snapshot& now);
+QString nameOf(const Command& command, const FilledModel& content, const Snapshot& now);
 
 /// "Simulate 3.2 s"
 QString simulatedName(double seconds);

@@ -18,7 +18,7 @@ bool holds(const FaceFixture& fixture, BodyId body, std::uint32_t face)
 }
 
 /// Of some filling of the body that it is of.
-std::vector<ObjectIndex> objectsOf(const Content& content, const FaceFixture& fixture, const Aggregate& aggregate)
+std::vector<ObjectIndex> objectsOf(const FilledModel& content, const FaceFixture& fixture, const Aggregate& aggregate)
 {
     const Part& part = content.model->parts[content.bodies[fixture.body]->part];
     const bool areThere = std::all_of(fixture.faces.begin(), fixture.faces.end(),
@@ -26,7 +26,7 @@ std::vector<ObjectIndex> objectsOf(const Content& content, const FaceFixture& fi
     return areThere ? objectsAtFaces(aggregate, part.mesh, fixture.faces) : std::vector<ObjectIndex>();
 }
 
-std::vector<ObjectIndex> objectsOf(const Content& content, const FaceFixture& fixture)
+std::vector<ObjectIndex> objectsOf(const FilledModel& content, const FaceFixture& fixture)
 {
     return objectsOf(content, fixture, *content.bodies[fixture.body]->aggregate);
 }
@@ -86,7 +86,8 @@ std::vector<Command> FaceFixtures::rename(std::uint32_t key, const std::string& 
     return fixture->id ? std::vector<Command>{RenameFixture{*fixture->id, name}} : std::vector<Command>{};
 }
 
-FaceFixtures::Edit FaceFixtures::toggle(const Content& content, BodyId body, std::uint32_t face, std::uint32_t active)
+FaceFixtures::Edit FaceFixtures::toggle(const FilledModel& content, BodyId body, std::uint32_t face,
+                                        std::uint32_t active)
 {
     const auto holding =
         std::find_if(m_list.begin(), m_list.end(), [&](const FaceFixture& f) { return holds(f, body, face); });
@@ -108,7 +109,7 @@ FaceFixtures::Edit FaceFixtures::toggle(const Content& content, BodyId body, std
     return {key, hold(content, m_list.back())};
 }
 
-FaceFixtures::Edit FaceFixtures::add(const Content& content, BodyId body, std::vector<std::uint32_t> faces)
+FaceFixtures::Edit FaceFixtures::add(const FilledModel& content, BodyId body, std::vector<std::uint32_t> faces)
 {
     const std::uint32_t key = freeKey(m_list);
     m_list.push_back({.key = key, .name = freeName(m_list, key), .body = body, .faces = std::move(faces), .id = {}});
@@ -123,7 +124,7 @@ FaceFixtures::Edit FaceFixtures::addObjects(BodyId body, std::vector<ObjectIndex
 }
 
 /// Other faces: the simulation gets another fixture in place of the one it has.
-std::vector<Command> FaceFixtures::hold(const Content& content, FaceFixture& fixture)
+std::vector<Command> FaceFixtures::hold(const FilledModel& content, FaceFixture& fixture)
 {
     keepInMind(fixture);
     std::vector<Command> commands;
@@ -156,7 +157,7 @@ void FaceFixtures::keepInMind(const FaceFixture& fixture)
         m_known.push_back(std::move(known));
 }
 
-FaceFixture FaceFixtures::faceFixtureOf(const Content& content, const Fixture& held) const
+FaceFixture FaceFixtures::faceFixtureOf(const FilledModel& content, const Fixture& held) const
 {
     const auto& former = content.bodies[held.body]->aggregate->former;
     const FaceFixture* likely = nullptr;
@@ -174,7 +175,7 @@ FaceFixture FaceFixtures::faceFixtureOf(const Content& content, const Fixture& h
     return {.key = 0, .name = held.name, .body = held.body, .faces = {}, .id = {}};
 }
 
-void FaceFixtures::follow(const Content& content, std::span<const std::optional<Fixture>> held)
+void FaceFixtures::follow(const FilledModel& content, std::span<const std::optional<Fixture>> held)
 {
     m_list.clear();
     for (std::size_t id = 0; id < held.size(); ++id) {
@@ -230,7 +231,7 @@ void FaceFixtures::remember(const std::string& memory)
     }
 }
 
-std::vector<Fixture> sceneFixtures(const Content& content, const std::vector<FaceFixture>& fixtures)
+std::vector<Fixture> sceneFixtures(const FilledModel& content, const std::vector<FaceFixture>& fixtures)
 {
     std::vector<Fixture> result;
     for (const FaceFixture& fixture : fixtures)

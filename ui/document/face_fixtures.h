@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/simulation/command.h"
-#include "ui/document/content.h"
 #include "ui/document/face_fixture.h"
+#include "ui/document/filled_model.h"
 
 #include <cstdint>
 #include <optional>
@@ -29,9 +29,9 @@ public:
         std::vector<Command> commands;
     };
     /// Fixes a face, in the fixture `active` when that belongs to the same body, in a new one otherwise; or frees it.
-    Edit toggle(const Content& content, BodyId body, std::uint32_t face, std::uint32_t active);
+    Edit toggle(const FilledModel& content, BodyId body, std::uint32_t face, std::uint32_t active);
     /// A new fixture of faces of a body, or of objects that no faces are known of.
-    Edit add(const Content& content, BodyId body, std::vector<std::uint32_t> faces);
+    Edit add(const FilledModel& content, BodyId body, std::vector<std::uint32_t> faces);
     Edit addObjects(BodyId body, std::vector<ObjectIndex> objects);
     std::vector<Command> remove(std::uint32_t key);
     std::vector<Command> rename(std::uint32_t key, const std::string& name);
@@ -41,7 +41,7 @@ public:
 
     /// The simulation is at another moment, or begins: these are the fixtures there.
     /// @param held by their ids; none where one was removed
-    void follow(const Content& content, std::span<const std::optional<Fixture>> held);
+    void follow(const FilledModel& content, std::span<const std::optional<Fixture>> held);
     /// Whether these are the fixtures, by their ids, and so many there were.
     bool agree(std::span<const FixtureId> ids, FixtureId count) const;
 
@@ -52,8 +52,8 @@ public:
     void keepInMind(const FaceFixture& fixture);
 
 private:
-    std::vector<Command> hold(const Content& content, FaceFixture& fixture);
-    FaceFixture faceFixtureOf(const Content& content, const Fixture& held) const;
+    std::vector<Command> hold(const FilledModel& content, FaceFixture& fixture);
+    FaceFixture faceFixtureOf(const FilledModel& content, const Fixture& held) const;
 
     std::vector<FaceFixture> m_list;
     std::vector<FaceFixture> m_known; ///< every one that there was, without ids
@@ -61,6 +61,6 @@ private:
 };
 
 /// The fixtures as a scene knows them. Those whose faces hold no object are left out.
-std::vector<Fixture> sceneFixtures(const Content& content, const std::vector<FaceFixture>& fixtures);
+std::vector<Fixture> sceneFixtures(const FilledModel& content, const std::vector<FaceFixture>& fixtures);
 
 } // namespace knead

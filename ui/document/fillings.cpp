@@ -3,7 +3,7 @@
 #include "core/geometry/mass_properties.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/torn_surface.h"
-#include "ui/document/content.h"
+#include "ui/document/filled_model.h"
 
 #include <algorithm>
 #include <chrono>
@@ -18,7 +18,7 @@ namespace knead {
 /// The last ones asked for. Any thread.
 class Fillings {
 public:
-    std::shared_ptr<const ContentBody> find(const std::shared_ptr<const Aggregate>& aggregate)
+    std::shared_ptr<const FilledBody> find(const std::shared_ptr<const Aggregate>& aggregate)
     {
         const std::lock_guard lock(m_mutex);
         const auto found = std::find_if(m_bodies.begin(), m_bodies.end(),
@@ -29,7 +29,7 @@ public:
         return m_bodies.front();
     }
 
-    void add(std::shared_ptr<const ContentBody> body)
+    void add(std::shared_ptr<const FilledBody> body)
     {
         const std::lock_guard lock(m_mutex);
         m_bodies.insert(m_bodies.begin(), std::move(body));
@@ -43,7 +43,7 @@ public:
         std::shared_ptr<const std::vector<BrokenConnection>> broken;
         std::vector<std::uint32_t> pieceOfObject;
         std::vector<BrokenConnection> within; ///< broken ones that do not lead from piece to piece
-        std::shared_ptr<const ContentBody> body;
+        std::shared_ptr<const FilledBody> body;
         std::chrono::steady_clock::time_point end{};    ///< of making it
         std::chrono::steady_clock::duration duration{}; ///< of making it
     };
@@ -69,8 +69,8 @@ private:
     static constexpr std::size_t most = 4;
 
     std::mutex m_mutex;
-    std::vector<std::shared_ptr<const ContentBody>> m_bodies; ///< the last one first
-    std::vector<Torn> m_torn;                                 ///< the same
+    std::vector<std::shared_ptr<const FilledBody>> m_bodies; ///< the last one first
+    std::vector<Torn> m_torn;                                ///< the same
 };
 
 namespace {
@@ -102,8 +102,8 @@ std::shared_ptr<Fillings> newFillings()
     return std::make_shared<Fillings>();
 }
 
-std::shared_ptr<const ContentBody> filledAs(const std::shared_ptr<const ContentBody>& body,
-                                            const std::shared_ptr<const Aggregate>& aggregate)
+std::shared_ptr<const FilledBody> filledAs(const std::shared_ptr<const FilledBody>& body,
+                                           const std::shared_ptr<const Aggregate>& aggregate)
 {
     if (body->whole)
         return filledAs(body->whole, aggregate);
@@ -111,7 +111,7 @@ std::shared_ptr<const ContentBody> filledAs(const std::shared_ptr<const ContentB
         return body;
     if (auto known = body->fillings->find(aggregate))
         return known;
-    auto filled = std::make_shared<ContentBody>(*body);
+    auto filled = std::make_shared<FilledBody>(*body);
     filled->aggregate = aggregate;
     filled->skin.emplace(*aggregate, filled->mesh.vertices);
     filled->surfaceObjects = surfaceObjects(*aggregate);
@@ -119,10 +119,10 @@ std::shared_ptr<const ContentBody> filledAs(const std::shared_ptr<const ContentB
     return filled;
 }
 
-std::shared_ptr<const ContentBody> tornAs(const std::shared_ptr<const ContentBody>& filled,
-                                          const std::shared_ptr<const std::vector<BrokenConnection>>& broken)
+std::shared_ptr<const FilledBody> tornAs(const std::shared_ptr<const FilledBody>& filled,
+                                         const std::shared_ptr<const std::vector<BrokenConnection>>& broken)
 {
-    const std::shared_ptr<const ContentBody>& whole = filled->whole ? filled->whole : filled;
+    const std::shared_ptr<const FilledBody>& whole = filled->whole ? filled->whole : filled;
     const std::shared_ptr<const Aggregate>& aggregate = whole->aggregate;
     const bool wasInPieces = aggregate->former && aggregate->former->isInPieces();
     if ((!broken || broken->empty()) && !wasInPieces)
@@ -141,7 +141,7 @@ std::shared_ptr<const ContentBody> tornAs(const std::shared_ptr<const ContentBod
         torn = {.aggregate = aggregate, .broken = {}, .pieceOfObject = {}, .within = std::move(within), .body = whole};
         torn->pieceOfObject = std::move(pieces.ofObject);
         if (auto surface = isWatertight(whole->mesh) ? tornSurface(*aggregate, whole->mesh, cracks) : std::nullopt) {
-            auto body = std::make_shared<ContentBody>(*whole);
+            auto body = std::make_shared<FilledBody>(*whole);
             body->mesh = std::move(surface->mesh);
             body->render = renderMesh(body->mesh);
             body->skin.emplace(std::move(surface->skin));
@@ -156,12 +156,12 @@ std::shared_ptr<const ContentBody> tornAs(const std::shared_ptr<const ContentBod
     return torn->body;
 }
 
-std::shared_ptr<const ContentBody> tornLately(const std::shared_ptr<const ContentBody>& filled,
-                                              const std::shared_ptr<const std::vector<BrokenConnection>>& broken)
+std::shared_ptr<const FilledBody> tornLately(const std::shared_ptr<const FilledBody>& filled,
+                                             const std::shared_ptr<const std::vector<BrokenConnection>>& broken)
 {
     constexpr int rests = 3; // times as long as it takes, so that cutting has most of a processor
     const auto idOf = [](const BrokenConnection& one) { return ConnectionId(one); };
-    const std::shared_ptr<const ContentBody>& whole = filled->whole ? filled->whole : filled;
+    const std::shared_ptr<const FilledBody>& whole = filled->whole ? filled->whole : filled;
     if (!broken || broken->empty())
         return nullptr;
     const Pieces pieces = findPieces(*whole->aggregate, *broken);

@@ -85,7 +85,7 @@ Vec3 middleOf(const TriangleMesh::Triangle& corners, const std::vector<Vec3>& pl
     return (places[corners[0]] + places[corners[1]] + places[corners[2]]) / 3;
 }
 
-bool isMoved(const ContentBody& body, const BodyFrame& frame)
+bool isMoved(const FilledBody& body, const BodyFrame& frame)
 {
     return !std::ranges::equal(body.mesh.vertices, frame.places);
 }
@@ -106,7 +106,7 @@ std::vector<Fold> foldsOf(const Frame& frame)
 {
     std::vector<Fold> folds;
     for (BodyId b = 0; b < frame.bodies.size(); ++b) {
-        const ContentBody& body = *frame.filled[b];
+        const FilledBody& body = *frame.filled[b];
         const BodyFrame& drawn = *frame.bodies[b];
         if (frame.snapshot->bodies[b].kind != BodyKind::deformable || body.whole || !isMoved(body, drawn))
             continue;
@@ -137,7 +137,7 @@ FoldWatch::FoldWatch(Document& document, QObject* parent)
 
 void FoldWatch::documentChanged(Document::Change what)
 {
-    if (what == Document::Change::Content) {
+    if (what == Document::Change::Model) {
         m_seen = m_found = nullptr;
         if (!std::exchange(m_folds, {}).empty())
             emit changed();

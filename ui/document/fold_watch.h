@@ -17,7 +17,7 @@ namespace knead {
 struct Fold {
     BodyId body = 0;
     Vec3 place = Vec3::Zero();            ///< the middle of it [m]
-    std::vector<std::uint32_t> triangles; ///< of ContentBody::mesh, some of those that cross others, ascending
+    std::vector<std::uint32_t> triangles; ///< of FilledBody::mesh, some of those that cross others, ascending
 };
 
 /// Of bodies that deform and have not come apart; those whose surface crosses itself at rest are left out. Any thread, and on that

@@ -42,7 +42,7 @@ ForceRecord forceRecordOf(const Timeline& timeline)
         record.times.push_back(timeline.pictures[i].at);
         for (const ToolState& tool : timeline.pictures[i].frame->tools)
             put({false, tool.id}, tool.name, tool.force, i);
-        for (const FilmFrame::Held& held : timeline.pictures[i].frame->fixtures)
+        for (const PlaybackFrame::Held& held : timeline.pictures[i].frame->fixtures)
             put({true, held.id}, held.name, held.force, i);
     }
     for (auto& [key, curve] : curves) {

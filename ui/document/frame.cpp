@@ -10,7 +10,7 @@ namespace knead {
 
 namespace {
 
-std::shared_ptr<const BodyFrame> bodyFrame(const ContentBody& body, const Snapshot::BodyState& state)
+std::shared_ptr<const BodyFrame> bodyFrame(const FilledBody& body, const Snapshot::BodyState& state)
 {
     auto frame = std::make_shared<BodyFrame>();
     frame->places.resize(body.mesh.vertices.size());
@@ -22,18 +22,18 @@ std::shared_ptr<const BodyFrame> bodyFrame(const ContentBody& body, const Snapsh
 
 } // namespace
 
-FramePointer prepareFrame(const ContentBodies& bodies, SnapshotPointer snapshot, const FramePointer& previous,
+FramePointer prepareFrame(const FilledBodies& bodies, SnapshotPointer snapshot, const FramePointer& previous,
                           bool mayLag)
 {
     auto frame = std::make_shared<Frame>();
     const bool isUnmoved = previous &&
-                           previous->snapshot->arrivals == snapshot->arrivals && // branches meet at equal steps
+                           previous->snapshot->destinations == snapshot->destinations && // branches meet at equal steps
                            (previous->snapshot->step == snapshot->step ||
                             (snapshot->rest > 0 && previous->snapshot->rest == snapshot->rest));
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const Snapshot::BodyState& state = snapshot->bodies[b];
-        const std::shared_ptr<const ContentBody> filled = filledAs(bodies[b], state.aggregate);
-        std::shared_ptr<const ContentBody> lately = mayLag ? tornLately(filled, state.broken) : nullptr;
+        const std::shared_ptr<const FilledBody> filled = filledAs(bodies[b], state.aggregate);
+        std::shared_ptr<const FilledBody> lately = mayLag ? tornLately(filled, state.broken) : nullptr;
         frame->lags = frame->lags || lately;
         frame->filled.push_back(lately ? std::move(lately) : tornAs(filled, state.broken));
     }
@@ -47,7 +47,7 @@ FramePointer prepareFrame(const ContentBodies& bodies, SnapshotPointer snapshot,
 }
 
 struct FramePreparer::Worker {
-    ContentBodies bodies;
+    FilledBodies bodies;
     std::function<void(FramePointer)> deliver;
     std::mutex mutex;
     std::condition_variable_any wake;
@@ -76,7 +76,7 @@ struct FramePreparer::Worker {
     }
 };
 
-FramePreparer::FramePreparer(ContentBodies bodies, std::function<void(FramePointer)> deliver)
+FramePreparer::FramePreparer(FilledBodies bodies, std::function<void(FramePointer)> deliver)
     : m_worker(std::make_unique<Worker>())
 {
     m_worker->bodies = std::move(bodies);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/simulation/snapshot.h"
-#include "ui/document/content.h"
+#include "ui/document/filled_model.h"
 
 #include <functional>
 #include <memory>
@@ -9,14 +9,14 @@
 
 namespace knead {
 
-using ContentBodies = std::vector<std::shared_ptr<const ContentBody>>;
+using FilledBodies = std::vector<std::shared_ptr<const FilledBody>>;
 
 /// All that is drawn at one moment: a snapshot and the surfaces that belong to it. Immutable, shared by pointer.
 struct Frame {
     SnapshotPointer snapshot;
     std::vector<std::shared_ptr<const BodyFrame>> bodies;
-    ContentBodies filled; ///< the bodies as they are filled in the snapshot
-    bool lags = false;    ///< a crack is drawn as it was a moment ago
+    FilledBodies filled; ///< the bodies as they are filled in the snapshot
+    bool lags = false;   ///< a crack is drawn as it was a moment ago
 };
 
 using FramePointer = std::shared_ptr<const Frame>;
@@ -24,7 +24,7 @@ using FramePointer = std::shared_ptr<const Frame>;
 /// Carries the surfaces along with a snapshot. Surfaces of `previous` are used again when no time has passed.
 /// @param bodies of the document, whatever their filling
 /// @param mayLag cracks that grow need not be followed every time
-FramePointer prepareFrame(const ContentBodies& bodies, SnapshotPointer snapshot, const FramePointer& previous,
+FramePointer prepareFrame(const FilledBodies& bodies, SnapshotPointer snapshot, const FramePointer& previous,
                           bool mayLag = false);
 
 /// Prepares frames on a thread of its own, always the newest snapshot, so that the window never waits for a skin. One that lags is
@@ -32,7 +32,7 @@ FramePointer prepareFrame(const ContentBodies& bodies, SnapshotPointer snapshot,
 class FramePreparer {
 public:
     /// @param deliver called on the preparer's thread
-    FramePreparer(ContentBodies bodies, std::function<void(FramePointer)> deliver);
+    FramePreparer(FilledBodies bodies, std::function<void(FramePointer)> deliver);
     ~FramePreparer();
     FramePreparer(const FramePreparer&) = delete;
     FramePreparer& operator=(const FramePreparer&) = delete;

@@ -26,7 +26,7 @@ RunRemarks::RunRemarks(Document& document, QObject* parent)
 
 void RunRemarks::documentChanged(Document::Change what)
 {
-    if (what == Document::Change::Content) {
+    if (what == Document::Change::Model) {
         m_quality.begin();
         m_stall = {};
     }

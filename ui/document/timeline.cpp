@@ -57,8 +57,8 @@ std::vector<double> fillingsIn(const std::vector<Timeline::Picture>& pictures)
 {
     std::vector<double> places;
     for (std::size_t i = 1; i < pictures.size(); ++i) {
-        const FilmFrame& before = *pictures[i - 1].frame;
-        const FilmFrame& now = *pictures[i].frame;
+        const PlaybackFrame& before = *pictures[i - 1].frame;
+        const PlaybackFrame& now = *pictures[i].frame;
         if (before.run == now.run && before.fillings.size() == now.fillings.size() && before.fillings != now.fillings)
             places.push_back(pictures[i].at);
     }
@@ -76,18 +76,18 @@ const Timeline::Picture* Timeline::pictureAt(double at) const
     return after == pictures.begin() ? &pictures.front() : &*(after - 1);
 }
 
-FilmFramePointer Timeline::frameAt(double at) const
+PlaybackFramePointer Timeline::frameAt(double at) const
 {
     const Picture* before = pictureAt(at);
     if (before == nullptr)
         return nullptr;
     const Picture* after = before + 1;
-    constexpr double close = 8 * Film::interval; // thinned pictures are further apart
+    constexpr double close = 8 * PlaybackCache::interval; // thinned pictures are further apart
     if (after == pictures.data() + pictures.size() || at <= before->at || after->at - before->at > close ||
         after->frame->time <= before->frame->time)
         return before->frame;
     const double share = (at - before->at) / (after->at - before->at);
-    return std::make_shared<FilmFrame>(between(*before->frame, *after->frame, share));
+    return std::make_shared<PlaybackFrame>(between(*before->frame, *after->frame, share));
 }
 
 const Timeline::Tick* Timeline::tickNear(double at, double reach) const
@@ -106,7 +106,7 @@ bool Timeline::isFilledAnewAt(double at, double reach) const
     return first != fillings.end() && *first <= at + reach;
 }
 
-Timeline timelineOf(const History& history, const Film& film, bool isUnderWay)
+Timeline timelineOf(const History& history, const PlaybackCache& film, bool isUnderWay)
 {
     Timeline line;
     Place place;
@@ -115,7 +115,7 @@ Timeline timelineOf(const History& history, const Film& film, bool isUnderWay)
         const HistoryRecord& record = history.record(entry);
         const std::uint32_t run = film.firstRunOf(entry);
         place.begin(run, line.ticks.empty() ? record.time : time);
-        for (const FilmFramePointer& frame : film.framesOf(entry)) {
+        for (const PlaybackFramePointer& frame : film.framesOf(entry)) {
             place.goOn(frame->run, frame->time);
             line.pictures.push_back({place.at(), entry, false, frame, frame->run - run});
         }
@@ -126,7 +126,7 @@ Timeline timelineOf(const History& history, const Film& film, bool isUnderWay)
             line.present = place.at();
     }
     place.begin(film.run(), time);
-    for (const FilmFramePointer& frame : isUnderWay ? film.underWay() : std::vector<FilmFramePointer>()) {
+    for (const PlaybackFramePointer& frame : isUnderWay ? film.underWay() : std::vector<PlaybackFramePointer>()) {
         place.goOn(frame->run, frame->time);
         line.pictures.push_back({place.at(), history.current(), true, frame});
         line.present = place.at();

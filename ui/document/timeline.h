@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/document/history.h"
-#include "ui/document/film.h"
+#include "ui/document/playback_cache.h"
 
 #include <vector>
 
@@ -20,7 +20,7 @@ struct Timeline {
         double at = 0;            ///< [s]
         History::Entry entry = 0; ///< to which it leads
         bool isUnderWay = false;  ///< there is no entry yet
-        FilmFramePointer frame;
+        PlaybackFramePointer frame;
         std::uint32_t run = 0; ///< after so many resets within the entry
     };
     std::vector<Tick> ticks;       ///< the first one at 0
@@ -32,13 +32,13 @@ struct Timeline {
     /// The last picture at or before a place, or the first one; null without any.
     const Picture* pictureAt(double at) const;
     /// What is seen at a place: between pictures that lie close together, something between them; null without any.
-    FilmFramePointer frameAt(double at) const;
+    PlaybackFramePointer frameAt(double at) const;
     const Tick* tickNear(double at, double reach) const; ///< the nearest within reach; null: none
     /// Whether a body was filled anew within reach of a place.
     bool isFilledAnewAt(double at, double reach) const;
 };
 
 /// @param isUnderWay something is being done, or is no entry yet: what was done from here before is no longer ahead
-Timeline timelineOf(const History& history, const Film& film, bool isUnderWay);
+Timeline timelineOf(const History& history, const PlaybackCache& film, bool isUnderWay);
 
 } // namespace knead

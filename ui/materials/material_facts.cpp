@@ -29,7 +29,7 @@ double expectedStepSeconds(const Snapshot& now)
                : cost * static_cast<double>(now.connections) / connectionsPerSecond;
 }
 
-MaterialFacts factsOf(const Content& content, const Snapshot& now, BodyId body, double secondsPerStep)
+MaterialFacts factsOf(const FilledModel& content, const Snapshot& now, BodyId body, double secondsPerStep)
 {
     MaterialFacts facts;
     facts.soundSpeed = now.materials[body].soundSpeed();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/document/content.h"
+#include "ui/document/filled_model.h"
 
 namespace knead {
 
@@ -14,7 +14,7 @@ struct MaterialFacts {
 };
 
 /// @param secondsPerStep as measured with the present integrator and material; 0: not yet
-MaterialFacts factsOf(const Content& content, const Snapshot& now, BodyId body, double secondsPerStep);
+MaterialFacts factsOf(const FilledModel& content, const Snapshot& now, BodyId body, double secondsPerStep);
 
 /// Wall time of a step, as long as nothing was measured: by the number of connections and objects, on a present-day core [s].
 double expectedStepSeconds(const Snapshot& now);

@@ -26,7 +26,7 @@ Solid solidOf(const TriangleMesh& mesh, std::span<const Vec3> places)
     return solid;
 }
 
-double exactVolume(const Content& content, const ContentBody& body, const Solid& rest)
+double exactVolume(const FilledModel& content, const FilledBody& body, const Solid& rest)
 {
     const double exact = content.model->parts[body.part].volume;
     return exact > 0 ? exact : rest.volume;
@@ -38,7 +38,7 @@ struct Balance {
     Vec3 shift = Vec3::Zero(); ///< [m]
 };
 
-Balance balanceOf(const ContentBody& body, const Material& own, const Snapshot::BodyState& present,
+Balance balanceOf(const FilledBody& body, const Material& own, const Snapshot::BodyState& present,
                   std::span<const Vec3> positions)
 {
     if (!present.relaxed || present.relaxed->materials.isUniform())
@@ -58,7 +58,7 @@ Balance balanceOf(const ContentBody& body, const Material& own, const Snapshot::
     return {mass / volume, byMass / mass - byVolume / volume};
 }
 
-std::vector<Vec3> restPositions(const ContentBody& body)
+std::vector<Vec3> restPositions(const FilledBody& body)
 {
     std::vector<Vec3> positions;
     positions.reserve(body.aggregate->size());
@@ -69,18 +69,18 @@ std::vector<Vec3> restPositions(const ContentBody& body)
 
 } // namespace
 
-BodyMass massAtRest(const Content& content, BodyId id, const Snapshot& present)
+BodyMass massAtRest(const FilledModel& content, BodyId id, const Snapshot& present)
 {
-    const ContentBody& body = *content.bodies[id];
+    const FilledBody& body = *content.bodies[id];
     const Solid rest = solidOf(body.mesh, body.mesh.vertices);
     const Balance balance = balanceOf(body, present.materials[id], present.bodies[id], restPositions(body));
     const double volume = exactVolume(content, body, rest);
     return {volume, balance.density * volume, rest.centroid + balance.shift};
 }
 
-BodyMass massNow(const Content& content, BodyId id, const Frame& shown, const Snapshot& present)
+BodyMass massNow(const FilledModel& content, BodyId id, const Frame& shown, const Snapshot& present)
 {
-    const ContentBody& body = *content.bodies[id];
+    const FilledBody& body = *content.bodies[id];
     const Solid rest = solidOf(body.mesh, body.mesh.vertices);
     const Solid now = solidOf(body.mesh, shown.bodies[id]->places);
     const double volume = exactVolume(content, body, rest);

@@ -13,11 +13,11 @@ struct BodyMass {
 
 /// The volume is that of the exact part; the mass that of its materials, regions included.
 /// @param present has the materials
-BodyMass massAtRest(const Content& content, BodyId body, const Snapshot& present);
+BodyMass massAtRest(const FilledModel& content, BodyId body, const Snapshot& present);
 
 /// The volume is that of the exact part, changed as the skin has changed: what the triangles leave out is left out of both.
 /// The mass is that at rest, since material neither comes nor goes.
 /// @param shown perhaps of the past
-BodyMass massNow(const Content& content, BodyId body, const Frame& shown, const Snapshot& present);
+BodyMass massNow(const FilledModel& content, BodyId body, const Frame& shown, const Snapshot& present);
 
 } // namespace knead

@@ -22,7 +22,7 @@ std::vector<double> areasOf(const TriangleMesh& mesh, std::span<const Vec3> plac
     return areas;
 }
 
-BodyComparison compare(const ContentBody& body, std::span<const Vec3> places, TaskControl& control)
+BodyComparison compare(const FilledBody& body, std::span<const Vec3> places, TaskControl& control)
 {
     const SurfaceDistance original(body.mesh);
     const std::vector<double> areas = areasOf(body.mesh, places);
@@ -50,7 +50,7 @@ BodyComparison compare(const ContentBody& body, std::span<const Vec3> places, Ta
 
 } // namespace
 
-Comparison compareWithOriginal(const Content& content, const Frame& shown, const Snapshot& present,
+Comparison compareWithOriginal(const FilledModel& content, const Frame& shown, const Snapshot& present,
                                TaskControl& control)
 {
     Comparison comparison{.time = shown.snapshot->time};

@@ -34,7 +34,7 @@ struct Comparison {
 /// Searches for the nearest point of the original surface from every vertex of the skin; each counts for the area around it.
 /// Any thread; a tenth of a second for 100,000 triangles.
 /// @throws Cancelled
-Comparison compareWithOriginal(const Content& content, const Frame& shown, const Snapshot& present,
+Comparison compareWithOriginal(const FilledModel& content, const Frame& shown, const Snapshot& present,
                                TaskControl& control);
 
 /// A report of a comparison, with what was measured beside it.

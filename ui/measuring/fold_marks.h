@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/hands/view_overlay.h"
+#include "ui/interaction/view_overlay.h"
 
 #include <QObject>
 #include <QPointF>

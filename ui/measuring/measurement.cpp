@@ -23,10 +23,10 @@ struct MeasurementWords {
 /// A measurement with the bodies where they are, or where they were at rest.
 struct Setting {
     const Measurement& measurement;
-    const Content& content;
+    const FilledModel& content;
     const Frame* frame; ///< null: at rest
 
-    const ContentBody& body(std::size_t pick) const { return *content.bodies[measurement.places[pick].body]; }
+    const FilledBody& body(std::size_t pick) const { return *content.bodies[measurement.places[pick].body]; }
     const std::vector<Vec3>& places(std::size_t pick) const
     {
         return frame == nullptr ? body(pick).mesh.vertices : frame->bodies[measurement.places[pick].body]->places;
@@ -156,7 +156,7 @@ Figure radiusFigure(const Setting& setting)
 
 Figure radiusOfFaceFigure(const Setting& setting)
 {
-    const ContentBody& body = setting.body(0);
+    const FilledBody& body = setting.body(0);
     const Vec3 clicked = setting.place(0);
     Figure figure{{}, {.points = {clicked}, .label = clicked}, {}};
     const auto fit = fitRound(body.mesh, setting.face(0), setting.places(0), trueVertices(setting.content, body));
@@ -252,7 +252,7 @@ Figure figureOf(const Setting& setting)
 }
 
 /// Volume and mass need the material, and what changed since rest.
-Measured massOf(const Measurement& measurement, const Content& content, const Frame& shown, const Snapshot& present)
+Measured massOf(const Measurement& measurement, const FilledModel& content, const Frame& shown, const Snapshot& present)
 {
     const BodyId id = measurement.places[0].body;
     const BodyMass rest = massAtRest(content, id, present);
@@ -360,7 +360,8 @@ const MeasureLook& lookOf(MeasureKind kind)
     return measureLooks()[static_cast<std::size_t>(kind)];
 }
 
-Measured measured(const Measurement& measurement, const Content& content, const Frame& shown, const Snapshot& present)
+Measured measured(const Measurement& measurement, const FilledModel& content, const Frame& shown,
+                  const Snapshot& present)
 {
     Measured result;
     if (measurement.kind == MeasureKind::mass) {

@@ -70,7 +70,8 @@ struct Measured {
 
 /// @param shown what is drawn, perhaps of the past
 /// @param present for what frames of the past do not know: materials
-Measured measured(const Measurement& measurement, const Content& content, const Frame& shown, const Snapshot& present);
+Measured measured(const Measurement& measurement, const FilledModel& content, const Frame& shown,
+                  const Snapshot& present);
 
 /// "Distance 2"
 QString nameOf(const Measurement& measurement);

@@ -43,7 +43,7 @@ MeasurementList::MeasurementList(Document& document, QObject* parent)
     , m_document(document)
 {
     connect(&document, &Document::changed, this, [this](Document::Change what) {
-        if (what == Document::Change::Content)
+        if (what == Document::Change::Model)
             contentChanged();
         else if (what == Document::Change::Filling)
             followSurfaces();
@@ -71,9 +71,9 @@ void MeasurementList::clear()
 
 void MeasurementList::contentChanged()
 {
-    const Content& content = m_document.content();
+    const FilledModel& content = m_document.content();
     const bool isSame = content.model == m_model;
-    const ContentBodies before = std::exchange(m_bodies, content.bodies);
+    const FilledBodies before = std::exchange(m_bodies, content.bodies);
     m_model = content.model;
     if (!isSame)
         return clear();
@@ -84,7 +84,7 @@ void MeasurementList::contentChanged()
 /// Bodies that have come apart have other triangles.
 void MeasurementList::followSurfaces()
 {
-    const ContentBodies before = std::exchange(m_bodies, m_document.content().bodies);
+    const FilledBodies before = std::exchange(m_bodies, m_document.content().bodies);
     if (m_all.empty() || std::equal(before.begin(), before.end(), m_bodies.begin(), m_bodies.end(),
                                     [](const auto& a, const auto& b) { return haveSameSurface(*a, *b); }))
         return;
@@ -92,8 +92,8 @@ void MeasurementList::followSurfaces()
     emit changed();
 }
 
-std::vector<Measurement> carriedOver(const std::vector<Measurement>& measurements, const ContentBodies& before,
-                                     const ContentBodies& after)
+std::vector<Measurement> carriedOver(const std::vector<Measurement>& measurements, const FilledBodies& before,
+                                     const FilledBodies& after)
 {
     std::vector<Measurement> kept;
     for (Measurement measurement : measurements) {

@@ -32,12 +32,12 @@ private:
     std::vector<Measurement> m_all;
     std::map<MeasureKind, int> m_count; ///< made so far, for their names
     std::shared_ptr<const Model> m_model;
-    ContentBodies m_bodies; ///< that the places belong to
+    FilledBodies m_bodies; ///< that the places belong to
 };
 
 /// The same places on other bodies; what is no longer there is left out.
-std::vector<Measurement> carriedOver(const std::vector<Measurement>& measurements, const ContentBodies& before,
-                                     const ContentBodies& after);
+std::vector<Measurement> carriedOver(const std::vector<Measurement>& measurements, const FilledBodies& before,
+                                     const FilledBodies& after);
 
 /// A table with a line per reading, units in columns of their own, so that numbers stay numbers: in mm, mm³, g and degrees.
 /// @param measurements in the same order as `results`

@@ -46,7 +46,7 @@ Measuring::Measuring(Document& document, ViewportWidget& view, Modes& modes, QWi
     m_soon->setInterval(updateTime);
     connect(m_soon, &QTimer::timeout, this, &Measuring::refresh);
     connect(&document, &Document::changed, this, [this](Document::Change what) {
-        if (what == Document::Change::Content)
+        if (what == Document::Change::Model)
             contentChanged();
         soon();
     });

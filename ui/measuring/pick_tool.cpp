@@ -16,7 +16,7 @@ PickTool::PickTool(const Document& document, ViewportWidget& view, QObject* pare
     , m_picker(document, view)
 {
     connect(&document, &Document::changed, this, [this](Document::Change what) {
-        if (what != Document::Change::Content)
+        if (what != Document::Change::Model)
             return;
         m_picker.forget();
         stop();

@@ -47,7 +47,7 @@ void SkinPicker::forget()
     m_frame = nullptr;
 }
 
-std::vector<SkinPicker::Corner> SkinPicker::cornersOf(BodyId id, const ContentBody& body, const Content& content)
+std::vector<SkinPicker::Corner> SkinPicker::cornersOf(BodyId id, const FilledBody& body, const FilledModel& content)
 {
     std::map<std::uint32_t, Corner> corners;
     const std::size_t isTrue = trueVertices(content, body);
@@ -76,7 +76,7 @@ void SkinPicker::follow()
         m_pickers.resize(m_bodies.size());
     }
     for (BodyId b = 0; b < m_pickers.size(); ++b) {
-        const ContentBody& body = *frame->filled[b];
+        const FilledBody& body = *frame->filled[b];
         if (!isNew && haveSameSurface(*m_bodies[b], body)) {
             m_pickers[b].picker->refit(frame->bodies[b]->points);
             continue;

@@ -55,12 +55,12 @@ private:
     bool isHidden(std::size_t body) const;
     std::optional<Hit> surfaceAlong(const Ray& ray) const;
     std::optional<Hit> cornerNear(const Eye& eye, const QPointF& position) const;
-    static std::vector<Corner> cornersOf(BodyId id, const ContentBody& body, const Content& content);
+    static std::vector<Corner> cornersOf(BodyId id, const FilledBody& body, const FilledModel& content);
 
     const Document& m_document;
     const ViewportWidget& m_view;
     FramePointer m_frame; ///< the trees fit to this one
-    ContentBodies m_bodies;
+    FilledBodies m_bodies;
     std::vector<Body> m_pickers;
 };
 

@@ -24,17 +24,17 @@ Vec3 blend(const std::array<Vec3, 3>& corners, const Vec3& shares)
 
 } // namespace
 
-Vec3 placeOf(const SkinPlace& place, const ContentBody& body, std::span<const Vec3> places)
+Vec3 placeOf(const SkinPlace& place, const FilledBody& body, std::span<const Vec3> places)
 {
     return blend(cornersOf(body.mesh, place.triangle, places), place.shares);
 }
 
-std::optional<Vec3> seenPlace(const SkinPlace& place, const Content& content, const Frame& frame,
+std::optional<Vec3> seenPlace(const SkinPlace& place, const FilledModel& content, const Frame& frame,
                               const std::set<std::size_t>& hiddenParts)
 {
     if (place.body >= content.bodies.size() || place.body >= frame.bodies.size())
         return std::nullopt;
-    const ContentBody& body = *content.bodies[place.body];
+    const FilledBody& body = *content.bodies[place.body];
     const std::vector<Vec3>& places = frame.bodies[place.body]->places;
     const bool isOfThisBody = place.triangle < body.mesh.triangles.size() && places.size() == body.mesh.vertices.size();
     if (!isOfThisBody || hiddenParts.contains(body.part))
@@ -42,14 +42,14 @@ std::optional<Vec3> seenPlace(const SkinPlace& place, const Content& content, co
     return placeOf(place, body, places);
 }
 
-std::optional<std::uint32_t> faceOf(const SkinPlace& place, const ContentBody& body)
+std::optional<std::uint32_t> faceOf(const SkinPlace& place, const FilledBody& body)
 {
     if (body.mesh.faceOfTriangle.empty())
         return std::nullopt;
     return body.mesh.faceOfTriangle[place.triangle];
 }
 
-std::vector<std::uint32_t> trianglesOfFace(const SkinPlace& place, const ContentBody& body)
+std::vector<std::uint32_t> trianglesOfFace(const SkinPlace& place, const FilledBody& body)
 {
     std::vector<std::uint32_t> triangles(body.mesh.triangles.size());
     std::iota(triangles.begin(), triangles.end(), 0U);
@@ -58,19 +58,19 @@ std::vector<std::uint32_t> trianglesOfFace(const SkinPlace& place, const Content
     return triangles;
 }
 
-std::size_t trueVertices(const Content& content, const ContentBody& body)
+std::size_t trueVertices(const FilledModel& content, const FilledBody& body)
 {
     return body.whole ? body.mesh.vertices.size() : content.model->parts[body.part].mesh.vertices.size();
 }
 
-std::optional<SkinPlace> carriedOver(const SkinPlace& place, const ContentBodies& before, const ContentBodies& after)
+std::optional<SkinPlace> carriedOver(const SkinPlace& place, const FilledBodies& before, const FilledBodies& after)
 {
-    const ContentBody& old = *before[place.body];
+    const FilledBody& old = *before[place.body];
     const auto found =
         std::find_if(after.begin(), after.end(), [&](const auto& body) { return body->part == old.part; });
     if (found == after.end())
         return std::nullopt;
-    const ContentBody& body = **found;
+    const FilledBody& body = **found;
     const Vec3 rest = placeOf(place, old, old.mesh.vertices);
     const auto face = faceOf(place, old);
     SkinPlace best{.body = static_cast<BodyId>(found - after.begin())};
@@ -89,7 +89,7 @@ std::optional<SkinPlace> carriedOver(const SkinPlace& place, const ContentBodies
     return nearest < std::numeric_limits<double>::max() ? std::optional(best) : std::nullopt;
 }
 
-std::vector<ObjectShare> objectShares(const SkinPlace& place, const ContentBody& body)
+std::vector<ObjectShare> objectShares(const SkinPlace& place, const FilledBody& body)
 {
     std::map<ObjectIndex, double> shares;
     for (int corner = 0; corner < 3; ++corner)

@@ -19,11 +19,6 @@ namespace knead {
 
 namespace {
 
-QString text(const std::string& sentence)
-{
-    return QString::fromStdString(sentence);
-}
-
 QString changed(int before, int after)
 {
     return before == after ? formatCount(static_cast<std::size_t>(after))
@@ -80,7 +75,7 @@ QTreeWidgetItem* rowOf(const PartExportReport& part)
     const bool isMesh = part.form == PartExportReport::Form::mesh;
     auto* row = new QTreeWidgetItem;
     row->setIcon(0, icon(part.isSound() ? "part" : "warning"));
-    row->setText(0, text(part.name));
+    row->setText(0, QString::fromStdString(part.name));
     row->setText(1, verdictOf(part));
     row->setText(2, formOf(part));
     row->setText(3, changed(part.solidsBefore, part.solidsAfter));
@@ -212,7 +207,7 @@ void ExportPanel::show(const std::vector<ExportReport>& reports)
     const QString files = reports.size() == 1 ? QFileInfo(QFile::decodeName(reports.front().file.c_str())).fileName()
                                               : tr("%1 files").arg(reports.size());
     m_summary->setText(tr("%1: %2, %3 MB in %4 s. %5")
-                           .arg(files, reports.empty() ? QString() : text(reports.front().format))
+                           .arg(files, reports.empty() ? QString() : QString::fromStdString(reports.front().format))
                            .arg(1e-6 * static_cast<double>(bytes), 0, 'g', 3)
                            .arg(seconds, 0, 'f', 1)
                            .arg(sound == parts ? tr("All parts are sound.")

@@ -57,7 +57,7 @@ ForcePanel::ForcePanel(Document& document, QAction* exportTable, QWidget* parent
 
 void ForcePanel::documentChanged(Document::Change what)
 {
-    if (what == Document::Change::Content)
+    if (what == Document::Change::Model)
         m_plot->show(ForceRecord());
     if (isVisible() && what != Document::Change::Selection && what != Document::Change::Fixtures && !m_soon->isActive())
         m_soon->start();

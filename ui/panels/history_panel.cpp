@@ -182,15 +182,21 @@ void HistoryPanel::makeFoot()
         m_document.history().setMemory(static_cast<std::size_t>(megabytes) << 20U);
     };
     allow(m_allowed->value());
-    connect(m_allowed, &QSpinBox::valueChanged, this, [allow](int megabytes) {
+    connect(m_allowed, &QSpinBox::valueChanged, this, [this, allow](int megabytes) {
         QSettings().setValue(memorySetting, megabytes);
         allow(megabytes);
+        emit allowedMemoryChanged();
     });
     row->addWidget(m_used);
     row->addWidget(new QLabel(tr("of"), foot));
     row->addWidget(m_allowed);
     row->addStretch(1);
     layout()->addWidget(foot);
+}
+
+void HistoryPanel::showAllowedMemory(int megabytes)
+{
+    m_allowed->setValue(megabytes);
 }
 
 void HistoryPanel::documentChanged(Document::Change what)

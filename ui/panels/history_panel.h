@@ -26,6 +26,11 @@ public:
 
     explicit HistoryPanel(Document& document, QWidget* parent = nullptr);
 
+    void showAllowedMemory(int megabytes); ///< for moments
+
+signals:
+    void allowedMemoryChanged();
+
 protected:
     void showEvent(QShowEvent* event) override;
 

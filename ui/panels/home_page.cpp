@@ -1,7 +1,7 @@
 #include "ui/panels/home_page.h"
 
 #include "ui/panels/picture_card.h"
-#include "ui/shell/thumbnails.h"
+#include "ui/project/thumbnails.h"
 #include "ui/theme.h"
 
 #include <QDir>

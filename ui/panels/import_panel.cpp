@@ -20,11 +20,6 @@ namespace knead {
 
 namespace {
 
-QString text(const std::string& sentence)
-{
-    return QString::fromStdString(sentence);
-}
-
 } // namespace
 
 ImportPanel::ImportPanel(QWidget* parent)
@@ -71,23 +66,23 @@ void ImportPanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange && m_content)
-        show(Content(*m_content));
+        show(FilledModel(*m_content));
 }
 
-void ImportPanel::show(const Content& content)
+void ImportPanel::show(const FilledModel& content)
 {
     m_content = content;
     setEnabled(true);
     const Model& model = *content.model;
     const std::size_t parts = model.parts.size();
     m_summary->setText(tr("%1, %2, %3 filled")
-                           .arg(model.format.empty() ? tr("several formats") : text(model.format),
+                           .arg(model.format.empty() ? tr("several formats") : QString::fromStdString(model.format),
                                 parts == 1 ? tr("1 part") : tr("%1 parts").arg(formatCount(parts)),
                                 formatCount(content.bodies.size())));
     const QSignalBlocker blocker(m_unit);
     const std::string& chosen = content.request.options.unit;
     const std::string& unit = !chosen.empty() ? chosen : !model.unit.empty() ? model.unit : "mm";
-    m_unit->setCurrentIndex(m_unit->findData(text(unit)));
+    m_unit->setCurrentIndex(m_unit->findData(QString::fromStdString(unit)));
     m_isHealed = content.request.options.heal;
     const bool wasRepaired =
         std::any_of(model.parts.begin(), model.parts.end(), [](const Part& part) { return !part.repairs.empty(); });
@@ -101,7 +96,7 @@ void ImportPanel::show(const Content& content)
     listRemarks(content);
 }
 
-void ImportPanel::listRemarks(const Content& content)
+void ImportPanel::listRemarks(const FilledModel& content)
 {
     QString rows;
     const auto add = [&rows](const QString& subject, const QString& sentence, bool isRepair = false) {
@@ -119,12 +114,12 @@ void ImportPanel::listRemarks(const Content& content)
     for (const std::string& sentence : model.warnings)
         add(tr("File"), inWords(sentence));
     for (const auto& [part, reason] : content.unfilled)
-        add(text(model.parts[part].path), tr("was not filled: %1").arg(inWords(reason)));
+        add(QString::fromStdString(model.parts[part].path), tr("was not filled: %1").arg(inWords(reason)));
     for (const Part& part : model.parts) {
         for (const std::string& sentence : part.warnings)
-            add(text(part.path), inWords(sentence));
+            add(QString::fromStdString(part.path), inWords(sentence));
         for (const std::string& sentence : part.repairs)
-            add(text(part.path), tr("Repaired: %1").arg(inWords(sentence)), true);
+            add(QString::fromStdString(part.path), tr("Repaired: %1").arg(inWords(sentence)), true);
     }
     m_hasRemarks = !rows.isEmpty();
     m_remarks->setHtml(m_hasRemarks ? "<table cellpadding=2>" + rows + "</table>"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/document/content.h"
+#include "ui/document/filled_model.h"
 
 #include <QWidget>
 
@@ -18,7 +18,7 @@ class ImportPanel final : public QWidget {
 public:
     explicit ImportPanel(QWidget* parent = nullptr);
 
-    void show(const Content& content);
+    void show(const FilledModel& content);
     /// Whether there is more to say than that all went well.
     bool hasRemarks() const { return m_hasRemarks; }
 
@@ -31,14 +31,14 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void listRemarks(const Content& content);
+    void listRemarks(const FilledModel& content);
 
     QLabel* m_summary;
     QComboBox* m_unit;
     QPushButton* m_heal;
     QPushButton* m_fill;
     QTextBrowser* m_remarks;
-    std::optional<Content> m_content; ///< that is shown
+    std::optional<FilledModel> m_content; ///< that is shown
     bool m_hasRemarks = false;
     bool m_isHealed = true;
 };

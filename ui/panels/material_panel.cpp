@@ -60,7 +60,7 @@ MaterialPanel::MaterialPanel(Document& document, MaterialStore& store, QWidget* 
     makeMaterialRows();
     makeFillingRows();
     connect(&document, &Document::changed, this, &MaterialPanel::documentChanged);
-    connect(&document, &Document::looksChanged, this, [this] {
+    connect(&document, &Document::appearanceChanged, this, [this] {
         if (m_body < m_document.content().bodies.size())
             m_name->setText(m_document.nameOfBody(m_body));
     });
@@ -162,7 +162,7 @@ void MaterialPanel::documentChanged(Document::Change what)
     if (m_document.content().bodies.empty()) // only surfaces, which have no material
         return;
     switch (what) {
-    case Document::Change::Content:
+    case Document::Change::Model:
         m_isPosted = false;
         for (QuantityField* field : {m_spacing, m_cells})
             field->restore();
@@ -194,7 +194,7 @@ void MaterialPanel::showBody()
     m_body = selection.kind == Selection::Kind::Body ? selection.id : 0;
     m_isPosted = false;
     m_postedKind.reset();
-    const ContentBody& body = *m_document.content().bodies[m_body];
+    const FilledBody& body = *m_document.content().bodies[m_body];
     m_name->setText(m_document.nameOfBody(m_body));
     m_facts->setText(tr("%1 objects, %2 connections\n%3 of material")
                          .arg(formatCount(body.aggregate->size()), formatCount(body.aggregate->connectionCount()),

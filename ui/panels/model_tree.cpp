@@ -47,7 +47,7 @@ ModelTree::ModelTree(Document& document, QWidget* parent)
     connect(delegate, &ModelTreeDelegate::renamed, this,
             [this](const QModelIndex& index, const QString& name) { rename(itemFromIndex(index), name); });
     connect(&document, &Document::changed, this, &ModelTree::documentChanged);
-    connect(&document, &Document::looksChanged, this, &ModelTree::looksChanged);
+    connect(&document, &Document::appearanceChanged, this, &ModelTree::appearanceChanged);
     connect(&document.notes(), &ModelNotes::changed, this, &ModelTree::notesChanged);
     connect(&document.selected(), &SelectionModel::changed, this, &ModelTree::showSelection);
     connect(this, &QTreeWidget::itemSelectionChanged, this, &ModelTree::selectionChanged);
@@ -58,7 +58,7 @@ void ModelTree::documentChanged(Document::Change what)
     {
         const QScopedValueRollback updating(m_isUpdating, true);
         switch (what) {
-        case Document::Change::Content:
+        case Document::Change::Model:
             beginContent();
             break;
         case Document::Change::Frame:
@@ -111,7 +111,7 @@ void ModelTree::notesChanged()
     showSelection();
 }
 
-void ModelTree::looksChanged()
+void ModelTree::appearanceChanged()
 {
     const QScopedValueRollback updating(m_isUpdating, true);
     for (QTreeWidgetItem* item : all())

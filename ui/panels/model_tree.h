@@ -92,7 +92,7 @@ private:
     void documentChanged(Document::Change what);
     void beginContent();
     void notesChanged();
-    void looksChanged();
+    void appearanceChanged();
 
     // Lines (model_tree_lines.cpp)
     void build();

@@ -178,8 +178,8 @@ void ModelTree::dress(QTreeWidgetItem* item)
     item->setText(0, name);
     item->setData(0, tree_roles::name, name);
     if (isBody)
-        item->setIcon(0, swatch(m_document.looks().partColor(model, part)));
-    if (isBody && !m_document.looks().chosenName(part).empty())
+        item->setIcon(0, swatch(m_document.appearance().partColor(model, part)));
+    if (isBody && !m_document.appearance().chosenName(part).empty())
         item->setToolTip(0, tr("In the file: %1").arg(QString::fromStdString(model.parts[part].name)));
     else if (isBody)
         item->setToolTip(0, {});

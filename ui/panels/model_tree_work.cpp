@@ -87,7 +87,7 @@ void ModelTree::colorSelected()
     const std::set<std::size_t> parts = chosenParts();
     if (parts.empty())
         return;
-    const Color now = m_document.looks().partColor(*m_document.content().model, *parts.begin());
+    const Color now = m_document.appearance().partColor(*m_document.content().model, *parts.begin());
     auto* dialog = new QColorDialog(QColor::fromRgbF(now.r, now.g, now.b), window());
     dialog->setObjectName("partColorDialog");
     dialog->setAttribute(Qt::WA_DeleteOnClose);

@@ -21,7 +21,7 @@ PressButton::PressButton(Document& document, QAction* action, QWidget* view)
     setToolButtonStyle(Qt::ToolButtonTextOnly);
     view->installEventFilter(this);
     connect(&document, &Document::changed, this, &PressButton::follow);
-    follow(Document::Change::Content);
+    follow(Document::Change::Model);
 }
 
 void PressButton::follow(Document::Change /*what*/)

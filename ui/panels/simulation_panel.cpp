@@ -1,6 +1,7 @@
 #include "ui/panels/simulation_panel.h"
 
 #include "ui/document/table_kinds.h"
+#include "ui/panels/choice_menu.h"
 #include "ui/panels/form.h"
 
 #include <QCheckBox>
@@ -180,6 +181,12 @@ void SimulationPanel::makeThreadRow(QFormLayout* form)
     form->addRow(tr("Threads"), m_threads);
 }
 
+QList<QMenu*> SimulationPanel::newMenus(QWidget* window) const
+{
+    return {menuOf(m_speed, tr("Speed"), window), menuOf(m_planet, tr("Gravity as on"), window),
+            menuOf(m_table, tr("Table"), window), menuOf(m_integrator, tr("Integrator"), window)};
+}
+
 void SimulationPanel::showThreads(int threads)
 {
     if (m_threads != nullptr)
@@ -192,8 +199,7 @@ void SimulationPanel::documentChanged(Document::Change what)
     setEnabled(isSimulated);
     if (!isSimulated)
         return;
-    if (what == Document::Change::Content ||
-        what == Document::Change::Moment) { // what was posted before is not to come
+    if (what == Document::Change::Model || what == Document::Change::Moment) { // what was posted before is not to come
         m_postedIntegrator.reset();
         m_gravityRequest = m_tableRequest = m_dampingRequest = 0;
     }

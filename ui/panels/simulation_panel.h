@@ -11,6 +11,7 @@
 
 class QAction;
 class QComboBox;
+class QMenu;
 class QFormLayout;
 class QLabel;
 
@@ -30,6 +31,9 @@ public:
 
     /// The gravity that its switch turns on: as it was last, else that of the earth, downwards [m/s^2].
     Vec3 wantedGravity() const { return m_wantedGravity; }
+
+    /// Its choices as menus. @param window that owns them
+    QList<QMenu*> newMenus(QWidget* window) const;
 
 signals:
     void speedChanged(double ratio);

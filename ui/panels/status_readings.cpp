@@ -117,6 +117,11 @@ QString StatusReadings::stepsText(const Snapshot& snapshot)
     return snapshot.stepsPerFrame == 1 ? tr("1 step/frame") : tr("%1 steps/frame").arg(snapshot.stepsPerFrame);
 }
 
+void StatusReadings::showUnits(const QString& units)
+{
+    m_units->setText(units);
+}
+
 void StatusReadings::show(const Snapshot& snapshot)
 {
     const bool isSlow = snapshot.ratio < realTime * m_speed;

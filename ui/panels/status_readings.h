@@ -20,6 +20,7 @@ public:
     explicit StatusReadings(QWidget* parent = nullptr);
 
     void show(const Snapshot& snapshot);
+    void showUnits(const QString& units); ///< of what is shown
     /// The wanted ratio of simulated to wall time: slow motion is not slowness.
     void setSpeed(double speed) { m_speed = speed; }
 

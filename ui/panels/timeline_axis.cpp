@@ -147,7 +147,7 @@ void TimelineAxis::paintFilm(QPainter& painter) const
     painter.drawRoundedRect(band(0, m_timeline.end), bandHeight / 2.0, bandHeight / 2.0);
     painter.setBrush(palette().color(QPalette::Highlight));
     const auto& pictures = m_timeline.pictures;
-    constexpr double gap = 8 * Film::interval; // thinned frames are further apart
+    constexpr double gap = 8 * PlaybackCache::interval; // thinned frames are further apart
     const auto tickAt = [&](double at) {
         const Timeline::Tick* tick = m_timeline.tickNear(at, gap);
         return tick == nullptr ? at : tick->at;

@@ -1,6 +1,7 @@
 #include "ui/panels/timeline_panel.h"
 
 #include "ui/document/entry_names.h"
+#include "ui/panels/choice_menu.h"
 #include "ui/panels/form.h"
 #include "ui/panels/timeline_axis.h"
 #include "ui/theme.h"
@@ -124,10 +125,10 @@ void TimelinePanel::addButton(QAction* action)
 
 void TimelinePanel::documentChanged(Document::Change what)
 {
-    const bool isElsewhere = what == Document::Change::Content || what == Document::Change::Moment;
+    const bool isElsewhere = what == Document::Change::Model || what == Document::Change::Moment;
     if (isElsewhere || m_document.isPlaying())
         stopLooking();
-    if (what == Document::Change::Content) { // what is on the axis fits it no longer
+    if (what == Document::Change::Model) { // what is on the axis fits it no longer
         m_axis->show({});
         showState();
     }
@@ -154,7 +155,7 @@ void TimelinePanel::lookAt(double at)
         m_document.pause();
     m_looking = at;
     m_axis->lookAt(at);
-    if (const FilmFramePointer frame = frameFor(at); frame && frame != m_seen) {
+    if (const PlaybackFramePointer frame = frameFor(at); frame && frame != m_seen) {
         m_seen = frame;
         draw();
     }
@@ -175,7 +176,7 @@ void TimelinePanel::draw()
     });
 }
 
-void TimelinePanel::drawn(const FilmFramePointer& frame, std::uint64_t look, const FramePointer& picture,
+void TimelinePanel::drawn(const PlaybackFramePointer& frame, std::uint64_t look, const FramePointer& picture,
                           const QString& caption)
 {
     m_isDrawing = false;
@@ -186,7 +187,7 @@ void TimelinePanel::drawn(const FilmFramePointer& frame, std::uint64_t look, con
 }
 
 /// Between pictures while the film is played; what stands still is one at which a branch can begin.
-FilmFramePointer TimelinePanel::frameFor(double at) const
+PlaybackFramePointer TimelinePanel::frameFor(double at) const
 {
     const Timeline& line = m_axis->timeline();
     const Timeline::Picture* picture = line.pictureAt(at);
@@ -257,6 +258,11 @@ void TimelinePanel::branchHere()
         if (picture != nullptr && !picture->isUnderWay)
             m_document.branchAt(picture->entry, picture->frame->step, picture->run);
     });
+}
+
+QMenu* TimelinePanel::newRateMenu(QWidget* window) const
+{
+    return menuOf(m_rate, tr("Speed of the film"), window);
 }
 
 void TimelinePanel::stopLooking()

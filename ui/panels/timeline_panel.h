@@ -12,6 +12,7 @@ class QAction;
 class QComboBox;
 class QElapsedTimer;
 class QLabel;
+class QMenu;
 class QTimer;
 class QToolButton;
 
@@ -33,6 +34,9 @@ public:
     /// Puts a button for an action at the end: to record.
     void addButton(QAction* action);
 
+    /// The choice of how fast it is played as a menu. @param window that owns it
+    QMenu* newRateMenu(QWidget* window) const;
+
     /// Back to the present.
     void stopLooking();
 
@@ -50,8 +54,9 @@ private:
     void bringUpToDate();
     void lookAt(double at);
     void draw();
-    void drawn(const FilmFramePointer& frame, std::uint64_t look, const FramePointer& picture, const QString& caption);
-    FilmFramePointer frameFor(double at) const;
+    void drawn(const PlaybackFramePointer& frame, std::uint64_t look, const FramePointer& picture,
+               const QString& caption);
+    PlaybackFramePointer frameFor(double at) const;
     void release(double at);
     void stepBy(int pictures);
     void togglePlay();
@@ -74,7 +79,7 @@ private:
     QTimer* m_player; ///< while the film is played
     std::unique_ptr<QElapsedTimer> m_clock;
     std::optional<double> m_looking; ///< [s] of the timeline
-    FilmFramePointer m_seen;         ///< what the view shows, or will
+    PlaybackFramePointer m_seen;     ///< what the view shows, or will
     std::uint64_t m_look = 0;        ///< goes up when one returns; pictures from before are dropped
     bool m_isDrawing = false;
     OrderedWorker m_drawing; // last: it ends first

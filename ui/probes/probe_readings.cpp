@@ -1,7 +1,7 @@
 #include "ui/probes/probe_readings.h"
 
 #include "core/mechanics/object_strain.h"
-#include "ui/document/film.h"
+#include "ui/document/playback_cache.h"
 
 #include <utility>
 
@@ -41,7 +41,7 @@ ProbeSample sampleHere(const ProbePlace& probe, const Snapshot& snapshot, bool w
 }
 
 /// The normal of the triangle that a place is on, when its body was filled.
-FreeSurface freeSurfaceAt(const SkinPlace& place, const ContentBody& body)
+FreeSurface freeSurfaceAt(const SkinPlace& place, const FilledBody& body)
 {
     const auto& [a, b, c] = body.mesh.triangles[place.triangle];
     const std::span<const Vec3> vertices = body.skin->points();
@@ -51,7 +51,7 @@ FreeSurface freeSurfaceAt(const SkinPlace& place, const ContentBody& body)
     return {FreeSurface::Kind::face, area.normalized()};
 }
 
-ProbePlace probePlace(const SkinPlace& place, const std::shared_ptr<const ContentBody>& body)
+ProbePlace probePlace(const SkinPlace& place, const std::shared_ptr<const FilledBody>& body)
 {
     const std::span<const Vec3> whenFilled = body->skin->points();
     const std::vector<Vec3> point{placeOf(place, *body, {whenFilled.begin(), whenFilled.end()})};
@@ -70,8 +70,8 @@ ProbeSample sampleOf(const ProbePlace& probe, const Snapshot& snapshot, bool wit
     const auto& filling = snapshot.bodies[probe.id].aggregate;
     if (filling == probe.body->aggregate)
         return sampleHere(probe, snapshot, withStrains);
-    const std::shared_ptr<const ContentBody> then = filledAs(probe.body, filling);
-    ContentBodies before(probe.id + 1, probe.body);
+    const std::shared_ptr<const FilledBody> then = filledAs(probe.body, filling);
+    FilledBodies before(probe.id + 1, probe.body);
     const auto place = haveSameSurface(*then, *probe.body) ? probe.place : carriedOver(probe.place, before, {then});
     if (!place)
         return {.time = snapshot.time};
@@ -82,7 +82,7 @@ ProbeSample sampleOf(const ProbePlace& probe, const Snapshot& snapshot, bool wit
 
 } // namespace
 
-ProbePlace probePlace(const SkinPlace& place, const ContentBodies& bodies)
+ProbePlace probePlace(const SkinPlace& place, const FilledBodies& bodies)
 {
     return probePlace(place, bodies[place.body]);
 }
@@ -97,7 +97,7 @@ std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const
 }
 
 /// Only bodies with probes get their positions, in a snapshot that lives as long as this.
-std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const FilmFrame& frame, bool withStrains)
+std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const PlaybackFrame& frame, bool withStrains)
 {
     Snapshot snapshot;
     snapshot.time = frame.time;

@@ -24,7 +24,7 @@ struct ProbeSample {
 
 /// Where a probe is, as its readings need it.
 struct ProbePlace {
-    std::shared_ptr<const ContentBody> body;
+    std::shared_ptr<const FilledBody> body;
     BodyId id = 0;
     std::vector<ObjectShare> shares;
     std::shared_ptr<const SkinStress> stress; ///< of this one point
@@ -32,14 +32,15 @@ struct ProbePlace {
     Vec3 carried = Vec3::Zero(); ///< from the opened part to where it was when the body was filled [m]
 };
 /// Takes the longer the more objects the body has.
-ProbePlace probePlace(const SkinPlace& place, const ContentBodies& bodies);
+ProbePlace probePlace(const SkinPlace& place, const FilledBodies& bodies);
 
 /// One sample per probe. Any thread.
 /// @param withStrains strain and stress too, as the skin has them there (see SkinStress)
 std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const Snapshot& snapshot, bool withStrains);
 
 /// The same of a frame of the film, which knows of no stress in material that has flowed.
-struct FilmFrame;
-std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const FilmFrame& frame, bool withStrains);
+struct PlaybackFrame;
+std::vector<ProbeSample> readProbes(const std::vector<ProbePlace>& probes, const PlaybackFrame& frame,
+                                    bool withStrains);
 
 } // namespace knead

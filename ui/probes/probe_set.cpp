@@ -22,18 +22,18 @@ bool isEarlier(const ProbeSample& a, const ProbeSample& b)
 }
 
 /// The film up to the present since the last reset, evenly thinned.
-std::vector<FilmFramePointer> framesSoFar(const Timeline& timeline)
+std::vector<PlaybackFramePointer> framesSoFar(const Timeline& timeline)
 {
-    std::vector<FilmFramePointer> frames;
+    std::vector<PlaybackFramePointer> frames;
     for (const Timeline::Picture& picture : timeline.pictures)
         if (picture.at <= timeline.present)
             frames.push_back(picture.frame);
     if (frames.empty())
         return frames;
     const std::uint32_t run = frames.back()->run;
-    std::erase_if(frames, [run](const FilmFramePointer& frame) { return frame->run != run; });
+    std::erase_if(frames, [run](const PlaybackFramePointer& frame) { return frame->run != run; });
     const std::size_t stride = 1 + frames.size() / mostFilmFrames;
-    std::vector<FilmFramePointer> kept;
+    std::vector<PlaybackFramePointer> kept;
     for (std::size_t i = 0; i < frames.size(); i += stride)
         kept.push_back(frames[i]);
     return kept;
@@ -75,12 +75,12 @@ ProbeSet::ProbeSet(Document& document, QObject* parent)
 /// Nobody waits for the film any more.
 ProbeSet::~ProbeSet()
 {
-    ++m_films;
+    ++m_playbacks;
 }
 
 void ProbeSet::documentChanged(Document::Change what)
 {
-    if (what == Document::Change::Content) {
+    if (what == Document::Change::Model) {
         contentChanged();
     } else if (what == Document::Change::Filling) {
         followBodies();
@@ -96,7 +96,7 @@ void ProbeSet::documentChanged(Document::Change what)
 /// They have other objects, and where they came apart other triangles.
 void ProbeSet::followBodies()
 {
-    const ContentBodies before = std::exchange(m_bodies, m_document.content().bodies);
+    const FilledBodies before = std::exchange(m_bodies, m_document.content().bodies);
     for (Probe& probe : m_all)
         if (!haveSameSurface(*before[probe.place.body], *m_bodies[probe.place.body]))
             probe.place = carriedOver(probe.place, before, m_bodies).value_or(SkinPlace{.body = probe.place.body});
@@ -106,9 +106,9 @@ void ProbeSet::followBodies()
 /// Bodies that are filled anew keep their probes, which begin again.
 void ProbeSet::contentChanged()
 {
-    const Content& content = m_document.content();
+    const FilledModel& content = m_document.content();
     const bool isSame = std::exchange(m_model, content.model) == content.model;
-    const ContentBodies before = std::exchange(m_bodies, content.bodies);
+    const FilledBodies before = std::exchange(m_bodies, content.bodies);
     if (!isSame)
         return clear();
     std::vector<Probe> kept;
@@ -158,7 +158,7 @@ void ProbeSet::findPlaces()
 void ProbeSet::placesChanged()
 {
     ++m_generation;
-    ++m_films;
+    ++m_playbacks;
     m_isReading = false;
     m_seen = nullptr;
     findPlaces();
@@ -171,7 +171,7 @@ void ProbeSet::placesChanged()
 
 void ProbeSet::forgetAfter(double time)
 {
-    ++m_films; // what is read of one may be later
+    ++m_playbacks; // what is read of one may be later
     for (Probe& probe : m_all)
         std::erase_if(probe.samples, [time](const ProbeSample& sample) { return sample.time > time; });
     m_seen = nullptr;
@@ -200,7 +200,7 @@ void ProbeSet::take(std::uint64_t generation, const std::vector<ProbeSample>& sa
     for (std::size_t i = 0; i < m_all.size(); ++i) {
         auto& known = m_all[i].samples;
         if (!known.empty() && known.back().time > samples[i].time) // what is read of the film was later, too
-            ++m_films;
+            ++m_playbacks;
         while (!known.empty() && known.back().time >= samples[i].time) // back after a reset, or the same moment again
             known.pop_back();
         known.push_back(samples[i]);
@@ -211,13 +211,13 @@ void ProbeSet::take(std::uint64_t generation, const std::vector<ProbeSample>& sa
 
 void ProbeSet::readFilm()
 {
-    const std::vector<FilmFramePointer> frames = framesSoFar(m_document.timeline());
+    const std::vector<PlaybackFramePointer> frames = framesSoFar(m_document.timeline());
     if (frames.empty())
         return;
-    m_reading.run([this, film = ++m_films, places = m_places, frames, with = m_withStrains] {
+    m_reading.run([this, film = ++m_playbacks, places = m_places, frames, with = m_withStrains] {
         std::vector<std::vector<ProbeSample>> samples(places.size());
-        for (const FilmFramePointer& frame : frames) {
-            if (film != m_films)
+        for (const PlaybackFramePointer& frame : frames) {
+            if (film != m_playbacks)
                 return;
             const std::vector<ProbeSample> read = readProbes(places, *frame, with);
             for (std::size_t i = 0; i < read.size(); ++i)
@@ -230,7 +230,7 @@ void ProbeSet::readFilm()
 
 void ProbeSet::takeFilm(std::uint64_t film, const std::vector<std::vector<ProbeSample>>& samples)
 {
-    if (film != m_films)
+    if (film != m_playbacks)
         return;
     for (std::size_t i = 0; i < m_all.size(); ++i)
         merge(m_all[i].samples, samples[i]);

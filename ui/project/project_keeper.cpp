@@ -90,7 +90,7 @@ QString ProjectKeeper::filter() const
     return tr("Knead projects (*.%1)").arg(QString::fromStdString(m_services.ending));
 }
 
-void ProjectKeeper::open(PreparedContent parts)
+void ProjectKeeper::open(PreparedModel parts)
 {
     const QScopedValueRollback changing(m_isChanging, true);
     m_window.document.open(std::move(parts));

@@ -51,10 +51,10 @@ public:
     QString filter() const;                                   ///< "Knead projects (*.knead)"
 
     /// Shows parts that were opened: a new project without a file begins.
-    void open(PreparedContent parts);
+    void open(PreparedModel parts);
 
     /// Reads a project in the background. A failure leaves everything as it was; remedies are offered with the sentence.
-    void open(const ProjectWish& wish);
+    void open(const ProjectRequest& request);
 
     /// Writes the project in the background, where it was or where the person says.
     /// @param then called after it was saved
@@ -89,9 +89,9 @@ signals:
 
 private:
     bool isOwnFile(const std::string& path) const;
-    void offerRemedy(const ProjectWish& wish, const ReadProject& read);
+    void offerRemedy(const ProjectRequest& request, const ReadProject& read);
     void show(ReadProject read);
-    bool showContent(ReadProject& read);
+    bool showModel(ReadProject& read);
     void showView(const ProjectView& view);
     void listMissing(const std::vector<std::string>& missing);
 

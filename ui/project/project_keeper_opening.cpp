@@ -21,12 +21,12 @@ namespace knead {
 
 namespace {
 
-QString titleOf(const ProjectWish& wish)
+QString titleOf(const ProjectRequest& request)
 {
-    if (wish.recovery)
-        return ProjectKeeper::tr("Recovering %1").arg(RecoveryDialog::nameOf(*wish.recovery));
-    const QString name = QFileInfo(QFile::decodeName(wish.path.c_str())).fileName();
-    return wish.rescues ? ProjectKeeper::tr("Rescuing %1").arg(name) : ProjectKeeper::tr("Opening %1").arg(name);
+    if (request.recovery)
+        return ProjectKeeper::tr("Recovering %1").arg(RecoveryDialog::nameOf(*request.recovery));
+    const QString name = QFileInfo(QFile::decodeName(request.path.c_str())).fileName();
+    return request.rescues ? ProjectKeeper::tr("Rescuing %1").arg(name) : ProjectKeeper::tr("Opening %1").arg(name);
 }
 
 /// The program may go on in another folder, and so may the next one that recovers the work.
@@ -38,33 +38,33 @@ std::string absolute(const std::string& path)
 
 } // namespace
 
-void ProjectKeeper::open(const ProjectWish& wish)
+void ProjectKeeper::open(const ProjectRequest& request)
 {
-    ProjectWish whole = wish;
-    whole.path = absolute(wish.path);
+    ProjectRequest whole = request;
+    whole.path = absolute(request.path);
     const auto finish = [this, whole](ReadProject read) {
         if (read.obstacle == ReadProject::Obstacle::none)
             show(std::move(read));
         else
             offerRemedy(whole, read);
     };
-    ProjectWish own = whole;
-    if (isOwnFile(wish.recovery ? wish.recovery->projectFile : whole.path))
+    ProjectRequest own = whole;
+    if (isOwnFile(request.recovery ? request.recovery->projectFile : whole.path))
         own.lock = m_lock;
     const auto work = [services = m_services, packing = m_packing, own](TaskControl& control) {
         return readProjectFor(own, services, packing, control);
     };
-    if (m_window.tasks.run<ReadProject>(titleOf(wish), work, finish))
+    if (m_window.tasks.run<ReadProject>(titleOf(request), work, finish))
         emit opening();
     else
         emit problem(tr("%1 is still going on: wait for it, or cancel it with Esc.").arg(m_window.tasks.title()), {},
                      {});
 }
 
-void ProjectKeeper::offerRemedy(const ProjectWish& wish, const ReadProject& read)
+void ProjectKeeper::offerRemedy(const ProjectRequest& request, const ReadProject& read)
 {
     const bool isLocked = read.obstacle == ReadProject::Obstacle::lock;
-    ProjectWish other = wish;
+    ProjectRequest other = request;
     other.isCopy = true;
     other.rescues = !isLocked;
     emit problem(QString::fromStdString(read.sentence), isLocked ? tr("Open a copy") : tr("Rescue what is whole"),
@@ -75,7 +75,7 @@ void ProjectKeeper::show(ReadProject read)
 {
     const QString path = QFile::decodeName(read.path.c_str());
     const bool isRecovered = read.kept != nullptr;
-    if (!showContent(read))
+    if (!showModel(read))
         return;
     m_saving.reset();
     m_path = path;
@@ -109,7 +109,7 @@ void ProjectKeeper::show(ReadProject read)
 }
 
 /// @return whether it could be; else nothing has changed
-bool ProjectKeeper::showContent(ReadProject& read)
+bool ProjectKeeper::showModel(ReadProject& read)
 {
     if (read.parts) {
         open(std::move(*read.parts));

@@ -2,9 +2,10 @@
 #include "ui/project/project_keeper.h"
 
 #include "ui/dialogs/file_question.h"
+#include "ui/project/encoded_path.h"
 #include "ui/project/project_view.h"
 #include "ui/project/recent_files.h"
-#include "ui/shell/thumbnails.h"
+#include "ui/project/thumbnails.h"
 #include "ui/tasks/task_runner.h"
 #include "ui/theme.h"
 #include "ui/viewport/viewport_widget.h"
@@ -21,11 +22,6 @@
 namespace knead {
 
 namespace {
-
-std::string encoded(const QString& path)
-{
-    return QFile::encodeName(path).toStdString();
-}
 
 /// One after the other.
 std::function<void()> both(std::function<void()> first, std::function<void()> second)

@@ -23,9 +23,9 @@ ProjectCamera kept(const Camera& camera)
 
 Camera restored(const ProjectCamera& kept)
 {
-    const Vec3 sight = kept.position - kept.focalPoint;
-    const double distance = sight.norm();
-    const Vec3 right = kept.up.cross(sight);
+    const Vec3 fields = kept.position - kept.focalPoint;
+    const double distance = fields.norm();
+    const Vec3 right = kept.up.cross(fields);
     Camera camera;
     camera.perspective = kept.perspective;
     if (!std::isfinite(distance) || !kept.focalPoint.allFinite() || !(right.norm() > 0))
@@ -33,7 +33,7 @@ Camera restored(const ProjectCamera& kept)
     camera.target = kept.focalPoint;
     camera.distance = distance;
     camera.yaw = std::atan2(-right.x(), right.y());
-    camera.pitch = std::atan2(sight.z(), distance * kept.up.z());
+    camera.pitch = std::atan2(fields.z(), distance * kept.up.z());
     return camera;
 }
 

@@ -30,26 +30,26 @@ void append(std::vector<std::string>& list, std::vector<std::string> more)
     list.insert(list.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-Raw readFile(const ProjectWish& wish, const ProjectServices& services, ReadProject& result, TaskControl& control)
+Raw readFile(const ProjectRequest& request, const ProjectServices& services, ReadProject& result, TaskControl& control)
 {
-    if (wish.rescues) {
-        RescuedProject rescued = services.rescue(wish.path, control);
+    if (request.rescues) {
+        RescuedProject rescued = services.rescue(request.path, control);
         append(result.missing, std::move(rescued.missing));
         return {std::move(rescued.project), {}};
     }
-    if (!wish.isCopy) {
+    if (!request.isCopy) {
         try {
-            result.lock = wish.lock ? wish.lock : services.lock(wish.path);
+            result.lock = request.lock ? request.lock : services.lock(request.path);
         } catch (const std::runtime_error& error) {
             result.obstacle = ReadProject::Obstacle::lock;
             result.sentence = error.what();
             return {};
         }
-        result.path = wish.path;
+        result.path = request.path;
     }
     try {
         result.isSaved = true;
-        return {services.read(wish.path, control), {}};
+        return {services.read(request.path, control), {}};
     } catch (const DamagedProject& error) {
         result.obstacle = ReadProject::Obstacle::damage;
         result.sentence = error.what();
@@ -68,7 +68,8 @@ std::string said(const QString& sentence, const std::string& path)
 }
 
 /// The file of recovered work may have been written since, or be another window's by now: then the work has none.
-void takeFileOf(const WorkState& state, const ProjectWish& wish, const ProjectServices& services, ReadProject& result)
+void takeFileOf(const WorkState& state, const ProjectRequest& request, const ProjectServices& services,
+                ReadProject& result)
 {
     if (state.projectFile.empty())
         return;
@@ -79,7 +80,7 @@ void takeFileOf(const WorkState& state, const ProjectWish& wish, const ProjectSe
         return;
     }
     try {
-        result.lock = wish.lock ? wish.lock : services.lock(state.projectFile);
+        result.lock = request.lock ? request.lock : services.lock(state.projectFile);
         result.path = state.projectFile;
     } catch (const std::runtime_error& error) {
         result.sentence = error.what();
@@ -99,12 +100,13 @@ void letGoOfFile(ReadProject& result)
     result.lock.reset();
 }
 
-Raw readRecovery(const ProjectWish& wish, const ProjectServices& services, ReadProject& result, TaskControl& control)
+Raw readRecovery(const ProjectRequest& request, const ProjectServices& services, ReadProject& result,
+                 TaskControl& control)
 {
-    result.kept = services.takeOver(*wish.recovery);
+    result.kept = services.takeOver(*request.recovery);
     RecoveredWork work = result.kept->read(control);
     append(result.missing, std::move(work.missing));
-    takeFileOf(work.state, wish, services, result);
+    takeFileOf(work.state, request, services, result);
     return {std::move(work.project), std::move(work.state)};
 }
 
@@ -139,16 +141,17 @@ void prepare(Project project, const Packing& packing, ReadProject& result, TaskC
 
 } // namespace
 
-ReadProject readProjectFor(const ProjectWish& wish, const ProjectServices& services, const Packing& packing,
+ReadProject readProjectFor(const ProjectRequest& request, const ProjectServices& services, const Packing& packing,
                            TaskControl& control)
 {
     ReadProject result;
     TaskPortion reading(control, 0, readingShare);
-    Raw raw = wish.recovery ? readRecovery(wish, services, result, reading) : readFile(wish, services, result, reading);
+    Raw raw = request.recovery ? readRecovery(request, services, result, reading)
+                               : readFile(request, services, result, reading);
     if (result.obstacle != ReadProject::Obstacle::none)
         return result;
     Project project;
-    if (wish.recovery || wish.rescues) {
+    if (request.recovery || request.rescues) {
         TaskPortion mending(control, readingShare, mendingShare);
         project = mended(std::move(raw), packing, result, mending);
     } else
@@ -159,14 +162,14 @@ ReadProject readProjectFor(const ProjectWish& wish, const ProjectServices& servi
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
-        if (wish.recovery || wish.rescues)
+        if (request.recovery || request.rescues)
             throw;
         result.obstacle = ReadProject::Obstacle::damage;
         result.sentence = ReadWords::tr("%1: what was seen last cannot be shown. %2 What is whole can be rescued.")
-                              .arg(QString::fromStdString(nameOf(wish.path)), QString::fromStdString(error.what()))
+                              .arg(QString::fromStdString(nameOf(request.path)), QString::fromStdString(error.what()))
                               .toStdString();
     }
-    if (wish.recovery && !result.missing.empty())
+    if (request.recovery && !result.missing.empty())
         letGoOfFile(result);
     return result;
 }

@@ -12,7 +12,7 @@
 namespace knead {
 
 /// Which project is wanted, and how.
-struct ProjectWish {
+struct ProjectRequest {
     std::string path;                 ///< of the file; empty for a recovery
     std::optional<Recovery> recovery; ///< instead of a file
     bool isCopy = false;              ///< without the name and the lock of the file
@@ -33,7 +33,7 @@ struct ReadProject {
     bool isSaved = false;             ///< nothing differs from the file
 
     std::optional<PreparedProject> project;
-    std::optional<PreparedContent> parts; ///< instead, when only they are whole
+    std::optional<PreparedModel> parts; ///< instead, when only they are whole
     ProjectView view;
     std::vector<ProjectMark> marks;
     std::map<std::string, std::string> panels;
@@ -41,7 +41,7 @@ struct ReadProject {
 
 /// Reads a project and prepares what it shows. Runs on a task thread.
 /// @throws std::runtime_error with a sentence about what has no remedy; Cancelled
-ReadProject readProjectFor(const ProjectWish& wish, const ProjectServices& services, const Packing& packing,
+ReadProject readProjectFor(const ProjectRequest& request, const ProjectServices& services, const Packing& packing,
                            TaskControl& control);
 
 } // namespace knead

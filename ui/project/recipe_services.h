@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/document/project.h"
-#include "core/simulation/agenda.h"
+#include "core/simulation/scripted_events.h"
 #include "core/task/task_control.h"
 #include "ui/document/face_fixture.h"
 
@@ -18,7 +18,7 @@ struct RecipeStart {
     ImportChoices choices; ///< that lead to the model; without paths where no choices do
     ProjectStart start;
     std::vector<FaceFixture> fixtures; ///< with faces: of its start and of its events
-    AgendaMaker agenda;
+    ScriptedEventsMaker script;
     std::vector<std::string> warnings; ///< sentences for the person
 };
 

@@ -17,7 +17,7 @@ double Recording::placeOf(std::size_t picture) const
     return from + static_cast<double>(picture) * speed / rate;
 }
 
-void record(const Recording& recording, const Timeline& line, const Content& content, const Drawing& draw,
+void record(const Recording& recording, const Timeline& line, const FilledModel& content, const Drawing& draw,
             FilmWriter& writer, TaskControl& control)
 {
     const std::size_t count = recording.pictures();

@@ -31,7 +31,7 @@ using Drawing = std::function<QImage(const FramePointer& frame, double at)>;
 
 /// Draws the pictures one after the other, and writes them. Runs on a task thread.
 /// @throws what drawing and writer throw; Cancelled
-void record(const Recording& recording, const Timeline& line, const Content& content, const Drawing& draw,
+void record(const Recording& recording, const Timeline& line, const FilledModel& content, const Drawing& draw,
             FilmWriter& writer, TaskControl& control);
 
 } // namespace knead

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double edgeReach = 0.87; // [a]: half the diagonal of a cell, so that no edge passes between objects
 
-double areaOf(const ContentBody& body, const BodyFrame& frame, const Region::Items& faces)
+double areaOf(const FilledBody& body, const BodyFrame& frame, const Region::Items& faces)
 {
     const RenderMesh& mesh = body.render;
     double sum = 0;
@@ -28,7 +28,7 @@ double areaOf(const ContentBody& body, const BodyFrame& frame, const Region::Ite
     return sum;
 }
 
-double volumeOf(const ContentBody& body, const BodyFrame& frame)
+double volumeOf(const FilledBody& body, const BodyFrame& frame)
 {
     const Vec3 origin = frame.places.front(); // near, for the sake of rounding
     double sum = 0;
@@ -37,7 +37,7 @@ double volumeOf(const ContentBody& body, const BodyFrame& frame)
     return sum;
 }
 
-double lengthOfEdges(const ContentBody& body, const BodyFrame& frame, const Region::Items& chains)
+double lengthOfEdges(const FilledBody& body, const BodyFrame& frame, const Region::Items& chains)
 {
     double sum = 0;
     for (std::size_t e = 0; e < body.render.edges.size(); ++e)
@@ -62,7 +62,7 @@ double distanceToSegment(const Vec3& place, const Vec3& a, const Vec3& b)
 }
 
 /// Only nodes around the short pieces of edges are looked at.
-std::vector<ObjectIndex> objectsAtEdges(const ContentBody& body, const Region::Items& chains)
+std::vector<ObjectIndex> objectsAtEdges(const FilledBody& body, const Region::Items& chains)
 {
     const Lattice& lattice = body.aggregate->lattice;
     std::vector<ObjectIndex> objects;
@@ -87,7 +87,7 @@ std::vector<ObjectIndex> objectsAtEdges(const ContentBody& body, const Region::I
     return objects;
 }
 
-std::vector<ObjectIndex> objectsOf(const ContentBody& body, const Model& model, Level level, const Region::Items& items)
+std::vector<ObjectIndex> objectsOf(const FilledBody& body, const Model& model, Level level, const Region::Items& items)
 {
     std::vector<ObjectIndex> objects;
     switch (level) {
@@ -153,11 +153,11 @@ struct Words {
 
 } // namespace
 
-RegionSize sizeOf(const Region& region, const Content& content, const Frame& now)
+RegionSize sizeOf(const Region& region, const FilledModel& content, const Frame& now)
 {
     RegionSize size{.count = region.count()};
     for (const auto& [id, items] : region.items) {
-        const ContentBody& body = *content.bodies[id];
+        const FilledBody& body = *content.bodies[id];
         const BodyFrame& frame = *now.bodies[id];
         switch (region.level) {
         case Level::Part:
@@ -209,7 +209,7 @@ QString wordsFor(const Region& region, const RegionSize& size)
         .replace("%2", formatReading(size.length, Quantity::Length));
 }
 
-std::map<BodyId, std::vector<ObjectIndex>> objectsOf(const Region& region, const Content& content)
+std::map<BodyId, std::vector<ObjectIndex>> objectsOf(const Region& region, const FilledModel& content)
 {
     std::map<BodyId, std::vector<ObjectIndex>> result;
     for (const auto& [id, items] : region.items)
@@ -218,7 +218,7 @@ std::map<BodyId, std::vector<ObjectIndex>> objectsOf(const Region& region, const
     return result;
 }
 
-Region objectsWithin(const Region& region, double distance, const Content& content, const Frame& now)
+Region objectsWithin(const Region& region, double distance, const FilledModel& content, const Frame& now)
 {
     Cells cells(std::max(distance, content.spacing / 2));
     for (const auto& [id, objects] : objectsOf(region, content))
@@ -266,7 +266,7 @@ std::vector<ConnectionId> allConnections(const Aggregate& aggregate)
     return connections;
 }
 
-std::vector<ConnectionId> surfaceConnections(const ContentBody& body)
+std::vector<ConnectionId> surfaceConnections(const FilledBody& body)
 {
     std::vector<bool> isSeen(body.aggregate->size(), false);
     for (const ObjectIndex object : body.surfaceObjects)
@@ -279,7 +279,7 @@ std::vector<ConnectionId> surfaceConnections(const ContentBody& body)
     return connections;
 }
 
-bool hasFaces(const Content& content, BodyId body)
+bool hasFaces(const FilledModel& content, BodyId body)
 {
     return !content.model->parts[content.bodies[body]->part].faces.empty();
 }

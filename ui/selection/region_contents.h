@@ -17,17 +17,17 @@ struct RegionSize {
     double area = 0;   ///< of faces, now [m^2]
     double volume = 0; ///< of parts, now; of objects, their share of the body at rest [m^3]
 };
-RegionSize sizeOf(const Region& region, const Content& content, const Frame& now);
+RegionSize sizeOf(const Region& region, const FilledModel& content, const Frame& now);
 
 /// "3 faces, 12.4 cm²"
 QString wordsFor(const Region& region, const RegionSize& size);
 
 /// Objects that belong to a region, per body, ascending: at faces as fixtures hold them; within a spacing of edges; both ends of
 /// connections. All of them for a part.
-std::map<BodyId, std::vector<ObjectIndex>> objectsOf(const Region& region, const Content& content);
+std::map<BodyId, std::vector<ObjectIndex>> objectsOf(const Region& region, const FilledModel& content);
 
 /// All objects that lie no farther than this from those of a region, now [m]; bodies that touch take part too. Any thread.
-Region objectsWithin(const Region& region, double distance, const Content& content, const Frame& now);
+Region objectsWithin(const Region& region, double distance, const FilledModel& content, const Frame& now);
 
 /// The two ends of a connection.
 std::array<ObjectIndex, 2> endsOf(const Aggregate& aggregate, const ConnectionId& connection);
@@ -37,9 +37,9 @@ bool isConnection(const Aggregate& aggregate, Region::Item item);
 
 /// All structural connections, and those whose two ends a person can see.
 std::vector<ConnectionId> allConnections(const Aggregate& aggregate);
-std::vector<ConnectionId> surfaceConnections(const ContentBody& body);
+std::vector<ConnectionId> surfaceConnections(const FilledBody& body);
 
 /// Whether parts have CAD faces that can be told apart.
-bool hasFaces(const Content& content, BodyId body);
+bool hasFaces(const FilledModel& content, BodyId body);
 
 } // namespace knead

@@ -39,7 +39,7 @@ SelectionModel::SelectionModel(Document& document)
     , m_document(document)
 {
     connect(&document, &Document::changed, this, [this](Document::Change what) {
-        if (what == Document::Change::Content) {
+        if (what == Document::Change::Model) {
             m_region = {};
             follow();
             emit changed();

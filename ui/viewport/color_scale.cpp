@@ -68,19 +68,20 @@ bool hasSign(SurfaceQuantity quantity)
     return quantity == SurfaceQuantity::distance;
 }
 
-ColorScale colorScale(const Sight& sight, const ColorOptions& options, const std::function<bool(std::size_t)>& isShown)
+ColorScale colorScale(const SurfaceFields& fields, const ColorOptions& options,
+                      const std::function<bool(std::size_t)>& isShown)
 {
-    ColorScale scale{.quantity = *sight.wish.quantity, .isKnown = sight.isKnown};
-    scale.errorShare = roundedUp(sight.errorShare);
+    ColorScale scale{.quantity = *fields.request.quantity, .isKnown = fields.isKnown};
+    scale.errorShare = roundedUp(fields.errorShare);
     scale.map = hasSign(scale.quantity) ? ColorMap::diverging : options.map;
     if (options.range) {
         std::tie(scale.least, scale.most) = *options.range;
         return scale;
     }
     double most = lookOf(scale.quantity).least;
-    for (std::size_t b = 0; b < sight.values.size(); ++b)
+    for (std::size_t b = 0; b < fields.values.size(); ++b)
         if (isShown(b))
-            for (const float value : sight.values[b])
+            for (const float value : fields.values[b])
                 most = std::max(most, std::abs(static_cast<double>(value)));
     scale.most = roundedUp(most);
     scale.least = hasSign(scale.quantity) ? -scale.most : 0;

@@ -2,7 +2,7 @@
 
 #include "ui/units.h"
 #include "ui/viewport/color_map.h"
-#include "ui/viewport/sight.h"
+#include "ui/viewport/surface_fields.h"
 
 #include <QString>
 
@@ -39,7 +39,8 @@ struct ColorScale {
 
 /// Of what is shown; an automatic range begins and ends at round numbers, so that it stays while numbers change a little.
 /// @param isShown whether a body counts, by its number
-ColorScale colorScale(const Sight& sight, const ColorOptions& options, const std::function<bool(std::size_t)>& isShown);
+ColorScale colorScale(const SurfaceFields& fields, const ColorOptions& options,
+                      const std::function<bool(std::size_t)>& isShown);
 
 /// The next number of two digits above that is easy to read, 0 for 0. @param value not negative
 double roundedUp(double value);

@@ -47,7 +47,7 @@ Manipulation::Manipulation(Document& document, QObject* parent)
 {
     connect(&document, &Document::stopping, this, &Manipulation::releaseKeys);
     connect(&document, &Document::changed, this, [this](Document::Change what) {
-        if (what != Document::Change::Content)
+        if (what != Document::Change::Model)
             return;
         m_picker.forget();
         m_drag.reset();

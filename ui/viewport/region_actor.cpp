@@ -93,7 +93,7 @@ bool RegionActor::isShown() const
     return m_parts->lineActor->GetVisibility() != 0 || m_parts->objectActor->GetVisibility() != 0;
 }
 
-void RegionActor::show(const Region& region, const ContentBodies& bodies, const Frame& frame, double scale)
+void RegionActor::show(const Region& region, const FilledBodies& bodies, const Frame& frame, double scale)
 {
     hide();
     if (region.isEmpty())
@@ -104,7 +104,7 @@ void RegionActor::show(const Region& region, const ContentBodies& bodies, const 
         addObjects(region, bodies, frame, scale);
 }
 
-void RegionActor::addLines(const Region& region, const ContentBodies& bodies, const Frame& frame)
+void RegionActor::addLines(const Region& region, const FilledBodies& bodies, const Frame& frame)
 {
     m_ends.clear();
     const auto add = [&](const Vec3& a, const Vec3& b) {
@@ -113,7 +113,7 @@ void RegionActor::addLines(const Region& region, const ContentBodies& bodies, co
                 m_ends.push_back(static_cast<float>(value));
     };
     for (const auto& [id, items] : region.items) {
-        const ContentBody& body = *bodies[id];
+        const FilledBody& body = *bodies[id];
         const std::vector<Vec3>& skin = frame.bodies[id]->places;
         const std::vector<Vec3>& objects = frame.snapshot->bodies[id].positions;
         if (region.level == Level::Face) {
@@ -149,7 +149,7 @@ void RegionActor::addLines(const Region& region, const ContentBodies& bodies, co
 
 /// Around faces that lie side by side there is one line.
 const std::vector<std::array<std::uint32_t, 2>>&
-RegionActor::outlineOf(BodyId id, const std::shared_ptr<const ContentBody>& body, const Region::Items& faces)
+RegionActor::outlineOf(BodyId id, const std::shared_ptr<const FilledBody>& body, const Region::Items& faces)
 {
     Outline& outline = m_outlines[id];
     if (outline.body.lock() == body && outline.faces == faces)
@@ -176,7 +176,7 @@ RegionActor::outlineOf(BodyId id, const std::shared_ptr<const ContentBody>& body
     return outline.lines;
 }
 
-void RegionActor::addObjects(const Region& region, const ContentBodies& bodies, const Frame& frame, double scale)
+void RegionActor::addObjects(const Region& region, const FilledBodies& bodies, const Frame& frame, double scale)
 {
     m_parts->objectPoints->Reset();
     double spacing = 0;

@@ -26,20 +26,20 @@ public:
     void setColor(const Color& color);
     void setClipping(vtkPlaneCollection* planes); ///< as SkinActor
     /// @param scale of objects, in their usual radii
-    void show(const Region& region, const ContentBodies& bodies, const Frame& frame, double scale);
+    void show(const Region& region, const FilledBodies& bodies, const Frame& frame, double scale);
     void hide();
     bool isShown() const;
 
 private:
     struct Parts;
-    void addLines(const Region& region, const ContentBodies& bodies, const Frame& frame);
-    const std::vector<std::array<std::uint32_t, 2>>&
-    outlineOf(BodyId id, const std::shared_ptr<const ContentBody>& body, const Region::Items& faces);
-    void addObjects(const Region& region, const ContentBodies& bodies, const Frame& frame, double scale);
+    void addLines(const Region& region, const FilledBodies& bodies, const Frame& frame);
+    const std::vector<std::array<std::uint32_t, 2>>& outlineOf(BodyId id, const std::shared_ptr<const FilledBody>& body,
+                                                               const Region::Items& faces);
+    void addObjects(const Region& region, const FilledBodies& bodies, const Frame& frame, double scale);
 
     /// Found once, as long as body and faces stay the same.
     struct Outline {
-        std::weak_ptr<const ContentBody> body; ///< does not keep a part that is gone
+        std::weak_ptr<const FilledBody> body; ///< does not keep a part that is gone
         Region::Items faces;
         std::vector<std::array<std::uint32_t, 2>> lines; ///< of vertices of the mesh
     };

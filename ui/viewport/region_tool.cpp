@@ -23,12 +23,12 @@ double distance(const Pixel& a, const Pixel& b)
 RegionTool::RegionTool(Document& document, ScenePicker& picker, QObject* parent)
     : QObject(parent)
     , m_document(document)
-    , m_sight(document, picker)
+    , m_fields(document, picker)
 {
     connect(&document, &Document::changed, this, [this](Document::Change what) {
-        if (what != Document::Change::Content)
+        if (what != Document::Change::Model)
             return;
-        m_sight.forget();
+        m_fields.forget();
         giveUp(); // what was selected before is not there any more
         setHovered({});
     });
@@ -56,7 +56,7 @@ void RegionTool::press(const Pixel& pixel, Qt::KeyboardModifiers modifiers)
     const SelectionModel& selected = m_document.selected();
     m_press = Press{.start = pixel, .last = pixel, .modifiers = modifiers, .before = selected.region()};
     // On a part a drag may mean to move it.
-    m_press->canDraw = selected.level() != Level::Part || m_sight.at(Level::Part, pixel).isEmpty();
+    m_press->canDraw = selected.level() != Level::Part || m_fields.at(Level::Part, pixel).isEmpty();
     if (m_shape == RegionShape::Brush && selected.level() != Level::Part) {
         m_press->isDrawing = true;
         m_cursor = pixel;
@@ -102,9 +102,9 @@ void RegionTool::release()
     }
     if (m_press->isDrawing) {
         const ScreenShape shape = std::exchange(m_drawn, {});
-        select(m_sight.within(shape, query()));
+        select(m_fields.within(shape, query()));
     } else {
-        select(m_sight.at(m_document.selected().level(), m_press->start));
+        select(m_fields.at(m_document.selected().level(), m_press->start));
     }
     m_press.reset();
     emit drawnChanged();
@@ -133,10 +133,10 @@ void RegionTool::giveUp()
 void RegionTool::paint(const Pixel& from, const Pixel& to)
 {
     using How = SelectionModel::How;
-    const RegionSight::Query wanted = query();
-    Region found = m_sight.within(strokeShape(from, to, m_brushRadius), wanted);
+    const RegionView::Query wanted = query();
+    Region found = m_fields.within(strokeShape(from, to, m_brushRadius), wanted);
     if (wanted.level == Level::Face) // one that is wider than the brush has no corner under it
-        found = united(found, m_sight.along(wanted.level, from, to, m_brushRadius));
+        found = united(found, m_fields.along(wanted.level, from, to, m_brushRadius));
     if (!found.isEmpty())
         m_document.selected().select(found, m_press->modifiers & Qt::ShiftModifier ? How::Remove : How::Add);
 }
@@ -152,7 +152,7 @@ void RegionTool::select(const Region& region)
         m_document.selected().select(region, how);
 }
 
-RegionSight::Query RegionTool::query() const
+RegionView::Query RegionTool::query() const
 {
     const SelectionModel& selected = m_document.selected();
     return {.level = selected.level(),
@@ -170,7 +170,7 @@ void RegionTool::hover(const Pixel& pixel)
     m_cursor = pixel;
     if (brush())
         emit drawnChanged();
-    setHovered(brush() ? Region{} : m_sight.at(m_document.selected().level(), pixel));
+    setHovered(brush() ? Region{} : m_fields.at(m_document.selected().level(), pixel));
 }
 
 void RegionTool::leave()

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/selection/selection_model.h"
-#include "ui/viewport/region_sight.h"
+#include "ui/viewport/region_view.h"
 
 #include <QObject>
 
@@ -20,7 +20,7 @@ class RegionTool final : public QObject {
 public:
     RegionTool(Document& document, ScenePicker& picker, QObject* parent = nullptr);
 
-    RegionSight& sight() { return m_sight; }
+    RegionView& fields() { return m_fields; }
     RegionShape shape() const { return m_shape; }
     void setShape(RegionShape shape);
     double brushRadius() const { return m_brushRadius; } ///< [pixels]
@@ -63,10 +63,10 @@ private:
     void giveUp();
     void paint(const Pixel& from, const Pixel& to);
     void select(const Region& region);
-    RegionSight::Query query() const;
+    RegionView::Query query() const;
 
     Document& m_document;
-    RegionSight m_sight;
+    RegionView m_fields;
     RegionShape m_shape = RegionShape::Rectangle;
     double m_brushRadius = 24; // [pixels]
     std::optional<Press> m_press;

@@ -1,7 +1,7 @@
 // What lies within a shape on the screen.
 #include "core/task/parallel.h"
 #include "ui/selection/region_contents.h"
-#include "ui/viewport/region_sight.h"
+#include "ui/viewport/region_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ struct Tally {
 
 } // namespace
 
-Region RegionSight::within(const ScreenShape& shape, const Query& query)
+Region RegionView::within(const ScreenShape& shape, const Query& query)
 {
     Region region;
     region.level = query.level;
@@ -60,14 +60,14 @@ Region RegionSight::within(const ScreenShape& shape, const Query& query)
     return query.level == Level::Face && !query.isWhole ? united(region, facesUnder(shape)) : region;
 }
 
-bool RegionSight::isWithin(const Vec3& place, const ScreenShape& shape) const
+bool RegionView::isWithin(const Vec3& place, const ScreenShape& shape) const
 {
     const std::optional<Pixel> pixel = projector()(place);
     return pixel && contains(shape, *pixel);
 }
 
 /// Per render vertex.
-std::vector<bool> RegionSight::verticesWithin(BodyId body, const ScreenShape& shape) const
+std::vector<bool> RegionView::verticesWithin(BodyId body, const ScreenShape& shape) const
 {
     const BodyFrame& frame = *m_document.frame()->bodies[body];
     const Projector project = projector();
@@ -79,7 +79,7 @@ std::vector<bool> RegionSight::verticesWithin(BodyId body, const ScreenShape& sh
     return result;
 }
 
-Region::Items RegionSight::partWithin(BodyId body, const ScreenShape& shape, const Query& query) const
+Region::Items RegionView::partWithin(BodyId body, const ScreenShape& shape, const Query& query) const
 {
     const std::vector<bool> within = verticesWithin(body, shape);
     const auto isIn = [](bool is) { return is; };
@@ -88,7 +88,7 @@ Region::Items RegionSight::partWithin(BodyId body, const ScreenShape& shape, con
     return isChosen ? Region::Items{0} : Region::Items{};
 }
 
-Region::Items RegionSight::facesWithin(BodyId body, const ScreenShape& shape, const Query& query)
+Region::Items RegionView::facesWithin(BodyId body, const ScreenShape& shape, const Query& query)
 {
     if (!hasFaces(m_document.content(), body))
         return {};
@@ -119,7 +119,7 @@ Region::Items RegionSight::facesWithin(BodyId body, const ScreenShape& shape, co
     return faces;
 }
 
-bool RegionSight::isFaceSeen(BodyId body, std::uint32_t face, const std::vector<std::uint32_t>& triangles)
+bool RegionView::isFaceSeen(BodyId body, std::uint32_t face, const std::vector<std::uint32_t>& triangles)
 {
     const RenderMesh& mesh = m_document.content().bodies[body]->render;
     const BodyFrame& frame = *m_document.frame()->bodies[body];
@@ -136,7 +136,7 @@ bool RegionSight::isFaceSeen(BodyId body, std::uint32_t face, const std::vector<
 }
 
 /// What rays through the shape meet first: a small shape on a large face has none of its vertices in it.
-Region RegionSight::facesUnder(const ScreenShape& shape)
+Region RegionView::facesUnder(const ScreenShape& shape)
 {
     const Eigen::AlignedBox2d box = boxOf(shape);
     Region region;
@@ -152,7 +152,7 @@ Region RegionSight::facesUnder(const ScreenShape& shape)
     return region;
 }
 
-Region RegionSight::along(Level level, const Pixel& from, const Pixel& to, double step)
+Region RegionView::along(Level level, const Pixel& from, const Pixel& to, double step)
 {
     const int steps = std::max(1, static_cast<int>(std::ceil(std::hypot(to.x - from.x, to.y - from.y) / step)));
     Region region;
@@ -164,7 +164,7 @@ Region RegionSight::along(Level level, const Pixel& from, const Pixel& to, doubl
     return region;
 }
 
-Region::Items RegionSight::edgesWithin(BodyId body, const ScreenShape& shape, const Query& query)
+Region::Items RegionView::edgesWithin(BodyId body, const ScreenShape& shape, const Query& query)
 {
     const RenderMesh& mesh = m_document.content().bodies[body]->render;
     const BodyFrame& frame = *m_document.frame()->bodies[body];
@@ -195,9 +195,9 @@ Region::Items RegionSight::edgesWithin(BodyId body, const ScreenShape& shape, co
     return edges;
 }
 
-Region::Items RegionSight::objectsWithin(BodyId body, const ScreenShape& shape, const Query& query)
+Region::Items RegionView::objectsWithin(BodyId body, const ScreenShape& shape, const Query& query)
 {
-    const ContentBody& content = *m_document.content().bodies[body];
+    const FilledBody& content = *m_document.content().bodies[body];
     const std::vector<Vec3>& places = m_document.frame()->snapshot->bodies[body].positions;
     const Projector project = projector();
     Region::Items objects;
@@ -228,7 +228,7 @@ Region::Items RegionSight::objectsWithin(BodyId body, const ScreenShape& shape, 
 }
 
 /// By their middles, or by both ends. Those inside are no more than clutter when one looks at the skin.
-Region::Items RegionSight::connectionsWithin(BodyId body, const ScreenShape& shape, const Query& query)
+Region::Items RegionView::connectionsWithin(BodyId body, const ScreenShape& shape, const Query& query)
 {
     const Aggregate& aggregate = *m_document.content().bodies[body]->aggregate;
     const std::vector<Vec3>& places = m_document.frame()->snapshot->bodies[body].positions;

@@ -14,7 +14,7 @@ struct PickHit {
     enum class Kind { Nothing, Body, Tool, Cut }; ///< cut: where a section plane opens a body; there is no face
     Kind kind = Kind::Nothing;
     std::uint32_t id = 0;       ///< BodyId or ToolId
-    std::uint32_t triangle = 0; ///< of ContentBody::mesh
+    std::uint32_t triangle = 0; ///< of FilledBody::mesh
     std::uint32_t face = 0;     ///< CAD face
     Vec3 place = Vec3::Zero();  ///< [m]
 };
@@ -46,7 +46,7 @@ public:
 private:
     const Document& m_document;
     FramePointer m_frame; ///< the trees fit to this one
-    ContentBodies m_bodies;
+    FilledBodies m_bodies;
     std::set<std::size_t> m_hiddenParts;
     std::optional<CutPlane> m_cut;
     std::vector<std::unique_ptr<SurfacePicker>> m_pickers;

@@ -38,8 +38,8 @@ SceneView::SceneView(vtkRenderWindow* window)
     m_parts->grid = std::make_unique<GridActor>(m_parts->renderer);
     m_parts->grid->setVisible(false);
     m_parts->openEdges = std::make_unique<OpenEdgesActor>(m_parts->renderer);
-    m_parts->sight = std::make_unique<SightActors>(m_parts->renderer);
-    m_parts->openEdges->setClipping(m_parts->sight->clippingOfStill());
+    m_parts->fields = std::make_unique<SurfaceFieldActors>(m_parts->renderer);
+    m_parts->openEdges->setClipping(m_parts->fields->clippingOfStill());
     setStyle(m_style);
 }
 
@@ -62,7 +62,7 @@ void SceneView::addLights()
     }
 }
 
-void SceneView::setContent(const Content& content)
+void SceneView::setModel(const FilledModel& content)
 {
     m_model = content.model;
     m_bodies = content.bodies;
@@ -70,9 +70,9 @@ void SceneView::setContent(const Content& content)
     m_restBox = content.box;
     m_frame = nullptr;
     m_marks = {};
-    m_sight = nullptr;
+    m_fields = nullptr;
     m_scale.reset();
-    m_parts->sight->setContent(content);
+    m_parts->fields->setModel(content);
     m_parts->skins.clear();
     m_parts->surfaces.clear();
     m_parts->objects.clear();
@@ -84,12 +84,12 @@ void SceneView::setContent(const Content& content)
         m_parts->surfaces.back()->show(surface->frame);
     }
     for (const auto& skin : m_parts->skins)
-        skin->setClipping(m_parts->sight->clipping());
+        skin->setClipping(m_parts->fields->clipping());
     for (const auto& surface : m_parts->surfaces)
-        surface->setClipping(m_parts->sight->clippingOfStill());
+        surface->setClipping(m_parts->fields->clippingOfStill());
     for (Parts::Regions* regions : {m_parts->within.get(), m_parts->inFront.get()})
         for (RegionActor* actor : {&regions->selected, &regions->hovered})
-            actor->setClipping(m_parts->sight->clipping());
+            actor->setClipping(m_parts->fields->clipping());
     m_gridHeight = m_restBox.min().z();
     layGrid();
     colorBodies();
@@ -103,9 +103,9 @@ void SceneView::showFrame(const FramePointer& frame)
     const bool hasMoved = !m_frame || m_frame->bodies != frame->bodies;
     m_frame = frame;
     if (m_bodies != frame->filled) {
-        const ContentBodies before = std::exchange(m_bodies, frame->filled);
+        const FilledBodies before = std::exchange(m_bodies, frame->filled);
         m_parts->objects.clear();
-        m_parts->sight->setBodies(m_bodies);
+        m_parts->fields->setBodies(m_bodies);
         takeSurfaces(before);
     }
     if (hasMoved) {
@@ -114,7 +114,7 @@ void SceneView::showFrame(const FramePointer& frame)
         showObjects();
         showRegions();
     }
-    m_parts->sight->showFrame(frame);
+    m_parts->fields->showFrame(frame);
     showTools();
     const double height = frame->snapshot->floorHeight.value_or(m_restBox.min().z());
     if (height != m_gridHeight) {
@@ -124,14 +124,14 @@ void SceneView::showFrame(const FramePointer& frame)
 }
 
 /// Of bodies that came apart, or are whole again.
-void SceneView::takeSurfaces(const ContentBodies& before)
+void SceneView::takeSurfaces(const FilledBodies& before)
 {
     bool isAny = false;
     for (std::size_t b = 0; b < m_bodies.size(); ++b) {
         if (haveSameSurface(*before[b], *m_bodies[b]))
             continue;
         m_parts->skins[b] = std::make_unique<SkinActor>(m_bodies[b], m_parts->renderer);
-        m_parts->skins[b]->setClipping(m_parts->sight->clipping());
+        m_parts->skins[b]->setClipping(m_parts->fields->clipping());
         m_parts->skins[b]->show(*m_frame->bodies[b]);
         isAny = true;
     }
@@ -148,7 +148,7 @@ void SceneView::setStyle(const SceneStyle& style)
     m_parts->renderer->SetBackground2(style.top.r, style.top.g, style.top.b);
     m_parts->cube->setStyle(style);
     m_parts->openEdges->setColor(style.openEdge);
-    m_parts->sight->setStyle(style);
+    m_parts->fields->setStyle(style);
     layGrid();
     colorBodies();
     colorRegions();
@@ -167,13 +167,13 @@ void SceneView::setOptions(const SceneOptions& options)
         m_parts->objects.clear();
     if (otherParts)
         showOpenEdges();
-    m_parts->sight->setOptions(options);
+    m_parts->fields->setOptions(options);
     showBodies();
     showObjects();
     showRegions();
     layGrid();
     if (otherColors)
-        setSight(m_sight);
+        setSurfaceFields(m_fields);
     if (m_frame)
         showTools();
 }
@@ -183,10 +183,10 @@ bool SceneView::isGlass() const
     return m_options.objects != ObjectDisplay::Off || m_options.connections;
 }
 
-void SceneView::setLooks(const PartLooks& looks)
+void SceneView::setAppearance(const PartAppearance& looks)
 {
-    m_looks = looks;
-    m_parts->sight->setLooks(looks);
+    m_appearance = looks;
+    m_parts->fields->setAppearance(looks);
     m_parts->objects.clear();
     colorBodies();
     colorRegions();
@@ -221,10 +221,10 @@ void SceneView::showObjects()
     if (m_parts->objects.empty())
         for (const auto& body : m_bodies)
             m_parts->objects.push_back(std::make_unique<ObjectActor>(m_parts->renderer,
-                                                                     m_looks.partColor(*m_model, body->part),
+                                                                     m_appearance.partColor(*m_model, body->part),
                                                                      objectRadius * body->aggregate->lattice.spacing));
     for (const auto& objects : m_parts->objects)
-        objects->setClipping(m_parts->sight->clipping());
+        objects->setClipping(m_parts->fields->clipping());
     for (BodyId b = 0; b < m_bodies.size(); ++b) {
         if (m_options.hiddenParts.contains(m_bodies[b]->part))
             continue;
@@ -268,7 +268,7 @@ void SceneView::setCamera(const Camera& camera)
     eye->SetParallelScale(camera.viewHeight() / 2);
     m_parts->cube->setCamera(camera);
     const int* size = m_parts->renderer->GetRenderWindow()->GetSize();
-    m_parts->sight->setCamera(camera, static_cast<double>(size[0]) / std::max(1, size[1]));
+    m_parts->fields->setCamera(camera, static_cast<double>(size[0]) / std::max(1, size[1]));
     clipToScene();
 }
 
@@ -288,7 +288,7 @@ void SceneView::clipToScene()
     m_parts->renderer->GetActiveCamera()->SetClippingRange(nearest, depth + radius);
 }
 
-SightWish wishOf(const SceneOptions& options)
+SurfaceFieldsRequest requestOf(const SceneOptions& options)
 {
     return {.quantity = options.colors.quantity,
             .section = options.section.plane,

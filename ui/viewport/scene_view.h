@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/document/frame.h"
-#include "ui/document/part_looks.h"
+#include "ui/document/part_appearance.h"
 #include "ui/selection/region.h"
 #include "ui/viewport/camera.h"
 #include "ui/viewport/color_scale.h"
@@ -70,12 +70,12 @@ struct SceneMarks {
 
 /// What a view shows and how.
 struct SceneLook {
-    Content content;
+    FilledModel content;
     SceneOptions options;
     SceneMarks marks;
     SceneStyle style;
     Camera camera;
-    PartLooks looks = {};
+    PartAppearance looks = {};
 };
 
 /// A number that belongs beside a place in the scene.
@@ -94,14 +94,14 @@ public:
     SceneView(const SceneView&) = delete;
     SceneView& operator=(const SceneView&) = delete;
 
-    void setContent(const Content& content);
+    void setModel(const FilledModel& content);
     void showFrame(const FramePointer& frame);
     void setStyle(const SceneStyle& style);
     void setOptions(const SceneOptions& options);
     void setMarks(const SceneMarks& marks);
     /// What was found out about the frame that is shown, or one shortly before. Null: nothing.
-    void setSight(const SightPointer& sight);
-    void setLooks(const PartLooks& looks);
+    void setSurfaceFields(const SurfaceFieldsPointer& fields);
+    void setAppearance(const PartAppearance& looks);
     void setCamera(const Camera& camera);
     ViewCube& cube();
 
@@ -128,7 +128,7 @@ private:
     Color edgesOf(BodyId body, bool isSelected, bool isHovered) const;
     Region shownOf(const Region& region) const;
     void showObjects();
-    void takeSurfaces(const ContentBodies& before);
+    void takeSurfaces(const FilledBodies& before);
     void showTools();
     void layGrid();
     void showBodies();
@@ -137,21 +137,21 @@ private:
 
     std::unique_ptr<Parts> m_parts;
     std::shared_ptr<const Model> m_model;
-    ContentBodies m_bodies;
-    std::vector<std::shared_ptr<const ContentSurface>> m_surfaces;
+    FilledBodies m_bodies;
+    std::vector<std::shared_ptr<const FilledSurface>> m_surfaces;
     Box m_restBox;
     FramePointer m_frame;
     SceneStyle m_style;
     SceneOptions m_options;
     SceneMarks m_marks;
-    SightPointer m_sight;
+    SurfaceFieldsPointer m_fields;
     std::optional<ColorScale> m_scale;
-    PartLooks m_looks;
+    PartAppearance m_appearance;
     Camera m_camera;
     double m_gridHeight = 0;
 };
 
 /// What has to be found out for options.
-SightWish wishOf(const SceneOptions& options);
+SurfaceFieldsRequest requestOf(const SceneOptions& options);
 
 } // namespace knead

@@ -57,17 +57,17 @@ void SceneView::setMarks(const SceneMarks& marks)
         showTools();
 }
 
-void SceneView::setSight(const SightPointer& sight)
+void SceneView::setSurfaceFields(const SurfaceFieldsPointer& fields)
 {
-    if (!sight && !m_sight)
+    if (!fields && !m_fields)
         return;
-    m_sight = sight;
+    m_fields = fields;
     m_scale.reset();
-    if (sight && sight->wish.quantity && sight->wish.quantity == m_options.colors.quantity)
-        m_scale = colorScale(*sight, m_options.colors, [this](std::size_t body) {
+    if (fields && fields->request.quantity && fields->request.quantity == m_options.colors.quantity)
+        m_scale = colorScale(*fields, m_options.colors, [this](std::size_t body) {
             return !m_options.hiddenParts.contains(m_bodies[body]->part);
         });
-    m_parts->sight->setSight(sight);
+    m_parts->fields->setSurfaceFields(fields);
     colorBodies();
     colorRegions();
 }
@@ -80,10 +80,10 @@ std::optional<ColorScale> SceneView::scale() const
 /// @return false: its faces have the colors of the part
 bool SceneView::colorByValues(BodyId body)
 {
-    if (!m_scale || body >= m_sight->values.size() ||
-        m_sight->values[body].size() != m_bodies[body]->mesh.vertices.size()) // of what it was before it came apart
+    if (!m_scale || body >= m_fields->values.size() ||
+        m_fields->values[body].size() != m_bodies[body]->mesh.vertices.size()) // of what it was before it came apart
         return false;
-    m_parts->skins[body]->setValues(m_sight->values[body], *m_scale);
+    m_parts->skins[body]->setValues(m_fields->values[body], *m_scale);
     return true;
 }
 
@@ -123,8 +123,9 @@ Color SceneView::markOn(const Region& region, const Color& usual, const Color& o
     const auto& [body, faces] = *region.items.begin();
     if (body >= m_bodies.size())
         return usual;
-    return standingOut(m_looks.faceColor(*m_model, m_bodies[body]->part, static_cast<std::uint32_t>(faces.front())),
-                       usual, other);
+    return standingOut(
+        m_appearance.faceColor(*m_model, m_bodies[body]->part, static_cast<std::uint32_t>(faces.front())), usual,
+        other);
 }
 
 /// Objects that are hidden by a skin, and connections, which are hidden by objects, are drawn in front of all.
@@ -157,7 +158,7 @@ Color SceneView::edgesOf(BodyId body, bool isSelected, bool isHovered) const
     const Color& usual = isHovered ? m_style.highlight : m_style.selectedEdge;
     if (m_scale)
         return usual;
-    return standingOut(m_looks.partColor(*m_model, m_bodies[body]->part), usual,
+    return standingOut(m_appearance.partColor(*m_model, m_bodies[body]->part), usual,
                        isHovered ? m_style.highlightOther : m_style.selectedOther);
 }
 
@@ -174,7 +175,7 @@ void SceneView::colorBodies()
         const std::size_t part = m_bodies[b]->part;
         m_parts->skins[b]->setColors([&](std::uint32_t face) {
             const SceneMarks::Face mark{b, face};
-            Color color = m_looks.faceColor(*m_model, part, face);
+            Color color = m_appearance.faceColor(*m_model, part, face);
             if (std::count(m_marks.fixed.begin(), m_marks.fixed.end(), mark) > 0)
                 color = mix(color, m_style.fixed, tint);
             if (isOfFaces(m_marks.selected) && m_marks.selected.contains(b, face))
@@ -193,7 +194,8 @@ void SceneView::colorSurfaces()
     for (std::size_t s = 0; s < m_surfaces.size(); ++s) {
         const std::size_t part = m_surfaces[s]->body->part;
         m_parts->surfaces[s]->setEdges(m_style.edge, 1.2F);
-        m_parts->surfaces[s]->setColors([&](std::uint32_t face) { return m_looks.faceColor(*m_model, part, face); });
+        m_parts->surfaces[s]->setColors(
+            [&](std::uint32_t face) { return m_appearance.faceColor(*m_model, part, face); });
     }
 }
 

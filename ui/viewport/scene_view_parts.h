@@ -7,8 +7,8 @@
 #include "ui/viewport/open_edges_actor.h"
 #include "ui/viewport/region_actor.h"
 #include "ui/viewport/scene_view.h"
-#include "ui/viewport/sight_actors.h"
 #include "ui/viewport/skin_actor.h"
+#include "ui/viewport/surface_field_actors.h"
 #include "ui/viewport/tool_actor.h"
 #include "ui/viewport/view_cube.h"
 
@@ -29,7 +29,7 @@ struct SceneView::Parts {
     std::vector<std::unique_ptr<SkinActor>> skins;
     std::vector<std::unique_ptr<SkinActor>> surfaces;
     std::unique_ptr<OpenEdgesActor> openEdges;
-    std::unique_ptr<SightActors> sight;
+    std::unique_ptr<SurfaceFieldActors> fields;
     std::vector<std::unique_ptr<ObjectActor>> objects; ///< empty while they are not shown
     std::map<ToolId, std::unique_ptr<ToolActor>> tools;
 

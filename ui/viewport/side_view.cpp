@@ -2,7 +2,7 @@
 
 #include "ui/viewport/color_legend.h"
 #include "ui/viewport/pixel_of.h"
-#include "ui/viewport/sight_handles.h"
+#include "ui/viewport/section_handles.h"
 #include "ui/viewport/view_cube.h"
 
 #include <QApplication>
@@ -49,7 +49,7 @@ void SideView::note(SceneChange what)
 {
     m_changes |= bitOf(what);
     if (what == SceneChange::content && !isVisible())
-        m_scene->setContent({}); // what nobody sees keeps nothing of a part that is gone
+        m_scene->setModel({}); // what nobody sees keeps nothing of a part that is gone
     m_hasMoved = m_hasMoved || what == SceneChange::frame;
     m_isStale = true;
     emit becameStale();
@@ -108,17 +108,17 @@ void SideView::takeOver()
     if (m_document.isEmpty())
         return;
     if (isAnew)
-        m_scene->setContent(m_document.content());
+        m_scene->setModel(m_document.content());
     if (isAnew || isOther(SceneChange::looks))
-        m_scene->setLooks(m_document.looks());
+        m_scene->setAppearance(m_document.appearance());
     if (isAnew || isOther(SceneChange::options))
         m_scene->setOptions(m_view.options());
     if (isAnew || isOther(SceneChange::frame))
         m_scene->showFrame(m_view.shownFrame());
     if (isAnew || isOther(SceneChange::marks))
         m_scene->setMarks(m_view.marks());
-    if (isAnew || isOther(SceneChange::sight))
-        m_scene->setSight(m_view.sight());
+    if (isAnew || isOther(SceneChange::fields))
+        m_scene->setSurfaceFields(m_view.fields());
 }
 
 void SideView::aboutToRender()

@@ -54,7 +54,7 @@ unsigned char byteOf(float channel)
 
 } // namespace
 
-SkinActor::SkinActor(std::shared_ptr<const ContentBody> body, vtkRenderer* renderer)
+SkinActor::SkinActor(std::shared_ptr<const FilledBody> body, vtkRenderer* renderer)
     : m_body(std::move(body))
     , m_parts(std::make_unique<Parts>())
 {

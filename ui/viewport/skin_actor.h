@@ -17,7 +17,7 @@ namespace knead {
 /// Draws the surface of one body: faces in their colors and thin feature edges. Window thread, like all actors.
 class SkinActor {
 public:
-    SkinActor(std::shared_ptr<const ContentBody> body, vtkRenderer* renderer);
+    SkinActor(std::shared_ptr<const FilledBody> body, vtkRenderer* renderer);
     ~SkinActor();
     SkinActor(const SkinActor&) = delete;
     SkinActor& operator=(const SkinActor&) = delete;
@@ -27,7 +27,7 @@ public:
     void setEdges(const Color& color, float width);
     /// Colors the surface face by face.
     void setColors(const std::function<Color(std::uint32_t face)>& colorOf);
-    /// Colors the surface by numbers at the vertices of ContentBody::mesh.
+    /// Colors the surface by numbers at the vertices of FilledBody::mesh.
     void setValues(std::span<const float> values, const ColorScale& scale);
     /// Mixes the colors of some faces with another, on top of either. @param share of that, 0 .. 1
     void tint(double share, const std::function<std::optional<Color>(std::uint32_t face)>& colorOf);
@@ -36,7 +36,7 @@ public:
 
 private:
     struct Parts;
-    std::shared_ptr<const ContentBody> m_body;
+    std::shared_ptr<const FilledBody> m_body;
     std::unique_ptr<Parts> m_parts;
 };
 

@@ -57,7 +57,7 @@ ViewGrid::ViewGrid(Document& document, QWidget* parent)
         showNames();
     });
     connect(&document, &Document::changed, this, [this](Document::Change what) {
-        if (what == Document::Change::Content)
+        if (what == Document::Change::Model)
             contentChanged();
     });
 }

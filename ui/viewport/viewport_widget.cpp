@@ -2,8 +2,8 @@
 
 #include "ui/viewport/pixel_of.h"
 #include "ui/viewport/region_overlay.h"
-#include "ui/viewport/sight_overlay.h"
-#include "ui/viewport/sight_preparer.h"
+#include "ui/viewport/surface_field_overlay.h"
+#include "ui/viewport/surface_fields_preparer.h"
 #include "ui/viewport/view_cube.h"
 
 #include <QLabel>
@@ -30,8 +30,8 @@ ViewportWidget::ViewportWidget(Document& document, QWidget* parent)
     , m_regions(new RegionTool(document, m_manipulation->picker(), this))
     , m_regionOverlay(new RegionOverlay(*m_regions, this))
     , m_scene(std::make_unique<SceneView>(renderWindow()))
-    , m_sights(new SightPreparer(this))
-    , m_overlay(new SightOverlay(*this))
+    , m_sights(new SurfaceFieldsPreparer(this))
+    , m_overlay(new SurfaceFieldOverlay(*this))
     , m_turning(new QVariantAnimation(this))
     , m_caption(new QLabel(this))
 {
@@ -51,15 +51,15 @@ ViewportWidget::ViewportWidget(Document& document, QWidget* parent)
             [this](const QVariant& s) { setCamera(blend(m_turnStart, m_turnEnd, s.toDouble())); });
     connect(&document, &Document::changed, this, &ViewportWidget::documentChanged);
     connect(m_manipulation, &Manipulation::hoverChanged, this, &ViewportWidget::updateMarks);
-    connect(m_sights, &SightPreparer::made, this, [this](const SightPointer& sight) {
-        if (!wishOf(m_options).isEmpty())
-            setSight(sight);
+    connect(m_sights, &SurfaceFieldsPreparer::made, this, [this](const SurfaceFieldsPointer& fields) {
+        if (!requestOf(m_options).isEmpty())
+            setSurfaceFields(fields);
         requestRender();
     });
     connect(m_regions, &RegionTool::hoverChanged, this, &ViewportWidget::updateMarks);
     connect(&document.selected(), &SelectionModel::changed, this, &ViewportWidget::updateMarks);
-    connect(&document, &Document::looksChanged, this, [this] {
-        m_scene->setLooks(m_document.looks());
+    connect(&document, &Document::appearanceChanged, this, [this] {
+        m_scene->setAppearance(m_document.appearance());
         requestRender();
         emit sceneChanged(SceneChange::looks);
     });
@@ -72,10 +72,10 @@ void ViewportWidget::setOptions(const SceneOptions& options)
     m_options = options;
     m_manipulation->picker().hide(options.hiddenParts);
     m_manipulation->picker().cut(options.section.plane);
-    m_regions->sight().hide(options.hiddenParts);
-    m_regions->sight().cut(options.section.plane);
+    m_regions->fields().hide(options.hiddenParts);
+    m_regions->fields().cut(options.section.plane);
     m_scene->setOptions(options);
-    askForSight();
+    askForSurfaceFields();
     requestRender();
     emit sceneChanged(SceneChange::options);
     emit optionsChanged();
@@ -93,10 +93,10 @@ void ViewportWidget::beginContent()
     if (std::exchange(m_model, m_document.content().model) != m_document.content().model)
         m_options.hiddenParts = m_document.content().hiddenAtFirst();
     m_sights->begin(m_document.content().bodies);
-    m_scene->setContent(m_document.content());
-    m_scene->setLooks(m_document.looks());
+    m_scene->setModel(m_document.content());
+    m_scene->setAppearance(m_document.appearance());
     m_marks = {};
-    m_sight = nullptr;
+    m_fields = nullptr;
     emit sceneChanged(SceneChange::content);
     setOptions(m_options);
     showFrame();
@@ -119,27 +119,28 @@ bool ViewportWidget::isAtRest()
     return std::exchange(m_rest, rest) == rest && now.rest > 0;
 }
 
-void ViewportWidget::setSight(const SightPointer& sight)
+void ViewportWidget::setSurfaceFields(const SurfaceFieldsPointer& fields)
 {
-    if (!sight && !m_sight)
+    if (!fields && !m_fields)
         return;
-    m_sight = sight;
-    m_scene->setSight(sight);
-    emit sceneChanged(SceneChange::sight);
+    m_fields = fields;
+    m_scene->setSurfaceFields(fields);
+    emit sceneChanged(SceneChange::fields);
 }
 
 /// Colors and caps come when they are found, for the moment that is shown.
-void ViewportWidget::askForSight()
+void ViewportWidget::askForSurfaceFields()
 {
-    const SightWish wish = m_document.content().bodies.empty() ? SightWish() : wishOf(m_options);
-    m_document.showPressing(wish.quantity == SurfaceQuantity::contactForce ||
-                            wish.quantity ==
+    const SurfaceFieldsRequest request =
+        m_document.content().bodies.empty() ? SurfaceFieldsRequest() : requestOf(m_options);
+    m_document.showPressing(request.quantity == SurfaceQuantity::contactForce ||
+                            request.quantity ==
                                 SurfaceQuantity::vonMisesStress); // which depends on where something presses
-    if (wish.isEmpty()) {
+    if (request.isEmpty()) {
         m_sights->forget();
-        setSight(nullptr);
+        setSurfaceFields(nullptr);
     } else if (const FramePointer& shown = shownFrame())
-        m_sights->ask(shown, wish);
+        m_sights->ask(shown, request);
 }
 
 void ViewportWidget::setStyle(const SceneStyle& style)
@@ -190,13 +191,13 @@ void ViewportWidget::setHighlight(const std::optional<SceneMarks::Face>& face)
 void ViewportWidget::documentChanged(Document::Change what)
 {
     switch (what) {
-    case Document::Change::Content:
+    case Document::Change::Model:
         m_past = nullptr;
         m_caption->hide();
         beginContent();
         break;
     case Document::Change::Filling:
-        m_regions->sight().forget();
+        m_regions->fields().forget();
         return;
     case Document::Change::Frame:
         if (m_past || isAtRest())
@@ -212,7 +213,7 @@ void ViewportWidget::documentChanged(Document::Change what)
     }
     if (what != Document::Change::Frame)
         updateMarks();
-    askForSight();
+    askForSurfaceFields();
     if (what == Document::Change::Frame)
         requestSketch();
     else
@@ -229,7 +230,7 @@ void ViewportWidget::lookBack(const FramePointer& frame, const QString& caption)
     m_caption->setVisible(m_past != nullptr);
     showFrame();
     m_overlay->setPast(m_past != nullptr);
-    askForSight();
+    askForSurfaceFields();
     requestSketch();
 }
 
@@ -275,7 +276,7 @@ SceneLook ViewportWidget::look() const
 {
     SceneOptions options = m_options;
     options.section.hasFrame = false; // a handle of the view
-    return {m_document.content(), options, {.fixed = fixedFaces()}, m_style, m_camera, m_document.looks()};
+    return {m_document.content(), options, {.fixed = fixedFaces()}, m_style, m_camera, m_document.appearance()};
 }
 
 QImage ViewportWidget::portrait()

@@ -15,11 +15,11 @@ class QVariantAnimation;
 
 namespace knead {
 
-class SightOverlay;
-class SightPreparer;
+class SurfaceFieldOverlay;
+class SurfaceFieldsPreparer;
 
 /// What of a scene became another.
-enum class SceneChange { content, style, looks, options, frame, marks, sight };
+enum class SceneChange { content, style, looks, options, frame, marks, fields };
 
 /// The view of a document: draws it, navigates, and passes the left button and the arrow keys on to the material.
 class ViewportWidget final : public ViewportBridge {
@@ -35,7 +35,7 @@ public:
     void setStyle(const SceneStyle& style);
     const SceneMarks& marks() const { return m_marks; }
     /// What was found out for the options; null: nothing, or nothing yet.
-    const SightPointer& sight() const { return m_sight; }
+    const SurfaceFieldsPointer& fields() const { return m_fields; }
     void setFixing(bool on);
     RegionTool& regions() { return *m_regions; } ///< how the left button selects
     bool isFixing() const { return m_manipulation->isFixing(); }
@@ -119,7 +119,7 @@ protected:
 private:
     void documentChanged(Document::Change what);
     void updateMarks();
-    void setSight(const SightPointer& sight);
+    void setSurfaceFields(const SurfaceFieldsPointer& fields);
     void showFrame();
     bool isAtRest();
     bool isForTools(const QPointF& position);
@@ -128,15 +128,15 @@ private:
     void setCamera(const Camera& camera);
     void turnTo(const Camera& camera);
     void beginContent();
-    void askForSight();
+    void askForSurfaceFields();
 
     Document& m_document;
     Manipulation* m_manipulation;
     RegionTool* m_regions;
     QWidget* m_regionOverlay;
     std::unique_ptr<SceneView> m_scene;
-    SightPreparer* m_sights;
-    SightOverlay* m_overlay;
+    SurfaceFieldsPreparer* m_sights;
+    SurfaceFieldOverlay* m_overlay;
     std::shared_ptr<const Model> m_model;
     Box m_restBox; ///< of the content [m]
     SceneOptions m_options;
@@ -146,7 +146,7 @@ private:
     Camera m_turnStart;
     Camera m_turnEnd;
     SceneMarks m_marks;
-    SightPointer m_sight;
+    SurfaceFieldsPointer m_fields;
     std::optional<SceneMarks::Face> m_highlight;
     std::optional<Qt::CursorShape> m_mode; ///< that has the left button
     std::pair<std::uint64_t, bool>

@@ -36,7 +36,7 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event)
 /// The rest of the view is for selecting.
 bool ViewportWidget::isForTools(const QPointF& position)
 {
-    m_regions->sight().look(m_camera, window());
+    m_regions->fields().look(m_camera, window());
     return m_manipulation->isFixing() || m_manipulation->picker().pick(rayAt(position)).kind == PickHit::Kind::Tool;
 }
 
@@ -45,7 +45,7 @@ void ViewportWidget::hoverFrom(const Camera& camera, const WindowSize& window, c
     if (m_past)
         return;
     m_manipulation->hover(camera.ray(pixel, window));
-    m_regions->sight().look(camera, window);
+    m_regions->fields().look(camera, window);
     if (m_mode || m_manipulation->isFixing() || m_manipulation->hovered().kind == PickHit::Kind::Tool)
         m_regions->leave();
     else
@@ -66,7 +66,7 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event)
     } else if (m_regions->isPressed()) {
         if (!(event->buttons() & Qt::LeftButton)) // of before the press, or let go where nobody could see it
             return;
-        m_regions->sight().look(m_camera, window());
+        m_regions->fields().look(m_camera, window());
         m_regions->drag(pixelOf(event->position()));
     } else if (event->buttons() & Qt::LeftButton) {
         m_manipulation->drag(rayAt(event->position()), m_camera);

@@ -1,4 +1,4 @@
-#include "io/mesh_writer.h"
+#include "io/formats/mesh_writer.h"
 #include "support/projects_on_test.h"
 #include "support/shapes.h"
 #include "ui/document/frame.h"
@@ -60,7 +60,7 @@ class WindowBench : public QObject, ProjectsOnTest {
     {
         m_window->open(QStringList(example("bar.step")));
         wait();
-        m_window->refill(std::cbrt(volumeOfBar / objects));
+        m_window->features().imports->refill(std::cbrt(volumeOfBar / objects));
         wait();
         switchGravity();
         document().stepOnce();

@@ -1,0 +1,155 @@
+#include "io/files/safe_file.h"
+
+#include "io/formats/cad_format.h"
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace knead {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* beginning = ".knead-";
+constexpr const char* endingOfParts = ".part";
+
+/// Short, since the name of the target may be as long as the file system allows.
+std::string nameBeside(const std::string& target)
+{
+    static std::atomic<unsigned> counter = 0;
+    const std::string name = beginning + std::to_string(getpid()) + "-" + std::to_string(counter++) + endingOfParts;
+    return (fs::path(target).parent_path() / name).string();
+}
+
+/// Marks a file as one that somebody is writing, for removeLeftOvers(). @return false when it was removed just before
+bool markAsOurs(int descriptor)
+{
+    flock(descriptor, LOCK_EX | LOCK_NB); // without locks nobody takes it for left over either
+    struct stat status {};
+    return fstat(descriptor, &status) != 0 || status.st_nlink > 0;
+}
+
+void copyPermissions(const std::string& from, int to)
+{
+    struct stat status {};
+    if (stat(from.c_str(), &status) == 0)
+        fchmod(to, status.st_mode & 0777U);
+}
+
+} // namespace
+
+SafeFile::SafeFile(const std::string& path)
+    : m_target(path)
+{
+    do {
+        if (m_descriptor >= 0)
+            close(m_descriptor);
+        m_path = nameBeside(path);
+        m_descriptor = open(m_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (m_descriptor < 0)
+            fail();
+    } while (!markAsOurs(m_descriptor));
+    copyPermissions(m_target, m_descriptor);
+}
+
+SafeFile::~SafeFile()
+{
+    if (m_descriptor >= 0)
+        close(m_descriptor);
+    if (!m_path.empty())
+        unlink(m_path.c_str());
+}
+
+void SafeFile::write(std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(m_descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written < 0)
+            fail();
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+void SafeFile::finish()
+{
+    if (fsync(m_descriptor) != 0 && errno != EINVAL && errno != EROFS) // some file systems have no fsync
+        fail();
+    const int other =
+        dup(m_descriptor); // some disks refuse only at a close; the file stays marked as ours until keep()
+    if (other >= 0 && close(other) != 0)
+        fail();
+}
+
+void SafeFile::keep()
+{
+    finish();
+    if (std::rename(m_path.c_str(), m_target.c_str()) != 0)
+        fail();
+    m_path.clear();
+    close(std::exchange(m_descriptor, -1));
+    syncFolder(fs::path(m_target).parent_path().string());
+}
+
+void SafeFile::fail() const
+{
+    fail(std::strerror(errno));
+}
+
+void SafeFile::fail(const std::string& reason) const
+{
+    throw std::runtime_error(shortName(m_target) + ": the file cannot be written (" + reason +
+                             "); choose another place or make room.");
+}
+
+void removeLeftOvers(const std::string& path)
+{
+    const fs::path parent = fs::path(path).parent_path();
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(parent.empty() ? "." : parent, error)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with(beginning) || !name.ends_with(endingOfParts))
+            continue;
+        const int descriptor = open(entry.path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+        if (descriptor < 0)
+            continue;
+        if (flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+            unlink(entry.path().c_str());
+        close(descriptor);
+    }
+}
+
+/// So that a power failure does not bring back what lay there before.
+void syncFolder(const std::string& folder)
+{
+    const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    fsync(descriptor);
+    close(descriptor);
+}
+
+void writeFileSafely(const std::string& path, std::string_view bytes)
+{
+    SafeFile file(path);
+    file.write(bytes);
+    file.keep();
+}
+
+void checkIsWritable(const std::string& path)
+{
+    const SafeFile file(path);
+}
+
+} // namespace knead

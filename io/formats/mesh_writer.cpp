@@ -1,0 +1,107 @@
+#include "io/formats/mesh_writer.h"
+
+#include "core/model/length_units.h"
+#include "io/document/readable_name.h"
+#include "io/formats/cad_format.h"
+#include "io/formats/mesh_formats.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string_view>
+
+namespace knead {
+
+namespace {
+
+struct MeshFormat {
+    std::string_view ending;
+    void (*write)(const MeshFile&);
+};
+constexpr std::array writers{MeshFormat{".stl", writeStl},   MeshFormat{".obj", writeObj},
+                             MeshFormat{".ply", writePly},   MeshFormat{".glb", writeGlb},
+                             MeshFormat{".gltf", writeGltf}, MeshFormat{".3mf", writeThreeMf},
+                             MeshFormat{".vtp", writeVtp}};
+
+[[noreturn]] void fail(const std::string& path, const std::string& sentence)
+{
+    throw std::runtime_error(shortName(path) + ": " + sentence);
+}
+
+const MeshFormat& formatFor(const std::string& path)
+{
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    const auto* const format =
+        std::find_if(writers.begin(), writers.end(), [&](const MeshFormat& one) { return one.ending == ending; });
+    if (format == writers.end())
+        fail(path,
+             "the ending is none of .stl, .obj, .ply, .glb, .gltf, .3mf and .vtp; name the file after its format.");
+    return *format;
+}
+
+const LengthUnit& unitOf(const std::string& path, const ExportOptions& options)
+{
+    const LengthUnit* unit = findLengthUnit(options.unit.empty() ? "mm" : options.unit);
+    if (unit == nullptr)
+        fail(path, "the length unit \"" + options.unit + "\" is not known; known are " + lengthUnitNames() + ".");
+    return *unit;
+}
+
+/// Single precision must hold the numbers, in any unit.
+void checkNumbers(const std::string& path, const MeshBody& body)
+{
+    constexpr double farthest = 1e25; // [m]
+    const auto isGood = [](const Vec3& vertex) {
+        return vertex.cwiseAbs().maxCoeff() < farthest && vertex.allFinite();
+    };
+    if (!std::all_of(body.mesh.vertices.begin(), body.mesh.vertices.end(), isGood))
+        fail(path,
+             "the surface of \"" + body.name + "\" leads to infinity; go back to where it was whole and export again.");
+}
+
+MeshFile fileFor(const std::string& path, const std::vector<MeshBody>& bodies, const ExportOptions& options,
+                 TaskControl& control)
+{
+    const LengthUnit& unit = unitOf(path, options);
+    MeshFile file{path, unit.name, 1 / unit.metres, options.isText, control};
+    for (const MeshBody& body : bodies) {
+        if (body.mesh.empty())
+            continue;
+        checkNumbers(path, body);
+        const std::string name = readableName(std::string_view(body.name));
+        file.bodies.push_back(&body);
+        file.names.push_back(name.empty() ? "part" : name);
+        file.vertexCount += body.mesh.vertices.size();
+        file.triangleCount += body.mesh.triangles.size();
+    }
+    if (file.bodies.empty())
+        fail(path, "there is no surface to write.");
+    if (std::max(file.vertexCount, file.triangleCount) > INT32_MAX)
+        fail(path, "the surface has more than 2147483647 points or triangles, which the formats cannot count; export "
+                   "fewer bodies.");
+    return file;
+}
+
+} // namespace
+
+void writeMeshes(const std::string& path, const std::vector<MeshBody>& bodies, const ExportOptions& options,
+                 TaskControl& control)
+{
+    const MeshFormat& format = formatFor(path);
+    control.throwIfCancelled();
+    format.write(fileFor(path, bodies, options, control));
+    control.report(1, "writing the file");
+}
+
+const std::vector<FileFormat>& exportFormats()
+{
+    static const std::vector<FileFormat> formats{{"STL", {"stl"}},          {"OBJ", {"obj"}}, {"PLY", {"ply"}},
+                                                 {"glTF", {"glb", "gltf"}}, {"3MF", {"3mf"}}, {"VTP", {"vtp"}}};
+    return formats;
+}
+
+} // namespace knead

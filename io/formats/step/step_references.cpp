@@ -1,0 +1,98 @@
+#include "io/formats/step/step_references.h"
+
+#include "io/formats/cad_format.h"
+#include "io/formats/step/step_check.h"
+
+#include <STEPConstruct_ExternRefs.hxx>
+#include <STEPControl_Reader.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+namespace knead {
+
+namespace {
+
+bool isStepName(const std::string& name)
+{
+    const std::string ending = lowerCaseEnding(name);
+    return ending == "stp" || ending == "step" || ending == "p21";
+}
+
+std::string missingWords(const std::vector<std::string>& names)
+{
+    constexpr std::size_t mostNamed = 5;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(names.size(), mostNamed); ++i)
+        list += (i == 0 ? "" : ", ") + names[i];
+    if (names.size() > mostNamed)
+        list += ", ...";
+    return names.size() == 1
+               ? "the assembly refers to the file " + list +
+                     ", which is not there: its parts are missing. Put it beside the assembly and open that again."
+               : "the assembly refers to " + std::to_string(names.size()) + " files that are not there: " + list +
+                     ". Their parts are missing; put them beside the assembly and open that again.";
+}
+
+} // namespace
+
+std::string checkReferredFiles(const STEPControl_Reader& reader, const std::string& path, TaskControl& control)
+{
+    STEPConstruct_ExternRefs references(reader.WS());
+    references.LoadExternRefs();
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    std::set<std::string> names;
+    for (int i = 1; i <= references.NbExternRefs(); ++i)
+        if (const char* name = references.FileName(i); name != nullptr && *name != '\0')
+            names.insert(name);
+    std::vector<std::string> missing;
+    for (const std::string& name : names) {
+        control.throwIfCancelled();
+        const std::filesystem::path file = folder / name;
+        if (!isStepName(name))
+            continue; // a drawing or another document, which holds no parts
+        std::error_code error;
+        if (!std::filesystem::is_regular_file(file, error))
+            missing.push_back(name);
+        else
+            checkStepText(file.string(), control);
+    }
+    return missing.empty() ? std::string() : missingWords(missing);
+}
+
+std::string otherContent(const std::string& path)
+{
+    struct Kind {
+        std::string_view word;
+        const char* sentence;
+    };
+    // In the order in which they are worth telling.
+    static constexpr std::array kinds{
+        Kind{"TRIANGULATED_FACE", "the file holds triangles only (tessellated geometry of AP242), which are not read "
+                                  "from STEP; export exact solids, or a mesh as 3MF or STL."},
+        Kind{"TRIANGULATED_SURFACE_SET",
+             "the file holds triangles only (tessellated geometry of AP242), which are not read "
+             "from STEP; export exact solids, or a mesh as 3MF or STL."},
+        Kind{"GEOMETRIC_CURVE_SET",
+             "the file holds curves and points only, no solid and no surface; export the part as "
+             "a solid."},
+        Kind{"GEOMETRICALLY_BOUNDED_WIREFRAME",
+             "the file holds curves and points only, no solid and no surface; export the part as a solid."},
+    };
+    std::ifstream file(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    for (const Kind& kind : kinds)
+        if (text.find(kind.word) != std::string::npos)
+            return kind.sentence;
+    return {};
+}
+
+} // namespace knead

@@ -1,0 +1,327 @@
+#include "io/recipe/recipe_of_project.h"
+
+#include "core/document/history.h"
+#include "io/json/exact_number.h"
+#include "io/recipe/recipe.h"
+#include "io/recipe/recipe_events_text.h"
+#include "io/recipe/recipe_places.h"
+#include "io/recipe/scene_words.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+
+namespace knead {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A path as the recipe names it.
+std::string seenFrom(const std::string& recipePath, const std::string& file)
+{
+    const fs::path whole = fs::absolute(file).lexically_normal();
+    if (recipePath.empty())
+        return whole.string();
+    return whole.lexically_proximate(fs::absolute(recipePath).parent_path().lexically_normal()).string();
+}
+
+/// Only the published arrangement has connections along the diagonals of cells.
+bool isAsPublished(const Aggregate& aggregate)
+{
+    return !aggregate.weight.back().empty();
+}
+
+/// The top of a recipe: a key on each line, and an item on each line of a list.
+class Document {
+public:
+    Document& put(const std::string& key, const std::string& json)
+    {
+        m_text += m_text.empty() ? "{\n  \"" : ",\n  \"";
+        m_text += key + "\": " + json;
+        return *this;
+    }
+
+    Document& list(const std::string& key, const std::vector<std::string>& items)
+    {
+        std::string text;
+        for (const std::string& item : items)
+            text += (text.empty() ? "[\n    " : ",\n    ") + item;
+        return items.empty() ? *this : put(key, text + "\n  ]");
+    }
+
+    std::string take() const { return m_text + "\n}\n"; }
+
+private:
+    std::string m_text;
+};
+
+class Writer {
+public:
+    Writer(const Project& project, const RecipeOfProjectChoices& choices, const std::vector<MaterialPreset>& presets)
+        : m_project(project)
+        , m_choices(choices)
+        , m_start(project.starts.at(project.entries.at(project.current).start))
+        , m_scene(m_start.scene)
+        , m_names(*project.model, m_start)
+        , m_words{project, m_start, m_names, presets, {}, toolPartsOf(project)}
+    {
+        if (!choices.projectPath.empty())
+            m_words.toolPartFile = seenFrom(choices.recipePath, choices.projectPath);
+    }
+
+    RecipeOfProject write()
+    {
+        checkParts();
+        m_document.put("version", "1");
+        putPart();
+        putBodies();
+        putWorld();
+        putTools();
+        m_document.list("events", events());
+        m_document.put("duration_steps", std::to_string(m_project.entries[m_project.current].step));
+        return {m_document.take(), std::move(m_remarks)};
+    }
+
+private:
+    /// Those are filled that a recipe would fill, in the same way.
+    void checkParts() const
+    {
+        if (m_scene.bodies.empty())
+            throw std::runtime_error("the project has no bodies.");
+        std::vector<std::size_t> filled;
+        for (std::size_t p = 0; p < m_project.model->parts.size(); ++p)
+            if (const Part& part = m_project.model->parts[p];
+                part.canBeFilled() || (m_project.import.fillsOpenParts && !part.mesh.empty()))
+                filled.push_back(p);
+        if (filled != m_start.partOfBody)
+            throw std::runtime_error(
+                "some of its parts could not be filled with objects, which a recipe takes for an error.");
+        const Body& first = m_scene.bodies.front();
+        for (const Body& body : m_scene.bodies)
+            if (body.aggregate->lattice.spacing != first.aggregate->lattice.spacing ||
+                body.structuralFriction != first.structuralFriction)
+                throw std::runtime_error("its bodies differ in their spacing or structural friction.");
+    }
+
+    bool namesProject() const
+    {
+        const auto isThere = [](const std::string& path) {
+            std::error_code error;
+            return fs::is_regular_file(path, error);
+        };
+        const std::vector<std::string>& paths = m_project.import.paths;
+        return m_choices.namesProject || paths.empty() || !std::all_of(paths.begin(), paths.end(), isThere);
+    }
+
+    void putPart()
+    {
+        ObjectText part;
+        if (namesProject()) {
+            if (m_choices.projectPath.empty())
+                throw std::runtime_error("the files of its parts are not there any more; save the project first.");
+            part.text("file", seenFrom(m_choices.recipePath, m_choices.projectPath));
+            if (!m_choices.namesProject)
+                m_remarks.push_back("The files that the parts were read from are not there any more: the recipe takes "
+                                    "the parts from the project.");
+        } else {
+            putFiles(part);
+            putImport(part);
+        }
+        if (m_project.import.fillsOpenParts)
+            part.put("fills_open_parts", "true");
+        m_document.put("part", part.take());
+        m_document.put("spacing_mm", exactThousandfold(m_scene.bodies.front().aggregate->lattice.spacing));
+        if (isAsPublished(*m_scene.bodies.front().aggregate))
+            m_document.put("arrangement", quoted("published"));
+    }
+
+    void putFiles(ObjectText& part) const
+    {
+        const std::vector<std::string>& paths = m_project.import.paths;
+        if (paths.size() == 1) {
+            part.text("file", seenFrom(m_choices.recipePath, paths.front()));
+            return;
+        }
+        std::string list;
+        for (const std::string& path : paths)
+            list += (list.empty() ? "" : ", ") + quoted(seenFrom(m_choices.recipePath, path));
+        part.put("files", '[' + list + ']');
+    }
+
+    void putImport(ObjectText& part) const
+    {
+        const ImportOptions& options = m_project.import.options;
+        const ImportOptions usual;
+        std::string parts;
+        for (const std::string& path : options.parts)
+            parts += (parts.empty() ? "" : ", ") + quoted(path);
+        if (!parts.empty())
+            part.put("parts", '[' + parts + ']');
+        if (!options.unit.empty())
+            part.text("unit", options.unit);
+        if (!options.heal)
+            part.put("heal", "false");
+        if (options.capsFlatOpenings)
+            part.put("cap_flat_openings", "true");
+        if (options.linearDeflection != 0)
+            part.millimeters("deflection_mm", options.linearDeflection);
+        if (options.relativeDeflection != usual.relativeDeflection)
+            part.number("relative_deflection", options.relativeDeflection);
+        if (options.angularDeflection != usual.angularDeflection)
+            part.number("angular_deflection_rad", options.angularDeflection);
+    }
+
+    void putBodies()
+    {
+        const Material& common = m_scene.bodies.front().material;
+        m_document.put("material", m_words.material(common, Material{}));
+        ObjectText materials;
+        ObjectText starts;
+        std::vector<std::string> regions;
+        for (BodyId b = 0; b < m_scene.bodies.size(); ++b) {
+            const Body& body = m_scene.bodies[b];
+            if (!(body.material == common))
+                materials.put(keyOf(b), m_words.material(body.material, common));
+            if (const std::string start = startOf(body); start != "{}")
+                starts.put(keyOf(b), start);
+            for (const MaterialRegion& region : body.regions)
+                regions.push_back(regionText(b, region));
+        }
+        putUnlessEmpty("body_materials", materials);
+        m_document.list("regions", regions);
+        putUnlessEmpty("bodies", starts);
+        if (const double friction = m_scene.bodies.front().structuralFriction; friction != 0)
+            m_document.put("structural_friction", exactText(friction));
+    }
+
+    /// A name as the key of an object, which is put in quotes there.
+    std::string keyOf(BodyId body) const
+    {
+        const std::string name = quoted(m_names.body(body));
+        return name.substr(1, name.size() - 2);
+    }
+
+    void putUnlessEmpty(const std::string& key, const ObjectText& object)
+    {
+        if (!object.isEmpty())
+            m_document.put(key, object.take());
+    }
+
+    static std::string startOf(const Body& body)
+    {
+        ObjectText start;
+        if (body.kind != BodyKind::deformable)
+            start.put("kind", quoted(wordFor(body.kind, bodyKindWords())));
+        if (body.velocity != Vec3::Zero())
+            start.millimeters("velocity_mm_s", body.velocity);
+        if (body.angularVelocity != Vec3::Zero())
+            start.numbers("angular_velocity_rad_s", body.angularVelocity);
+        return start.take();
+    }
+
+    std::string regionText(BodyId body, const MaterialRegion& region)
+    {
+        ObjectText text;
+        text.text("name", RecipeNames::unique(region.name, "region", m_regionNames)).text("body", m_names.body(body));
+        putObjects(text, m_words.aggregateOf(body), m_words.meshOf(body), region.objects);
+        text.put("material", m_words.material(region.material, m_scene.bodies[body].material));
+        return text.take();
+    }
+
+    void putWorld()
+    {
+        ObjectText world;
+        if (m_scene.touching != Touching::separate)
+            m_document.put("touching", quoted(wordFor(m_scene.touching, touchingWords())));
+        if (m_scene.gravity != Vec3::Zero())
+            m_document.put("gravity_m_s2", '[' + exactText(m_scene.gravity.x()) + ", " +
+                                               exactText(m_scene.gravity.y()) + ", " + exactText(m_scene.gravity.z()) +
+                                               ']');
+        if (m_scene.floorHeight) {
+            ObjectText floor;
+            floor.millimeters("height_mm", *m_scene.floorHeight).number("friction", m_scene.floorFriction);
+            if (m_scene.floorAdhesion > 0)
+                floor.number("adhesion_pa", m_scene.floorAdhesion);
+            m_document.put("floor", floor.take());
+        }
+        m_document.put("integrator", quoted(wordFor(m_scene.integrator, integratorWords())));
+        m_document.put("refilling", m_scene.refilling ? "true" : "false");
+        if (m_scene.vicinity != VicinityMethod::uniformGrid)
+            m_document.put("vicinity", quoted(wordFor(m_scene.vicinity, vicinityWords())));
+        if (m_scene.timeStep)
+            m_document.put("time_step_s", exactText(*m_scene.timeStep));
+        if (m_scene.massScalingTimeStep)
+            m_document.put("mass_scaling_time_step_s", exactText(*m_scene.massScalingTimeStep));
+    }
+
+    void putTools()
+    {
+        std::vector<std::string> fixtures;
+        for (const Fixture& fixture : m_scene.fixtures)
+            fixtures.push_back(m_words.fixture(fixture));
+        m_document.list("fixtures", fixtures);
+        std::vector<std::string> loads;
+        for (const Load& load : m_scene.loads)
+            loads.push_back(m_words.load(load));
+        m_document.list("loads", loads);
+        std::vector<std::string> manipulators;
+        for (const Manipulator& manipulator : m_scene.manipulators)
+            manipulators.push_back(m_words.manipulator(manipulator));
+        m_document.list("manipulators", manipulators);
+    }
+
+    std::vector<std::string> events()
+    {
+        const History history(m_project.entries, m_project.current, std::numeric_limits<std::size_t>::max());
+        const std::uint32_t start = history.record(m_project.current).start;
+        std::vector<RecipeGesture> gestures;
+        for (const History::Entry entry : history.pathTo(m_project.current)) {
+            const HistoryRecord& record = history.record(entry);
+            if (entry != 0 && record.start != history.record(record.parent).start)
+                gestures.clear();
+            if (record.start == start)
+                gestures.push_back({record.name, record.commands});
+        }
+        if (start != m_project.entries.front().start)
+            m_remarks.push_back("The recipe begins where the part was filled last; what was done before left nothing "
+                                "behind but tools, materials and fixtures.");
+        return eventTexts(m_words, gestures);
+    }
+
+    const Project& m_project;
+    const RecipeOfProjectChoices& m_choices;
+    const ProjectStart& m_start;
+    const Scene& m_scene;
+    RecipeNames m_names;
+    RecipeWords m_words;
+    Document m_document;
+    std::set<std::string> m_regionNames;
+    std::vector<std::string> m_remarks;
+};
+
+/// Whatever is out of the ranges of recipes is found by reading.
+void readBack(const std::string& text, const RecipeOfProjectChoices& choices,
+              const std::vector<MaterialPreset>& presets)
+{
+    readRecipeText(text, choices.recipePath.empty() ? "recipe" : choices.recipePath, presets);
+}
+
+} // namespace
+
+RecipeOfProject recipeOfProject(const Project& project, const RecipeOfProjectChoices& choices,
+                                const std::vector<MaterialPreset>& presets)
+{
+    if (project.model == nullptr || project.starts.empty() || project.entries.empty())
+        throw std::runtime_error("The project has nothing in it yet that a recipe could say.");
+    try {
+        RecipeOfProject recipe = Writer(project, choices, presets).write();
+        readBack(recipe.text, choices, presets);
+        return recipe;
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(std::string("A recipe cannot say what was done here: ") + error.what());
+    }
+}
+
+} // namespace knead

@@ -1,0 +1,152 @@
+#include "ui/exporting/export_feature.h"
+
+#include "ui/dialogs/export_dialog.h"
+#include "ui/dialogs/file_question.h"
+#include "ui/dialogs/format_filters.h"
+#include "ui/frame/docks.h"
+#include "ui/frame/notices.h"
+#include "ui/panels/export_panel.h"
+#include "ui/selection/selection_model.h"
+#include "ui/viewport/viewport_widget.h"
+
+#include <QAction>
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QRegularExpression>
+
+#include <memory>
+
+namespace knead {
+
+ExportFeature::ExportFeature(const Workbench& bench, const QAction& action)
+    : QObject(&bench.window)
+    , m_bench(bench)
+    , m_panel(new ExportPanel(&bench.window))
+{
+    bench.docks.add("exportDock", tr("Export report"), m_panel);
+    connect(&action, &QAction::triggered, this, &ExportFeature::askForExport);
+}
+
+void ExportFeature::askForExport()
+{
+    if (m_bench.document.isEmpty())
+        return;
+    constexpr int mostNames = 3;
+    QStringList names;
+    if (const Region& region = m_bench.document.selected().region(); region.level == Level::Part)
+        for (const auto& [body, items] : region.items)
+            names << m_bench.document.nameOfBody(body);
+    if (names.size() > mostNames)
+        names = names.mid(0, mostNames) << QStringLiteral("\u2026");
+    auto* dialog = new ExportDialog(m_bench.services.exportFormats, names.join(QStringLiteral(", ")),
+                                    !m_bench.viewport.options().hiddenParts.empty(), &m_bench.window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { askForPlace(dialog->request(), dialog->format()); });
+    dialog->open();
+}
+
+void ExportFeature::askForPlace(const ExportRequest& request, const Services::Format& format)
+{
+    const QString proposed =
+        QFileInfo(QString::fromStdString(m_bench.document.content().model->file)).completeBaseName();
+    const QString ending = QString::fromStdString(format.endings.front());
+    const FileQuestion question{.name = "exportFileDialog",
+                                .title = request.onePerPart ? tr("Export a file for each part")
+                                                            : tr("Export the deformed parts"),
+                                .filters = {filterOf(format)},
+                                .key = "exportFolder",
+                                .file = proposed + "-deformed." + ending};
+    askForFileToWrite(m_bench.window, question, [this, request](const QString& path) { exportTo(path, request); });
+}
+
+void ExportFeature::exportTo(const QString& path, const ExportRequest& request)
+{
+    if (m_bench.document.isEmpty() || m_bench.isBusy())
+        return;
+    const auto files =
+        std::make_shared<const std::vector<PlannedFile>>(planFiles(path, request)); // large, and copied with `work`
+    const auto work = [services = m_bench.services, files, keepsReport = request.keepsReport](TaskControl& control) {
+        std::vector<ExportReport> reports;
+        const auto count = static_cast<double>(files->size());
+        for (const PlannedFile& file : *files) {
+            const auto done = static_cast<double>(reports.size());
+            TaskPortion portion(control, done / count, (done + 1) / count);
+            reports.push_back(services.exportParts(file.path, file.job, keepsReport, portion));
+        }
+        return reports;
+    };
+    m_bench.tasks.run<std::vector<ExportReport>>(
+        tr("Exporting %1").arg(QFileInfo(path).fileName()), work,
+        [this](const std::vector<ExportReport>& reports) { showExport(reports); });
+}
+
+/// One file, or one for each part in a folder of their own.
+std::vector<ExportFeature::PlannedFile> ExportFeature::planFiles(const QString& path,
+                                                                 const ExportRequest& request) const
+{
+    const Model& model = *m_bench.document.content().model;
+    const std::vector<bool> keep = partsFor(request.which);
+    const auto planned = [&](const QString& file, const std::vector<bool>& parts) {
+        PlannedFile one{QFile::encodeName(file).toStdString(), m_bench.document.exportJob(parts)};
+        const std::string unit = request.options.unit.empty() ? one.job.options.unit : request.options.unit;
+        one.job.options = request.options;
+        one.job.options.unit = unit;
+        return one;
+    };
+    std::vector<PlannedFile> files;
+    if (!request.onePerPart) {
+        files.push_back(planned(path, keep));
+        return files;
+    }
+    const QFileInfo info(path);
+    QStringList used;
+    for (std::size_t p = 0; p < model.parts.size(); ++p) {
+        if (!keep[p])
+            continue;
+        static const QRegularExpression unwanted("[/\\\\:*?\"<>|\\x00-\\x1f]");
+        const QString name = m_bench.document.nameOfPart(p).replace(unwanted, "_").left(100);
+        const QString stem = info.completeBaseName() + "-" + name;
+        QString unique = stem;
+        for (int number = 2; used.contains(unique); ++number)
+            unique = QStringLiteral("%1-%2").arg(stem).arg(number);
+        used << unique;
+        std::vector<bool> only(model.parts.size(), false);
+        only[p] = true;
+        files.push_back(planned(info.dir().filePath(unique + "." + info.suffix()), only));
+    }
+    return files;
+}
+
+std::vector<bool> ExportFeature::partsFor(ExportRequest::Which which) const
+{
+    const FilledModel& content = m_bench.document.content();
+    std::vector<bool> keep(content.model->parts.size(), which == ExportRequest::Which::all);
+    if (which == ExportRequest::Which::visible)
+        for (std::size_t p = 0; p < keep.size(); ++p)
+            keep[p] = !m_bench.viewport.options().hiddenParts.contains(p);
+    const Region& selected = m_bench.document.selected().region();
+    if (which == ExportRequest::Which::selected && selected.level == Level::Part)
+        for (const auto& [body, items] : selected.items)
+            keep[content.bodies[body]->part] = true;
+    return keep;
+}
+
+void ExportFeature::showExport(const std::vector<ExportReport>& reports)
+{
+    m_panel->show(reports);
+    m_bench.docks.show("exportDock");
+    for (const ExportReport& report : reports) {
+        m_bench.document.notes().noteExport(report.file, static_cast<double>(QDateTime::currentSecsSinceEpoch()));
+        const auto parts = report.parts.size();
+        m_bench.notices.note((parts == 1 ? tr("Exported 1 part to %1.") : tr("Exported %2 parts to %1.").arg(parts))
+                                 .arg(QFile::decodeName(report.file.c_str())));
+        if (!report.isSound())
+            m_bench.notices.problem(tr("Not everything in %1 is sound; the export report says what is not.")
+                                        .arg(QFileInfo(QFile::decodeName(report.file.c_str())).fileName()));
+    }
+}
+
+} // namespace knead

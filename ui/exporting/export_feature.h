@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/model/export_report.h"
+#include "ui/document/export_request.h"
+#include "ui/frame/workbench.h"
+
+#include <QObject>
+
+#include <string>
+#include <vector>
+
+class QAction;
+
+namespace knead {
+
+class ExportPanel;
+
+/// The deformed parts as CAD and mesh files, and the report on them. Window thread only.
+class ExportFeature final : public QObject {
+    Q_OBJECT
+public:
+    ExportFeature(const Workbench& bench, const QAction& action);
+
+    /// Writes the deformed parts in the background; the ending decides the format.
+    void exportTo(const QString& path, const ExportRequest& request = {});
+
+private:
+    struct PlannedFile {
+        std::string path;
+        ExportJob job;
+    };
+
+    void askForExport();
+    void askForPlace(const ExportRequest& request, const Services::Format& format);
+    std::vector<PlannedFile> planFiles(const QString& path, const ExportRequest& request) const;
+    std::vector<bool> partsFor(ExportRequest::Which which) const;
+    void showExport(const std::vector<ExportReport>& reports);
+
+    Workbench m_bench;
+    ExportPanel* m_panel;
+};
+
+} // namespace knead

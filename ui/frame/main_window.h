@@ -1,0 +1,128 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/frame/docks.h"
+#include "ui/frame/workbench.h"
+#include "ui/preferences/preferences.h"
+#include "ui/services.h"
+#include "ui/tasks/task_runner.h"
+
+#include <QMainWindow>
+
+#include <memory>
+
+class QAction;
+class QLabel;
+class QMenu;
+class QStackedWidget;
+class QToolBar;
+
+namespace knead {
+
+struct Actions;
+struct Features;
+class Banner;
+class CommandPalette;
+class Display;
+class Hands;
+class HistoryPanel;
+class HomePage;
+class MaterialStore;
+class Measuring;
+class ModelTree;
+class Modes;
+class ProbeSet;
+class ProjectKeeper;
+class Shortcuts;
+class StatusReadings;
+class TaskReading;
+class TimelinePanel;
+class ViewGrid;
+class ViewportWidget;
+
+/// The program's window: tree, properties, view, log and status bar around one document. It is a frame: what can be done is in its
+/// Features, which it makes, gives a place, and tells of the document.
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+public:
+    explicit MainWindow(Services services, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    const Features& features() const { return *m_features; }
+    void open(const QStringList& paths); ///< see ImportFeature::open()
+    void open(const ImportChoices& request);
+
+    Document& document() { return m_document; }
+    TaskRunner& tasks() { return m_tasks; }
+    ProjectKeeper& projects();
+    ViewportWidget& viewport() { return *m_viewport; } ///< the active view
+    ViewGrid& views() { return *m_views; }
+    Measuring& measuring();
+    ProbeSet& probes();
+    Hands& hands();
+    Banner& banner() { return *m_banner; }
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void makeCenter();
+    void makePanels();
+    void makeStatusBar();
+    void makeFeatures();
+    void makeSelectionBar();
+    void makeMenus();
+    void makeCommands();
+    void connectActions();
+    void connectTasks();
+    void keepHintClear();
+    void restoreSettings();
+
+    void documentChanged(Document::Change what);
+    void modelChanged();
+    void selectionChanged();
+    void historyChanged();
+    void showHint();
+    void showSelectionBar();
+    void resetLayout();
+    void followPreferences(const Preferences& now);
+    void sayAllAnew();
+    void cancel();
+    QString whyDisabled(const QAction& action) const;
+
+    const Preferences m_atStart; ///< before anything is said
+    Services m_services;
+    TaskRunner m_tasks;
+    Document m_document;
+    std::unique_ptr<Actions> m_actions;
+    Modes* m_modes; ///< of the left mouse button
+    Banner* m_banner = nullptr;
+    QStackedWidget* m_pages = nullptr;
+    HomePage* m_home = nullptr;
+    ViewGrid* m_views = nullptr;
+    ViewportWidget* m_viewport = nullptr; ///< the active one of them
+    Docks m_docks;
+    Notices* m_notices = nullptr;
+    std::unique_ptr<Workbench> m_bench;
+    std::unique_ptr<Features> m_features;
+    MaterialStore* m_materials = nullptr;
+    ModelTree* m_tree = nullptr;
+    HistoryPanel* m_history = nullptr;
+    QStackedWidget* m_properties = nullptr;
+    TimelinePanel* m_timeline = nullptr;
+    Display* m_display = nullptr;
+    QLabel* m_hint = nullptr;
+    StatusReadings* m_readings = nullptr;
+    TaskReading* m_taskReading = nullptr;
+    QToolBar* m_selectionBar = nullptr;
+    QMenu* m_addTool = nullptr;
+    QMenu* m_recent = nullptr;
+    CommandPalette* m_palette = nullptr;
+    Shortcuts* m_shortcuts = nullptr;
+    QByteArray m_layout; ///< of panels, as it came
+};
+
+} // namespace knead

@@ -1,0 +1,18 @@
+#include "ui/frame/workbench.h"
+
+#include "ui/frame/notices.h"
+
+#include <QCoreApplication>
+
+namespace knead {
+
+bool Workbench::isBusy() const
+{
+    if (tasks.isRunning())
+        notices.problem(
+            QCoreApplication::translate("Workbench", "%1 is still going on: wait for it, or cancel it with Esc.")
+                .arg(tasks.title()));
+    return tasks.isRunning();
+}
+
+} // namespace knead

@@ -1,0 +1,67 @@
+#include "ui/help/handbook.h"
+
+#include <QFile>
+#include <QHash>
+
+#include <algorithm>
+
+namespace knead::handbook {
+
+namespace {
+
+Page read(const QString& name)
+{
+    QFile file(":/handbook/" + name + ".md");
+    if (!file.open(QFile::ReadOnly))
+        return {name, name, {}};
+    const QString text = QString::fromUtf8(file.readAll());
+    return {name, text.section('\n', 0, 0).remove(QStringLiteral("# ")), text};
+}
+
+} // namespace
+
+const std::vector<Page>& pages()
+{
+    static const std::vector<Page> all = [] {
+        std::vector<Page> read;
+        for (const char* name :
+             {"keys", "opening", "hands", "selecting", "seeing", "measuring", "history", "keeping", "exporting",
+              "preferences", "command-line", "recipes", "mechanics", "speed", "construction", "limits"})
+            read.push_back(handbook::read(name));
+        return read;
+    }();
+    return all;
+}
+
+const Page* pageNamed(const QString& name)
+{
+    const auto found =
+        std::find_if(pages().begin(), pages().end(), [&name](const Page& page) { return page.name == name; });
+    return found == pages().end() ? nullptr : &*found;
+}
+
+qsizetype hitsIn(const Page& page, const QString& wanted)
+{
+    qsizetype hits = 0;
+    for (const QString& word : wanted.split(' ', Qt::SkipEmptyParts)) {
+        const qsizetype count = page.text.count(word, Qt::CaseInsensitive);
+        if (count == 0)
+            return 0;
+        hits += count;
+    }
+    return hits;
+}
+
+QString pageOfDock(const QString& dock)
+{
+    static const QHash<QString, QString> pageOf{
+        {"modelDock", "selecting"},   {"historyDock", "history"},   {"simulationDock", "speed"},
+        {"propertiesDock", "hands"},  {"displayDock", "seeing"},    {"handsDock", "hands"},
+        {"timelineDock", "history"},  {"importDock", "opening"},    {"exportDock", "exporting"},
+        {"performanceDock", "speed"}, {"measureDock", "measuring"}, {"probeDock", "measuring"},
+        {"forcesDock", "hands"},
+    };
+    return pageOf.value(dock, "keys");
+}
+
+} // namespace knead::handbook

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include <vector>
+
+namespace knead {
+
+/// The handbook, as the program carries it: pages in Markdown from resources/handbook.
+namespace handbook {
+
+struct Page {
+    QString name;  ///< of its file, without the ending
+    QString title; ///< its first line
+    QString text;  ///< Markdown, whole
+};
+
+/// In the order in which they are read.
+const std::vector<Page>& pages();
+
+/// Null: there is no such page.
+const Page* pageNamed(const QString& name);
+
+/// How often a page has words: those of `wanted`, each of which it must have.
+qsizetype hitsIn(const Page& page, const QString& wanted);
+
+/// The page on what a panel is for. @param dock its name as an object; empty: none
+QString pageOfDock(const QString& dock);
+
+} // namespace handbook
+
+} // namespace knead

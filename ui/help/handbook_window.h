@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ui/dialogs/modeless_dialog.h"
+
+class QLineEdit;
+class QListWidget;
+class QTextBrowser;
+class QUrl;
+
+namespace knead {
+
+/// The handbook beside the window: pages on the left, found by words; the page on the right.
+class HandbookWindow final : public ModelessDialog {
+    Q_OBJECT
+public:
+    explicit HandbookWindow(QWidget* parent = nullptr);
+
+    /// @param page its name; another than there are: the first one
+    void open(const QString& page);
+    QString page() const; ///< that is shown
+
+private:
+    void list(const QString& wanted);
+    void showPage();
+    void follow(const QUrl& link);
+    void findNext();
+
+    QLineEdit* m_search;
+    QListWidget* m_pages;
+    QTextBrowser* m_text;
+};
+
+} // namespace knead

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "core/model/file_preview.h"
+#include "ui/document/filled_model.h"
+#include "ui/frame/workbench.h"
+
+#include <QObject>
+
+#include <functional>
+#include <vector>
+
+namespace knead {
+
+struct Actions;
+class ImportPanel;
+class ProjectsFeature;
+class RecipesFeature;
+
+/// How files come into the window: opened with and without choices, taken in another unit or healed, filled anew; and the report on
+/// them. Window thread only.
+class ImportFeature final : public QObject {
+    Q_OBJECT
+public:
+    ImportFeature(const Workbench& bench, const Actions& actions, ProjectsFeature& projects, RecipesFeature& recipes);
+
+    /// Opens files in the background, several as one assembly, or a project, or a recipe. A failure is shown in a
+    /// sentence and leaves everything as it was; what is not saved is not asked about.
+    void open(const QStringList& paths);
+    void open(const ImportChoices& request);
+    /// Looks into the files first and asks what is wanted of them.
+    void openWithChoices(const QStringList& paths);
+    /// Once what is not saved may go.
+    void openInstead(const QStringList& paths);
+    void askForFile(bool withChoices);
+    /// Fills the bodies anew in the background. @param spacing [m]
+    void refill(double spacing);
+
+    void tellOfModel(); ///< in the log
+    /// The report, and what matters most of it in the banner: once, not with work that was done in spite of it.
+    void showImport();
+
+private:
+    void askForChoices(std::vector<FilePreview> previews);
+    void startRefill(double spacing);
+    void refillOnceMore(double spacing);
+    void showRefilled(PreparedModel prepared);
+    void openAgain(const QString& title, std::function<Model(const Model&)> change, const ImportChoices& request);
+    void takeIn(const QString& unit);
+    void takeHealed(bool heal);
+    void fillOpenParts();
+
+    Workbench m_bench;
+    ProjectsFeature& m_projects;
+    RecipesFeature& m_recipes;
+    ImportPanel* m_panel;
+};
+
+} // namespace knead

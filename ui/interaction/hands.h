@@ -1,0 +1,81 @@
+#pragma once
+
+#include "ui/interaction/hand_settings.h"
+#include "ui/interaction/space_motion.h"
+
+#include <QObject>
+
+#include <memory>
+
+class QAction;
+class QMenu;
+
+namespace knead {
+
+class Document;
+class GizmoHand;
+class HandPanel;
+class KeyHand;
+class PressHand;
+class PullHand;
+class SpaceHand;
+class ViewportWidget;
+
+/// All ways in which a person's hands move tools and material in a view, with their actions and their panel.
+class Hands final : public QObject {
+    Q_OBJECT
+public:
+    /// @param window in which the actions work
+    Hands(QWidget* window, Document& document, ViewportWidget& view);
+
+    HandPanel* makePanel();
+    void addTo(QMenu* menu) const;
+    void listen(const ListenToSpaceMouse& listen);
+
+    /// Gives the keys back to the window. @return whether they drove tools
+    bool leaveKeys();
+    QString hint() const; ///< on what the mouse does now; empty: as always
+    QAction* pullAction() const { return m_pull; }
+    QAction* pressAction() const { return m_press; }
+    QAction* forceTableAction() const { return m_forceTable; }
+    QAction* forcePlotAction() const { return m_forcePlot; }
+
+    const GizmoHand& gizmo() const { return *m_gizmoHand; }
+    const KeyHand& keys() const { return *m_keyHand; }
+    const PullHand& pull() const { return *m_pullHand; }
+    const PressHand& pressing() const { return *m_pressHand; }
+    HandSettings& settings() { return m_settings; }
+
+signals:
+    void modeChanged();
+    void problem(const QString& sentence);
+
+private:
+    QAction* make(const char* name, const QString& text, const char* picture, const QKeySequence& key,
+                  const QString& tip, bool isCheckable = true);
+    void makeActions();
+    void connectActions();
+    void keep(QAction* action, bool HandChoices::*choice);
+    void enable();
+
+    QWidget* m_window;
+    Document& m_document;
+    ViewportWidget& m_view;
+    HandSettings m_settings;
+    KeyHand* m_keyHand; // owned by the view, as the others
+    PressHand* m_pressHand;
+    PullHand* m_pullHand;
+    GizmoHand* m_gizmoHand; // asked first: numbers are typed into it while keys drive other tools
+    SpaceHand* m_spaceHand;
+    QAction* m_gizmo = nullptr;
+    QAction* m_ownAxes = nullptr;
+    QAction* m_keys = nullptr;
+    QAction* m_press = nullptr;
+    QAction* m_pull = nullptr;
+    QAction* m_spaceMouse = nullptr;
+    QAction* m_forces = nullptr;
+    QAction* m_forcePlot = nullptr;
+    QAction* m_forceTable = nullptr;
+};
+
+} // namespace knead

@@ -1,0 +1,47 @@
+#include "ui/interaction/view_hand.h"
+
+#include "ui/viewport/viewport_widget.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+
+namespace knead {
+
+ViewHand::ViewHand(Document& document, ViewportWidget& view)
+    : QObject(&view)
+    , m_document(document)
+    , m_view(view)
+{
+    view.installEventFilter(this);
+}
+
+bool ViewHand::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched != &m_view)
+        return false;
+    switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick: // the second of two fast presses
+        return mousePressed(static_cast<QMouseEvent&>(*event));
+    case QEvent::MouseMove:
+        return mouseMoved(static_cast<QMouseEvent&>(*event));
+    case QEvent::MouseButtonRelease:
+        return mouseReleased(static_cast<QMouseEvent&>(*event));
+    case QEvent::ShortcutOverride:
+        if (!wantsKey(static_cast<QKeyEvent&>(*event)))
+            return false;
+        event->accept();
+        return true;
+    case QEvent::KeyPress:
+        return keyPressed(static_cast<QKeyEvent&>(*event));
+    case QEvent::KeyRelease:
+        return keyReleased(static_cast<QKeyEvent&>(*event));
+    case QEvent::FocusOut:
+        keyboardLost();
+        return false;
+    default:
+        return false;
+    }
+}
+
+} // namespace knead

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "ui/frame/workbench.h"
+
+#include <QObject>
+
+namespace knead {
+
+struct Comparison;
+struct ComparisonReport;
+class Measuring;
+
+/// The part beside what it was when it was opened, and the report of that. Window thread only.
+class ComparisonFeature final : public QObject {
+    Q_OBJECT
+public:
+    ComparisonFeature(const Workbench& bench, const Measuring& measuring);
+
+    /// Writes a report as PDF or HTML in the background; the ending decides.
+    void write(const QString& path, const Comparison& comparison);
+
+private:
+    void compareWithOriginal();
+    ComparisonReport newReport() const;
+    void showComparison(const ComparisonReport& report);
+    void writeReport(const QString& path, const ComparisonReport& report);
+
+    Workbench m_bench;
+    const Measuring& m_measuring;
+};
+
+} // namespace knead

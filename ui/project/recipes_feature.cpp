@@ -1,0 +1,102 @@
+#include "ui/project/recipes_feature.h"
+
+#include "ui/dialogs/file_question.h"
+#include "ui/frame/notices.h"
+#include "ui/project/encoded_path.h"
+#include "ui/project/project_keeper.h"
+#include "ui/project/projects_feature.h"
+
+#include <QAction>
+#include <QFile>
+#include <QFileInfo>
+#include <QMainWindow>
+
+#include <algorithm>
+
+namespace knead {
+
+RecipesFeature::RecipesFeature(const Workbench& bench, ProjectsFeature& projects, const QAction& exportAction)
+    : QObject(&bench.window)
+    , m_bench(bench)
+    , m_projects(projects)
+{
+    connect(&exportAction, &QAction::triggered, this, &RecipesFeature::askForRecipe);
+}
+
+bool RecipesFeature::opened(const QStringList& paths)
+{
+    const QString ending = QString::fromStdString(m_bench.services.recipes.ending);
+    const auto isRecipe = [&](const QString& path) {
+        return !ending.isEmpty() && QFileInfo(path).suffix().compare(ending, Qt::CaseInsensitive) == 0;
+    };
+    if (std::none_of(paths.begin(), paths.end(), isRecipe))
+        return false;
+    if (paths.size() == 1)
+        open(paths.front());
+    else
+        m_bench.notices.problem(tr("A recipe is opened alone: choose one file, or only parts."));
+    return true;
+}
+
+void RecipesFeature::open(const QString& path)
+{
+    if (m_bench.isBusy())
+        return;
+    m_bench.notices.hide();
+    const QString name = QFileInfo(path).fileName();
+    const QString title = tr("Opening %1").arg(name);
+    const auto work = [services = m_bench.services.recipes, path, title](TaskControl& control) {
+        constexpr double readShare = 0.7; // of the progress
+        TaskPortion reading(control, 0, readShare);
+        RecipeStart recipe = services.open(encoded(path), reading);
+        TaskPortion preparing(control, readShare, 1);
+        return prepareRecipe(std::move(recipe), preparing);
+    };
+    const auto finish = [this, path, name](PreparedModel prepared) {
+        prepared.name = tr("Open %1").arg(name).toStdString();
+        m_projects.keeper().open(std::move(prepared));
+        m_projects.addRecent(path);
+        m_bench.notices.note(tr("Play carries out %1; what is done by hand comes on top of it.").arg(name));
+    };
+    m_bench.tasks.run<PreparedModel>(title, work, finish);
+}
+
+void RecipesFeature::askForRecipe()
+{
+    if (m_bench.document.isEmpty())
+        return;
+    const QString ending = QString::fromStdString(m_bench.services.recipes.ending);
+    const FileQuestion question{.name = "recipeDialog",
+                                .title = tr("Export as a recipe"),
+                                .filters = {tr("Recipes (*.%1)").arg(ending)},
+                                .key = "recipeFolder",
+                                .file = QFileInfo(m_projects.keeper().name()).completeBaseName() + ".recipe." + ending};
+    askForFileToWrite(m_bench.window, question, [this](const QString& path) { exportTo(path); });
+}
+
+void RecipesFeature::exportTo(const QString& path)
+{
+    if (m_bench.document.isEmpty() || m_bench.isBusy())
+        return;
+    m_bench.notices.hide();
+    m_bench.document.whenSettled([this, path] { write(path); });
+}
+
+/// All that was done has become part of the history.
+void RecipesFeature::write(const QString& path)
+{
+    const auto work = [write = m_bench.services.recipes.write, path, project = m_bench.document.project(),
+                       saved = m_projects.keeper().path()](TaskControl&) {
+        return write(encoded(path), project, encoded(saved));
+    };
+    const auto finish = [this, path](const std::vector<std::string>& remarks) {
+        m_bench.notices.note(tr("Exported the session as a recipe to %1.").arg(path));
+        for (const std::string& remark : remarks)
+            m_bench.notices.warn(QString::fromStdString(remark));
+    };
+    const QString title = tr("Exporting %1").arg(QFileInfo(path).fileName());
+    if (!m_bench.tasks.run<std::vector<std::string>>(title, work, finish))
+        m_bench.isBusy(); // says with what
+}
+
+} // namespace knead

@@ -1,0 +1,215 @@
+#include "ui/recording/offscreen_renderer.h"
+
+#include "ui/document/entry_names.h"
+#include "ui/recording/sentence.h"
+#include "ui/units.h"
+#include "ui/viewport/color_legend.h"
+#include "ui/viewport/viewport_bridge.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <QCoreApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QPainter>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+constexpr double textShare = 1.0 / 45; // height of text in heights of the picture
+constexpr double shownForce = 1e-6;    // [N]
+
+[[noreturn]] void failForSize()
+{
+    failWith(QCoreApplication::translate("Studio",
+                                         "The graphics card draws no pictures of this size. Choose a smaller one."));
+}
+
+void drawText(QPainter& painter, const QPointF& topLeft, const QString& text)
+{
+    const int padding = painter.fontMetrics().height() / 3;
+    QRectF box = painter.fontMetrics().boundingRect(text);
+    box.moveTopLeft(topLeft + QPointF(padding, padding / 2.0));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(255, 255, 255, 215));
+    painter.drawRoundedRect(box.adjusted(-padding, -padding / 2.0, padding, padding / 2.0), padding, padding);
+    painter.setPen(QColor(30, 34, 38));
+    painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, text);
+}
+
+} // namespace
+
+/// The render window and Qt's context, in which it draws.
+struct OffscreenRenderer::Room {
+    Surface surface;
+    QOpenGLContext context;
+    vtkNew<vtkGenericOpenGLRenderWindow> window;
+    vtkNew<vtkCallbackCommand> observer;
+
+    Room(const QSize& size, Surface drawnOn)
+        : surface(std::move(drawnOn))
+    {
+        context.setFormat(ViewportBridge::surfaceFormat()); // the surface forgets that lines may be wide
+        if (!context.create() || !context.makeCurrent(surface.get()))
+            failWith(QCoreApplication::translate(
+                "Studio", "The graphics card takes no more pictures. Close other programs and try again."));
+        if (std::max(size.width(), size.height()) > largestSide())
+            failForSize();
+        observer->SetCallback(&Room::answer);
+        observer->SetClientData(this);
+        window->AddObserver(vtkCommand::WindowMakeCurrentEvent, observer);
+        window->AddObserver(vtkCommand::WindowIsCurrentEvent, observer);
+        window->SetFrameBlitModeToNoBlit();
+        window->SetMultiSamples(8);
+        window->SetSize(size.width(), size.height());
+        window->SetReadyForRendering(true);
+        window->SetOwnContext(0);
+        window->OpenGLInitContext();
+    }
+
+    ~Room()
+    {
+        context.makeCurrent(surface.get());
+        window->Finalize();
+        window->SetReadyForRendering(false);
+        window->RemoveAllObservers();
+        context.doneCurrent();
+    }
+
+    int largestSide()
+    {
+        GLint side = 0;
+        context.functions()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &side);
+        return side;
+    }
+
+    /// Whether all went well since it was asked last.
+    bool isWell() { return context.functions()->glGetError() == GL_NO_ERROR; }
+
+    static void answer(vtkObject* /*caller*/, unsigned long event, void* self, void* data)
+    {
+        auto& room = *static_cast<Room*>(self);
+        if (event == vtkCommand::WindowIsCurrentEvent)
+            *static_cast<bool*>(data) = QOpenGLContext::currentContext() == &room.context;
+        else if (event == vtkCommand::WindowMakeCurrentEvent)
+            room.context.makeCurrent(room.surface.get());
+    }
+};
+
+OffscreenRenderer::Surface OffscreenRenderer::makeSurface()
+{
+    if (!QOpenGLContext::supportsThreadedOpenGL())
+        failWith(QCoreApplication::translate(
+            "Studio",
+            "The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with "
+            "LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver."));
+    Surface surface(new QOffscreenSurface, std::mem_fn(&QObject::deleteLater));
+    surface->setFormat(ViewportBridge::surfaceFormat());
+    surface->create();
+    return surface;
+}
+
+OffscreenRenderer::OffscreenRenderer(SceneLook look, const QSize& size, Surface surface)
+    : m_look(std::move(look))
+    , m_size(size)
+    , m_sights(m_look.content.bodies)
+    , m_room(std::make_unique<Room>(size, std::move(surface)))
+    , m_scene(std::make_unique<SceneView>(m_room->window))
+{
+    m_scene->setStyle(m_look.style);
+    m_scene->setModel(m_look.content);
+    m_scene->setOptions(m_look.options);
+    m_scene->setMarks(m_look.marks);
+    m_scene->setAppearance(m_look.looks);
+    vtkRendererCollection* renderers = m_room->window->GetRenderers();
+    renderers->InitTraversal();
+    while (vtkRenderer* renderer = renderers->GetNextItem())
+        renderer->SetDraw(renderer->GetLayer() == 0); // without the cube
+    m_room->context.doneCurrent();
+}
+
+OffscreenRenderer::~OffscreenRenderer()
+{
+    m_room->context.makeCurrent(m_room->surface.get());
+    m_scene.reset();
+}
+
+QImage OffscreenRenderer::draw(const FramePointer& frame, std::optional<double> at)
+{
+    const SurfaceFieldsRequest request = requestOf(m_look.options);
+    m_room->context.makeCurrent(m_room->surface.get());
+    m_scene->showFrame(frame);
+    m_scene->setSurfaceFields(request.isEmpty() ? nullptr : m_sights.make(frame, request));
+    m_scene->setCamera(m_look.camera);
+    m_room->isWell();
+    m_room->window->Render();
+    QImage picture = pixels();
+    if (!m_room->isWell())
+        failForSize();
+    m_room->context.doneCurrent();
+    drawLegend(picture);
+    if (at)
+        writeReadings(picture, *at);
+    return picture;
+}
+
+QImage OffscreenRenderer::pixels() const
+{
+    constexpr int back = 0;
+    constexpr int leftEye = 0;
+    vtkNew<vtkUnsignedCharArray> pixels;
+    m_room->window->GetPixelData(0, 0, m_size.width() - 1, m_size.height() - 1, back, pixels, leftEye);
+    const QImage upsideDown(pixels->GetPointer(0), m_size.width(), m_size.height(), 3 * m_size.width(),
+                            QImage::Format_RGB888);
+    return upsideDown.mirrored();
+}
+
+/// In the lower right corner, as in the view.
+void OffscreenRenderer::drawLegend(QImage& picture) const
+{
+    const std::optional<ColorScale> scale = m_scene->scale();
+    if (!scale || !scale->isKnown)
+        return;
+    QPainter painter(&picture);
+    QFont font;
+    font.setPixelSize(std::max(9, static_cast<int>(textShare * m_size.height())));
+    painter.setFont(font);
+    const ScaleText text = textOf(*scale);
+    const int inset = painter.fontMetrics().height();
+    QRect place(QPoint(), legendSize(painter.fontMetrics(), text, {}));
+    place.moveBottomRight(QPoint(m_size.width() - inset, m_size.height() - inset));
+    paintLegend(painter, place, *scale, text, {},
+                {QColor(255, 255, 255, 215), QColor(30, 34, 38), QColor(150, 156, 162)});
+}
+
+/// As the view has them.
+void OffscreenRenderer::writeReadings(QImage& picture, double at) const
+{
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QFont font;
+    font.setPixelSize(std::max(9, static_cast<int>(textShare * m_size.height())));
+    painter.setFont(font);
+    const int lineHeight = painter.fontMetrics().height();
+    drawText(painter, QPointF(lineHeight, m_size.height() - 2.5 * lineHeight), timeText(at));
+    const WindowSize window{static_cast<double>(m_size.width()), static_cast<double>(m_size.height())};
+    for (const SceneLabel& label : m_scene->labels())
+        if (const auto place = m_look.camera.project(label.place, window); place && label.force >= shownForce)
+            drawText(painter, QPointF(place->x + 0.5 * lineHeight, place->y - 0.5 * lineHeight),
+                     formatReading(label.force, Quantity::Force));
+}
+
+} // namespace knead

@@ -1,0 +1,94 @@
+#include "ui/recording/recording_feature.h"
+
+#include "ui/dialogs/file_question.h"
+#include "ui/dialogs/record_dialog.h"
+#include "ui/frame/notices.h"
+#include "ui/recording/offscreen_renderer.h"
+#include "ui/units.h"
+#include "ui/viewport/view_grid.h"
+#include "ui/viewport/view_name.h"
+#include "ui/viewport/viewport_widget.h"
+
+#include <QAction>
+#include <QFile>
+#include <QFileInfo>
+#include <QMainWindow>
+
+namespace knead {
+
+RecordingFeature::RecordingFeature(const Workbench& bench, const QAction& video, const QAction& pictures)
+    : QObject(&bench.window)
+    , m_bench(bench)
+{
+    connect(&video, &QAction::triggered, this, [this] { askForRecording(Recording::Kind::video); });
+    connect(&pictures, &QAction::triggered, this, [this] { askForRecording(Recording::Kind::pictures); });
+}
+
+void RecordingFeature::askForRecording(Recording::Kind kind)
+{
+    if (m_bench.document.isPlaying())
+        m_bench.document.pause();
+    m_bench.document.whenSettled([this, kind] {
+        const Timeline line = m_bench.document.timeline();
+        if (line.pictures.empty()) {
+            m_bench.notices.problem(tr("There is nothing to record yet: press Play and let something happen first."));
+            return;
+        }
+        const RecordDialog::ShownView view{
+            .size = m_bench.viewport.size() * m_bench.viewport.devicePixelRatioF(),
+            .name = m_bench.views.areSeveral() ? nameOfView(m_bench.viewport.cameraAfterTurning()) : QString()};
+        auto* dialog = new RecordDialog(kind, line.end, view, &m_bench.window);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        connect(dialog, &QDialog::accepted, this, [this, dialog] { askForPlace(dialog->recording()); });
+        dialog->open();
+    });
+}
+
+void RecordingFeature::askForPlace(const Recording& recording)
+{
+    const bool isVideo = recording.kind == Recording::Kind::video;
+    const QString proposed =
+        QFileInfo(QString::fromStdString(m_bench.document.content().model->file)).completeBaseName();
+    const FileQuestion question{.name = "recordFileDialog",
+                                .title = isVideo ? tr("Save the video") : tr("Make a folder for the pictures"),
+                                .filters = {isVideo ? tr("Video (*.ogv)") : tr("Folder (*)")},
+                                .key = "record/folder",
+                                .file = proposed + (isVideo ? ".ogv" : "-pictures")};
+    askForFileToWrite(m_bench.window, question, [this, recording](const QString& path) { record(path, recording); });
+}
+
+void RecordingFeature::record(const QString& path, const Recording& recording)
+{
+    const Timeline line = m_bench.document.timeline();
+    if (line.pictures.empty() || m_bench.isBusy())
+        return;
+    OffscreenRenderer::Surface surface;
+    try {
+        surface = OffscreenRenderer::makeSurface();
+    } catch (const std::exception& error) {
+        m_bench.notices.problem(QString::fromStdString(error.what()));
+        return;
+    }
+    const auto work = [services = m_bench.services, path = QFile::encodeName(path).toStdString(), recording, line,
+                       surface, look = m_bench.viewport.look()](TaskControl& control) {
+        OffscreenRenderer offscreen(look, recording.size, surface);
+        const auto draw = [&](const FramePointer& frame, double at) {
+            return offscreen.draw(frame, recording.hasReadings ? std::optional(at) : std::nullopt);
+        };
+        if (recording.kind == Recording::Kind::pictures)
+            knead::record(recording, line, look.content, draw, *makePictureWriter(path), control);
+        else
+            services.writeSafely(path, [&](const std::string& pathForNow) {
+                knead::record(recording, line, look.content, draw, *makeVideoWriter(pathForNow, recording.rate),
+                              control);
+            });
+        return recording.pictures();
+    };
+    const QString name = QFileInfo(path).fileName();
+    m_bench.tasks.run<std::size_t>(tr("Recording %1").arg(name), work, [this, name](std::size_t pictures) {
+        m_bench.notices.note(pictures == 1 ? tr("%1: 1 picture recorded.").arg(name)
+                                           : tr("%1: %2 pictures recorded.").arg(name, formatCount(pictures)));
+    });
+}
+
+} // namespace knead

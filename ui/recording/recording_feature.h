@@ -1,0 +1,29 @@
+#pragma once
+
+#include "ui/frame/workbench.h"
+#include "ui/recording/recording.h"
+
+#include <QObject>
+
+class QAction;
+
+namespace knead {
+
+/// Videos and pictures of what was simulated. Window thread only.
+class RecordingFeature final : public QObject {
+    Q_OBJECT
+public:
+    RecordingFeature(const Workbench& bench, const QAction& video, const QAction& pictures);
+
+    /// Makes a video or pictures in the background.
+    /// @param path of the file, or of the folder of the pictures
+    void record(const QString& path, const Recording& recording);
+
+private:
+    void askForRecording(Recording::Kind kind);
+    void askForPlace(const Recording& recording);
+
+    Workbench m_bench;
+};
+
+} // namespace knead
