@@ -36,7 +36,10 @@ private slots:
         book->close();
         auto* tree = find<QWidget>("modelTree");
         QVERIFY(tree != nullptr);
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), patience));
         tree->setFocus();
+        QTRY_COMPARE(QApplication::focusWidget(), tree);
         action("handbook")->trigger();
         QCOMPARE(book->page(), QString("selecting"));
         QTest::keyClick(book, Qt::Key_Escape);
@@ -45,6 +48,7 @@ private slots:
 
     void findsPagesByWords()
     {
+        m_window->features().preferences->setTheme(Theme::Dark);
         action("handbook")->trigger();
         auto* list = find<QListWidget>("handbookPages");
         const int all = list->count();

@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSplitter>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextCursor>
 #include <QTextTable>
@@ -20,10 +21,21 @@ namespace {
 
 constexpr int pageName = Qt::UserRole;
 
-/// Tables come without room between their columns.
+/// Headings and tables come without room around them.
 void makeRoom(QTextDocument& document)
 {
     QTextCursor cursor(&document);
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        QTextBlockFormat format = block.blockFormat();
+        constexpr int line = 120; // of a line's height [%]
+        format.setLineHeight(line, QTextBlockFormat::ProportionalHeight);
+        if (format.headingLevel() > 1) {
+            format.setTopMargin(18);
+            format.setBottomMargin(6);
+        }
+        cursor.setPosition(block.position());
+        cursor.setBlockFormat(format);
+    }
     for (QTextFrame* frame : document.rootFrame()->childFrames())
         if (auto* table = qobject_cast<QTextTable*>(frame)) {
             QTextTableFormat format = table->format();
