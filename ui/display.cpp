@@ -8,6 +8,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QCoreApplication>
 #include <QMenu>
 #include <QSettings>
 
@@ -120,7 +121,7 @@ void Display::makeColors()
 }
 
 /// Actions of which one is chosen; their data is their place.
-QActionGroup* Display::makeGroup(const std::vector<std::pair<const char*, QString>>& names, const QString& tip)
+QActionGroup* Display::makeGroup(const std::vector<std::pair<QByteArray, QString>>& names, const QString& tip)
 {
     auto* group = new QActionGroup(this);
     for (const auto& [name, text] : names) {
@@ -133,12 +134,14 @@ QActionGroup* Display::makeGroup(const std::vector<std::pair<const char*, QStrin
 
 void Display::makeMaps()
 {
-    m_maps = makeGroup({{"colorMapViridis", tr("Color map: viridis")},
-                        {"colorMapCividis", tr("Color map: cividis")},
-                        {"colorMapGray", tr("Color map: gray")}},
-                       tr("From which colors to which numbers are shown"));
-    connect(m_maps, &QActionGroup::triggered, this,
-            [this](const QAction* action) { setMap(static_cast<ColorMap>(action->data().toInt())); });
+    std::vector<std::pair<QByteArray, QString>> names;
+    for (const ColorMapChoice& choice : colorMapChoices())
+        names.emplace_back(QByteArray("colorMap") + choice.name,
+                           tr("Color map: %1").arg(QCoreApplication::translate("ColorMap", choice.title)));
+    m_maps = makeGroup(names, tr("From which colors to which numbers are shown"));
+    connect(m_maps, &QActionGroup::triggered, this, [this](const QAction* action) {
+        setMap(colorMapChoices()[static_cast<std::size_t>(action->data().toInt())].map);
+    });
     m_automatic =
         make("automaticRange", tr("Range as needed"), nullptr, {}, tr("The colors reach as far as the numbers do"));
     connect(m_automatic, &QAction::toggled, this, &Display::switchAutomatic);
@@ -342,7 +345,9 @@ void Display::follow()
                                  : tr("Color the skin by a quantity first.");
     for (QAction* action : m_maps->actions())
         action->setProperty("whyDisabled", whyNoMap);
-    m_maps->actions().at(static_cast<int>(options.colors.map))->setChecked(true);
+    for (QAction* action : m_maps->actions())
+        if (colorMapChoices()[static_cast<std::size_t>(action->data().toInt())].map == options.colors.map)
+            action->setChecked(true);
     m_axes->actions().at(static_cast<int>(m_plane.axis))->setChecked(true);
     if (options.section.plane)
         m_plane.offset = (m_plane.isFlipped ? -1 : 1) * options.section.plane->offset;

@@ -70,7 +70,7 @@ private:
     void makeColors();
     void makeMaps();
     void makeCuts();
-    QActionGroup* makeGroup(const std::vector<std::pair<const char*, QString>>& names, const QString& tip);
+    QActionGroup* makeGroup(const std::vector<std::pair<QByteArray, QString>>& names, const QString& tip);
     void makeMenu(const Actions& actions);
     void insideToggled();
     void apply();
@@ -94,7 +94,7 @@ private:
     QAction* m_flip = nullptr;
     QAction* m_compare = nullptr;
     QActionGroup* m_colors = nullptr;
-    QActionGroup* m_maps = nullptr; ///< in the order of ColorMap
+    QActionGroup* m_maps = nullptr; ///< in the order of colorMapChoices()
     QAction* m_automatic = nullptr;
     QActionGroup* m_axes = nullptr; ///< in the order of Section::Axis
     QAction* m_hatched = nullptr;

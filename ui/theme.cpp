@@ -136,7 +136,7 @@ private:
 };
 
 struct ThemeColors {
-    QColor window, base, alternate, button, text, dimmed, disabled, line, accent, accentText, tint, problem, tip;
+    QColor window, base, alternate, button, text, dimmed, disabled, line, accent, accentText, link, tint, problem, tip;
 };
 
 ThemeColors colorsOf(Theme theme)
@@ -152,6 +152,7 @@ ThemeColors colorsOf(Theme theme)
                 .line = "#454a51",
                 .accent = "#2c70dc",
                 .accentText = "#ffffff",
+                .link = "#77a9f7",
                 .tint = "#28456e",
                 .problem = "#ff6b6b",
                 .tip = "#3a3f45"};
@@ -165,6 +166,7 @@ ThemeColors colorsOf(Theme theme)
             .line = "#c9ced4",
             .accent = "#1668dc",
             .accentText = "#ffffff",
+            .link = "#1668dc",
             .tint = "#d3e3fb",
             .problem = "#cf2530",
             .tip = "#ffffff"};
@@ -187,7 +189,7 @@ QPalette paletteOf(const ThemeColors& colors)
     set(QPalette::ToolTipText, colors.text);
     set(QPalette::Highlight, colors.accent);
     set(QPalette::HighlightedText, colors.accentText);
-    set(QPalette::Link, colors.accent);
+    set(QPalette::Link, colors.link);
     set(QPalette::Mid, colors.line);
     for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
         palette.setColor(QPalette::Disabled, role, colors.disabled);

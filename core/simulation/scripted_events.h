@@ -26,7 +26,7 @@ public:
     virtual void wentTo(const Moment& moment, std::uint64_t hash) = 0;
 };
 
-/// Makes an script for a simulation at the start of its scene. All that it makes know where any was when a gesture ended. Any
+/// Makes a script for a simulation at the start of its scene. All that it makes know where any was when a gesture ended. Any
 /// thread; empty: there is no script.
 using ScriptedEventsMaker = std::function<std::unique_ptr<ScriptedEvents>()>;
 

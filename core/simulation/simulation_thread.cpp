@@ -202,7 +202,7 @@ struct SimulationThread::Worker {
         playing = false;
         carry = 0;
         governor.forget();
-        ++destinations;
+        ++arrivals;
         simulation.goTo(moment);
         if (script)
             script->wentTo(*moment, simulation.stateHash());
@@ -233,7 +233,7 @@ struct SimulationThread::Worker {
         shot->updatesPerSecond = playing ? updates : 0;
         shot->stepsPerFrame = playing ? steps : 0;
         shot->snapshotSeconds = snapshotSeconds;
-        shot->destinations = destinations;
+        shot->arrivals = arrivals;
         shot->requests = carriedOut;
         shot->scriptEnds = scriptEnds;
         {
@@ -261,7 +261,7 @@ struct SimulationThread::Worker {
     double updates = 0;
     int steps = 0;
     double snapshotSeconds = 0;
-    std::uint64_t destinations = 0;
+    std::uint64_t arrivals = 0;
     std::uint64_t carriedOut = 0;
     std::uint64_t scriptEnds = 0;
     std::deque<Frame> frames;

@@ -27,7 +27,7 @@ public:
     void stepOnce();             ///< one step, while paused; none at the end of the script, as play() stops there
     void reset();                ///< pauses and carries out Reset
     void setSpeed(double ratio); ///< wanted ratio of simulated to wall time, 0.01 .. 10; 1 at first
-    void keepUp(bool on); ///< by a rougher Pace where it is slow; it does at first, but not while an script goes on
+    void keepUp(bool on); ///< by a rougher Pace where it is slow; it does at first, but not while a script goes on
     void showPressing(bool on); ///< see Simulation::showPressing(); a new snapshot comes at once
     void post(Command command); ///< takes effect at the next step, at once while paused
 

@@ -167,10 +167,10 @@ struct Snapshot {
     double ratio = 0; ///< simulated per wall time, over the last half second
     double updatesPerSecond = 0;
     int stepsPerFrame = 0;
-    double snapshotSeconds = 0;     ///< that taking this one took
-    std::uint64_t destinations = 0; ///< how often SimulationThread::goTo() was carried out before
-    std::uint64_t requests = 0;     ///< how many requests were, see SimulationThread::requests()
-    std::uint64_t scriptEnds = 0;   ///< how often time stood still at the end of the script
+    double snapshotSeconds = 0;   ///< that taking this one took
+    std::uint64_t arrivals = 0;   ///< how often SimulationThread::goTo() was carried out before
+    std::uint64_t requests = 0;   ///< how many requests were, see SimulationThread::requests()
+    std::uint64_t scriptEnds = 0; ///< how often time stood still at the end of the script
 };
 
 using SnapshotPointer = std::shared_ptr<const Snapshot>;

@@ -112,7 +112,7 @@ public:
     {
         std::swap(m_front, m_next);
         m_next.clear();
-        for (HistoryDestination& destination : m_front)
+        for (Arrival& destination : m_front)
             destination.walks = std::exchange(m_last[static_cast<std::size_t>(destination.place)], std::uint64_t{0});
         for (const auto& [place, walks] : m_front)
             for (std::uint32_t links = linksOf(place); links != 0; links &= links - 1)
@@ -131,7 +131,7 @@ public:
     }
 
 private:
-    struct HistoryDestination {
+    struct Arrival {
         std::int32_t place;
         std::uint64_t walks;
     };
@@ -165,8 +165,8 @@ private:
     std::array<std::uint16_t, side * side * side> m_links{};
     std::array<std::uint64_t, side * side * side> m_reached{}; // by which walks
     std::array<std::uint64_t, side * side * side> m_last{};    // by which of them in the last step
-    std::vector<HistoryDestination> m_front;
-    std::vector<HistoryDestination> m_next; // where any came in the last step
+    std::vector<Arrival> m_front;
+    std::vector<Arrival> m_next; // where any came in the last step
 };
 
 /// The walk from a node at corners of a cell and of those around it.

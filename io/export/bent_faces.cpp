@@ -52,6 +52,14 @@ std::uint32_t originOf(std::uint32_t face, const ReadyPart& ready)
     return ready.manner == FaceManner::divided ? ready.originOfDivided[face] : face;
 }
 
+void setColorsByOrigin(const Part& part, ReadyPart& ready)
+{
+    std::vector<std::uint32_t> origin;
+    for (const std::uint32_t face : ready.origin)
+        origin.push_back(originOf(face, ready));
+    setFaceColors(part, origin, ready.out);
+}
+
 /// What came of bending faces.
 struct Bent {
     bool isDone = false;
@@ -159,26 +167,8 @@ private:
         m_ready.origin = std::move(morphed.origin);
         m_ready.out.shape = outward(morphed.shape);
         if (m_firstFace > 0)
-            reorder();
+            putFaceFirst(m_part.part, m_firstFace, m_ready);
         return {true, {}, {}};
-    }
-
-    void reorder()
-    {
-        const OrderedShape ordered = withFaceFirst(m_ready.out.shape, m_firstFace);
-        m_ready.out.shape = ordered.shape;
-        const std::vector<std::uint32_t> before = std::exchange(m_ready.origin, {});
-        for (const std::uint32_t face : ordered.order)
-            m_ready.origin.push_back(before.empty() ? face : before[face]);
-        setColorsByOrigin();
-    }
-
-    void setColorsByOrigin()
-    {
-        std::vector<std::uint32_t> origin;
-        for (const std::uint32_t face : m_ready.origin)
-            origin.push_back(originOf(face, m_ready));
-        setFaceColors(m_part.part, origin, m_ready.out);
     }
 
     double flatTolerance() const
@@ -239,7 +229,7 @@ private:
         report.remarks.push_back("\"" + report.name + "\": " + facesInWords(ofPart) +
                                  (ofPart.size() == 1 ? " is" : " are") +
                                  " made of flat triangles; its other faces are smooth.");
-        setColorsByOrigin();
+        setColorsByOrigin(m_part.part, m_ready);
         m_ready.next = FaceManner::flat;
     }
 
@@ -266,6 +256,16 @@ TriangleMesh skinOfFlatFaces(const ReadyPart& ready, const TriangleMesh& skin)
         if (flat.contains(skin.faceOfTriangle[t]))
             patch.triangles.push_back(skin.triangles[t]);
     return patch;
+}
+
+void putFaceFirst(const Part& part, std::size_t first, ReadyPart& ready)
+{
+    const OrderedShape ordered = withFaceFirst(ready.out.shape, first);
+    ready.out.shape = ordered.shape;
+    const std::vector<std::uint32_t> before = std::exchange(ready.origin, {});
+    for (const std::uint32_t face : ordered.order)
+        ready.origin.push_back(before.empty() ? face : before[face]);
+    setColorsByOrigin(part, ready);
 }
 
 void setFaceColors(const Part& part, const std::vector<std::uint32_t>& origin, CadPartToWrite& out)

@@ -27,6 +27,9 @@ TriangleMesh skinOfFlatFaces(const ReadyPart& ready, const TriangleMesh& skin);
 /// @param origin per face that is written: which of the part it is of
 void setFaceColors(const Part& part, const std::vector<std::uint32_t>& origin, CadPartToWrite& out);
 
+/// Writes another face of each solid first, see withFaceFirst().
+void putFaceFirst(const Part& part, std::size_t first, ReadyPart& ready);
+
 /// A closed shape with its outside outside.
 TopoDS_Shape outward(const TopoDS_Shape& shape);
 

@@ -191,6 +191,8 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
     if (!isMoved) {
         ready.out.shape = part.part.watertight ? outward(ready.source) : ready.source;
         report.keptFaces = report.facesBefore;
+        if (choice.firstFace > 0)
+            putFaceFirst(part.part, choice.firstFace, ready);
         return ready;
     }
     noteCrossings(*ready.map, {&part.part.mesh, &rest}, now, control, report);

@@ -110,6 +110,8 @@ void compare(ReadyPart& written, const std::vector<const Part*>& backs, const To
         report.nameKept = report.nameKept && back->name.starts_with(written.out.name);
         report.colorsKept = report.colorsKept && (backs.size() > 1 || keepsColors(written.out, *back));
     }
+    if (written.cameBackInsideOut)
+        report.remarks.emplace_back("other programs may read it inside out, as it came back here.");
     if (report.form == PartExportReport::Form::faceted)
         measureFlatDeviation(written.skin, backs, report);
     if (written.source.IsNull() || backs.empty())

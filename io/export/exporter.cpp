@@ -162,11 +162,13 @@ bool isSpoilt(const PartToExport& part, const PartExportReport& report)
 
 /// Why bent faces are not good enough.
 /// @pre they are not fit
-std::string whyUnfit(const PartExportReport& report)
+std::string whyUnfit(const PartExportReport& report, const Outcome& outcome)
 {
     if (report.facesAfter == 0)
         return "its bent faces were not found again in the file when that was read back.";
     const std::string bent = "read back from the file, its bent faces ";
+    if (outcome.cameBackInsideOut)
+        return bent + "are inside out.";
     if (!report.valid)
         return bent + "do not pass the geometry checks.";
     if (!report.closed || report.freeEdges > 0)
@@ -195,7 +197,13 @@ bool areOthersBetter(const PartExportReport& report)
     return !report.valid || !report.closed || report.freeEdges > 0 || isRough(report);
 }
 
-constexpr std::size_t mostFirstFaces = 3; // that are tried where a file is read inside out
+/// Whether a part came back inside out and another of its faces can be written first, see withFaceFirst().
+bool canTurn(const PartExportReport& report, const Outcome& outcome, const FaceChoice& choice)
+{
+    constexpr int mostTries = 3;
+    return outcome.cameBackInsideOut && report.form == PartExportReport::Form::exact &&
+           static_cast<int>(choice.firstFace) < std::min(mostTries, report.facesAfter - 1);
+}
 
 /// Chooses what is to be tried next. @return false when every part came back as well as it can
 bool choose(const ExportJob& job, const Attempt& last, Choices& choices)
@@ -204,14 +212,15 @@ bool choose(const ExportJob& job, const Attempt& last, Choices& choices)
     for (std::size_t i = 0; i < job.parts.size(); ++i) {
         const PartExportReport& report = last.file.report.parts[i];
         const Outcome& outcome = last.outcomes[i];
-        if (!outcome.next || !isSpoilt(job.parts[i], report) || !areOthersBetter(report))
-            continue;
-        if (outcome.cameBackInsideOut && choices[i].firstFace < mostFirstFaces)
+        const std::size_t firstFace = choices[i].firstFace;
+        if (canTurn(report, outcome, choices[i]))
             ++choices[i].firstFace;
+        else if (!outcome.next || !isSpoilt(job.parts[i], report) || !areOthersBetter(report))
+            continue;
         else if (*outcome.next == FaceManner::flat && !outcome.misfits.empty() && choices[i].flat.empty())
-            choices[i] = {outcome.manner, whyUnfit(report), outcome.misfits, {}};
+            choices[i] = {outcome.manner, whyUnfit(report, outcome), outcome.misfits, {}, firstFace};
         else
-            choices[i] = {*outcome.next, whyUnfit(report), {}, outcome.misfits};
+            choices[i] = {*outcome.next, whyUnfit(report, outcome), {}, outcome.misfits, firstFace};
         isAny = true;
     }
     return isAny;

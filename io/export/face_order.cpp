@@ -1,9 +1,13 @@
 #include "io/export/face_order.h"
 
+#include <BRepClass3d.hxx>
 #include <BRep_Builder.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 
 #include <algorithm>
 
@@ -29,19 +33,25 @@ TopoDS_Shape remade(const TopoDS_Shape& like, const std::vector<TopoDS_Shape>& c
     return shape;
 }
 
+TopoDS_Shape rotatedShell(const TopoDS_Shape& shell, std::size_t first)
+{
+    std::vector<TopoDS_Shape> faces = childrenOf(shell);
+    if (faces.empty())
+        return shell;
+    std::rotate(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(first % faces.size()), faces.end());
+    return remade(shell, faces);
+}
+
 TopoDS_Shape rotated(const TopoDS_Shape& shape, std::size_t first)
 {
-    std::vector<TopoDS_Shape> children = childrenOf(shape);
-    if (children.empty())
+    if (shape.ShapeType() > TopAbs_SOLID)
         return shape;
-    if (shape.ShapeType() == TopAbs_SHELL)
-        std::rotate(children.begin(), children.begin() + static_cast<std::ptrdiff_t>(first % children.size()),
-                    children.end());
-    else if (shape.ShapeType() == TopAbs_SOLID)
-        children.front() = rotated(children.front(), first);
-    else
-        for (TopoDS_Shape& child : children)
+    std::vector<TopoDS_Shape> children = childrenOf(shape);
+    for (TopoDS_Shape& child : children)
+        if (shape.ShapeType() != TopAbs_SOLID)
             child = rotated(child, first);
+        else if (child.IsSame(BRepClass3d::OuterShell(TopoDS::Solid(shape))))
+            child = rotatedShell(child, first);
     return remade(shape, children);
 }
 

@@ -64,7 +64,7 @@ public:
         , m_mask(m_face, reach * m_feature)
     {
         for (Eigen::Index axis = 0; axis < 2; ++axis)
-            m_appearance[axis] = std::floor(std::clamp(2 * m_perFeature[axis] + 1, leastLooks, mostLooks));
+            m_looks[axis] = std::floor(std::clamp(2 * m_perFeature[axis] + 1, leastLooks, mostLooks));
     }
 
     MorphedFace run()
@@ -91,9 +91,9 @@ private:
     std::vector<Vec3> samples() const
     {
         std::vector<Vec2> parameters = m_border;
-        for (double i = 0; i <= m_appearance[0]; ++i)
-            for (double j = 0; j <= m_appearance[1]; ++j) {
-                const Vec2 share(i / m_appearance[0], j / m_appearance[1]);
+        for (double i = 0; i <= m_looks[0]; ++i)
+            for (double j = 0; j <= m_looks[1]; ++j) {
+                const Vec2 share(i / m_looks[0], j / m_looks[1]);
                 const Vec2 at = m_face.low() + share.cwiseProduct(m_face.high() - m_face.low());
                 if (m_mask.isNear(at))
                     parameters.push_back(at);
@@ -259,7 +259,7 @@ private:
     Vec2 m_perFeature; // size of the face
     Vec2 m_feature;    // in parameters
     TrimMask m_mask;
-    Vec2 m_appearance = Vec2::Ones();
+    Vec2 m_looks = Vec2::Ones();
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "io/morph/periodic_ranges.h"
 
+#include <BRep_Builder.hxx>
 #include <BRep_GCurve.hxx>
 #include <BRep_ListIteratorOfListOfCurveRepresentation.hxx>
 #include <BRep_TEdge.hxx>
@@ -11,6 +12,8 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Vertex.hxx>
 
 #include <cmath>
 
@@ -18,7 +21,7 @@ namespace knead {
 
 namespace {
 
-/// By how much the range of an edge is too high: whole periods.
+/// By how many periods the range of an edge lies off the first one, as a length of parameters; negative: below it.
 double excessOf(const TopoDS_Edge& edge)
 {
     TopLoc_Location location;
@@ -48,6 +51,17 @@ void lower(BRep_GCurve& curve, double excess)
     curve.SetRange(first - excess, last - excess);
 }
 
+/// Those between its ends, which know where on it they are.
+void lowerInnerVertices(const TopoDS_Edge& edge, double excess)
+{
+    for (TopoDS_Iterator child(edge); child.More(); child.Next()) {
+        const TopoDS_Vertex vertex = TopoDS::Vertex(child.Value());
+        if (vertex.Orientation() == TopAbs_INTERNAL || vertex.Orientation() == TopAbs_EXTERNAL)
+            BRep_Builder().UpdateVertex(vertex, BRep_Tool::Parameter(vertex, edge) - excess, edge,
+                                        BRep_Tool::Tolerance(vertex));
+    }
+}
+
 } // namespace
 
 void bringRangesIntoPeriod(const TopoDS_Shape& shape)
@@ -60,6 +74,7 @@ void bringRangesIntoPeriod(const TopoDS_Shape& shape)
         if (excess == 0)
             continue;
         const Handle(BRep_TEdge) data = Handle(BRep_TEdge)::DownCast(edge.TShape());
+        lowerInnerVertices(edge, excess);
         for (BRep_ListIteratorOfListOfCurveRepresentation each(data->ChangeCurves()); each.More(); each.Next())
             if (const Handle(BRep_GCurve) curve = Handle(BRep_GCurve)::DownCast(each.Value()); !curve.IsNull())
                 lower(*curve, excess);

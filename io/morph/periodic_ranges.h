@@ -4,8 +4,9 @@
 
 namespace knead {
 
-/// Brings the ranges of edges on circles and other periodic curves to where the first period begins, with those of their curves on
-/// faces. OpenCASCADE's check does so with the former alone, and takes an edge for wrong that has a spline on a face then.
+/// Brings the ranges of edges on circles and other periodic curves into the first period, with those of their curves on
+/// faces. OpenCASCADE's check takes edges on circles from 2 pi on for wrong that have a fitted spline on a plane, however close
+/// that is: of a thin tube with 1,018 faces, 75.
 /// @param shape whose edges nothing else has: they are changed in place
 void bringRangesIntoPeriod(const TopoDS_Shape& shape);
 

@@ -498,6 +498,21 @@
     </message>
 </context>
 <context>
+    <name>ColorMap</name>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Gray</source>
+        <translation>Grau</translation>
+    </message>
+</context>
+<context>
     <name>ColorScale</name>
     <message>
         <source>Displacement</source>
@@ -739,18 +754,6 @@
         <translation>Farben</translation>
     </message>
     <message>
-        <source>Color map: viridis</source>
-        <translation>Farbskala: Viridis</translation>
-    </message>
-    <message>
-        <source>Color map: cividis</source>
-        <translation>Farbskala: Cividis</translation>
-    </message>
-    <message>
-        <source>Color map: gray</source>
-        <translation>Farbskala: Grau</translation>
-    </message>
-    <message>
         <source>From which colors to which numbers are shown</source>
         <translation>Mit welchen Farben Zahlen gezeigt werden</translation>
     </message>
@@ -802,6 +805,10 @@
         <source>Section</source>
         <translation>Schnitt</translation>
     </message>
+    <message>
+        <source>Color map: %1</source>
+        <translation>Farbskala: %1</translation>
+    </message>
 </context>
 <context>
     <name>DisplayPanel</name>
@@ -820,18 +827,6 @@
     <message>
         <source>Colors of the skin</source>
         <translation>Farben der Haut</translation>
-    </message>
-    <message>
-        <source>Viridis</source>
-        <translation>Viridis</translation>
-    </message>
-    <message>
-        <source>Cividis</source>
-        <translation>Cividis</translation>
-    </message>
-    <message>
-        <source>Gray</source>
-        <translation>Grau</translation>
     </message>
     <message>
         <source>All have even lightness; cividis looks nearly alike to people who see few colors</source>
@@ -2005,6 +2000,14 @@
     <message>
         <source>read back from the file, its flat faces are up to %1 mm off the skin where %2 mm are allowed.</source>
         <translation>aus der Datei zurückgelesen liegen seine flachen Flächen bis zu %1 mm neben der Haut, erlaubt sind %2 mm.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces are inside out.</source>
+        <translation>aus der Datei zurückgelesen, sind seine gebogenen Flächen von innen nach außen gekehrt.</translation>
+    </message>
+    <message>
+        <source>other programs may read it inside out, as it came back here.</source>
+        <translation>andere Programme lesen es vielleicht von innen nach außen gekehrt, wie es hier zurückkam.</translation>
     </message>
 </context>
 <context>
@@ -3816,6 +3819,21 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
+    <name>OffscreenRenderer</name>
+    <message>
+        <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
+        <translation>Die Grafikkarte zeichnet keine Bilder dieser Größe. Wählen Sie eine kleinere.</translation>
+    </message>
+    <message>
+        <source>The graphics card takes no more pictures. Close other programs and try again.</source>
+        <translation>Die Grafikkarte nimmt keine Bilder mehr auf. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
+        <translation>Der Grafiktreiber zeichnet nur für das Fenster, deshalb kann nichts aufgezeichnet werden. Starten Sie Knead mit LIBGL_ALWAYS_SOFTWARE=1 in seiner Umgebung, um ohne den Treiber aufzuzeichnen.</translation>
+    </message>
+</context>
+<context>
     <name>PerformancePanel</name>
     <message>
         <source>Tools</source>
@@ -5427,21 +5445,6 @@ Simuliert: %2, Schritt %3
     </message>
 </context>
 <context>
-    <name>Studio</name>
-    <message>
-        <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
-        <translation>Die Grafikkarte zeichnet keine Bilder dieser Größe. Wählen Sie eine kleinere.</translation>
-    </message>
-    <message>
-        <source>The graphics card takes no more pictures. Close other programs and try again.</source>
-        <translation>Die Grafikkarte nimmt keine Bilder mehr auf. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
-        <translation>Der Grafiktreiber zeichnet nur für das Fenster, deshalb kann nichts aufgezeichnet werden. Starten Sie Knead mit LIBGL_ALWAYS_SOFTWARE=1 in seiner Umgebung, um ohne den Treiber aufzuzeichnen.</translation>
-    </message>
-</context>
-<context>
     <name>TableKinds</name>
     <message>
         <source>Smooth</source>
@@ -5745,8 +5748,8 @@ Simuliert: %2, Schritt %3
         <translation>Alles Weitere</translation>
     </message>
     <message>
-        <source>Ctrl+E exports the part as CAD again. Ctrl+K finds any command by a few letters, F1 lists mouse and keys, and the menu Help repeats this tour.</source>
-        <translation>Strg+E exportiert das Teil wieder als CAD. Strg+K findet jeden Befehl an ein paar Buchstaben, F1 listet Maus und Tasten, und das Menü Hilfe wiederholt diesen Rundgang.</translation>
+        <source>Ctrl+E exports the part as CAD again. Ctrl+K finds any command by a few letters, F1 opens the handbook, and the menu Help repeats this tour.</source>
+        <translation>Strg+E exportiert das Teil wieder als CAD. Strg+K findet jeden Befehl an ein paar Buchstaben, F1 öffnet das Handbuch, und das Menü Hilfe wiederholt diesen Rundgang.</translation>
     </message>
 </context>
 <context>

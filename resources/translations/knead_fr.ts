@@ -498,6 +498,21 @@
     </message>
 </context>
 <context>
+    <name>ColorMap</name>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Gray</source>
+        <translation>Gris</translation>
+    </message>
+</context>
+<context>
     <name>ColorScale</name>
     <message>
         <source>Displacement</source>
@@ -739,18 +754,6 @@
         <translation>Couleurs</translation>
     </message>
     <message>
-        <source>Color map: viridis</source>
-        <translation>Échelle de couleurs : viridis</translation>
-    </message>
-    <message>
-        <source>Color map: cividis</source>
-        <translation>Échelle de couleurs : cividis</translation>
-    </message>
-    <message>
-        <source>Color map: gray</source>
-        <translation>Échelle de couleurs : gris</translation>
-    </message>
-    <message>
         <source>From which colors to which numbers are shown</source>
         <translation>Avec quelles couleurs les nombres sont montrés</translation>
     </message>
@@ -802,6 +805,10 @@
         <source>Section</source>
         <translation>Coupe</translation>
     </message>
+    <message>
+        <source>Color map: %1</source>
+        <translation>Échelle de couleurs : %1</translation>
+    </message>
 </context>
 <context>
     <name>DisplayPanel</name>
@@ -820,18 +827,6 @@
     <message>
         <source>Colors of the skin</source>
         <translation>Couleurs de la peau</translation>
-    </message>
-    <message>
-        <source>Viridis</source>
-        <translation>Viridis</translation>
-    </message>
-    <message>
-        <source>Cividis</source>
-        <translation>Cividis</translation>
-    </message>
-    <message>
-        <source>Gray</source>
-        <translation>Gris</translation>
     </message>
     <message>
         <source>All have even lightness; cividis looks nearly alike to people who see few colors</source>
@@ -2005,6 +2000,14 @@
     <message>
         <source>read back from the file, its flat faces are up to %1 mm off the skin where %2 mm are allowed.</source>
         <translation>relues depuis le fichier, ses faces à facettes s’écartent de la peau de %1 mm au plus, alors que %2 mm sont permis.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces are inside out.</source>
+        <translation>relues du fichier, ses faces courbées sont retournées.</translation>
+    </message>
+    <message>
+        <source>other programs may read it inside out, as it came back here.</source>
+        <translation>d’autres programmes peuvent la lire retournée, comme elle est revenue ici.</translation>
     </message>
 </context>
 <context>
@@ -3816,6 +3819,21 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
+    <name>OffscreenRenderer</name>
+    <message>
+        <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
+        <translation>La carte graphique ne dessine pas d&apos;images de cette taille. Choisissez-en une plus petite.</translation>
+    </message>
+    <message>
+        <source>The graphics card takes no more pictures. Close other programs and try again.</source>
+        <translation>La carte graphique ne prend plus d&apos;images. Fermez d&apos;autres programmes et réessayez.</translation>
+    </message>
+    <message>
+        <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
+        <translation>Le pilote graphique ne dessine que pour la fenêtre, rien ne peut donc être enregistré. Démarrez Knead avec LIBGL_ALWAYS_SOFTWARE=1 dans son environnement pour enregistrer sans le pilote.</translation>
+    </message>
+</context>
+<context>
     <name>PerformancePanel</name>
     <message>
         <source>Tools</source>
@@ -5427,21 +5445,6 @@ Simulé&#xa0;: %2, pas %3
     </message>
 </context>
 <context>
-    <name>Studio</name>
-    <message>
-        <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
-        <translation>La carte graphique ne dessine pas d&apos;images de cette taille. Choisissez-en une plus petite.</translation>
-    </message>
-    <message>
-        <source>The graphics card takes no more pictures. Close other programs and try again.</source>
-        <translation>La carte graphique ne prend plus d&apos;images. Fermez d&apos;autres programmes et réessayez.</translation>
-    </message>
-    <message>
-        <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
-        <translation>Le pilote graphique ne dessine que pour la fenêtre, rien ne peut donc être enregistré. Démarrez Knead avec LIBGL_ALWAYS_SOFTWARE=1 dans son environnement pour enregistrer sans le pilote.</translation>
-    </message>
-</context>
-<context>
     <name>TableKinds</name>
     <message>
         <source>Smooth</source>
@@ -5745,8 +5748,8 @@ Simulé&#xa0;: %2, pas %3
         <translation>Tout le reste</translation>
     </message>
     <message>
-        <source>Ctrl+E exports the part as CAD again. Ctrl+K finds any command by a few letters, F1 lists mouse and keys, and the menu Help repeats this tour.</source>
-        <translation>Ctrl+E exporte de nouveau la pièce en CAO. Ctrl+K trouve toute commande par quelques lettres, F1 liste souris et touches, et le menu Aide répète cette visite.</translation>
+        <source>Ctrl+E exports the part as CAD again. Ctrl+K finds any command by a few letters, F1 opens the handbook, and the menu Help repeats this tour.</source>
+        <translation>Ctrl+E exporte de nouveau la pièce en CAO. Ctrl+K trouve toute commande par quelques lettres, F1 ouvre le manuel, et le menu Aide répète cette visite.</translation>
     </message>
 </context>
 <context>

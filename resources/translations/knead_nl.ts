@@ -498,6 +498,21 @@
     </message>
 </context>
 <context>
+    <name>ColorMap</name>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Gray</source>
+        <translation>Grijs</translation>
+    </message>
+</context>
+<context>
     <name>ColorScale</name>
     <message>
         <source>Displacement</source>
@@ -739,18 +754,6 @@
         <translation>Kleuren</translation>
     </message>
     <message>
-        <source>Color map: viridis</source>
-        <translation>Kleurschaal: viridis</translation>
-    </message>
-    <message>
-        <source>Color map: cividis</source>
-        <translation>Kleurschaal: cividis</translation>
-    </message>
-    <message>
-        <source>Color map: gray</source>
-        <translation>Kleurschaal: grijs</translation>
-    </message>
-    <message>
         <source>From which colors to which numbers are shown</source>
         <translation>Met welke kleuren getallen worden getoond</translation>
     </message>
@@ -802,6 +805,10 @@
         <source>Section</source>
         <translation>Doorsnede</translation>
     </message>
+    <message>
+        <source>Color map: %1</source>
+        <translation>Kleurschaal: %1</translation>
+    </message>
 </context>
 <context>
     <name>DisplayPanel</name>
@@ -820,18 +827,6 @@
     <message>
         <source>Colors of the skin</source>
         <translation>Kleuren van de huid</translation>
-    </message>
-    <message>
-        <source>Viridis</source>
-        <translation>Viridis</translation>
-    </message>
-    <message>
-        <source>Cividis</source>
-        <translation>Cividis</translation>
-    </message>
-    <message>
-        <source>Gray</source>
-        <translation>Grijs</translation>
     </message>
     <message>
         <source>All have even lightness; cividis looks nearly alike to people who see few colors</source>
@@ -2005,6 +2000,14 @@
     <message>
         <source>read back from the file, its flat faces are up to %1 mm off the skin where %2 mm are allowed.</source>
         <translation>teruggelezen uit het bestand liggen de platte vlakken tot %1 mm naast de huid, waar %2 mm is toegestaan.</translation>
+    </message>
+    <message>
+        <source>read back from the file, its bent faces are inside out.</source>
+        <translation>teruggelezen uit het bestand zijn de gebogen vlakken binnenstebuiten.</translation>
+    </message>
+    <message>
+        <source>other programs may read it inside out, as it came back here.</source>
+        <translation>andere programma’s lezen het misschien binnenstebuiten, zoals het hier terugkwam.</translation>
     </message>
 </context>
 <context>
@@ -3816,6 +3819,21 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
+    <name>OffscreenRenderer</name>
+    <message>
+        <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
+        <translation>De grafische kaart tekent geen beelden van deze grootte. Kies een kleinere.</translation>
+    </message>
+    <message>
+        <source>The graphics card takes no more pictures. Close other programs and try again.</source>
+        <translation>De grafische kaart neemt geen beelden meer op. Sluit andere programma&apos;s en probeer het opnieuw.</translation>
+    </message>
+    <message>
+        <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
+        <translation>Het grafische stuurprogramma tekent alleen voor het venster, dus er kan niets worden opgenomen. Start Knead met LIBGL_ALWAYS_SOFTWARE=1 in zijn omgeving om zonder het stuurprogramma op te nemen.</translation>
+    </message>
+</context>
+<context>
     <name>PerformancePanel</name>
     <message>
         <source>Tools</source>
@@ -5427,21 +5445,6 @@ Gesimuleerd: %2, stap %3
     </message>
 </context>
 <context>
-    <name>Studio</name>
-    <message>
-        <source>The graphics card draws no pictures of this size. Choose a smaller one.</source>
-        <translation>De grafische kaart tekent geen beelden van deze grootte. Kies een kleinere.</translation>
-    </message>
-    <message>
-        <source>The graphics card takes no more pictures. Close other programs and try again.</source>
-        <translation>De grafische kaart neemt geen beelden meer op. Sluit andere programma&apos;s en probeer het opnieuw.</translation>
-    </message>
-    <message>
-        <source>The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver.</source>
-        <translation>Het grafische stuurprogramma tekent alleen voor het venster, dus er kan niets worden opgenomen. Start Knead met LIBGL_ALWAYS_SOFTWARE=1 in zijn omgeving om zonder het stuurprogramma op te nemen.</translation>
-    </message>
-</context>
-<context>
     <name>TableKinds</name>
     <message>
         <source>Smooth</source>
@@ -5745,8 +5748,8 @@ Gesimuleerd: %2, stap %3
         <translation>Al het andere</translation>
     </message>
     <message>
-        <source>Ctrl+E exports the part as CAD again. Ctrl+K finds any command by a few letters, F1 lists mouse and keys, and the menu Help repeats this tour.</source>
-        <translation>Ctrl+E exporteert het onderdeel weer als CAD. Ctrl+K vindt elke opdracht met een paar letters, F1 toont muis en toetsen, en het menu Help herhaalt deze rondleiding.</translation>
+        <source>Ctrl+E exports the part as CAD again. Ctrl+K finds any command by a few letters, F1 opens the handbook, and the menu Help repeats this tour.</source>
+        <translation>Ctrl+E exporteert het onderdeel weer als CAD. Ctrl+K vindt elke opdracht met een paar letters, F1 opent het handboek, en het menu Help herhaalt deze rondleiding.</translation>
     </message>
 </context>
 <context>

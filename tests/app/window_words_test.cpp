@@ -157,7 +157,9 @@ private slots:
               "\"Bar\": face 5 is made of flat triangles; its other faces are smooth.",
               "\"Bar\": faces 5, 7, 12 are made of flat triangles; its other faces are smooth.",
               "4 faces were added: those that close in themselves came in two, which other programs read more surely.",
-              "read back from the file, its bent faces enclose a volume 0.35 % off that of the skin."}) {
+              "read back from the file, its bent faces enclose a volume 0.35 % off that of the skin.",
+              "read back from the file, its bent faces are inside out.",
+              "other programs may read it inside out, as it came back here."}) {
             const QString said = inWords(sentence);
             QVERIFY2(said != sentence, sentence);
             const QRegularExpression numbers("[0-9.]*[0-9]");

@@ -201,7 +201,7 @@ void Document::start(Simulation simulation, std::shared_ptr<const FilledModel> c
     m_simulation->setSpeed(m_speed);
     m_simulation->keepUp(m_keepsUp);
     m_seen = m_simulation->latest();
-    m_destinations = 0;
+    m_arrivals = 0;
     ++m_edits;
     m_scriptEnds = m_fixtureRequest = m_editRequest = 0;
     m_whenKnown.clear();
@@ -249,7 +249,7 @@ void Document::poll()
 
 void Document::accept(const FramePointer& frame, std::uint64_t generation)
 {
-    if (generation != m_generation || frame->snapshot->destinations < m_destinations)
+    if (generation != m_generation || frame->snapshot->arrivals < m_arrivals)
         return;
     m_frame = frame;
     followFillings();

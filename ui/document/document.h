@@ -63,7 +63,7 @@ public:
         Selection,
         Fixtures,
         History, ///< entries, their names, what undo and redo would do
-        Moment   ///< another moment of the history is shown, or the journey there was given up
+        Moment   ///< another moment of the history is shown, or the navigation there was given up
     };
     using Entry = History::Entry;
 
@@ -152,7 +152,7 @@ public:
     /// @param run in which the step is reached: after so many resets within the entry
     void branchAt(Entry entry, std::uint64_t step, std::uint32_t run = 0);
 
-    /// Between asking for another entry and seeing it. What is posted in the meantime happens there, or here when the journey
+    /// Between asking for another entry and seeing it. What is posted in the meantime happens there, or here when the navigation
     /// is given up.
     bool isGoing() const { return m_navigation != NavigationState::none || !m_requests.empty(); }
 
@@ -186,7 +186,7 @@ public:
     /// Keeps a region under a name, in place of the one that had it. @return whether it could
     bool keepSet(const QString& name, const Region& region);
 
-    // ---- What a person calls and groups (document_looks.cpp) ----
+    // ---- What a person calls and groups (document_appearance.cpp) ----
 
     const PartAppearance& appearance() const { return m_appearance; }
     QString nameOfPart(std::size_t part) const; ///< by index into Model::parts
@@ -351,15 +351,15 @@ private:
 
     NavigationState m_navigation = NavigationState::none;
     Entry m_shown = 0;  ///< where the simulation is, or was when it began to do something else
-    Entry m_target = 0; ///< of the journey
+    Entry m_target = 0; ///< of the navigation
     std::uint64_t m_edits = 0;
-    std::uint64_t m_editRequest = 0;  ///< the last of them
-    std::uint64_t m_travels = 0;      ///< counts them; who comes late is dropped
-    QString m_longTitle;              ///< of the task that does a long journey
-    std::uint64_t m_destinations = 0; ///< that frames must have seen
+    std::uint64_t m_editRequest = 0; ///< the last of them
+    std::uint64_t m_travels = 0;     ///< counts them; who comes late is dropped
+    QString m_longTitle;             ///< of the task that does a long navigation
+    std::uint64_t m_arrivals = 0;    ///< that frames must have seen
     std::vector<Request> m_requests;
     bool m_isTakenBack = false;                      ///< the simulation is no longer where the history is
-    std::vector<std::function<void()>> m_afterwards; ///< when the journey has ended
+    std::vector<std::function<void()>> m_afterwards; ///< when the navigation has ended
     std::vector<std::function<void()>> m_whenSettled;
 
     ToolRequests m_toolRequests;

@@ -191,7 +191,7 @@ void Document::finishGesture()
 void Document::keepFilm()
 {
     const auto keep = [this, generation = m_generation](const SnapshotPointer& snapshot) {
-        if (generation == m_generation && snapshot->destinations >= m_destinations)
+        if (generation == m_generation && snapshot->arrivals >= m_arrivals)
             m_playback.see(snapshot);
     };
     m_simulation->watch([this, keep](const SnapshotPointer& snapshot) {

@@ -1,5 +1,5 @@
 // Undo, redo, and going to any entry of the history. The tree is at the wanted entry at once; the simulation follows as soon as
-// its moment was found, on another thread. Many wishes in a row make one journey.
+// its moment was found, on another thread. Many requests in a row make one way.
 #include "ui/document/document.h"
 
 #include "core/simulation/moment.h"
@@ -196,7 +196,7 @@ void Document::arrive(HistoryDestination destination)
 void Document::goInSimulation(MomentPointer moment)
 {
     m_navigation = NavigationState::arriving; // until a frame shows it
-    ++m_destinations;
+    ++m_arrivals;
     ++m_edits;
     m_toolRequests.forget();
     follow(*moment);
@@ -311,7 +311,7 @@ void Document::endNavigation()
         action();
 }
 
-/// Another document, or another start: nobody waits for the journey any more.
+/// Another document, or another start: nobody waits for the navigation any more.
 void Document::forgetGoing()
 {
     m_playback.dropUnderWay();
@@ -322,7 +322,7 @@ void Document::forgetGoing()
     m_afterwards.clear();
 }
 
-/// @return whether the action has to wait for the end of a journey
+/// @return whether the action has to wait for the end of a navigation
 bool Document::later(std::function<void()> action)
 {
     if (!isGoing())
@@ -331,7 +331,7 @@ bool Document::later(std::function<void()> action)
     return true;
 }
 
-/// The same for what names faces or objects: it is dropped where the journey ends at another filling.
+/// The same for what names faces or objects: it is dropped where the navigation ends at another filling.
 bool Document::laterHere(std::function<void()> action)
 {
     return later([this, content = m_content, action = std::move(action)] {

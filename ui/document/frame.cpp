@@ -27,7 +27,7 @@ FramePointer prepareFrame(const FilledBodies& bodies, SnapshotPointer snapshot, 
 {
     auto frame = std::make_shared<Frame>();
     const bool isUnmoved = previous &&
-                           previous->snapshot->destinations == snapshot->destinations && // branches meet at equal steps
+                           previous->snapshot->arrivals == snapshot->arrivals && // branches meet at equal steps
                            (previous->snapshot->step == snapshot->step ||
                             (snapshot->rest > 0 && previous->snapshot->rest == snapshot->rest));
     for (std::size_t b = 0; b < bodies.size(); ++b) {

@@ -22,7 +22,7 @@ struct Branch {
     Gesture gesture;
 };
 
-/// A journey to an entry of the history: plain values for another thread.
+/// A navigation to an entry of the history: plain values for another thread.
 struct HistoryNavigation {
     Way way;
     DocumentHistory::Start start;

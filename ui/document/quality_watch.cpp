@@ -39,8 +39,8 @@ void QualityWatch::begin()
 
 void QualityWatch::forgetWhatIsWell(const Snapshot& now, const std::vector<Remark>& remarks)
 {
-    const bool isElsewhere = now.destinations != m_destinations || now.resets != m_resets;
-    m_destinations = now.destinations;
+    const bool isElsewhere = now.arrivals != m_arrivals || now.resets != m_resets;
+    m_arrivals = now.arrivals;
     m_resets = now.resets;
     std::erase_if(m_frames, [&](const auto& frames) { return !has(remarks, frames.first); });
     if (isElsewhere)

@@ -22,7 +22,7 @@ private:
 
     std::map<Concern, int> m_frames; ///< in a row that showed a concern
     std::map<Concern, bool> m_isSaid;
-    std::uint64_t m_destinations = 0;
+    std::uint64_t m_arrivals = 0;
     std::uint32_t m_resets = 0;
 };
 

@@ -13,12 +13,12 @@ constexpr double slowRatio = 0.01;
 
 bool StallWatch::look(const Pace& now, double speed)
 {
-    if (!m_appearance.empty() && now.simulated < m_appearance.back().simulated) // time began anew
-        m_appearance.clear();
-    m_appearance.push_back(now);
-    while (m_appearance.size() > 2 && now.wall - m_appearance[1].wall >= stretch)
-        m_appearance.pop_front();
-    if (now.wall - m_appearance.front().wall < stretch)
+    if (!m_looks.empty() && now.simulated < m_looks.back().simulated) // time began anew
+        m_looks.clear();
+    m_looks.push_back(now);
+    while (m_looks.size() > 2 && now.wall - m_looks[1].wall >= stretch)
+        m_looks.pop_front();
+    if (now.wall - m_looks.front().wall < stretch)
         return false;
     const Stall passed = stall();
     const bool isSlow = passed.simulated < slowRatio * std::min(1.0, speed) * passed.wall;
@@ -29,15 +29,15 @@ bool StallWatch::look(const Pace& now, double speed)
 
 StallWatch::Stall StallWatch::stall() const
 {
-    if (m_appearance.empty())
+    if (m_looks.empty())
         return {};
-    return {.wall = m_appearance.back().wall - m_appearance.front().wall,
-            .simulated = m_appearance.back().simulated - m_appearance.front().simulated};
+    return {.wall = m_looks.back().wall - m_looks.front().wall,
+            .simulated = m_looks.back().simulated - m_looks.front().simulated};
 }
 
 void StallWatch::stop()
 {
-    m_appearance.clear();
+    m_looks.clear();
 }
 
 } // namespace knead

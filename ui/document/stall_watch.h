@@ -26,7 +26,7 @@ public:
     void stop(); ///< time is not played any more
 
 private:
-    std::deque<Pace> m_appearance;
+    std::deque<Pace> m_looks;
     bool m_isSaid = false;
 };
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
+#include <string>
 
 namespace knead {
 
@@ -41,8 +43,11 @@ constexpr std::array<DockPlace, 14> dockPlaces{{
 
 const DockPlace& dockPlaceOf(std::string_view name)
 {
-    return *std::find_if(dockPlaces.begin(), dockPlaces.end(),
-                         [name](const DockPlace& place) { return place.name == name; });
+    const auto* found = std::find_if(dockPlaces.begin(), dockPlaces.end(),
+                                     [name](const DockPlace& place) { return place.name == name; });
+    if (found == dockPlaces.end())
+        throw std::logic_error("docks.cpp has no place for " + std::string(name));
+    return *found;
 }
 
 /// What a low dock is held by: a narrow strip at its left.

@@ -281,7 +281,7 @@ void MainWindow::makeCommands()
 {
     m_shortcuts = new Shortcuts(*this);
     m_palette = new CommandPalette(*this, [this](const QAction& action) { return whyDisabled(action); });
-    m_features->preferences = new PreferencesFeature(*m_bench, *m_actions, *m_shortcuts);
+    m_features->preferences = new PreferencesFeature(*m_bench, *m_actions, *m_shortcuts, m_atStart);
     PreferencesFeature* preferences = m_features->preferences;
     connect(m_actions->palette, &QAction::triggered, this, [this] { m_palette->open(); });
     connect(m_actions->resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);

@@ -93,7 +93,7 @@ private:
     void cancel();
     QString whyDisabled(const QAction& action) const;
 
-    const Preferences m_atStart; ///< before anything is said
+    const Preferences m_atStart; ///< first of all: what is made next is in their language
     Services m_services;
     TaskRunner m_tasks;
     Document m_document;

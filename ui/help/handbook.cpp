@@ -2,6 +2,8 @@
 
 #include <QFile>
 #include <QHash>
+#include <QRegularExpression>
+#include <QTextDocument>
 
 #include <algorithm>
 
@@ -13,9 +15,12 @@ Page read(const QString& name)
 {
     QFile file(":/handbook/" + name + ".md");
     if (!file.open(QFile::ReadOnly))
-        return {name, name, {}};
-    const QString text = QString::fromUtf8(file.readAll());
-    return {name, text.section('\n', 0, 0).remove(QStringLiteral("# ")), text};
+        return {name, name, {}, {}};
+    static const QRegularExpression elsewhere(R"(\[([^\]]+)\]\((?!http)[^)]*(?<!\.md)\))"); // files, not pages
+    const QString text = QString::fromUtf8(file.readAll()).replace(elsewhere, R"(\1)");
+    QTextDocument read;
+    read.setMarkdown(text);
+    return {name, text.section('\n', 0, 0).remove(QStringLiteral("# ")), text, read.toPlainText()};
 }
 
 } // namespace
@@ -44,7 +49,7 @@ qsizetype hitsIn(const Page& page, const QString& wanted)
 {
     qsizetype hits = 0;
     for (const QString& word : wanted.split(' ', Qt::SkipEmptyParts)) {
-        const qsizetype count = page.text.count(word, Qt::CaseInsensitive);
+        const qsizetype count = page.words.count(word, Qt::CaseInsensitive);
         if (count == 0)
             return 0;
         hits += count;

@@ -14,6 +14,7 @@ struct Page {
     QString name;  ///< of its file, without the ending
     QString title; ///< its first line
     QString text;  ///< Markdown, whole
+    QString words; ///< the same without the marks, as it is read
 };
 
 /// In the order in which they are read.

@@ -245,9 +245,9 @@ std::vector<Tour::Step> windowTour(QMainWindow& window)
          Tour::tr("Drag along the timeline to look back. Ctrl+Z undoes whatever you did, what was simulated included."),
          widget("timelineDock")},
         {Tour::tr("Everything else"),
-         Tour::tr("Ctrl+E exports the part as CAD again. Ctrl+K finds any command by a few letters, F1 lists mouse and "
-                  "keys, "
-                  "and the menu Help repeats this tour."),
+         Tour::tr(
+             "Ctrl+E exports the part as CAD again. Ctrl+K finds any command by a few letters, F1 opens the handbook, "
+             "and the menu Help repeats this tour."),
          [&window] { return window.menuWidget(); }}};
 }
 

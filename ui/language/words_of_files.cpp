@@ -182,6 +182,8 @@ constexpr const char* const sentences[] = {
     QT_TRANSLATE_NOOP("FileWords", "the part is torn; this is one of %1 pieces."),
     QT_TRANSLATE_NOOP("FileWords", "read back from the file, its bent faces do not pass the geometry checks."),
     QT_TRANSLATE_NOOP("FileWords", "read back from the file, its bent faces leave gaps."),
+    QT_TRANSLATE_NOOP("FileWords", "read back from the file, its bent faces are inside out."),
+    QT_TRANSLATE_NOOP("FileWords", "other programs may read it inside out, as it came back here."),
     QT_TRANSLATE_NOOP("FileWords",
                       "read back from the file, its bent faces are up to %1 mm off the skin where %2 mm are allowed."),
     QT_TRANSLATE_NOOP("FileWords",

@@ -7,6 +7,7 @@
 #include <QActionGroup>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -63,7 +64,8 @@ void DisplayPanel::addColors(QFormLayout* form)
     for (const QAction* action : m_display.colors()->actions())
         m_quantity->addItem(action->text(), action->data());
     m_isAutomatic->setObjectName("automaticRange");
-    m_map->addItems({tr("Viridis"), tr("Cividis"), tr("Gray")}); // in the order of ColorMap
+    for (const ColorMapChoice& choice : colorMapChoices())
+        m_map->addItem(QCoreApplication::translate("ColorMap", choice.title), static_cast<int>(choice.map));
     m_map->setToolTip(tr("All have even lightness; cividis looks nearly alike to people who see few colors"));
     auto* row = new QHBoxLayout(m_rangeRow);
     row->setContentsMargins(0, 0, 0, 0);
@@ -75,7 +77,8 @@ void DisplayPanel::addColors(QFormLayout* form)
         const int number = m_quantity->itemData(index).toInt();
         m_display.setQuantity(number < 0 ? std::nullopt : std::optional(static_cast<SurfaceQuantity>(number)));
     });
-    connect(m_map, &QComboBox::activated, this, [this](int index) { m_display.setMap(static_cast<ColorMap>(index)); });
+    connect(m_map, &QComboBox::activated, this,
+            [this](int index) { m_display.setMap(static_cast<ColorMap>(m_map->itemData(index).toInt())); });
 }
 
 void DisplayPanel::addSection(QFormLayout* form)
@@ -146,7 +149,7 @@ void DisplayPanel::showColors(const SceneOptions& options)
     const std::optional<SurfaceQuantity> quantity = options.colors.quantity;
     m_quantity->setCurrentIndex(m_quantity->findData(quantity ? static_cast<int>(*quantity) : -1));
     m_quantity->setEnabled(m_display.colors()->isEnabled());
-    m_map->setCurrentIndex(static_cast<int>(options.colors.map));
+    m_map->setCurrentIndex(m_map->findData(static_cast<int>(options.colors.map)));
     for (QWidget* widget : std::initializer_list<QWidget*>{m_map, m_mapLabel})
         widget->setVisible(quantity && !hasSign(*quantity));
     m_isAutomatic->setVisible(quantity.has_value());

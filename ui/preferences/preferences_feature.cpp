@@ -24,13 +24,14 @@ Preferences PreferencesFeature::begin()
     return now;
 }
 
-PreferencesFeature::PreferencesFeature(const Workbench& bench, const Actions& actions, Shortcuts& shortcuts)
+PreferencesFeature::PreferencesFeature(const Workbench& bench, const Actions& actions, Shortcuts& shortcuts,
+                                       Preferences now)
     : QObject(&bench.window)
     , m_bench(bench)
     , m_actions(actions)
     , m_shortcuts(shortcuts)
     , m_system(new SystemTheme(this))
-    , m_now(readPreferences())
+    , m_now(std::move(now))
 {
     const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
     on(actions.preferences, [this] { showDialog(PreferencesDialog::Page::General); });

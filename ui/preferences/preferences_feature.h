@@ -20,7 +20,7 @@ public:
     /// What must hold before anything is said or made: language and unit. @return the preferences as they are kept
     static Preferences begin();
 
-    PreferencesFeature(const Workbench& bench, const Actions& actions, Shortcuts& shortcuts);
+    PreferencesFeature(const Workbench& bench, const Actions& actions, Shortcuts& shortcuts, Preferences now);
     ~PreferencesFeature() override;
 
     const Preferences& now() const { return m_now; }

@@ -75,7 +75,7 @@ ProbeSet::ProbeSet(Document& document, QObject* parent)
 /// Nobody waits for the film any more.
 ProbeSet::~ProbeSet()
 {
-    ++m_playbacks;
+    ++m_readings;
 }
 
 void ProbeSet::documentChanged(Document::Change what)
@@ -158,7 +158,7 @@ void ProbeSet::findPlaces()
 void ProbeSet::placesChanged()
 {
     ++m_generation;
-    ++m_playbacks;
+    ++m_readings;
     m_isReading = false;
     m_seen = nullptr;
     findPlaces();
@@ -171,7 +171,7 @@ void ProbeSet::placesChanged()
 
 void ProbeSet::forgetAfter(double time)
 {
-    ++m_playbacks; // what is read of one may be later
+    ++m_readings; // what is read of one may be later
     for (Probe& probe : m_all)
         std::erase_if(probe.samples, [time](const ProbeSample& sample) { return sample.time > time; });
     m_seen = nullptr;
@@ -200,7 +200,7 @@ void ProbeSet::take(std::uint64_t generation, const std::vector<ProbeSample>& sa
     for (std::size_t i = 0; i < m_all.size(); ++i) {
         auto& known = m_all[i].samples;
         if (!known.empty() && known.back().time > samples[i].time) // what is read of the film was later, too
-            ++m_playbacks;
+            ++m_readings;
         while (!known.empty() && known.back().time >= samples[i].time) // back after a reset, or the same moment again
             known.pop_back();
         known.push_back(samples[i]);
@@ -214,10 +214,10 @@ void ProbeSet::readFilm()
     const std::vector<PlaybackFramePointer> frames = framesSoFar(m_document.timeline());
     if (frames.empty())
         return;
-    m_reading.run([this, film = ++m_playbacks, places = m_places, frames, with = m_withStrains] {
+    m_reading.run([this, film = ++m_readings, places = m_places, frames, with = m_withStrains] {
         std::vector<std::vector<ProbeSample>> samples(places.size());
         for (const PlaybackFramePointer& frame : frames) {
-            if (film != m_playbacks)
+            if (film != m_readings)
                 return;
             const std::vector<ProbeSample> read = readProbes(places, *frame, with);
             for (std::size_t i = 0; i < read.size(); ++i)
@@ -230,7 +230,7 @@ void ProbeSet::readFilm()
 
 void ProbeSet::takeFilm(std::uint64_t film, const std::vector<std::vector<ProbeSample>>& samples)
 {
-    if (film != m_playbacks)
+    if (film != m_readings)
         return;
     for (std::size_t i = 0; i < m_all.size(); ++i)
         merge(m_all[i].samples, samples[i]);

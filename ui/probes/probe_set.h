@@ -60,8 +60,8 @@ private:
     std::shared_ptr<const Model> m_model;
     FilledBodies m_bodies;
     std::vector<ProbePlace> m_places;
-    std::uint64_t m_generation = 0;             ///< of the places; readings of earlier ones are dropped
-    std::atomic<std::uint64_t> m_playbacks = 0; ///< readings of the film that began; only the last one goes on
+    std::uint64_t m_generation = 0;            ///< of the places; readings of earlier ones are dropped
+    std::atomic<std::uint64_t> m_readings = 0; ///< readings of the film that began; only the last one goes on
     bool m_isReading = false;
     SnapshotPointer m_seen;  ///< that is read, or was last
     OrderedWorker m_reading; // last: it ends first

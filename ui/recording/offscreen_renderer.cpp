@@ -34,7 +34,7 @@ constexpr double shownForce = 1e-6;    // [N]
 
 [[noreturn]] void failForSize()
 {
-    failWith(QCoreApplication::translate("Studio",
+    failWith(QCoreApplication::translate("OffscreenRenderer",
                                          "The graphics card draws no pictures of this size. Choose a smaller one."));
 }
 
@@ -65,7 +65,7 @@ struct OffscreenRenderer::Room {
         context.setFormat(ViewportBridge::surfaceFormat()); // the surface forgets that lines may be wide
         if (!context.create() || !context.makeCurrent(surface.get()))
             failWith(QCoreApplication::translate(
-                "Studio", "The graphics card takes no more pictures. Close other programs and try again."));
+                "OffscreenRenderer", "The graphics card takes no more pictures. Close other programs and try again."));
         if (std::max(size.width(), size.height()) > largestSide())
             failForSize();
         observer->SetCallback(&Room::answer);
@@ -113,7 +113,7 @@ OffscreenRenderer::Surface OffscreenRenderer::makeSurface()
 {
     if (!QOpenGLContext::supportsThreadedOpenGL())
         failWith(QCoreApplication::translate(
-            "Studio",
+            "OffscreenRenderer",
             "The graphics driver draws for the window only, so that nothing can be recorded. Start Knead with "
             "LIBGL_ALWAYS_SOFTWARE=1 in its environment to record without the driver."));
     Surface surface(new QOffscreenSurface, std::mem_fn(&QObject::deleteLater));

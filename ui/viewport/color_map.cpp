@@ -1,5 +1,7 @@
 #include "ui/viewport/color_map.h"
 
+#include <QtGlobal>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -19,6 +21,10 @@ constexpr std::uint32_t gray[] = {0x262626, 0xf0f0f0};
 // From CIELAB: lightness 38 .. 95 .. 38 in even steps, hue 262 degrees below and 52 above, chroma up to 62 and 50.
 constexpr std::uint32_t diverging[] = {0x0061aa, 0x007cba, 0x5f98c9, 0x93b4d8, 0xc1d2e6, 0xf1f1f1,
                                        0xeacabb, 0xdca58b, 0xc9815d, 0xb45e32, 0x9b3b01};
+
+constexpr ColorMapChoice choices[] = {{ColorMap::viridis, "Viridis", QT_TRANSLATE_NOOP("ColorMap", "Viridis")},
+                                      {ColorMap::cividis, "Cividis", QT_TRANSLATE_NOOP("ColorMap", "Cividis")},
+                                      {ColorMap::gray, "Gray", QT_TRANSLATE_NOOP("ColorMap", "Gray")}};
 
 std::span<const std::uint32_t> placesOf(ColorMap map)
 {
@@ -53,6 +59,11 @@ ColorTable tableOf(ColorMap map)
 }
 
 } // namespace
+
+std::span<const ColorMapChoice> colorMapChoices()
+{
+    return choices;
+}
 
 Color colorAt(ColorMap map, double share)
 {

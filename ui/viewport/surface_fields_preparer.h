@@ -11,7 +11,7 @@
 
 namespace knead {
 
-/// Makes sights on a thread of its own, always of what was asked for last, so that the window never waits for them. Window
+/// Makes surface fields on a thread of its own, always of what was asked for last, so that the window never waits for them. Window
 /// thread.
 class SurfaceFieldsPreparer final : public QObject {
     Q_OBJECT
