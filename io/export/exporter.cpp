@@ -122,6 +122,7 @@ Attempt writeAndReadBack(FormatKind kind, const ExportJob& job, const Choices& c
         TaskPortion making(control, 0, 0.5);
         ready = makeAllReady(job, choices, making);
         std::vector<CadPartToWrite> out;
+        out.reserve(ready.size());
         for (const ReadyPart& part : ready)
             out.push_back(part.out);
         TaskPortion writing(control, 0.5, 0.65);

@@ -486,7 +486,7 @@ void MainWindow::cancel()
 QString MainWindow::whyDisabled(const QAction& action) const
 {
     const Actions& a = *m_actions;
-    const QString own = action.property("whyDisabled").toString();
+    QString own = action.property("whyDisabled").toString();
     if (!own.isEmpty())
         return own;
     if (&action == a.undo)
