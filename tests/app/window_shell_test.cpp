@@ -19,6 +19,8 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -426,6 +428,16 @@ private slots:
     }
 
     // --- panels, status -------------------------------------------------------------------------------------------------
+
+    /// All six examples, without moving it.
+    void theFirstPageFitsASmallWindow()
+    {
+        m_window->resize(1280, 800);
+        rest(100);
+        const auto* page = find<QScrollArea>("homePage");
+        QVERIFY(page->isVisible());
+        QCOMPARE(page->horizontalScrollBar()->maximum(), 0);
+    }
 
     void theWindowBeginsNoLargerThanASmallScreen()
     {

@@ -82,7 +82,7 @@ HomePage::HomePage(const QString& examplesFolder, QWidget* parent)
     addExamples(column, examplesFolder);
     column->addStretch();
     auto* row = new QHBoxLayout(page);
-    row->setContentsMargins(14, 18, 14, 18);
+    row->setContentsMargins(10, 18, 10, 18);
     row->setSpacing(0); // six cards in a row have room in the smallest window that is usual
     row->addStretch();
     row->addLayout(column);
