@@ -1,7 +1,9 @@
 #include "app/command_line.h"
 
+#include "app/commands/compare_command.h"
 #include "app/commands/convert_command.h"
 #include "app/commands/info_command.h"
+#include "app/commands/measure_command.h"
 #include "app/commands/recipe_command.h"
 #include "app/commands/replay_command.h"
 #include "app/commands/run_command.h"
@@ -55,6 +57,8 @@ int runProgram(int argc, char** argv)
     addSweepCommand(program, status);
     addSweepPointCommand(program, status);
     addRecipeCommand(program, status);
+    addMeasureCommand(program, status);
+    addCompareCommand(program, status);
     addReplayCommand(program, status);
 
     try {

@@ -1,7 +1,7 @@
 #include "app/project_replay.h"
 
 #include "app/recipe_exports.h"
-#include "core/document/project_export.h"
+#include "core/session/export_jobs.h"
 #include "io/project/packing.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ void writeFiles(const Project& project, const std::vector<std::string>& files, H
         throw std::runtime_error("The project has no parts that could be written.");
     const std::shared_ptr<const Snapshot> snapshot = replay.snapshot();
     const ProjectStart& start = project.starts[project.entries[at.entry].start];
-    ExportJob job = exportJobOf(project, start, *snapshot);
+    ExportJob job = exportJobOf(*project.model, start.partOfBody, *snapshot);
     const std::vector<RecipeExport> exports = wantedExports(files, job);
     prepareFolders(exports, ".");
     WrittenExports written = writeExports(exports, ".", std::move(job), *snapshot, control);

@@ -1,7 +1,6 @@
 #include "app/recipe_exports.h"
 
 #include "app/export_file.h"
-#include "core/model/part_tree.h"
 #include "core/skin/deformed_surface.h"
 #include "core/skin/torn_parts.h"
 #include "io/formats/mesh_writer.h"
@@ -64,25 +63,6 @@ void drawTo(const std::string& path, const RecipeExport& wanted, const std::vect
 }
 
 } // namespace
-
-ExportJob exportJobOf(const RecipeScene& ready, const Snapshot& snapshot)
-{
-    ExportJob job;
-    std::vector<const Part*> parts;
-    for (std::size_t i = 0; i < ready.parts.size(); ++i) {
-        parts.push_back(&ready.parts[i]);
-        job.parts.push_back({.part = ready.parts[i],
-                             .aggregate = snapshot.bodies[i].aggregate,
-                             .displacements = snapshot.bodies[i].displacements(),
-                             .broken = snapshot.bodies[i].broken,
-                             .relaxed = snapshot.bodies[i].relaxed,
-                             .loaded = loadedObjects(snapshot, static_cast<BodyId>(i)),
-                             .density = snapshot.materials[i].density});
-    }
-    job.tree = treeOfPaths(parts);
-    takeProducts(ready.source.tree, job.tree);
-    return job;
-}
 
 void prepareFolders(const std::vector<RecipeExport>& exports, const std::string& outputFolder)
 {

@@ -1,8 +1,8 @@
 #include "io/previewer.h"
 
+#include "core/model/readable_name.h"
 #include "io/brep/occt_session.h"
 #include "io/document/cad_document.h"
-#include "io/document/readable_name.h"
 #include "io/formats/cad_format.h"
 #include "io/formats/step/step_assembly_size.h"
 #include "io/formats/step/step_check.h"

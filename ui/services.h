@@ -5,8 +5,8 @@
 #include "core/model/export_job.h"
 #include "core/model/export_report.h"
 #include "core/model/file_preview.h"
-#include "core/model/import_options.h"
 #include "core/model/part.h"
+#include "core/session/import_files.h"
 #include "core/task/task_control.h"
 #include "ui/interaction/space_motion.h"
 #include "ui/project/project_services.h"
@@ -20,8 +20,7 @@ namespace knead {
 
 /// What the window needs from files, handed in by app. The functions may be called from any thread and block.
 struct Services {
-    /// Several files become one model. @throws std::runtime_error with a sentence, Cancelled
-    std::function<Model(const std::vector<std::string>& paths, const ImportOptions&, TaskControl&)> import;
+    ImportFiles import;
     /// @throws as import
     std::function<FilePreview(const std::string& path, TaskControl&)> preview;
     /// The ending decides the format. The report can be kept beside the file. @throws as import

@@ -231,6 +231,22 @@ QString formatReading(double value, Quantity quantity)
     return formatQuantity(rounded, quantity);
 }
 
+std::pair<QString, double> plainUnit(Quantity quantity)
+{
+    switch (quantity) {
+    case Quantity::Length:
+        return {"mm", 1e-3};
+    case Quantity::Volume:
+        return {"mm³", 1e-9};
+    case Quantity::Mass:
+        return {"g", 1e-3};
+    case Quantity::Angle:
+        return {"°", 0.017453292519943295};
+    default:
+        return {QString(), 1};
+    }
+}
+
 std::optional<double> parseQuantity(const QString& text, Quantity quantity, double shown)
 {
     // Digits may be grouped by spaces; a comma or a point, never both, starts the decimals.

@@ -1,32 +1,15 @@
 #pragma once
 
+#include "core/model/quantity.h"
+
 #include <QString>
 #include <QStringList>
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace knead {
-
-/// What a number measures. Inside everything is SI; people see millimetres, megapascals and the like.
-enum class Quantity {
-    Number,
-    Length,
-    Pressure,
-    Density,
-    Rate,
-    Speed,
-    Force,
-    Volume,
-    Time,
-    Strain,
-    Area,
-    Angle,
-    Mass,
-    Acceleration,
-    Stiffness,
-    Toughness ///< work per area
-};
 
 /// The quantity measured in an SI unit as MaterialField spells it: "Pa", "kg/m^3", "1/s"; Number for anything else.
 Quantity quantityOfUnit(const std::string& unit);
@@ -50,6 +33,9 @@ struct ShownUnit {
     double scale = 1; ///< SI value of one unit
 };
 ShownUnit shownUnit(double value, Quantity quantity);
+
+/// In one unit per quantity, whatever the size: what a spreadsheet can add up.
+std::pair<QString, double> plainUnit(Quantity quantity);
 
 /// Reads a number with or without a unit: "1,2 MPa", "1.2e6 Pa", "2 000". Point and comma both are decimal separators.
 /// A bare number takes the unit in which `shown` is displayed, since that is what the person sees in the field.

@@ -76,6 +76,14 @@ void printForces(const RunReport& report)
     }
     if (!report.forcesFile.empty())
         std::printf("wrote %s\n", report.forcesFile.c_str());
+    for (const ProbeSeries::Curve& probe : report.probes.curves())
+        if (!probe.samples.empty()) {
+            const ProbeSample& last = probe.samples.back();
+            std::printf("probe %s: moved %.4g mm, strain %.3g, stress %.4g Pa\n", probe.name.c_str(),
+                        1000 * last.displacement, last.strain, last.stress);
+        }
+    if (!report.probesFile.empty())
+        std::printf("wrote %s\n", report.probesFile.c_str());
 }
 
 } // namespace knead

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/recipe_runner.h"
+#include "core/session/recipe_runner.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -6,6 +6,7 @@
 #include "app/resources.h"
 #include "app/terminal_control.h"
 #include "app/whole_file.h"
+#include "core/session/part_filling.h"
 #include "io/material_library.h"
 #include "io/project/project_file.h"
 #include "io/recipe/recipe_of_project.h"
@@ -41,8 +42,10 @@ std::string partSeenFrom(const std::string& recipe, const std::string& part)
 std::string recipeOfPart(const RecipeOptions& options, TerminalControl& control)
 {
     const Model model = importInChild(options.file, {}, control);
-    return firstRecipe(model, options.output.empty() ? fs::absolute(options.file).lexically_normal().string()
-                                                     : partSeenFrom(options.output, options.file));
+    return firstRecipe(model,
+                       options.output.empty() ? fs::absolute(options.file).lexically_normal().string()
+                                              : partSeenFrom(options.output, options.file),
+                       startMaterial(readMaterials(materialsFile())), control);
 }
 
 /// @param remarks get what the recipe leaves out

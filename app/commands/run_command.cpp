@@ -4,17 +4,18 @@
 #include "app/commands/run_json.h"
 #include "app/complaint.h"
 #include "app/exit_status.h"
-#include "app/recipe_runner.h"
-#include "app/recipe_scene.h"
+#include "app/recipe_files.h"
 #include "app/resources.h"
 #include "app/set_argument.h"
 #include "app/terminal_control.h"
 #include "app/thread_limit.h"
+#include "core/session/recipe_runner.h"
+#include "core/session/recipe_scene.h"
 #include "io/export/job_file.h"
 #include "io/material_library.h"
 #include "io/project/project_file.h"
-#include "io/recipe/recipe.h"
 #include "io/recipe/recipe_of_project.h"
+#include "io/recipe/recipe_reader.h"
 #include "io/worker/child_process.h"
 
 #include <CLI/CLI.hpp>
@@ -39,7 +40,7 @@ struct RunOptions {
     std::string outputFolder = ".";
     unsigned threads = 0;
     std::vector<std::string> settings; ///< "PATH=VALUE"
-    std::string forcesFile;            ///< for a table of forces; empty: none
+    RunTables tables;
     bool json = false;
     bool endsWithParent = false;
 };
@@ -112,7 +113,7 @@ int carryOut(const Recipe& recipe, const RunOptions& options)
             const std::lock_guard lock(saying);
             said.push_back(sentence);
         };
-        const RunReport report = runRecipe(recipe, options.outputFolder, control, say, options.forcesFile);
+        const RunReport report = runRecipe(recipe, recipeFiles(), options.outputFolder, control, say, options.tables);
         control.clear();
         sayWarnings(report, said);
         options.json ? print(jsonOf(report)) : printSummary(report);
@@ -189,8 +190,12 @@ void addRunCommand(CLI::App& program, int& exitStatus)
         ->capture_default_str();
     addSetArgument(*command, options->settings);
     command
-        ->add_option("--csv", options->forcesFile,
+        ->add_option("--csv", options->tables.forces,
                      "Write forces and moments of fixtures, tools and loads over time as a table")
+        ->type_name("FILE");
+    command
+        ->add_option("--probes", options->tables.probes,
+                     "Write what the probes of the recipe read over time as a table")
         ->type_name("FILE");
     command->add_option("--threads", options->threads, "Number of threads; the result is the same for any")
         ->type_name("N")

@@ -1,5 +1,7 @@
 #include "app/commands/run_json.h"
 
+#include "io/export/job_file.h"
+
 #include "app/commands/force_report.h"
 #include "app/hexadecimal.h"
 
@@ -55,6 +57,31 @@ const char* wordFor(Trouble trouble)
 
 } // namespace
 
+namespace {
+
+/// What is not known is null.
+nlohmann::ordered_json jsonOf(const ProbeSeries::Curve& probe)
+{
+    nlohmann::ordered_json json{{"name", probe.name}};
+    if (probe.samples.empty())
+        return json;
+    const ProbeSample& last = probe.samples.back();
+    json["displacement_mm"] = 1000 * last.displacement;
+    json["equivalent_strain"] = last.strain;
+    json["von_mises_pa"] = last.stress;
+    const auto peak = [&](double ProbeSample::*value) {
+        double most = 0;
+        for (const ProbeSample& sample : probe.samples)
+            most = sample.*value > most ? sample.*value : most;
+        return most;
+    };
+    json["peak_displacement_mm"] = 1000 * peak(&ProbeSample::displacement);
+    json["peak_von_mises_pa"] = peak(&ProbeSample::stress);
+    return json;
+}
+
+} // namespace
+
 nlohmann::ordered_json jsonOf(const RunReport& report)
 {
     const EnergyLedger& energy = report.energy;
@@ -105,6 +132,10 @@ nlohmann::ordered_json jsonOf(const RunReport& report)
                                  {"peak_force_n", tool.peakForce},
                                  {"torque_nm", list(tool.torque)}});
     addForces(json, report);
+    for (const ProbeSeries::Curve& probe : report.probes.curves())
+        json["probes"].push_back(jsonOf(probe));
+    if (!report.probesFile.empty())
+        json["probes_csv"] = report.probesFile;
     json["exports"] = nlohmann::ordered_json::array();
     for (const ExportReport& exported : report.exports)
         json["exports"].push_back(nlohmann::ordered_json::parse(reportToJson(exported)));

@@ -2,7 +2,7 @@
 
 #include "app/resources.h"
 #include "io/material_library.h"
-#include "io/recipe/recipe.h"
+#include "io/recipe/recipe_reader.h"
 
 #include <nlohmann/json.hpp>
 

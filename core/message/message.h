@@ -1,9 +1,9 @@
 #pragma once
 
-#include <concepts>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -59,8 +59,10 @@ public:
 private:
     static Message argument(const Message& message) { return message; }
     static Message argument(std::string_view text) { return verbatim(std::string(text)); }
-    static Message argument(std::integral auto number) { return verbatim(std::to_string(number)); }
-    static Message argument(std::floating_point auto) = delete; ///< how many digits, and what unit?
+    template <typename Number>
+    requires std::is_integral_v<Number>
+    static Message argument(Number number) { return verbatim(std::to_string(number)); }
+    static Message argument(double) = delete; ///< how many digits, and what unit?
 
     std::string m_subject;
     std::string m_text;

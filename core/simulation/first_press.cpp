@@ -15,7 +15,6 @@ namespace {
 
 constexpr double pressTime = 0.8; // [s]
 constexpr double endTime = 1.0;   // [s]; the rest shows the material at rest
-constexpr int fewObjects = 3000;
 constexpr double manyObjects = 20'000;
 
 constexpr double heldShare = 0.12;    // of an extent
@@ -38,14 +37,9 @@ Box boxOfClosedParts(const Model& model)
     return box;
 }
 
-/// How a model is filled.
-struct Filling {
-    int objects = 0;
-    double cells = 0; ///< across the thinnest wall, in the mean of its part, at most those that are wanted
-};
-
-/// Fine enough for two cells across the wall of every part, as far as a run of some seconds allows.
-Filling suitableFilling(const Model& model)
+/// Cells across the thinnest wall, in the mean of its part, at most the two that are wanted, of a filling whose run takes some
+/// seconds.
+double cellsAcrossWall(const Model& model)
 {
     double volume = 0;
     double spacing = std::numeric_limits<double>::infinity();
@@ -57,8 +51,7 @@ Filling suitableFilling(const Model& model)
     }
     constexpr double wantedCells = 2;
     const double objects = volume / (spacing * spacing * spacing);
-    return {objects > fewObjects ? static_cast<int>(std::min(objects, manyObjects)) : fewObjects,
-            wantedCells * std::min(1.0, std::cbrt(manyObjects / objects))};
+    return wantedCells * std::min(1.0, std::cbrt(manyObjects / objects));
 }
 
 /// The axes of a box by its extent.
@@ -226,15 +219,13 @@ FirstPress firstPress(const Model& model, double bearableStrain)
         std::count_if(model.parts.begin(), model.parts.end(), [](const Part& one) { return one.canBeFilled(); });
     FirstPress press;
     press.held = lowEnd(model, box, isLong ? axes.longest : axes.shortest);
-    const Filling filling = suitableFilling(model);
     // Two cells across a wall show what it does.
-    const double share = std::max(thinWallShare, std::min(1.0, 0.5 * filling.cells));
+    const double share = std::max(thinWallShare, std::min(1.0, 0.5 * cellsAcrossWall(model)));
     press.block = isLong ? bendingBlock(model, box, axes, press.held.max()[axes.longest], share, bearableStrain)
                          : squeezingBlock(model, box, axes, share, bearableStrain);
     press.bends = isLong;
     press.duration = endTime;
     press.hasBodies = bodies > 1;
-    press.objects = filling.objects;
     return press;
 }
 

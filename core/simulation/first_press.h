@@ -17,7 +17,6 @@ struct FirstPress {
     bool bends = false;     ///< the part gives way below the block, which a floor would not let it
     double duration = 0;    ///< until all is over [s]
     bool hasBodies = false; ///< more than one, which may touch
-    int objects = 0;        ///< that show the walls, as far as a run of some seconds allows
 };
 
 /// @param bearableStrain what the material bears before it breaks, see below

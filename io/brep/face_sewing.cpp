@@ -1,9 +1,9 @@
 #include "io/brep/face_sewing.h"
 
+#include "core/model/number_words.h"
 #include "io/brep/free_edges.h"
 #include "io/brep/millimeter.h"
 #include "io/brep/shape_measure.h"
-#include "io/document/number_words.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>

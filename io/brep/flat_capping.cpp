@@ -1,9 +1,9 @@
 #include "io/brep/flat_capping.h"
 
+#include "core/model/number_words.h"
 #include "io/brep/face_sewing.h"
 #include "io/brep/free_edges.h"
 #include "io/brep/shape_measure.h"
-#include "io/document/number_words.h"
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepLib.hxx>

@@ -1,12 +1,12 @@
 #include "io/brep/healing.h"
 
+#include "core/model/number_words.h"
 #include "io/brep/body_check.h"
 #include "io/brep/face_sewing.h"
 #include "io/brep/flat_capping.h"
 #include "io/brep/free_edges.h"
 #include "io/brep/shape_measure.h"
 #include "io/brep/solid_making.h"
-#include "io/document/number_words.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepTools_ReShape.hxx>

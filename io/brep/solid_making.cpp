@@ -1,8 +1,8 @@
 #include "io/brep/solid_making.h"
 
+#include "core/model/number_words.h"
 #include "io/brep/free_edges.h"
 #include "io/brep/shape_measure.h"
-#include "io/document/number_words.h"
 #include "io/document/size_limits.h"
 
 #include <BRepBndLib.hxx>

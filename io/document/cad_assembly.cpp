@@ -1,6 +1,6 @@
 #include "io/document/cad_assembly.h"
 
-#include "io/document/readable_name.h"
+#include "core/model/readable_name.h"
 #include "io/formats/step/step_names.h"
 
 #include <Quantity_Color.hxx>

@@ -1,9 +1,9 @@
 #include "io/document/cad_document.h"
 
 #include "core/model/length_units.h"
+#include "core/model/readable_name.h"
 #include "io/brep/occt_progress.h"
 #include "io/document/cad_assembly.h"
-#include "io/document/readable_name.h"
 #include "io/document/xcaf_document.h"
 #include "io/formats/brep/brep_check.h"
 #include "io/formats/iges/iges_check.h"

@@ -1,6 +1,7 @@
 #include "io/document/cad_part.h"
 
 #include "core/geometry/mass_properties.h"
+#include "core/model/number_words.h"
 #include "io/brep/face_integral.h"
 #include "io/brep/free_edges.h"
 #include "io/brep/millimeter.h"
@@ -8,7 +9,6 @@
 #include "io/brep/shape_measure.h"
 #include "io/brep/solid_measure.h"
 #include "io/brep/tessellation.h"
-#include "io/document/number_words.h"
 #include "io/document/size_limits.h"
 #include "io/mesh/open_borders.h"
 

@@ -1,7 +1,7 @@
 #include "io/document/size_limits.h"
 
 #include "core/geometry/mass_properties.h"
-#include "io/document/number_words.h"
+#include "core/model/number_words.h"
 #include "io/formats/cad_format.h"
 
 #include <algorithm>

@@ -21,7 +21,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t headLength = 4096;
-constexpr std::size_t longestShownName = 80;
 
 std::string_view withoutByteOrderMark(std::string_view text)
 {
@@ -217,33 +216,9 @@ FormatKind recognizeFormat(const std::string& path)
     failReading(path, "the content is none of STEP, IGES, BREP, STL, OBJ, PLY, 3MF and glTF; export the part as STEP.");
 }
 
-std::string shortName(const std::string& path)
-{
-    std::string name = fs::path(path).filename().string();
-    if (name.empty())
-        name = fs::path(path).parent_path().filename().string();
-    if (name.empty())
-        return path.empty() ? "the file" : path;
-    if (name.size() <= longestShownName)
-        return name;
-    std::size_t cut = longestShownName - 20;
-    while (cut > 0 && (static_cast<unsigned char>(name[cut]) & 0xC0U) == 0x80U) // not inside a UTF-8 letter
-        --cut;
-    return name.substr(0, cut) + "..." + fs::path(name).extension().string();
-}
-
 void failReading(const std::string& path, const std::string& sentence)
 {
     throw std::runtime_error(shortName(path) + ": " + sentence);
-}
-
-std::string lowerCaseEnding(const std::string& path)
-{
-    std::string ending = std::filesystem::path(path).extension().string();
-    if (!ending.empty())
-        ending.erase(0, 1);
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    return ending;
 }
 
 } // namespace knead

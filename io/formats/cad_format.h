@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/model/file_names.h"
+
 #include <string>
 
 namespace knead {
@@ -14,12 +16,6 @@ std::string formatName(FormatKind kind);
 /// @throws std::runtime_error, in a sentence that names the file and what it really is: missing, empty, a folder, an
 ///         archive, another kind of document, or no known format.
 FormatKind recognizeFormat(const std::string& path);
-
-/// "bracket.step" for "/home/ann/bracket.step": how sentences name a file. Shortened when absurdly long.
-std::string shortName(const std::string& path);
-
-/// "step" for "/home/ann/bracket.STEP"; empty when there is none.
-std::string lowerCaseEnding(const std::string& path);
 
 /// @throws std::runtime_error "<short name>: <sentence>".
 [[noreturn]] void failReading(const std::string& path, const std::string& sentence);

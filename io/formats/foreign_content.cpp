@@ -1,6 +1,6 @@
 #include "io/formats/foreign_content.h"
 
-#include "io/document/readable_name.h"
+#include "core/model/readable_name.h"
 #include "io/files/lower_case.h"
 #include "io/formats/threemf/zip_names.h"
 

@@ -1,9 +1,9 @@
 #include "io/formats/mesh_reader.h"
 
 #include "core/geometry/mass_properties.h"
+#include "core/model/readable_name.h"
 #include "io/brep/millimeter.h"
 #include "io/document/part_selection.h"
-#include "io/document/readable_name.h"
 #include "io/document/size_limits.h"
 #include "io/files/lower_case.h"
 #include "io/formats/gltf/gltf_check.h"

@@ -1,7 +1,7 @@
 #include "io/formats/mesh_writer.h"
 
 #include "core/model/length_units.h"
-#include "io/document/readable_name.h"
+#include "core/model/readable_name.h"
 #include "io/formats/cad_format.h"
 #include "io/formats/mesh_formats.h"
 

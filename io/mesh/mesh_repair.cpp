@@ -1,7 +1,7 @@
 #include "io/mesh/mesh_repair.h"
 
+#include "core/model/number_words.h"
 #include "io/brep/hole_closing.h"
-#include "io/document/number_words.h"
 #include "io/mesh/mesh_orientation.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "io/mesh/open_borders.h"
 
 #include "core/geometry/half_edges.h"
-#include "io/document/number_words.h"
+#include "core/model/number_words.h"
 
 #include <algorithm>
 #include <cmath>

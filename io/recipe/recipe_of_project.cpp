@@ -2,9 +2,9 @@
 
 #include "core/document/history.h"
 #include "io/json/exact_number.h"
-#include "io/recipe/recipe.h"
 #include "io/recipe/recipe_events_text.h"
 #include "io/recipe/recipe_places.h"
+#include "io/recipe/recipe_reader.h"
 #include "io/recipe/scene_words.h"
 
 #include <algorithm>

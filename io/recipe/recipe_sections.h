@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/json/json_reader.h"
-#include "io/recipe/recipe.h"
+#include "io/recipe/recipe_reader.h"
 
 #include <string>
 #include <vector>

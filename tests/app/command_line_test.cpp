@@ -30,7 +30,7 @@ private slots:
 
 void CommandLineTest::helpExistsEverywhere()
 {
-    for (const char* command : {"", "info", "convert", "run", "sweep", "recipe", "replay"}) {
+    for (const char* command : {"", "info", "convert", "run", "sweep", "recipe", "measure", "compare", "replay"}) {
         QStringList arguments{"--help"};
         if (*command != '\0')
             arguments.prepend(command);
@@ -61,6 +61,14 @@ void CommandLineTest::wrongUseEndsWithTwoAndOneSentence_data()
     QTest::newRow("too much") << QStringList{"run", "a.recipe.json", "b.recipe.json"};
     QTest::newRow("two commands") << QStringList{"run", "a.recipe.json", "info", "b.step"};
     QTest::newRow("recipe for nothing") << QStringList{"recipe", "/nowhere/a.step"};
+    QTest::newRow("measure of nothing") << QStringList{"measure", "/nowhere/a.step"};
+    QTest::newRow("measure of what is unknown")
+        << QStringList{"measure", KNEAD_RESOURCES "/examples/bar.step", "-m", "girth 1,2,3"};
+    QTest::newRow("half a place") << QStringList{"measure", KNEAD_RESOURCES "/examples/bar.step", "-m", "point 1,2"};
+    QTest::newRow("entry of a file") << QStringList{"measure", KNEAD_RESOURCES "/examples/bar.step", "--entry", "1"};
+    QTest::newRow("compare with nothing") << QStringList{"compare", KNEAD_RESOURCES "/examples/bar.step"};
+    QTest::newRow("report of no kind") << QStringList{"compare", KNEAD_RESOURCES "/examples/bar.step",
+                                                      KNEAD_RESOURCES "/examples/bar.step", "--report", "a.docx"};
     QTest::newRow("replay of nothing") << QStringList{"replay", "/nowhere/a.knead"};
     QTest::newRow("replay of a folder") << QStringList{"replay", "/"};
     QTest::newRow("replay of all to one file") << QStringList{"replay", "a.knead", "--all", "--export", "a.step"};

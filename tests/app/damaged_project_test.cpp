@@ -1,6 +1,7 @@
 // Project files that are not as they were written, all the way: opened as the window does, gone on with, and repeated.
 #include "app/gui.h"
 #include "app/project_replay.h"
+#include "core/session/face_fixtures.h"
 #include "core/simulation/moment.h"
 #include "io/project/command_json.h"
 #include "io/project/packing.h"
@@ -8,7 +9,7 @@
 #include "support/byte_mutation.h"
 #include "support/pressed_part.h"
 #include "support/workshop.h"
-#include "ui/document/face_fixtures.h"
+#include "ui/document/face_memory.h"
 #include "ui/project/read_project.h"
 
 #include <QtTest>
@@ -216,7 +217,8 @@ private:
             return;
         HistoryDestination& destination = read.project->destination;
         FaceFixtures fixtures;
-        fixtures.remember(read.panels["fixtures"]);
+        for (const FaceFixture& known : facesRemembered(read.panels["fixtures"]))
+            fixtures.keepInMind(known);
         fixtures.follow(*destination.content, destination.moment->fixtures);
         for (int step = 0; step < 5; ++step)
             destination.simulation->step();

@@ -1,8 +1,9 @@
+#include "app/recipe_files.h"
 // Sessions as recipes: carried out, they come to the same bits.
 #include "app/cad_process.h"
-#include "app/recipe_runner.h"
-#include "app/recipe_scene.h"
 #include "app/thread_limit.h"
+#include "core/session/recipe_runner.h"
+#include "core/session/recipe_scene.h"
 #include "io/formats/mesh_writer.h"
 #include "io/project/project_file.h"
 #include "io/recipe/recipe_of_project.h"
@@ -154,7 +155,7 @@ private slots:
             const ThreadLimit limit(threads);
             RunReport report;
             try {
-                report = runRecipe(read("session.recipe.json"), m_shop.path("out"));
+                report = runRecipe(read("session.recipe.json"), recipeFiles(), m_shop.path("out"));
             } catch (const RunFailed& failure) { // where a session that is stopped goes back to is not in the recipe
                 QVERIFY2(isStopped, failure.what());
                 continue;
@@ -181,7 +182,7 @@ private slots:
         Project project = projectOf(document, m_model, {0, 1});
         project.import.paths = {m_shop.path("lumps.3mf")};
         write(project, "scene.recipe.json");
-        const RecipeScene ready = buildScene(read("scene.recipe.json"), TaskControl::none());
+        const RecipeScene ready = buildScene(read("scene.recipe.json"), recipeFiles(), TaskControl::none());
         QVERIFY(same::values(ready.scene.bodies[0].aggregate, document.scene.bodies[0].aggregate));
         for (std::size_t i = 0; i < 2; ++i) {
             QCOMPARE(ready.scene.fixtures[i].objects, document.scene.fixtures[i].objects);
@@ -235,14 +236,14 @@ private slots:
         QVERIFY2(fixtures[0].contains("faces"), fixtures.dump().c_str());
         QVERIFY2(fixtures[1].contains("box_mm"), fixtures.dump().c_str());
         QCOMPARE(fixtures[2].at("objects"), json::parse("[[2, 3], 9, 400]"));
-        const RecipeScene ready = buildScene(read("held.recipe.json"), TaskControl::none());
+        const RecipeScene ready = buildScene(read("held.recipe.json"), recipeFiles(), TaskControl::none());
         for (std::size_t i = 0; i < 3; ++i)
             QCOMPARE(ready.scene.fixtures[i].objects, project.starts[0].scene.fixtures[i].objects);
 
         Recipe finer = read("held.recipe.json");
         finer.spacing.value = 0.003;
         try {
-            buildScene(finer, TaskControl::none());
+            buildScene(finer, recipeFiles(), TaskControl::none());
             QFAIL("numbers of objects belong to one filling");
         } catch (const UnusableInput& error) {
             QVERIFY2(std::string(error.what())
@@ -251,7 +252,7 @@ private slots:
                      error.what());
         }
         finer.fixtures.pop_back();
-        QVERIFY(buildScene(finer, TaskControl::none()).scene.fixtures[0].objects.size() >
+        QVERIFY(buildScene(finer, recipeFiles(), TaskControl::none()).scene.fixtures[0].objects.size() >
                 project.starts[0].scene.fixtures[0].objects.size());
     }
 
@@ -298,7 +299,7 @@ private slots:
         const RecipeOfProject recipe = write(project, "kept.recipe.json", m_shop.path("lumps.knead"));
         QCOMPARE(recipe.remarks.size(), std::size_t{1});
         QCOMPARE(json::parse(recipe.text).at("part").at("file").get<std::string>(), std::string("lumps.knead"));
-        const RunReport report = runRecipe(read("kept.recipe.json"), m_shop.path("out"));
+        const RunReport report = runRecipe(read("kept.recipe.json"), recipeFiles(), m_shop.path("out"));
         QCOMPARE(report.stateHash, document.simulation.stateHash());
         QVERIFY(report.tools[0].peakForce > 0);
     }
@@ -321,7 +322,7 @@ private slots:
         project.current = static_cast<std::uint32_t>(project.entries.size() - 1);
         const RecipeOfProject recipe = write(project, "refilled.recipe.json");
         QVERIFY(recipe.remarks.at(0).starts_with("The recipe begins where the part was filled last"));
-        const RunReport report = runRecipe(read("refilled.recipe.json"), m_shop.path("out"));
+        const RunReport report = runRecipe(read("refilled.recipe.json"), recipeFiles(), m_shop.path("out"));
         QCOMPARE(report.stateHash, refilled.simulation.stateHash());
     }
 

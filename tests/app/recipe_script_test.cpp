@@ -1,8 +1,9 @@
+#include "app/recipe_files.h"
 // A recipe as the window plays it, without a window: the same as knead run does.
 #include "app/cad_process.h"
 #include "app/gui.h"
-#include "app/recipe_runner.h"
 #include "core/document/history.h"
+#include "core/session/recipe_runner.h"
 #include "core/simulation/moment.h"
 #include "core/simulation/replay.h"
 #include "support/busy_recipe.h"
@@ -189,7 +190,8 @@ private slots:
         project.current = 1;
         const std::string path = m_shop.path("paper-again.recipe.json");
         QVERIFY(m_services.recipes.write(path, project, {}).empty());
-        QCOMPARE(runRecipe(readRecipe(path, m_services.materials), m_shop.path("out")).stateHash, second.hash);
+        QCOMPARE(runRecipe(readRecipe(path, m_services.materials), recipeFiles(), m_shop.path("out")).stateHash,
+                 second.hash);
     }
 
     void whatDoesNotFitIsASentence_data()
@@ -271,7 +273,7 @@ private:
     std::uint64_t hashOfRunning(const json& recipe)
     {
         const Recipe read = readRecipe(m_shop.write(recipe).toStdString(), m_services.materials);
-        return runRecipe(read, m_shop.path("out")).stateHash;
+        return runRecipe(read, recipeFiles(), m_shop.path("out")).stateHash;
     }
 
     workshop::Workshop m_shop;

@@ -1,4 +1,4 @@
-#include "app/pace_watch.h"
+#include "core/session/pace_watch.h"
 #include "core/simulation/run_quality.h"
 #include "support/workshop.h"
 

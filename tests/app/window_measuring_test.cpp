@@ -1,6 +1,7 @@
+#include "core/session/comparison.h"
+#include "ui/measuring/measurement_words.h"
 #include "support/window_on_test.h"
 #include "ui/dialogs/comparison_dialog.h"
-#include "ui/measuring/comparison.h"
 #include "ui/measuring/measuring.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/panels/probe_panel.h"
@@ -44,6 +45,7 @@ class WindowMeasuringTest : public QObject, WindowOnTest {
     }
 
     const Measured& last() { return m_window->measuring().panel().results().back(); }
+    QString remark() { return remarkOn(last()); }
     double value(std::size_t reading) { return last().readings.at(reading).now; }
     void compare(double found, double wanted, double relative)
     {
@@ -131,7 +133,7 @@ private slots:
         compare(value(0), std::numbers::pi / 2, 1e-6);
         measure("measureAngleOfFaces", {at(45, 25, 8), at(8, 8, 40)});
         compare(value(0), std::numbers::pi / 2, 1e-6);
-        QVERIFY(last().remark.isEmpty());
+        QVERIFY(remark().isEmpty());
         measure("measureRadiusOfFace", {at(52 - 4.5 * std::numbers::sqrt2 / 2, 14 + 4.5 * std::numbers::sqrt2 / 2, 6)});
         compare(value(0), 4.5 * mm, 1e-4);
         compare(value(1), 9 * mm, 1e-4);
@@ -143,12 +145,12 @@ private slots:
         picture("measure-radius");
         measure("measureRadiusOfFace", {at(45, 25, 8)});
         QVERIFY(last().readings.empty());
-        QVERIFY(last().remark.contains("flat"));
+        QVERIFY(remark().contains("flat"));
         measure("measureAngleOfFaces", {at(45, 25, 8), at(10.5, 25, 46)});
-        QVERIFY2(last().remark.startsWith("The face is not flat: it is up to "), qPrintable(last().remark));
+        QVERIFY2(remark().startsWith("The face is not flat: it is up to "), qPrintable(remark()));
         measure("measureRadius", {at(58, 0, 8), at(58, 0, 8), at(58, 0, 8)});
         QVERIFY(last().readings.empty());
-        QCOMPARE(last().remark, QString("The three places lie on a line: pick others, further around."));
+        QCOMPARE(remark(), QString("The three places lie on a line: pick others, further around."));
     }
 
     void sizeVolumeAndMassOfTheBracketAreThoseOfItsDrawing()

@@ -1,6 +1,6 @@
+#include "core/session/history_outline.h"
 #include "support/fuzz_random.h"
 #include "support/history_on_test.h"
-#include "ui/document/history_outline.h"
 #include "ui/run_window.h"
 
 #include <QDockWidget>

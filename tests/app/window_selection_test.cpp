@@ -1,7 +1,7 @@
+#include "core/session/region_contents.h"
 #include "support/window_on_test.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/run_window.h"
-#include "ui/selection/region_contents.h"
 #include "ui/selection/selection_model.h"
 
 #include <QComboBox>

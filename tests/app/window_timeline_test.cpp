@@ -218,7 +218,7 @@ private slots:
         moveTo(0.7 * line.end);
         QVERIFY(panel().isLookingBack());
         m_window->projects().open(
-            prepareFiles(m_services, {.paths = {example("plate.step").toStdString()}}, {}, TaskControl::none()));
+            prepareFiles(m_services.import, {.paths = {example("plate.step").toStdString()}}, {}, TaskControl::none()));
         const auto drag = [&] {
             QHelpEvent help(QEvent::ToolTip, inBetween, axis().mapToGlobal(inBetween));
             QApplication::sendEvent(&axis(), &help);

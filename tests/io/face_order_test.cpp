@@ -1,3 +1,4 @@
+#include "core/session/part_filling.h"
 #include "core/simulation/first_press.h"
 #include "core/simulation/simulation.h"
 #include "io/brep/occt_session.h"
@@ -47,8 +48,8 @@ PartToExport pressed(const Model& model)
     const Part& part = model.parts.front();
     const FirstPress press = firstPress(model);
     PartToExport out{.part = part};
-    out.aggregate = std::make_shared<const Aggregate>(
-        fill(part.mesh, {.spacing = spacingForObjectCount(part.mesh, static_cast<std::size_t>(press.objects))}));
+    const double spacing = automaticSpacing(fillingSizes(model, partsToFill(model, false), {}, TaskControl::none()));
+    out.aggregate = fillPart(part, spacing, Arrangement::cutCells, TaskControl::none());
     Material rubber;
     rubber.density = 1100;
     rubber.youngsModulus = 1e6;

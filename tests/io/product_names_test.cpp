@@ -1,5 +1,5 @@
+#include "core/model/readable_name.h"
 #include "io/brep/occt_session.h"
-#include "io/document/readable_name.h"
 #include "io/formats/cad_writer.h"
 #include "io/importer.h"
 

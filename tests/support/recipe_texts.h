@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/recipe/recipe.h"
+#include "io/recipe/recipe_reader.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,10 @@
-#include "ui/document/face_fixtures.h"
-#include "ui/document/filled_model.h"
+#include "core/session/face_fixtures.h"
+#include "core/session/filled_model.h"
 
 #include "core/geometry/mass_properties.h"
 #include "core/simulation/moment.h"
 #include "support/shapes.h"
+#include "ui/document/face_memory.h"
 
 #include <QtTest>
 
@@ -25,21 +26,19 @@ Part boxPart(const std::string& name, const Vec3& size, const Vec3& place)
     return part;
 }
 
-/// Services that hand out a given model instead of reading a file.
-Services servicesFor(const Model& model)
+/// Hands out a given model instead of reading a file.
+ImportFiles importOf(const Model& model)
 {
-    Services services;
-    services.import = [model](const std::vector<std::string>& paths, const ImportOptions&, TaskControl&) {
+    return [model](const std::vector<std::string>& paths, const ImportOptions&, TaskControl&) {
         Model result = model;
         result.file = paths.front();
         return result;
     };
-    return services;
 }
 
 PreparedModel prepare(const Model& model)
 {
-    return prepareFiles(servicesFor(model), {{"folder/part.step"}, {}}, {}, TaskControl::none());
+    return prepareFiles(importOf(model), {{"folder/part.step"}, {}}, {}, TaskControl::none());
 }
 
 class CancelledControl final : public TaskControl {
@@ -157,7 +156,7 @@ private slots:
         Model model;
         model.parts = {boxPart("bar", {0.1, 0.02, 0.02}, Vec3::Zero())};
         CancelledControl control;
-        QVERIFY_THROWS_EXCEPTION(Cancelled, prepareFiles(servicesFor(model), {{"part.step"}, {}}, {}, control));
+        QVERIFY_THROWS_EXCEPTION(Cancelled, prepareFiles(importOf(model), {{"part.step"}, {}}, {}, control));
     }
 
     void fixturesFollowEditsAndMoments()
@@ -204,8 +203,9 @@ private slots:
 
         // What is known of faces goes into a project and comes back.
         FaceFixtures later;
-        later.remember(fixtures.memory());
-        later.remember("no such thing");
+        for (const FaceFixture& known : facesRemembered(faceMemory(fixtures.known())))
+            later.keepInMind(known);
+        QVERIFY(facesRemembered("no such thing").empty());
         later.follow(prepared.content, two->fixtures);
         QCOMPARE(later.list().at(0).key, key);
         QCOMPARE(later.list().at(0).faces, (std::vector<std::uint32_t>{0, 1}));

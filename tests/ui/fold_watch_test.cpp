@@ -27,13 +27,12 @@ PreparedModel bar(const std::function<void(TriangleMesh&)>& change = {})
     part.volume = massProperties(part.mesh).volume;
     Model model;
     model.parts = {part};
-    Services services;
-    services.import = [model](const std::vector<std::string>& paths, const ImportOptions&, TaskControl&) {
+    const ImportFiles import = [model](const std::vector<std::string>& paths, const ImportOptions&, TaskControl&) {
         Model result = model;
         result.file = paths.front();
         return result;
     };
-    return prepareFiles(services, {{"folder/part.step"}, {}}, {}, TaskControl::none());
+    return prepareFiles(import, {{"folder/part.step"}, {}}, {}, TaskControl::none());
 }
 
 /// The first frame with other places of the body.

@@ -1,10 +1,10 @@
-#include "ui/selection/region.h"
+#include "core/session/region.h"
 
 #include "core/aggregate/fill.h"
+#include "core/session/edge_chains.h"
+#include "core/session/region_contents.h"
 #include "support/shapes.h"
 #include "ui/document/model_notes.h"
-#include "ui/selection/region_contents.h"
-#include "ui/viewport/edge_chains.h"
 #include "ui/viewport/projector.h"
 #include "ui/viewport/region_view.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/session/comparison.h"
 #include "ui/dialogs/modeless_dialog.h"
-#include "ui/measuring/comparison.h"
 
 namespace knead {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/document/export_request.h"
+#include "core/session/export_request.h"
 #include "ui/services.h"
 
 #include <QDialog>

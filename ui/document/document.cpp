@@ -1,5 +1,8 @@
 #include "ui/document/document.h"
 
+#include "core/session/export_jobs.h"
+#include "ui/document/face_memory.h"
+
 #include "core/mechanics/blade.h"
 #include "core/model/part_tree.h"
 #include "core/simulation/moment.h"
@@ -144,7 +147,8 @@ void Document::open(PreparedProject prepared)
     m_playback.forget();
     m_shown = project.current;
     m_fixtures.clear();
-    m_fixtures.remember(project.panels[fixturesPanel]);
+    for (const FaceFixture& known : facesRemembered(project.panels[fixturesPanel]))
+        m_fixtures.keepInMind(known);
     m_notes->remember(project.panels[notesPanel]);
     m_appearance = PartAppearance::at(m_history.tree(), project.current);
     follow(*destination.moment);
@@ -168,7 +172,7 @@ Project Document::project() const
 
 std::map<std::string, std::string> Document::panels() const
 {
-    return {{fixturesPanel, m_fixtures.memory()}, {notesPanel, m_notes->memory()}};
+    return {{fixturesPanel, faceMemory(m_fixtures.known())}, {notesPanel, m_notes->memory()}};
 }
 
 void Document::showStart()
@@ -457,24 +461,16 @@ double Document::size() const
 ExportJob Document::exportJob(const std::vector<bool>& keep) const
 {
     const Model& model = *m_content->model;
-    ExportJob job;
+    std::vector<std::size_t> partOfBody;
+    for (const auto& body : m_content->bodies)
+        partOfBody.push_back(body->part);
+    ExportJob job = exportJobOf(model, partOfBody, *m_frame->snapshot);
     job.tree = prunedTree(m_appearance.dressed(model.tree), keep);
-    job.options.unit = canBeWrittenIn(model.unit) ? model.unit : std::string();
-    const Snapshot& snapshot = *m_frame->snapshot;
-    for (std::size_t p = 0; p < model.parts.size(); ++p) {
-        if (!keep[p])
-            continue;
-        PartToExport& part = job.parts.emplace_back(PartToExport{.part = m_appearance.dressed(model, p)});
-        for (std::size_t b = 0; b < m_content->bodies.size(); ++b)
-            if (m_content->bodies[b]->part == p) {
-                part.aggregate = snapshot.bodies[b].aggregate;
-                part.displacements = snapshot.bodies[b].displacements();
-                part.broken = snapshot.bodies[b].broken;
-                part.relaxed = snapshot.bodies[b].relaxed;
-                part.loaded = loadedObjects(snapshot, static_cast<BodyId>(b));
-                part.density = snapshot.materials[b].density;
-            }
-    }
+    for (std::size_t p = 0; p < model.parts.size(); ++p)
+        if (keep[p])
+            job.parts[p].part = m_appearance.dressed(model, p);
+    std::size_t p = 0;
+    std::erase_if(job.parts, [&](const PartToExport&) { return !keep[p++]; });
     return job;
 }
 

@@ -1,15 +1,15 @@
 #pragma once
 
+#include "core/session/face_fixtures.h"
+#include "core/session/frame.h"
+#include "core/session/prepared_project.h"
+#include "core/session/part_appearance.h"
+#include "core/session/playback_cache.h"
+#include "core/session/timeline.h"
+#include "core/session/tool_requests.h"
 #include "core/simulation/simulation_thread.h"
 #include "ui/document/document_history.h"
-#include "ui/document/face_fixtures.h"
-#include "ui/document/frame.h"
-#include "ui/document/history_navigation.h"
 #include "ui/document/model_notes.h"
-#include "ui/document/part_appearance.h"
-#include "ui/document/playback_cache.h"
-#include "ui/document/timeline.h"
-#include "ui/document/tool_requests.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -37,12 +37,6 @@ struct Selection {
     Kind kind = Kind::None;
     std::uint32_t id = 0; ///< BodyId, ToolId or FaceFixture::key; of a region, which SelectionModel has: 0
     friend bool operator==(const Selection&, const Selection&) = default;
-};
-
-/// A project made ready to be shown, on a task thread.
-struct PreparedProject {
-    Project project;
-    HistoryDestination destination; ///< at its current entry
 };
 
 /// The open part with its simulation and its history: what every panel and the view show. Window thread only.
@@ -382,9 +376,5 @@ private:
     std::unique_ptr<FramePreparer> m_preparer;
     std::vector<std::future<void>> m_retiring; ///< earlier simulations on their way out
 };
-
-/// Makes a project ready to be shown. Runs on a task thread.
-/// @throws std::runtime_error with a sentence; Cancelled
-PreparedProject prepareProject(Project project, const Packing& packing, TaskControl& control);
 
 } // namespace knead

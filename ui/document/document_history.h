@@ -2,8 +2,8 @@
 
 #include "core/document/history.h"
 #include "core/document/project.h"
-#include "ui/document/filled_model.h"
-#include "ui/tasks/ordered_worker.h"
+#include "core/session/history_start.h"
+#include "core/task/ordered_worker.h"
 
 #include <QObject>
 #include <QString>
@@ -29,12 +29,7 @@ class DocumentHistory final : public QObject {
 public:
     using Entry = History::Entry;
 
-    struct Start {
-        ProjectStart start;
-        std::shared_ptr<const FilledModel> content; ///< null where it has to be made anew to be shown
-        ScriptedEventsMaker script = {};            ///< of a recipe that the document was opened from
-        ImportChoices choices = {};                 ///< that the content is made for
-    };
+    using Start = HistoryStart;
 
     explicit DocumentHistory(QObject* parent = nullptr);
     ~DocumentHistory() override;

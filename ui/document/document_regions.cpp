@@ -1,7 +1,7 @@
 // What is done to faces, objects and whatever else of bodies is selected.
 #include "ui/document/document.h"
 
-#include "ui/selection/region_contents.h"
+#include "core/session/region_contents.h"
 #include "ui/selection/selection_model.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/document/history_record.h"
+#include "core/session/filled_model.h"
 #include "core/simulation/snapshot.h"
-#include "ui/document/filled_model.h"
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/task/ordered_worker.h"
 #include "ui/document/document.h"
-#include "ui/tasks/ordered_worker.h"
 
 #include <QElapsedTimer>
 #include <QObject>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/session/quality_watch.h"
+#include "core/session/stall_watch.h"
 #include "ui/document/document.h"
-#include "ui/document/quality_watch.h"
-#include "ui/document/stall_watch.h"
 
 #include <QElapsedTimer>
 #include <QObject>

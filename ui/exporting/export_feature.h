@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/model/export_report.h"
-#include "ui/document/export_request.h"
+#include "core/session/export_request.h"
 #include "ui/frame/workbench.h"
 
 #include <QObject>

@@ -30,14 +30,6 @@ namespace knead {
 namespace {
 
 constexpr qint64 largeFile = 4'000'000; // [bytes]; reading takes seconds, so that a person should choose first
-constexpr const char* defaultMaterial = "sponge-rubber";
-
-Material startMaterial(const std::vector<MaterialPreset>& presets)
-{
-    const auto found = std::find_if(presets.begin(), presets.end(),
-                                    [](const MaterialPreset& preset) { return preset.id == defaultMaterial; });
-    return found == presets.end() ? Material{} : found->material;
-}
 
 } // namespace
 
@@ -84,7 +76,7 @@ void ImportFeature::open(const ImportChoices& request)
         return;
     m_bench.notices.hide();
     const auto work = [services = m_bench.services, request, material = startMaterial(m_bench.services.materials)](
-                          TaskControl& control) { return prepareFiles(services, request, material, control); };
+                          TaskControl& control) { return prepareFiles(services.import, request, material, control); };
     const QString name = QFileInfo(QFile::decodeName(request.paths.front().c_str())).fileName();
     const auto others = static_cast<int>(request.paths.size()) - 1;
     m_bench.tasks.run<PreparedModel>(others == 0 ? tr("Opening %1").arg(name)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/model/file_preview.h"
-#include "ui/document/filled_model.h"
+#include "core/session/filled_model.h"
 #include "ui/frame/workbench.h"
 
 #include <QObject>

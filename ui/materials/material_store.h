@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/task/ordered_worker.h"
 #include "ui/services.h"
-#include "ui/tasks/ordered_worker.h"
 
 #include <QObject>
 #include <QString>

@@ -3,7 +3,7 @@
 #include "ui/dialogs/comparison_dialog.h"
 #include "ui/frame/notices.h"
 #include "ui/frame/text_files.h"
-#include "ui/measuring/comparison.h"
+#include "ui/measuring/comparison_report.h"
 #include "ui/measuring/measuring.h"
 #include "ui/viewport/viewport_widget.h"
 

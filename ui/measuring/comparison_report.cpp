@@ -1,5 +1,6 @@
 // The report of a comparison as a page, in HTML and PDF.
-#include "ui/measuring/comparison.h"
+#include "ui/measuring/comparison_report.h"
+
 #include "ui/units.h"
 
 #include <QBuffer>
@@ -42,9 +43,11 @@ QString rowOf(const BodyComparison& body)
     return "<tr>" + cell(QString::fromStdString(body.name)) +
            cell(formatReading(body.largestDistance, Quantity::Length)) +
            cell(formatReading(body.meanDistance, Quantity::Length)) +
-           cell(formatReading(body.largestDisplacement, Quantity::Length)) +
+           cell(std::isnan(body.largestDisplacement) ? QStringLiteral("–")
+                                                     : formatReading(body.largestDisplacement, Quantity::Length)) +
            cell(changed(body.rest.volume, body.now.volume, Quantity::Volume)) +
-           cell(formatQuantity(body.now.mass, Quantity::Mass)) + cell(formatReading(moved, Quantity::Length)) + "</tr>";
+           cell(body.now.mass > 0 ? formatQuantity(body.now.mass, Quantity::Mass) : QStringLiteral("–")) +
+           cell(formatReading(moved, Quantity::Length)) + "</tr>";
 }
 
 QString tableOf(const Comparison& comparison)

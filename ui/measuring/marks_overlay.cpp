@@ -107,12 +107,12 @@ void MarksOverlay::paintMark(QPainter& painter, const OverlayMark& mark) const
 void MarksOverlay::paintText(QPainter& painter, const OverlayMark& mark, std::vector<QRectF>& taken) const
 {
     const auto seen = m_seenAt(mark.mark.label);
-    if (mark.mark.text.isEmpty() || !seen)
+    if (mark.text.isEmpty() || !seen)
         return;
     QFont font = this->font();
     font.setWeight(QFont::DemiBold);
     painter.setFont(font);
-    QRectF box = painter.fontMetrics().boundingRect(mark.mark.text);
+    QRectF box = painter.fontMetrics().boundingRect(mark.text);
     box.setSize(box.size() + QSizeF(2 * padding + 4, 2 * padding - 2));
     box.moveBottomLeft(*seen + textOffset);
     box.moveLeft(std::clamp(box.left(), 2.0, std::max(2.0, width() - box.width() - 2)));
@@ -126,7 +126,7 @@ void MarksOverlay::paintText(QPainter& painter, const OverlayMark& mark, std::ve
     painter.setBrush(palette().color(QPalette::ToolTipBase));
     painter.drawRoundedRect(box, 4, 4);
     painter.setPen(palette().color(QPalette::ToolTipText));
-    painter.drawText(box, Qt::AlignCenter, mark.mark.text);
+    painter.drawText(box, Qt::AlignCenter, mark.text);
 }
 
 void MarksOverlay::paintPrompt(QPainter& painter) const

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "ui/measuring/measurement.h"
+#include "core/session/measurement.h"
 
 #include <QColor>
+#include <QString>
 #include <QWidget>
 
 #include <functional>
@@ -18,6 +19,7 @@ class ViewportBridge;
 /// A mark in the view, and how it is painted.
 struct OverlayMark {
     Mark mark;
+    QString text = {};     ///< at its label
     bool isStrong = false; ///< selected, or being made
     QColor color = {};     ///< invalid: that of the theme
 };

@@ -1,5 +1,9 @@
 #include "ui/measuring/measurement_list.h"
 
+#include "ui/language/said.h"
+#include "ui/measuring/measurement_words.h"
+#include "ui/units.h"
+
 #include <QLocale>
 
 #include <algorithm>
@@ -8,23 +12,6 @@
 namespace knead {
 
 namespace {
-
-/// In one unit per quantity, whatever the size: what a spreadsheet can add up.
-std::pair<QString, double> plainUnit(Quantity quantity)
-{
-    switch (quantity) {
-    case Quantity::Length:
-        return {"mm", 1e-3};
-    case Quantity::Volume:
-        return {"mm³", 1e-9};
-    case Quantity::Mass:
-        return {"g", 1e-3};
-    case Quantity::Angle:
-        return {"°", 0.017453292519943295};
-    default:
-        return {QString(), 1};
-    }
-}
 
 QString quoted(QString text)
 {
@@ -116,7 +103,7 @@ QString csvOf(const std::vector<Measurement>& measurements, const std::vector<Me
         for (const Reading& reading : results[i].readings) {
             const auto [unit, scale] = plainUnit(reading.quantity);
             const QStringList cells{quoted(nameOf(measurements[i])),
-                                    quoted(reading.name),
+                                    quoted(said(reading.name)),
                                     unit,
                                     number(reading.now / scale),
                                     number(reading.rest / scale),

@@ -1,9 +1,12 @@
 #include "ui/measuring/measuring.h"
 
 #include "ui/document/document.h"
+#include "ui/language/said.h"
+#include "ui/measuring/measurement_words.h"
 #include "ui/modes.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/theme.h"
+#include "ui/units.h"
 #include "ui/viewport/side_view.h"
 #include "ui/viewport/viewport_widget.h"
 
@@ -182,7 +185,8 @@ void Measuring::showMarks()
     const std::vector<Measurement>& all = m_list->all();
     for (std::size_t i = 0; i < std::min(all.size(), results.size()); ++i)
         if (isSeen(all[i]))
-            marks.push_back({results[i].mark, std::count(selected.begin(), selected.end(), i) > 0, {}});
+            marks.push_back(
+                {results[i].mark, textOf(all[i], results[i]), std::count(selected.begin(), selected.end(), i) > 0, {}});
     std::vector<OverlayMark> making;
     if (m_tool->isPicking() && m_view.shownFrame())
         making.push_back(markInTheMaking());
@@ -220,7 +224,7 @@ OverlayMark Measuring::markInTheMaking() const
         line.push_back(*at);
         making.mark.label = *at;
         if (hovered->isCorner)
-            making.mark.text = tr("Corner");
+            making.text = tr("Corner");
     }
     making.mark.points = line;
     making.mark.lines.push_back(std::move(line));
@@ -240,7 +244,7 @@ QString Measuring::html() const
         for (const Reading& reading : results[i].readings) {
             table += "<tr>";
             for (const QString& cell :
-                 {nameOf(m_list->all()[i]), reading.name, formatQuantity(reading.now, reading.quantity),
+                 {nameOf(m_list->all()[i]), said(reading.name), formatQuantity(reading.now, reading.quantity),
                   formatQuantity(reading.rest, reading.quantity)})
                 table += "<td>" + cell.toHtmlEscaped() + "</td>";
             table += "</tr>";

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/measuring/measurement.h"
+#include "ui/measuring/measurement_words.h"
 #include "ui/measuring/skin_picker.h"
 
 #include <QObject>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/measuring/skin_place.h"
+#include "core/session/skin_place.h"
 #include "ui/viewport/camera.h"
 #include "ui/viewport/picker.h"
 

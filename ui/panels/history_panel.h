@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/session/history_outline.h"
 #include "ui/document/document.h"
-#include "ui/document/history_outline.h"
 
 #include <QWidget>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/document/filled_model.h"
+#include "core/session/filled_model.h"
 
 #include <QWidget>
 

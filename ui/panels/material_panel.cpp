@@ -1,7 +1,7 @@
 #include "ui/panels/material_panel.h"
 
 #include "core/aggregate/spacing_choice.h"
-#include "ui/materials/material_facts.h"
+#include "core/session/material_facts.h"
 #include "ui/materials/material_store.h"
 #include "ui/panels/form.h"
 #include "ui/theme.h"

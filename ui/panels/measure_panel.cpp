@@ -1,6 +1,9 @@
 #include "ui/panels/measure_panel.h"
 
+#include "ui/language/said.h"
+#include "ui/measuring/measurement_words.h"
 #include "ui/theme.h"
+#include "ui/units.h"
 
 #include <QAction>
 #include <QApplication>
@@ -203,7 +206,8 @@ void MeasurePanel::showNames()
         row->setText(nameColumn, nameOf(m_list.all()[i]));
         const int first = hasMain(m_list.all()[i].kind) ? 1 : 0;
         for (int child = 0; child < row->childCount(); ++child)
-            row->child(child)->setText(nameColumn, m_results[i].readings[static_cast<std::size_t>(first + child)].name);
+            row->child(child)->setText(nameColumn,
+                                       said(m_results[i].readings[static_cast<std::size_t>(first + child)].name));
     }
 }
 
@@ -221,10 +225,11 @@ void MeasurePanel::showNumbers()
             for (int child = 0; child < row->childCount(); ++child)
                 fill(row->child(child), result.readings[static_cast<std::size_t>(child) + (isMain ? 1 : 0)]);
         }
-        if (row->toolTip(nowColumn).isEmpty() != result.remark.isEmpty())
-            row->setIcon(nowColumn, result.remark.isEmpty() ? QIcon() : icon("warning"));
+        const QString remark = remarkOn(result);
+        if (row->toolTip(nowColumn).isEmpty() != remark.isEmpty())
+            row->setIcon(nowColumn, remark.isEmpty() ? QIcon() : icon("warning"));
         for (int c = 0; c < measureColumns; ++c)
-            row->setToolTip(c, result.remark);
+            row->setToolTip(c, remark);
     }
 }
 
@@ -258,10 +263,11 @@ void MeasurePanel::copy()
         QStringList{tr("Measurement"), tr("Reading"), tr("Now"), tr("At rest"), tr("Change")}.join('\t') + '\n';
     for (const std::size_t i : wanted)
         for (const Reading& reading : m_results[i].readings)
-            text += QStringList{nameOf(m_list.all()[i]), reading.name, formatQuantity(reading.now, reading.quantity),
-                                formatQuantity(reading.rest, reading.quantity), changeText(reading)}
-                        .join('\t') +
-                    '\n';
+            text +=
+                QStringList{nameOf(m_list.all()[i]), said(reading.name), formatQuantity(reading.now, reading.quantity),
+                            formatQuantity(reading.rest, reading.quantity), changeText(reading)}
+                    .join('\t') +
+                '\n';
     QApplication::clipboard()->setText(text);
 }
 

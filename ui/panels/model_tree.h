@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/session/region.h"
 #include "ui/document/document.h"
-#include "ui/selection/region.h"
 
 #include <QTreeWidget>
 

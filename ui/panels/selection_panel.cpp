@@ -3,7 +3,7 @@
 #include "ui/materials/material_store.h"
 #include "ui/materials/material_swatch.h"
 #include "ui/panels/form.h"
-#include "ui/selection/region_contents.h"
+#include "ui/selection/region_words.h"
 #include "ui/selection/selection_model.h"
 #include "ui/theme.h"
 

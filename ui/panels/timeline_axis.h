@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/document/timeline.h"
+#include "core/session/timeline.h"
 
 #include <QWidget>
 

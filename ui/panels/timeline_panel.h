@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/session/timeline.h"
+#include "core/task/ordered_worker.h"
 #include "ui/document/document.h"
-#include "ui/document/timeline.h"
-#include "ui/tasks/ordered_worker.h"
 
 #include <QWidget>
 

@@ -16,7 +16,7 @@ namespace knead {
 namespace {
 
 constexpr const char* service = "org.freedesktop.portal.Desktop";
-constexpr const char* path = "/org/freedesktop/portal/desktop";
+constexpr const char* objectPath = "/org/freedesktop/portal/desktop";
 constexpr const char* portal = "org.freedesktop.portal.Settings";
 constexpr const char* appearance = "org.freedesktop.appearance";
 constexpr const char* colorScheme = "color-scheme";
@@ -56,8 +56,8 @@ SystemTheme::SystemTheme(QObject* parent)
 void SystemTheme::ask()
 {
     QDBusConnection bus = QDBusConnection::sessionBus();
-    bus.connect(service, path, portal, "SettingChanged", this, SLOT(settingChanged(QString, QString, QDBusVariant)));
-    QDBusMessage question = QDBusMessage::createMethodCall(service, path, portal, "Read");
+    bus.connect(service, objectPath, portal, "SettingChanged", this, SLOT(settingChanged(QString, QString, QDBusVariant)));
+    QDBusMessage question = QDBusMessage::createMethodCall(service, objectPath, portal, "Read");
     question << QString(appearance) << QString(colorScheme);
     auto* answer = new QDBusPendingCallWatcher(bus.asyncCall(question), this);
     connect(answer, &QDBusPendingCallWatcher::finished, this, [this, answer] {

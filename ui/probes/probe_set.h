@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/session/probe_readings.h"
+#include "core/task/ordered_worker.h"
 #include "ui/document/document.h"
-#include "ui/probes/probe_readings.h"
-#include "ui/tasks/ordered_worker.h"
 
 #include <QColor>
 #include <QObject>

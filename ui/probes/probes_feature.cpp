@@ -62,7 +62,7 @@ std::vector<OverlayMark> ProbesFeature::probeMarks() const
         OverlayMark mark{.color = probe.color};
         mark.mark.points = {*at};
         mark.mark.label = *at;
-        mark.mark.text = QString::number(probe.number);
+        mark.text = QString::number(probe.number);
         marks.push_back(mark);
     }
     return marks;

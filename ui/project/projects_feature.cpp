@@ -1,7 +1,7 @@
 #include "ui/project/projects_feature.h"
 
+#include "core/session/filled_model.h"
 #include "ui/actions.h"
-#include "ui/document/filled_model.h"
 #include "ui/frame/notices.h"
 #include "ui/panels/home_page.h"
 #include "ui/panels/model_tree.h"

@@ -1,26 +1,14 @@
 #pragma once
 
 #include "core/document/project.h"
-#include "core/simulation/scripted_events.h"
+#include "core/session/recipe_start.h"
 #include "core/task/task_control.h"
-#include "ui/document/face_fixture.h"
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace knead {
-
-/// A recipe as a document begins with it.
-struct RecipeStart {
-    std::shared_ptr<const Model> model;
-    ImportChoices choices; ///< that lead to the model; without paths where no choices do
-    ProjectStart start;
-    std::vector<FaceFixture> fixtures; ///< with faces: of its start and of its events
-    ScriptedEventsMaker script;
-    std::vector<std::string> warnings; ///< sentences for the person
-};
 
 /// Recipes on the disk. The functions may be called from any thread and block; what they throw is a std::runtime_error with a
 /// sentence for the person, or Cancelled.

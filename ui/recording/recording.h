@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/session/timeline.h"
 #include "core/task/task_control.h"
-#include "ui/document/timeline.h"
 #include "ui/recording/film_writer.h"
 
 #include <QImage>

@@ -1,5 +1,6 @@
 #include "ui/selection/selection_feature.h"
 
+#include "core/session/region_contents.h"
 #include "ui/actions.h"
 #include "ui/display.h"
 #include "ui/frame/docks.h"
@@ -9,7 +10,6 @@
 #include "ui/panels/model_tree.h"
 #include "ui/panels/panel_area.h"
 #include "ui/panels/selection_panel.h"
-#include "ui/selection/region_contents.h"
 #include "ui/selection/selection_model.h"
 #include "ui/units.h"
 #include "ui/viewport/viewport_widget.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/selection/region.h"
+#include "core/session/region.h"
 
 #include <QJsonObject>
 

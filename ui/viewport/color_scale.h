@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/session/surface_fields.h"
 #include "ui/units.h"
 #include "ui/viewport/color_map.h"
-#include "ui/viewport/surface_fields.h"
 
 #include <QString>
 

@@ -2,8 +2,8 @@
 
 #include "core/geometry/plane_section.h"
 #include "core/mechanics/manipulator.h"
+#include "core/session/render_mesh.h"
 #include "ui/viewport/camera.h"
-#include "ui/viewport/render_mesh.h"
 
 #include <cstdint>
 #include <limits>

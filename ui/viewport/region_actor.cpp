@@ -1,6 +1,6 @@
 #include "ui/viewport/region_actor.h"
 
-#include "ui/selection/region_contents.h"
+#include "core/session/region_contents.h"
 #include "ui/viewport/stroke_actor.h"
 
 #include <vtkActor.h>

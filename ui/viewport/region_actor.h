@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/document/frame.h"
-#include "ui/selection/region.h"
+#include "core/session/frame.h"
+#include "core/session/region.h"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "ui/viewport/region_view.h"
 
-#include "ui/selection/region_contents.h"
+#include "core/session/region_contents.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/plane_section.h"
-#include "ui/selection/region.h"
+#include "core/session/region.h"
 #include "ui/viewport/projector.h"
 #include "ui/viewport/scene_picker.h"
 

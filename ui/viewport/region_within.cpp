@@ -1,6 +1,6 @@
 // What lies within a shape on the screen.
+#include "core/session/region_contents.h"
 #include "core/task/parallel.h"
-#include "ui/selection/region_contents.h"
 #include "ui/viewport/region_view.h"
 
 #include <algorithm>

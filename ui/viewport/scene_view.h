@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ui/document/frame.h"
-#include "ui/document/part_appearance.h"
-#include "ui/selection/region.h"
+#include "core/session/frame.h"
+#include "core/session/part_appearance.h"
+#include "core/session/region.h"
 #include "ui/viewport/camera.h"
 #include "ui/viewport/color_scale.h"
 #include "ui/viewport/scene_style.h"

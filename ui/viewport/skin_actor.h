@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/document/frame.h"
+#include "core/session/frame.h"
 #include "ui/viewport/color_scale.h"
 #include "ui/viewport/scene_style.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/session/surface_fields.h"
 #include "ui/viewport/scene_view.h"
-#include "ui/viewport/surface_fields.h"
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/tasks/ordered_worker.h"
-#include "ui/viewport/surface_fields.h"
+#include "core/session/surface_fields.h"
+#include "core/task/ordered_worker.h"
 
 #include <QObject>
 

@@ -1,6 +1,6 @@
 #include "io/formats/gltf/gltf_check.h"
 
-#include "io/document/readable_name.h"
+#include "core/model/readable_name.h"
 #include "io/formats/cad_format.h"
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "io/formats/iges/iges_names.h"
 
-#include "io/document/readable_name.h"
+#include "core/model/readable_name.h"
 
 #include <IGESBasic_Name.hxx>
 #include <IGESCAFControl_Reader.hxx>

@@ -1,7 +1,7 @@
 #include "io/formats/step/step_lost_faces.h"
 
+#include "core/model/number_words.h"
 #include "io/brep/shape_measure.h"
-#include "io/document/number_words.h"
 
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>

@@ -1,6 +1,6 @@
 #include "io/formats/step/step_names.h"
 
-#include "io/document/readable_name.h"
+#include "core/model/readable_name.h"
 
 #include <Interface_InterfaceModel.hxx>
 #include <STEPConstruct.hxx>

@@ -1,8 +1,8 @@
 #include "io/formats/threemf/three_mf_reader.h"
 
 #include "core/model/length_units.h"
+#include "core/model/readable_name.h"
 #include "io/document/part_selection.h"
-#include "io/document/readable_name.h"
 #include "io/formats/cad_format.h"
 #include "io/formats/mesh_reader.h"
 #include "io/mesh/mesh_colors.h"

@@ -1,7 +1,7 @@
+#include "core/session/frame.h"
 #include "io/formats/mesh_writer.h"
 #include "support/projects_on_test.h"
 #include "support/shapes.h"
-#include "ui/document/frame.h"
 #include "ui/run_window.h"
 
 #include <QElapsedTimer>

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/model/import_options.h"
+#include "core/session/filled_model.h"
+#include "core/session/frame.h"
+#include "core/task/task_control.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace knead {
+
+/// What can be measured: parts of a CAD or mesh file at rest, or those of a project as they are at an entry of its history.
+struct OpenedShape {
+    FilledModel content;                ///< as it is filled there
+    FramePointer frame;                 ///< where it is there
+    std::optional<std::uint32_t> entry; ///< of a project
+};
+
+/// @param entry of a project; none: its present one
+/// @throws std::runtime_error, in a sentence; Cancelled
+OpenedShape openShape(const std::string& path, std::optional<std::uint32_t> entry, const ImportOptions& how,
+                      TaskControl& control);
+
+} // namespace knead

@@ -1,0 +1,20 @@
+#include "app/recipe_files.h"
+
+#include "app/cad_process.h"
+#include "app/recipe_exports.h"
+#include "app/whole_file.h"
+#include "io/project/project_file.h"
+
+namespace knead {
+
+RecipeFiles recipeFiles()
+{
+    return {.import = importInChildren,
+            .isProject = isProjectFile,
+            .readProject = [](const std::string& path, TaskControl& control) { return readProject(path, control); },
+            .prepareFolders = prepareFolders,
+            .writeExports = writeExports,
+            .writeTable = writeWhole};
+}
+
+} // namespace knead

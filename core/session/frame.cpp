@@ -1,0 +1,98 @@
+#include "core/session/frame.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace knead {
+
+namespace {
+
+std::shared_ptr<const BodyFrame> bodyFrame(const FilledBody& body, const Snapshot::BodyState& state)
+{
+    auto frame = std::make_shared<BodyFrame>();
+    frame->places.resize(body.mesh.vertices.size());
+    body.skin->evaluate(state.displacements(), frame->places);
+    frame->points = renderPoints(body.render, frame->places);
+    frame->normals = renderNormals(body.render, frame->points);
+    return frame;
+}
+
+} // namespace
+
+FramePointer prepareFrame(const FilledBodies& bodies, SnapshotPointer snapshot, const FramePointer& previous,
+                          bool mayLag)
+{
+    auto frame = std::make_shared<Frame>();
+    const bool isUnmoved = previous &&
+                           previous->snapshot->arrivals == snapshot->arrivals && // branches meet at equal steps
+                           (previous->snapshot->step == snapshot->step ||
+                            (snapshot->rest > 0 && previous->snapshot->rest == snapshot->rest));
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const Snapshot::BodyState& state = snapshot->bodies[b];
+        const std::shared_ptr<const FilledBody> filled = filledAs(bodies[b], state.aggregate);
+        std::shared_ptr<const FilledBody> lately = mayLag ? tornLately(filled, state.broken) : nullptr;
+        frame->lags = frame->lags || lately;
+        frame->filled.push_back(lately ? std::move(lately) : tornAs(filled, state.broken));
+    }
+    if (isUnmoved && previous->filled == frame->filled)
+        frame->bodies = previous->bodies;
+    else
+        for (std::size_t b = 0; b < bodies.size(); ++b)
+            frame->bodies.push_back(bodyFrame(*frame->filled[b], snapshot->bodies[b]));
+    frame->snapshot = std::move(snapshot);
+    return frame;
+}
+
+struct FramePreparer::Worker {
+    FilledBodies bodies;
+    std::function<void(FramePointer)> deliver;
+    std::mutex mutex;
+    std::condition_variable_any wake;
+    SnapshotPointer waiting;
+    std::jthread thread; // last: stops and joins first
+
+    void run(const std::stop_token& stop)
+    {
+        constexpr std::chrono::milliseconds quiet(250);
+        FramePointer previous;
+        for (;;) {
+            std::unique_lock lock(mutex);
+            const auto isWaiting = [this] { return waiting != nullptr; };
+            if (previous && previous->lags)
+                wake.wait_for(lock, stop, quiet, isWaiting);
+            else
+                wake.wait(lock, stop, isWaiting);
+            if (stop.stop_requested())
+                return;
+            const bool isNew = isWaiting();
+            SnapshotPointer snapshot = isNew ? std::exchange(waiting, nullptr) : previous->snapshot;
+            lock.unlock();
+            previous = prepareFrame(bodies, std::move(snapshot), previous, isNew);
+            deliver(previous);
+        }
+    }
+};
+
+FramePreparer::FramePreparer(FilledBodies bodies, std::function<void(FramePointer)> deliver)
+    : m_worker(std::make_unique<Worker>())
+{
+    m_worker->bodies = std::move(bodies);
+    m_worker->deliver = std::move(deliver);
+    m_worker->thread = std::jthread([worker = m_worker.get()](const std::stop_token& stop) { worker->run(stop); });
+}
+
+FramePreparer::~FramePreparer() = default;
+
+void FramePreparer::prepare(SnapshotPointer snapshot)
+{
+    {
+        const std::lock_guard lock(m_worker->mutex);
+        m_worker->waiting = std::move(snapshot);
+    }
+    m_worker->wake.notify_one();
+}
+
+} // namespace knead

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/session/measurement.h"
+
+#include <string>
+
+namespace knead {
+
+/// Words for a way of measuring and what it takes: "distance 0,0,0 100,0,0", "face-radius lid:12". A place is the point of the
+/// skin at rest that lies nearest to three coordinates [mm]; a face is its number in the part, after the name of its body where
+/// there are several bodies.
+/// @throws std::runtime_error, in a sentence: what is not understood, or not there
+Measurement measurementOf(const std::string& text, const FilledModel& content);
+
+/// "distance"
+std::string wordFor(MeasureKind kind);
+
+} // namespace knead

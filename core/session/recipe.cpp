@@ -1,0 +1,20 @@
+#include "core/session/recipe.h"
+
+#include "core/model/file_names.h"
+
+namespace knead {
+
+Material RecipeMaterial::on(const Material& base) const
+{
+    Material material = preset.value_or(base);
+    for (const auto& [member, number] : overrides)
+        material.*member = number;
+    return material;
+}
+
+bool RecipeExport::isPicture() const
+{
+    return lowerCaseEnding(file) == "png";
+}
+
+} // namespace knead

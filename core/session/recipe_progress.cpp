@@ -1,0 +1,129 @@
+#include "core/session/recipe_progress.h"
+
+#include "core/simulation/moment.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace knead {
+
+namespace {
+
+/// Whether the step nearest to a time [s] has been reached.
+bool isAt(const Simulation& simulation, double time)
+{
+    return simulation.time() + 0.5 * simulation.timeStep() >= time;
+}
+
+/// Whether an event took place before an earlier step than that of a moment.
+bool wasDue(const RecipeEvent& event, const Moment& moment)
+{
+    if (event.step)
+        return *event.step < moment.step;
+    return moment.step > 0 && moment.time - 0.5 * moment.timeStep >= event.time;
+}
+
+/// Whether it is of objects that there are only when the event is due.
+bool namesLaterFilling(const RecipeAction& action)
+{
+    const auto isLater = [](const std::optional<RecipeObjects>& objects) { return objects && objects->isFilledAnew; };
+    if (const auto* change = std::get_if<ChangeMaterial>(&action))
+        return isLater(change->objects);
+    if (const auto* wanted = std::get_if<RenormalizeBodies>(&action))
+        return isLater(wanted->objects);
+    const auto* add = std::get_if<AddRecipeFixture>(&action);
+    return add != nullptr && isLater(add->fixture.objects);
+}
+
+} // namespace
+
+RecipeProgress::RecipeProgress(const Recipe& recipe, const RecipeScene& ready)
+    : m_recipe(recipe)
+    , m_events(recipe, ready)
+{
+    for (std::size_t i = 0; i < recipe.events.size(); ++i)
+        if (std::holds_alternative<StartAgain>(recipe.events[i].action))
+            m_toDo = i + 1;
+}
+
+bool RecipeProgress::isDue(const RecipeEvent& event, const Simulation& simulation) const
+{
+    return event.step ? simulation.stepCount() >= *event.step : isAt(simulation, event.time);
+}
+
+bool RecipeProgress::isDone(const Simulation& simulation) const
+{
+    return m_mark.nextEvent >= m_toDo && (m_recipe.durationSteps ? simulation.stepCount() >= *m_recipe.durationSteps
+                                                                 : isAt(simulation, m_recipe.duration));
+}
+
+void RecipeProgress::carryOutDue(Simulation& simulation, const std::function<void()>& refused)
+{
+    std::size_t& next = m_mark.nextEvent;
+    for (; next < m_recipe.events.size() && isDue(m_recipe.events[next], simulation); ++next) {
+        if (m_mark.isRepeated && isThere(m_recipe.events[next].action, simulation))
+            continue;
+        for (Command& command : m_events.commandsOf(next, simulation.bodies()))
+            carryOut(std::move(command), simulation, refused);
+    }
+}
+
+void RecipeProgress::carryOut(Command command, Simulation& simulation, const std::function<void()>& refused)
+{
+    const std::size_t before = simulation.recording().size();
+    const std::size_t kind = command.index();
+    simulation.post(std::move(command));
+    simulation.applyCommands();
+    const std::vector<RecordedCommand>& recording = simulation.recording();
+    if (recording.size() > before && recording.back().command.index() == kind)
+        m_events.carriedOut(recording.back().command);
+    else if (refused)
+        refused();
+}
+
+/// What an event adds has been there since it was carried out for the first time.
+bool RecipeProgress::isThere(const RecipeAction& action, Simulation& simulation) const
+{
+    const auto isNamed = [](const std::string& name) { return [&name](const auto& one) { return one.name == name; }; };
+    if (const auto* tool = std::get_if<AddRecipeManipulator>(&action)) {
+        const auto now = simulation.snapshot();
+        return std::any_of(now->tools.begin(), now->tools.end(), isNamed(tool->manipulator.name));
+    }
+    if (const auto* fixture = std::get_if<AddRecipeFixture>(&action)) {
+        const auto now = simulation.snapshot();
+        return std::any_of(now->fixtures.begin(), now->fixtures.end(), isNamed(fixture->fixture.name));
+    }
+    if (const auto* load = std::get_if<AddRecipeLoad>(&action)) {
+        const std::vector<Reaction> now = simulation.reactions();
+        return std::any_of(now.begin(), now.end(), [&](const Reaction& reaction) {
+            return reaction.kind == Reaction::Kind::load && reaction.name == load->load.name;
+        });
+    }
+    return false;
+}
+
+void RecipeProgress::noteOther(const Command& command)
+{
+    m_events.carriedOutByOthers(command);
+    if (!std::holds_alternative<Reset>(command))
+        return;
+    m_mark = {.nextEvent = 0, .isRepeated = true};
+}
+
+void RecipeProgress::goTo(const Moment& moment, const std::optional<Mark>& mark)
+{
+    m_events.goTo(moment);
+    const auto isNext = [&](const RecipeEvent& event) { return !wasDue(event, moment); };
+    const auto next = std::find_if(m_recipe.events.begin(), m_recipe.events.end(), isNext);
+    m_mark = mark.value_or(Mark{.nextEvent = static_cast<std::size_t>(next - m_recipe.events.begin())});
+}
+
+void checkEvents(const Recipe& recipe, const RecipeScene& ready)
+{
+    const EventCommands events(recipe, ready);
+    for (std::size_t i = 0; i < recipe.events.size(); ++i)
+        if (!namesLaterFilling(recipe.events[i].action))
+            events.commandsOf(i, ready.scene.bodies);
+}
+
+} // namespace knead

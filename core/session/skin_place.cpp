@@ -1,0 +1,122 @@
+#include "core/session/skin_place.h"
+
+#include "core/geometry/shape_fit.h"
+#include "core/geometry/surface_distance.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace knead {
+
+namespace {
+
+std::array<Vec3, 3> cornersOf(const TriangleMesh& mesh, std::uint32_t triangle, std::span<const Vec3> places)
+{
+    const TriangleMesh::Triangle& t = mesh.triangles[triangle];
+    return {places[t[0]], places[t[1]], places[t[2]]};
+}
+
+Vec3 blend(const std::array<Vec3, 3>& corners, const Vec3& shares)
+{
+    return shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2];
+}
+
+} // namespace
+
+Vec3 placeOf(const SkinPlace& place, const FilledBody& body, std::span<const Vec3> places)
+{
+    return blend(cornersOf(body.mesh, place.triangle, places), place.shares);
+}
+
+std::optional<Vec3> seenPlace(const SkinPlace& place, const FilledModel& content, const Frame& frame,
+                              const std::set<std::size_t>& hiddenParts)
+{
+    if (place.body >= content.bodies.size() || place.body >= frame.bodies.size())
+        return std::nullopt;
+    const FilledBody& body = *content.bodies[place.body];
+    const std::vector<Vec3>& places = frame.bodies[place.body]->places;
+    const bool isOfThisBody = place.triangle < body.mesh.triangles.size() && places.size() == body.mesh.vertices.size();
+    if (!isOfThisBody || hiddenParts.contains(body.part))
+        return std::nullopt;
+    return placeOf(place, body, places);
+}
+
+SkinPlace nearestPlace(const Vec3& point, const FilledBodies& bodies)
+{
+    SkinPlace nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (BodyId b = 0; b < bodies.size(); ++b) {
+        const TriangleMesh& mesh = bodies[b]->mesh;
+        const SurfaceDistance::Hit hit = SurfaceDistance(mesh).nearest(point);
+        if (hit.distance >= least)
+            continue;
+        least = hit.distance;
+        nearest = {b, hit.triangle, nearestShares(cornersOf(mesh, hit.triangle, mesh.vertices), hit.point)};
+    }
+    return nearest;
+}
+
+std::optional<std::uint32_t> faceOf(const SkinPlace& place, const FilledBody& body)
+{
+    if (body.mesh.faceOfTriangle.empty())
+        return std::nullopt;
+    return body.mesh.faceOfTriangle[place.triangle];
+}
+
+std::vector<std::uint32_t> trianglesOfFace(const SkinPlace& place, const FilledBody& body)
+{
+    std::vector<std::uint32_t> triangles(body.mesh.triangles.size());
+    std::iota(triangles.begin(), triangles.end(), 0U);
+    if (const auto face = faceOf(place, body))
+        std::erase_if(triangles, [&](std::uint32_t t) { return body.mesh.faceOfTriangle[t] != *face; });
+    return triangles;
+}
+
+std::size_t trueVertices(const FilledModel& content, const FilledBody& body)
+{
+    return body.whole ? body.mesh.vertices.size() : content.model->parts[body.part].mesh.vertices.size();
+}
+
+std::optional<SkinPlace> carriedOver(const SkinPlace& place, const FilledBodies& before, const FilledBodies& after)
+{
+    const FilledBody& old = *before[place.body];
+    const auto found =
+        std::find_if(after.begin(), after.end(), [&](const auto& body) { return body->part == old.part; });
+    if (found == after.end())
+        return std::nullopt;
+    const FilledBody& body = **found;
+    const Vec3 rest = placeOf(place, old, old.mesh.vertices);
+    const auto face = faceOf(place, old);
+    SkinPlace best{.body = static_cast<BodyId>(found - after.begin())};
+    double nearest = std::numeric_limits<double>::max();
+    for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) {
+        if (face && body.mesh.faceOfTriangle[t] != *face)
+            continue;
+        const auto corners = cornersOf(body.mesh, t, body.mesh.vertices);
+        const Vec3 shares = nearestShares(corners, rest);
+        if (const double distance = (blend(corners, shares) - rest).squaredNorm(); distance < nearest) {
+            nearest = distance;
+            best.triangle = t;
+            best.shares = shares;
+        }
+    }
+    return nearest < std::numeric_limits<double>::max() ? std::optional(best) : std::nullopt;
+}
+
+std::vector<ObjectShare> objectShares(const SkinPlace& place, const FilledBody& body)
+{
+    std::map<ObjectIndex, double> shares;
+    for (int corner = 0; corner < 3; ++corner)
+        for (const Skin::Influence& influence :
+             body.skin->influences(body.mesh.triangles[place.triangle][static_cast<std::size_t>(corner)]))
+            shares[influence.object] += place.shares[corner] * static_cast<double>(influence.weight);
+    std::vector<ObjectShare> result;
+    result.reserve(shares.size());
+    for (const auto& [object, share] : shares)
+        result.push_back({object, share});
+    return result;
+}
+
+} // namespace knead

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/session/frame.h"
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+namespace knead {
+
+/// A place on the skin of a body, which goes along with it.
+struct SkinPlace {
+    BodyId body = 0;
+    std::uint32_t triangle = 0; ///< of FilledBody::mesh
+    Vec3 shares = {1, 0, 0};    ///< of its corners, 0 .. 1; they add up to 1
+};
+
+/// @param places of the body's vertices: BodyFrame::places, or those of the mesh at rest [m]
+Vec3 placeOf(const SkinPlace& place, const FilledBody& body, std::span<const Vec3> places);
+
+/// Where a place is seen in a frame of `content` [m]; none when its part is hidden, or when it belongs to a content that was shown
+/// before: whoever hears of another one later than the view still has places of that.
+/// @param hiddenParts by index into Model::parts
+std::optional<Vec3> seenPlace(const SkinPlace& place, const FilledModel& content, const Frame& frame,
+                              const std::set<std::size_t>& hiddenParts);
+
+/// The place of the bodies at rest that is nearest to a point [m]. @pre there is a body
+SkinPlace nearestPlace(const Vec3& point, const FilledBodies& bodies);
+
+/// CAD face that the place lies on; none on plain meshes.
+std::optional<std::uint32_t> faceOf(const SkinPlace& place, const FilledBody& body);
+
+/// Triangles of the face that the place lies on; all of a plain mesh.
+std::vector<std::uint32_t> trianglesOfFace(const SkinPlace& place, const FilledBody& body);
+
+/// How many vertices of the body lie on the surface as imported: the first ones. The others are middles of split edges. All of them
+/// where the body came apart, since they are mixed there.
+std::size_t trueVertices(const FilledModel& content, const FilledBody& body);
+
+/// The same place on bodies that were filled anew; none when its part is no longer among them.
+std::optional<SkinPlace> carriedOver(const SkinPlace& place, const FilledBodies& before, const FilledBodies& after);
+
+/// How much an object moves the place; they add up to 1.
+struct ObjectShare {
+    ObjectIndex object = 0;
+    double share = 0;
+};
+/// By object. @pre the body has a skin
+std::vector<ObjectShare> objectShares(const SkinPlace& place, const FilledBody& body);
+
+} // namespace knead
