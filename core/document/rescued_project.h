@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/document/project.h"
+#include "core/message/message.h"
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,8 +15,8 @@ struct RescuedProject {
 };
 
 /// A project that is not as it was written, in a sentence. What is whole in it can be rescued.
-struct DamagedProject : std::runtime_error {
-    using std::runtime_error::runtime_error;
+struct DamagedProject : Problem {
+    using Problem::Problem;
 };
 
 } // namespace knead

@@ -26,9 +26,10 @@ namespace {
 
 constexpr double writingShare = 0.9; // of the progress of saving; the rest is reading back
 
-[[noreturn]] void failDamaged(const std::string& path, const std::string& what)
+[[noreturn]] void failDamaged(const std::string& path, const Message& what)
 {
-    throw DamagedProject(shortName(path) + ": the project is damaged: " + what + ". What is whole can be rescued.");
+    throw DamagedProject(Message("Project", "%1: the project is damaged: %2. What is whole can be rescued.")
+                             .with(shortName(path), what));
 }
 
 /// Root may write everywhere, but a person who marked a file as read-only meant it.
@@ -86,9 +87,9 @@ Project readWhole(const std::string& path, const ReadingChoices& choices, TaskCo
                                   "). Update Knead to open it.");
         return readFrom(file, choices, control);
     } catch (const SQLite::Exception& error) {
-        failDamaged(path, error.what());
+        failDamaged(path, messageOf(error));
     } catch (const DamagedData& error) {
-        failDamaged(path, error.what());
+        failDamaged(path, messageOf(error));
     }
 }
 
