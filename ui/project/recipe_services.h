@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/document/project.h"
+#include "core/message/message.h"
 #include "core/simulation/scripted_events.h"
 #include "core/task/task_control.h"
 #include "ui/document/face_fixture.h"
@@ -19,7 +20,7 @@ struct RecipeStart {
     ProjectStart start;
     std::vector<FaceFixture> fixtures; ///< with faces: of its start and of its events
     ScriptedEventsMaker script;
-    std::vector<std::string> warnings; ///< sentences for the person
+    std::vector<Message> warnings; ///< sentences for the person
 };
 
 /// Recipes on the disk. The functions may be called from any thread and block; what they throw is a std::runtime_error with a
