@@ -184,7 +184,8 @@ public:
         report.tools = m_tools;
         report.forces = m_forces;
         report.balances = m_balances;
-        report.warnings = m_ready.warnings;
+        for (const Message& warning : m_ready.warnings)
+            report.warnings.push_back(warning.english());
         report.warnings.insert(report.warnings.end(), m_warnings.begin(), m_warnings.end());
         for (Remark& remark : remarksOn(report.quality))
             report.warnings.push_back(std::move(remark.sentence));
@@ -327,7 +328,7 @@ RunReport runRecipe(const Recipe& recipe, const std::string& outputFolder, TaskC
     prepareFolders(recipe.exports, outputFolder);
 
     if (say && !ready.fineness.warning.empty())
-        say(ready.fineness.warning);
+        say(ready.fineness.warning.english());
     Runner runner(recipe, ready, say);
     try {
         recipe.analysis == Analysis::equilibrium ? runner.findBalances(control) : runner.run(control);

@@ -42,7 +42,7 @@ Aggregate fillPart(const Part& part, Arrangement arrangement, double spacing, Ta
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
-        throw std::runtime_error("\"" + part.name + "\": " + error.what());
+        throw Problem(Message("", "\"%1\": %2").with(part.name, messageOf(error)));
     }
 }
 
@@ -53,7 +53,7 @@ void fillParts(const Recipe& recipe, RecipeScene& result, TaskControl& control)
     const double spacing = spacingFor(recipe.spacing, size);
     result.fineness = assessSpacing(spacing, size);
     if (recipe.arrangement == Arrangement::published)
-        result.fineness.warning.clear(); // of cut cells
+        result.fineness.warning = {}; // of cut cells
     if (!result.fineness.warning.empty())
         result.warnings.push_back(result.fineness.warning);
     TaskPortion filling(control, 0.1, 1);

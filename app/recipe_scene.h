@@ -18,7 +18,7 @@ struct RecipeScene {
     std::vector<std::vector<FixtureId>> fixtureIds;          ///< per fixture of the recipe; one for each body it holds
     std::vector<std::shared_ptr<const ToolPart>> eventParts; ///< as in RecipeParts
     SpacingAssessment fineness;                              ///< of all bodies together
-    std::vector<std::string> warnings;                       ///< sentences: of the import, and parts left out
+    std::vector<Message> warnings;                           ///< sentences: of the import, and parts left out
 };
 
 /// Imports the parts and fills every closed body of it.

@@ -90,9 +90,9 @@ RecipeStart open(const std::string& path, TaskControl& control)
                       .script = {},
                       .warnings = scene.warnings};
     if (recipe.analysis == Analysis::equilibrium)
-        start.warnings.push_back(
-            "This recipe asks for balance without inertia, which \"knead run\" finds. Play carries it "
-            "out as motion in time.");
+        start.warnings.push_back(Message(
+            "Recipe", "This recipe asks for balance without inertia, which \"knead run\" finds. Play carries it out "
+                      "as motion in time."));
     start.script = scriptOf(std::move(ready));
     return start;
 }

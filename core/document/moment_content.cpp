@@ -4,10 +4,10 @@
 #include "core/document/aggregate_content.h"
 #include "core/document/moment_check.h"
 #include "core/document/moment_fields.h"
+#include "core/message/message.h"
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <type_traits>
 
 namespace knead {
@@ -291,7 +291,7 @@ Moment momentFromContent(std::span<const std::byte> content, std::span<const Bod
     std::uint32_t count = 0;
     bytes(count);
     if (count != bodies.size())
-        throw std::runtime_error("it has another number of bodies than the scene");
+        throw Problem(Message("History", "it has another number of bodies than the scene"));
     for (const Body& each : bodies) {
         Moment::BodyMoment& read = moment.bodies.emplace_back(Moment::BodyMoment{.materials = MaterialMap({}, 0)});
         read.refilled = nextFilling(bytes, each, version);
@@ -299,9 +299,9 @@ Moment momentFromContent(std::span<const std::byte> content, std::span<const Bod
     }
     rest(bytes, moment, parts, version);
     if (!bytes.atEnd())
-        throw std::runtime_error("it goes on after its end");
-    if (const std::string problem = momentProblem(moment, bodies); !problem.empty())
-        throw std::runtime_error(problem);
+        throw Problem(Message("History", "it goes on after its end"));
+    if (const Message problem = momentProblem(moment, bodies); !problem.empty())
+        throw Problem(problem);
     return moment;
 }
 

@@ -19,7 +19,7 @@ using MomentPointer = std::shared_ptr<const Moment>;
 /// as many threads as TBB allows, and the bits of the result do not depend on their number.
 class Simulation {
 public:
-    /// @throws std::runtime_error, in a sentence, when a material or manipulator cannot be simulated.
+    /// @throws Problem when a material or manipulator cannot be simulated.
     explicit Simulation(Scene scene);
     ~Simulation();
     Simulation(Simulation&&) noexcept;

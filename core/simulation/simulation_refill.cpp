@@ -292,7 +292,7 @@ void Simulation::State::refill(BodyId id, double spacing)
                                     fittings, outOfTools(id));
     const double grown = filling.aggregate->filledVolume / firstFillings[id]->filledVolume - 1;
     if (!broken.empty() && !(grown < mostGaping))
-        throw std::runtime_error("its cracks gape, and would be filled.");
+        throw Problem(Message("Filling", "its cracks gape, and would be filled."));
     const CarriedState state(run.connections, run.state, filling);
     const std::unique_ptr<BodyRun> old = takeFilling(id, filling, state.changes(run.materials)); // which `state` reads
     BodyRun& filled = *runs[id];

@@ -239,7 +239,7 @@ struct Simulation::State {
 };
 
 /// Why a body cannot be simulated; empty when it can.
-std::vector<std::string> bodyProblems(const Body& body);
+std::vector<Message> bodyProblems(const Body& body);
 
 /// 1 for each of `objects`, 0 for the others; empty when there are none.
 std::vector<std::uint8_t> marksOf(const std::vector<ObjectIndex>& objects, std::size_t count);

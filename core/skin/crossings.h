@@ -15,7 +15,7 @@ namespace knead {
 /// numbers for the jitter they will not.
 struct DegenerateCut : std::runtime_error {
     DegenerateCut()
-        : std::runtime_error("cracks touch the surface without crossing it")
+        : std::runtime_error{"cracks touch the surface without crossing it"}
     {
     }
 };

@@ -163,7 +163,7 @@ private slots:
             const std::vector<Remark> poor = remarksOn(report.quality);
             for (const std::string& warning : report.warnings)
                 QVERIFY2(warning.starts_with("Nothing moved") || warning.find("begins ") != std::string::npos ||
-                             warning == report.fineness.warning ||
+                             warning == report.fineness.warning.english() ||
                              std::any_of(poor.begin(), poor.end(),
                                          [&](const Remark& remark) { return remark.sentence == warning; }),
                          warning.c_str());

@@ -7,6 +7,7 @@
 #include "ui/dialogs/import_dialog.h"
 #include "ui/frame/docks.h"
 #include "ui/frame/notices.h"
+#include "ui/language/said.h"
 #include "ui/language/words_of_files.h"
 #include "ui/panels/import_panel.h"
 #include "ui/preferences/preferences.h"
@@ -187,12 +188,12 @@ void ImportFeature::refillOnceMore(double spacing)
 /// A part that does not suit the spacing, unlike the others, is only shown from now on.
 void ImportFeature::showRefilled(PreparedModel prepared)
 {
-    const std::map<std::size_t, std::string> before = m_bench.document.content().unfilled;
+    const std::map<std::size_t, Message> before = m_bench.document.content().unfilled;
     m_bench.document.refill(std::move(prepared));
     for (const auto& [part, reason] : m_bench.document.content().unfilled)
         if (!before.contains(part))
             m_bench.notices.problem(
-                tr("\"%1\" is not simulated: %2").arg(m_bench.document.nameOfPart(part), inWords(reason)));
+                tr("\"%1\" is not simulated: %2").arg(m_bench.document.nameOfPart(part), said(reason)));
 }
 
 void ImportFeature::tellOfModel()
@@ -210,8 +211,8 @@ void ImportFeature::tellOfModel()
                                  .arg(name, QString::fromStdString(content.model->format), formatCount(start.objects),
                                       formatQuantity(content.spacing, Quantity::Length), formatCount(start.connections),
                                       formatReading(start.timeStep, Quantity::Time)));
-    for (const std::string& warning : content.warnings)
-        m_bench.notices.warn(inWords(warning));
+    for (const Message& warning : content.warnings)
+        m_bench.notices.warn(said(warning));
 }
 
 void ImportFeature::showImport()

@@ -1,6 +1,7 @@
 #include "ui/panels/import_panel.h"
 
 #include "core/model/length_units.h"
+#include "ui/language/said.h"
 #include "ui/language/words_of_files.h"
 #include "ui/panels/form.h"
 #include "ui/units.h"
@@ -108,13 +109,13 @@ void ImportPanel::listRemarks(const FilledModel& content)
     if (model.unitRemark)
         add(tr("Size"), inWords(model.unitRemark->sentence));
     if (!content.fineness.warning.empty())
-        add(tr("Filling"), inWords(content.fineness.warning));
+        add(tr("Filling"), said(content.fineness.warning));
     for (const std::string& sentence : model.missing)
         add(tr("Missing"), inWords(sentence));
     for (const std::string& sentence : model.warnings)
         add(tr("File"), inWords(sentence));
     for (const auto& [part, reason] : content.unfilled)
-        add(QString::fromStdString(model.parts[part].path), tr("was not filled: %1").arg(inWords(reason)));
+        add(QString::fromStdString(model.parts[part].path), tr("was not filled: %1").arg(said(reason)));
     for (const Part& part : model.parts) {
         for (const std::string& sentence : part.warnings)
             add(QString::fromStdString(part.path), inWords(sentence));

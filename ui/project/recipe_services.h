@@ -20,7 +20,7 @@ struct RecipeStart {
     ProjectStart start;
     std::vector<FaceFixture> fixtures; ///< with faces: of its start and of its events
     ScriptedEventsMaker script;
-    std::vector<std::string> warnings; ///< sentences for the person
+    std::vector<Message> warnings; ///< sentences for the person
 };
 
 /// Recipes on the disk. The functions may be called from any thread and block; what they throw is a std::runtime_error with a

@@ -5,6 +5,7 @@
 #include "ui/frame/docks.h"
 #include "ui/frame/notices.h"
 #include "ui/importing/import_feature.h"
+#include "ui/language/said.h"
 #include "ui/language/words_of_files.h"
 #include "ui/panels/panel_area.h"
 #include "ui/panels/performance_panel.h"
@@ -137,7 +138,7 @@ void SimulationFeature::showWalls(const SpacingAssessment& fineness)
 {
     const bool isSaid = !m_shownWalls.isEmpty() && m_bench.notices.shown() == m_shownWalls;
     const bool isFine = fineness.warning.empty() || m_bench.document.content().bodies.empty();
-    m_shownWalls = isFine ? QString() : inWords(fineness.warning);
+    m_shownWalls = isFine ? QString() : said(fineness.warning);
     if (isFine && isSaid)
         m_bench.notices.hide();
     if (isFine)
