@@ -43,13 +43,13 @@ Message crackRemark(const PartToExport& part)
     };
     const std::size_t count = part.broken->size();
     const std::string stretch = digits(most);
-    const std::string place = "(" + digits(where.x()) + ", " + digits(where.y()) + ", " + digits(where.z()) + ")";
+    const std::string place = "(" + digits(where.x()) + ", " + digits(where.y()) + ", " + digits(where.z()) + ") mm";
     return count == 1
                ? Message("Export", "\"%1\" is cracked but in one piece: 1 of its connections is broken, and its skin "
-                                   "spans the crack, stretched to %2 times its length there near %3 mm.")
+                                   "spans the crack, stretched to %2 times its length there near %3.")
                      .with(part.part.name, stretch, place)
                : Message("Export", "\"%1\" is cracked but in one piece: %2 of its connections are broken, and its skin "
-                                   "spans the crack, stretched to %3 times its length there near %4 mm.")
+                                   "spans the crack, stretched to %3 times its length there near %4.")
                      .with(part.part.name, count, stretch, place);
 }
 

@@ -1,5 +1,6 @@
 #include "ui/materials/material_store.h"
 
+#include "core/message/message.h"
 #include "ui/language/said.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "ui/panels/export_panel.h"
 
+#include "core/message/message.h"
 #include "ui/language/said.h"
 #include "ui/theme.h"
 #include "ui/units.h"

@@ -1,4 +1,5 @@
 // How a project comes into the window: from its file, as a copy, rescued, or recovered.
+#include "core/message/message.h"
 #include "ui/language/said.h"
 #include "ui/project/project_keeper.h"
 

@@ -1,4 +1,5 @@
 // How a project is saved, and what is asked before unsaved work would be lost.
+#include "core/message/message.h"
 #include "ui/language/said.h"
 #include "ui/project/project_keeper.h"
 

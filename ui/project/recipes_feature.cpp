@@ -1,5 +1,6 @@
 #include "ui/project/recipes_feature.h"
 
+#include "core/message/message.h"
 #include "ui/dialogs/file_question.h"
 #include "ui/frame/notices.h"
 #include "ui/language/said.h"

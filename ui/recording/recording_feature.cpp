@@ -1,5 +1,6 @@
 #include "ui/recording/recording_feature.h"
 
+#include "core/message/message.h"
 #include "ui/dialogs/file_question.h"
 #include "ui/dialogs/record_dialog.h"
 #include "ui/frame/notices.h"

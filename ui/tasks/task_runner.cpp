@@ -1,5 +1,6 @@
 #include "ui/tasks/task_runner.h"
 
+#include "core/message/message.h"
 #include "ui/language/said.h"
 
 #include <QTimer>
