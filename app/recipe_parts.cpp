@@ -33,9 +33,8 @@ auto asInput(Read read)
 Opened opened(Model model, const std::string& file, bool fillsOpenParts)
 {
     Opened opened;
-    const auto warn = [&](const std::vector<std::string>& sentences) {
-        for (const std::string& sentence : sentences)
-            opened.warnings.push_back(Message::verbatim(sentence));
+    const auto warn = [&](const std::vector<Message>& sentences) {
+        opened.warnings.insert(opened.warnings.end(), sentences.begin(), sentences.end());
     };
     warn(model.warnings);
     warn(model.missing);

@@ -5,6 +5,7 @@
 #include "app/recipe_progress.h"
 #include "app/recipe_scene.h"
 #include "app/whole_file.h"
+#include "core/message/message.h"
 #include "core/simulation/simulation.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/skin.h"

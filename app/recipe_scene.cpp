@@ -2,6 +2,7 @@
 
 #include "core/aggregate/fill.h"
 #include "core/aggregate/published_fill.h"
+#include "core/message/message.h"
 #include "core/model/part_tree.h"
 #include "io/document/readable_name.h"
 #include "io/formats/cad_format.h"
@@ -42,7 +43,7 @@ Aggregate fillPart(const Part& part, Arrangement arrangement, double spacing, Ta
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
-        throw Problem(Message("", "\"%1\": %2").with(part.name, messageOf(error)));
+        throw Problem(Message::verbatim("\"%1\": %2").with(part.name, messageOf(error)));
     }
 }
 

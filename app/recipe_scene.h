@@ -2,6 +2,7 @@
 
 #include "app/recipe_parts.h"
 #include "core/aggregate/spacing_choice.h"
+#include "core/message/message.h"
 #include "core/simulation/scene.h"
 
 #include <optional>

@@ -4,6 +4,7 @@
 #include "app/recipe_script.h"
 #include "app/resources.h"
 #include "app/whole_file.h"
+#include "core/message/message.h"
 #include "core/model/part_tree.h"
 #include "io/material_library.h"
 #include "io/recipe/recipe_of_project.h"
@@ -96,7 +97,7 @@ RecipeStart open(const std::string& path, TaskControl& control)
     return start;
 }
 
-std::vector<std::string> write(const std::string& path, const Project& project, const std::string& projectPath)
+std::vector<Message> write(const std::string& path, const Project& project, const std::string& projectPath)
 {
     RecipeOfProject recipe =
         recipeOfProject(project, {.recipePath = path, .projectPath = projectPath}, readMaterials(materialsFile()));

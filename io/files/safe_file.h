@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "io/files/byte_sink.h"
 
 #include <string>
@@ -25,7 +26,7 @@ public:
     const std::string& pathForNow() const { return m_path; }
 
     /// @throws std::runtime_error as when the disk refuses. @param reason in a few words
-    [[noreturn]] void fail(const std::string& reason) const;
+    [[noreturn]] void fail(const Message& reason) const;
 
     /// Makes sure that the disk has all of it: what can fail for want of room has not failed after this. For files that
     /// belong together: all are finished before the first is kept.

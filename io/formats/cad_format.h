@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/message/message.h"
+
 #include <string>
 
 namespace knead {
@@ -21,7 +23,10 @@ std::string shortName(const std::string& path);
 /// "step" for "/home/ann/bracket.STEP"; empty when there is none.
 std::string lowerCaseEnding(const std::string& path);
 
-/// @throws std::runtime_error "<short name>: <sentence>".
-[[noreturn]] void failReading(const std::string& path, const std::string& sentence);
+/// "<short name>: <sentence>".
+Message aboutFile(const std::string& path, const Message& sentence);
+
+/// @throws Problem aboutFile().
+[[noreturn]] void failReading(const std::string& path, const Message& sentence);
 
 } // namespace knead

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/message/message.h"
+
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -56,15 +58,15 @@ public:
     std::vector<double> thousandths(std::size_t count) const;
 
     /// @throws std::runtime_error "FILE, line 7: PLACE SAYING"; the saying continues the place: "must hold 3 numbers, got 2."
-    [[noreturn]] void fail(const std::string& saying) const;
+    [[noreturn]] void fail(const Message& saying) const;
     /// The same with what is there added: "PLACE must be EXPECTED, got VALUE."
-    [[noreturn]] void failExpecting(const std::string& verbAndExpectation) const;
+    [[noreturn]] void failExpecting(const Message& verbAndExpectation) const;
 
 private:
     JsonNode(std::shared_ptr<const JsonDocument> document, const JsonValue* value, std::string place);
     JsonNode child(const JsonValue& value, const std::string& place) const;
     void mustBeObject() const;
-    const JsonNumber& finite(const char* expectation) const;
+    const JsonNumber& finite(const Message& expectation) const;
     std::vector<JsonNumber> finiteNumbers(std::size_t count) const;
 
     std::shared_ptr<const JsonDocument> m_document;

@@ -2,6 +2,7 @@
 
 #include "core/aggregate/material.h"
 #include "core/document/project.h"
+#include "core/message/message.h"
 
 #include <string>
 #include <vector>
@@ -23,8 +24,8 @@ Project withSettingsFirst(Project project);
 
 /// A session as a recipe.
 struct RecipeOfProject {
-    std::string text;                 ///< JSON
-    std::vector<std::string> remarks; ///< sentences on what the recipe leaves out
+    std::string text;             ///< JSON
+    std::vector<Message> remarks; ///< sentences on what the recipe leaves out
 };
 
 /// The present branch of a project, from where its part was filled last, as a recipe that a person can read and change. Carried

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/message/message.h"
+
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -67,7 +69,7 @@ ChildEnd runChild(const ChildProgram& program, double wallTime,
                   const std::function<void(std::string_view line)>& onLine, const std::function<bool()>& isCancelled);
 
 /// Why a signal ends a process, in a few words: "memory access".
-std::string reasonOfSignal(int signal);
+Message reasonOfSignal(int signal);
 
 /// Called by the child: it ends when the thread that started it ends.
 void endWithParent();

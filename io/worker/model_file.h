@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "core/model/file_preview.h"
 #include "core/model/part.h"
 
@@ -22,9 +23,9 @@ std::string previewToBytes(const FilePreview& preview);
 FilePreview previewFromBytes(std::string_view bytes);
 
 /// In place of a model: why there is none, a sentence for the person. Both are told apart by failureIn().
-std::string failureToBytes(const std::string& sentence);
+std::string failureToBytes(const Message& sentence);
 
-/// @return the sentence, or an empty text when the bytes are those of something else
-std::string failureIn(std::string_view bytes);
+/// @return the sentence; empty when the bytes are those of something else. @throws as modelFromBytes(), when it is none
+Message failureIn(std::string_view bytes);
 
 } // namespace knead

@@ -320,7 +320,7 @@ private slots:
         }
         project.current = static_cast<std::uint32_t>(project.entries.size() - 1);
         const RecipeOfProject recipe = write(project, "refilled.recipe.json");
-        QVERIFY(recipe.remarks.at(0).starts_with("The recipe begins where the part was filled last"));
+        QVERIFY(recipe.remarks.at(0).english().starts_with("The recipe begins where the part was filled last"));
         const RunReport report = runRecipe(read("refilled.recipe.json"), m_shop.path("out"));
         QCOMPARE(report.stateHash, refilled.simulation.stateHash());
     }

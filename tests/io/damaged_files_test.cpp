@@ -56,10 +56,10 @@ std::string lineOfTwoPoints(const std::string& step)
     return std::string(step).replace(comma + 1, step.find(")", comma) - comma - 1, name);
 }
 
-bool mention(const std::vector<std::string>& sentences, const std::string& words)
+bool mention(const std::vector<Message>& sentences, const std::string& words)
 {
     return std::any_of(sentences.begin(), sentences.end(),
-                       [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
+                       [&](const Message& sentence) { return sentence.english().find(words) != std::string::npos; });
 }
 
 } // namespace

@@ -175,9 +175,8 @@ FilledModel emptyFilledModel(const Model& model, const ImportChoices& request)
 {
     FilledModel content;
     content.request = request;
-    const auto warn = [&](const std::vector<std::string>& sentences) {
-        for (const std::string& sentence : sentences)
-            content.warnings.push_back(Message::verbatim(sentence));
+    const auto warn = [&](const std::vector<Message>& sentences) {
+        content.warnings.insert(content.warnings.end(), sentences.begin(), sentences.end());
     };
     warn(model.missing);
     warn(model.warnings);

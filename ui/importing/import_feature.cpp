@@ -1,5 +1,6 @@
 #include "ui/importing/import_feature.h"
 
+#include "core/message/message.h"
 #include "core/model/length_units.h"
 #include "ui/actions.h"
 #include "ui/dialogs/file_question.h"
@@ -8,7 +9,6 @@
 #include "ui/frame/docks.h"
 #include "ui/frame/notices.h"
 #include "ui/language/said.h"
-#include "ui/language/words_of_files.h"
 #include "ui/panels/import_panel.h"
 #include "ui/preferences/preferences.h"
 #include "ui/project/project_keeper.h"
@@ -226,11 +226,11 @@ void ImportFeature::showImport()
         m_bench.docks.of("importDock").raise();
     if (model.unitRemark) {
         const QString unit = QString::fromStdString(model.unitRemark->unit);
-        m_bench.notices.problem(inWords(model.unitRemark->sentence), tr("Take as %1").arg(unit),
+        m_bench.notices.problem(said(model.unitRemark->sentence), tr("Take as %1").arg(unit),
                                 [this, unit] { takeIn(unit); });
     } else if (!model.missing.empty()) {
         m_bench.notices.problem(model.missing.size() == 1
-                                    ? inWords(model.missing.front())
+                                    ? said(model.missing.front())
                                     : tr("%1 parts of the file are missing; the import report says which and why.")
                                           .arg(formatCount(model.missing.size())),
                                 tr("Show report"), [this] { m_bench.docks.show("importDock"); });

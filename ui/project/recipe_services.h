@@ -33,8 +33,7 @@ struct RecipeServices {
     /// The file appears whole or not at all.
     /// @param projectPath where the project was saved; empty: nowhere yet
     /// @return sentences on what the recipe leaves out
-    std::function<std::vector<std::string>(const std::string& path, const Project&, const std::string& projectPath)>
-        write;
+    std::function<std::vector<Message>(const std::string& path, const Project&, const std::string& projectPath)> write;
 };
 
 } // namespace knead
