@@ -51,9 +51,9 @@ Message readableCount(double count)
 {
     constexpr double roundedUp = 0.995; // with two digits, what is above this is the next unit
     if (count >= roundedUp * 1e9)
-        return Message("Filling", "%1 billion").with(rounded(count / 1e9));
+        return Message("Number", "%1 billion").with(rounded(count / 1e9));
     if (count >= roundedUp * 1e6)
-        return Message("Filling", "%1 million").with(rounded(count / 1e6));
+        return Message("Number", "%1 million").with(rounded(count / 1e6));
     const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(count, 1.0))) - 1));
     std::string digits = std::to_string(static_cast<long>(std::round(count / unit) * unit));
     if (digits.size() > 3)

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <type_traits>
+#include <utility>
 
 namespace knead {
 
@@ -212,6 +214,19 @@ void edges(Stream& bytes, Of<Stream, Contacts::Memory>& memory)
     });
 }
 
+/// What was said is kept in English.
+void sentence(ByteWriter& bytes, const Message& said)
+{
+    bytes(said.english());
+}
+
+void sentence(ByteReader& bytes, Message& said)
+{
+    std::string text;
+    bytes(text);
+    said = Message::verbatim(std::move(text));
+}
+
 /// All but the bodies.
 template <typename Stream>
 void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std::uint32_t version)
@@ -232,7 +247,7 @@ void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std
         bytes(moment.floorAdhesion);
     bytes(moment.wantedIntegrator, Integrator::automatic);
     bytes(moment.integrator, Integrator::implicitEuler);
-    bytes(moment.integratorReason);
+    sentence(bytes, moment.integratorReason);
     bytes(moment.solverIterations);
     bytes(moment.step);
     for (auto* number : {&moment.time, &moment.timeStep, &moment.lastStep, &moment.stableStep, &moment.crowding,
@@ -249,7 +264,7 @@ void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std
         edges(bytes, moment.contacts);
     bytes(moment.wasSquashed);
     bytes(moment.health.ok);
-    bytes(moment.health.message);
+    sentence(bytes, moment.health.message);
     if constexpr (Stream::isReader) {
         if (!bytes.atEnd())
             loadsAndTurns(bytes, moment);

@@ -184,15 +184,15 @@ public:
         if (report.converged)
             return;
         m_state.recording.push_back({m_state.step, KeepMoment{}}); // which it began with
-        throw std::runtime_error(report.message);
+        throw Problem(report.message);
     }
     void operator()(const Refill& command) const
     {
         body(command.body);
         if (!(command.spacing >= 0 && std::isfinite(command.spacing)))
             throw Problem(Message("Filling", "The spacing of another filling must be more than 0."));
-        if (const std::string why = m_state.whyNotRefilled(command.body); !why.empty())
-            throw std::runtime_error(why);
+        if (const Message why = m_state.whyNotRefilled(command.body); !why.empty())
+            throw Problem(why);
         m_state.refill(command.body, command.spacing);
     }
     void operator()(const Cut& command) const
@@ -372,11 +372,11 @@ void Simulation::State::applyCommands()
         try {
             carryOut(command);
             if (!std::holds_alternative<KeepMoment>(command)) // what was wrong before has not been read yet
-                notice.clear();
+                notice = {};
             if (placesTool(command))
                 noteToolsInside();
         } catch (const std::runtime_error& error) {
-            notice = error.what();
+            notice = messageOf(error);
         }
     }
 }

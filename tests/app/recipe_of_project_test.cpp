@@ -165,7 +165,7 @@ private slots:
                 QVERIFY2(warning.starts_with("Nothing moved") || warning.find("begins ") != std::string::npos ||
                              warning == report.fineness.warning.english() ||
                              std::any_of(poor.begin(), poor.end(),
-                                         [&](const Remark& remark) { return remark.sentence == warning; }),
+                                         [&](const Remark& remark) { return remark.sentence.english() == warning; }),
                          warning.c_str());
             if (report.stateHash != document.simulation.stateHash())
                 qInfo("%s", text.c_str());
