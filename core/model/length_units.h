@@ -37,7 +37,7 @@ void scaleModel(Model& model, double factor);
 /// The model with its numbers read in another unit, whatever the file says: 25.4 times as large when millimetres become
 /// inches. The doubt about the unit is settled by it.
 /// @param unit as findLengthUnit() takes it
-/// @throws std::runtime_error, in a sentence, when `unit` or the unit of the model is not known
+/// @throws Problem, when `unit` or the unit of the model is not known
 Model takenIn(Model model, std::string_view unit);
 
 } // namespace knead

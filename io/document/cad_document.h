@@ -80,7 +80,7 @@ struct CadDocument {
 
 /// Reads STEP, IGES or BREP. OpenCASCADE keeps global state: call within an OcctSession.
 /// @param onlyShapes see ImportOptions
-/// @throws std::runtime_error, in a sentence. @throws Cancelled
+/// @throws Problem. @throws Cancelled
 CadDocument readCadDocument(const std::string& path, FormatKind kind, bool onlyShapes, TaskControl& control);
 
 } // namespace knead

@@ -25,7 +25,7 @@ void leaveOutSickParts(Model& model);
 /// Takes nodes without parts out of a tree.
 void removeEmptyNodes(PartNode& node);
 
-/// @throws std::runtime_error, in a sentence about `path` that says what is missing, when no part is left.
+/// @throws Problem about `path` that says what is missing, when no part is left.
 void checkAnyPart(const std::string& path, const Model& model);
 
 } // namespace knead

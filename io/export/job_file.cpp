@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
 
 namespace knead {
@@ -165,6 +166,26 @@ PartExportReport partFrom(const Json& json)
     return part;
 }
 
+std::string documentOf(const ExportReport& report)
+{
+    Json json{{"file", report.file},
+              {"format", report.format},
+              {"unit", report.unit},
+              {"bytes", report.bytes},
+              {"seconds", report.seconds},
+              {"sound", report.isSound()},
+              {"warnings", toJson(report.warnings)},
+              {"parts", Json::array()}};
+    for (const PartExportReport& part : report.parts)
+        json["parts"].push_back(toJson(part));
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void sayInEnglish(Message& sentence)
+{
+    sentence = Message::verbatim(sentence.english());
+}
+
 void addSlit(const KnifeSlit& slit, BlockWriter& blocks)
 {
     blocks.add(std::vector<Vec3>{slit.origin, slit.opening, slit.along});
@@ -283,7 +304,7 @@ ExportJob jobFromBytes(std::string_view bytes)
 std::string exportedToBytes(const ExportedFile& file)
 {
     BlockWriter blocks;
-    blocks.add(std::string_view(reportToJson(file.report)));
+    blocks.add(std::string_view(documentOf(file.report)));
     blocks.add(std::string_view(file.bytes));
     return std::move(blocks).bytes();
 }
@@ -299,17 +320,13 @@ ExportedFile exportedFromBytes(std::string_view bytes)
 
 std::string reportToJson(const ExportReport& report)
 {
-    Json json{{"file", report.file},
-              {"format", report.format},
-              {"unit", report.unit},
-              {"bytes", report.bytes},
-              {"seconds", report.seconds},
-              {"sound", report.isSound()},
-              {"warnings", toJson(report.warnings)},
-              {"parts", Json::array()}};
-    for (const PartExportReport& part : report.parts)
-        json["parts"].push_back(toJson(part));
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    ExportReport english = report;
+    for (PartExportReport& part : english.parts) {
+        sayInEnglish(part.reason);
+        std::for_each(part.remarks.begin(), part.remarks.end(), sayInEnglish);
+    }
+    std::for_each(english.warnings.begin(), english.warnings.end(), sayInEnglish);
+    return documentOf(english);
 }
 
 ExportReport reportFromJson(std::string_view text)

@@ -46,7 +46,7 @@ public:
     {
     }
 
-    /// @throws std::runtime_error, for the developer
+    /// @throws Problem, for the developer
     [[noreturn]] void fail(const char* saying) const
     {
         throw Problem(Message::verbatim(std::string(m_what) + ": " + saying));

@@ -13,7 +13,7 @@ std::string formatName(FormatKind kind);
 
 /// Tells what a file is by its content; the ending decides only where the content cannot (an OBJ that starts
 /// unusually).
-/// @throws std::runtime_error, in a sentence that names the file and what it really is: missing, empty, a folder, an
+/// @throws Problem that names the file and what it really is: missing, empty, a folder, an
 ///         archive, another kind of document, or no known format.
 FormatKind recognizeFormat(const std::string& path);
 

@@ -12,7 +12,7 @@ using Json = nlohmann::json;
 constexpr std::size_t mostArguments = 9;
 constexpr int deepest = 32; // of messages in messages
 
-Message read(const Json& json, int depth)
+Message nestedMessage(const Json& json, int depth)
 {
     if (json.is_string())
         return Message::verbatim(json.get<std::string>());
@@ -21,7 +21,7 @@ Message read(const Json& json, int depth)
         throw Json::other_error::create(501, "the arguments of a message are none", &json);
     std::vector<Message> values;
     for (const Json& argument : arguments)
-        values.push_back(read(argument, depth + 1));
+        values.push_back(nestedMessage(argument, depth + 1));
     return Message(json.at("subject").get<std::string>(), json.at("text").get<std::string>())
         .withAll(std::move(values));
 }
@@ -45,7 +45,7 @@ Json toJson(const std::vector<Message>& messages)
 
 Message messageFrom(const Json& json)
 {
-    return read(json, 0);
+    return nestedMessage(json, 0);
 }
 
 std::vector<Message> messagesFrom(const Json& json)

@@ -42,7 +42,7 @@ struct MorphedShape {
 /// faces; the result does not depend on the number of threads.
 /// @param shape located where it is [mm]
 /// @param map in metres
-/// @throws Cancelled, and std::runtime_error, in words, when a face that is to be flat cannot be drawn
+/// @throws Cancelled, and Problem, when a face that is to be flat cannot be drawn
 MorphedShape morphShape(const TopoDS_Shape& shape, const SmoothMap& map, const MorphOptions& options,
                         TaskControl& control = TaskControl::none());
 

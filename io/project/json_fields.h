@@ -138,7 +138,7 @@ private:
     std::string m_text;
 };
 
-/// Reads fields from a JSON object; failures are std::runtime_error and name the field.
+/// Reads fields from a JSON object; failures are Problems and name the field.
 class FieldReader {
 public:
     /// @param longList elements that all lists of numbers read with it may have together; counts down

@@ -33,7 +33,7 @@ public:
     /// @return whether it went well
     bool attempt(const Message& what, const std::function<void()>& read);
 
-    /// Commands in another table. @throws std::runtime_error
+    /// Commands in another table. @throws Problem
     std::vector<RecordedCommand> commands(const std::string& json, const std::string& source);
 
     /// What is not whole, a phrase each: "the state of entry 7 (row 9 of the table blobs is missing)".

@@ -257,7 +257,7 @@ struct Recipe {
 /// wrong type or a number out of range is an error. Whether the names of bodies and faces exist is seen when the part
 /// is opened.
 /// @param changes made to what the file says before it is checked
-/// @throws std::runtime_error, in a sentence: the file, the place in it, and what is allowed there.
+/// @throws Problem: the file, the place in it, and what is allowed there.
 Recipe readRecipe(const std::string& path, const std::vector<MaterialPreset>& presets,
                   const std::vector<RecipeOverride>& changes = {});
 

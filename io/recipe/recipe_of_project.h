@@ -31,7 +31,7 @@ struct RecipeOfProject {
 /// The present branch of a project, from where its part was filled last, as a recipe that a person can read and change. Carried
 /// out, it comes to the same state, bit for bit. It exports nothing.
 /// @param presets bundled materials, which are named
-/// @throws std::runtime_error, in a sentence, when a recipe cannot say it
+/// @throws Problem, when a recipe cannot say it
 RecipeOfProject recipeOfProject(const Project& project, const RecipeOfProjectChoices& choices,
                                 const std::vector<MaterialPreset>& presets);
 

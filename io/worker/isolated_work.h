@@ -32,7 +32,7 @@ public:
 
 /// Runs a program as serveParent() expects and returns what it left in the file. Cancelling ends it at once.
 /// @param file what the program is given, and what it returns
-/// @throws std::runtime_error, in a sentence: its own, or WorkerCrashed. @throws Cancelled
+/// @throws Problem: its own, or WorkerCrashed. @throws Cancelled
 std::string runIsolated(const IsolatedWork& work, const NamelessFile& file, TaskControl& control);
 
 } // namespace knead

@@ -394,17 +394,22 @@ FilePreview previewFromBytes(std::string_view bytes)
 
 std::string failureToBytes(const Message& sentence)
 {
-    return std::string(failureMark) + toJson(sentence).dump(-1, ' ', false, Json::error_handler_t::replace);
+    try {
+        return std::string(failureMark) + toJson(sentence).dump();
+    } catch (const Json::type_error&) { // the name of a file need not be UTF-8
+        return std::string(failureMark) + sentence.english();
+    }
 }
 
 Message failureIn(std::string_view bytes)
 {
     if (!bytes.starts_with(failureMark))
         return {};
+    const std::string_view text = bytes.substr(failureMark.size());
     try {
-        return messageFrom(Json::parse(bytes.substr(failureMark.size())));
-    } catch (const Json::exception& error) {
-        fail(error.what());
+        return messageFrom(Json::parse(text));
+    } catch (const Json::exception&) {
+        return Message::verbatim(std::string(text));
     }
 }
 

@@ -15,7 +15,7 @@ std::string modelToBytes(const Model& model);
 
 /// The other way. Trusts nothing: sizes, places of arrays, indices, numbers that are not finite, trees and texts are checked,
 /// so that bytes from a process that went astray cannot hurt this one.
-/// @throws std::runtime_error, naming what is wrong, for the developer
+/// @throws Problem, naming what is wrong, for the developer
 Model modelFromBytes(std::string_view bytes);
 
 /// A preview as bytes, and the other way with the same distrust.
@@ -25,7 +25,7 @@ FilePreview previewFromBytes(std::string_view bytes);
 /// In place of a model: why there is none, a sentence for the person. Both are told apart by failureIn().
 std::string failureToBytes(const Message& sentence);
 
-/// @return the sentence; empty when the bytes are those of something else. @throws as modelFromBytes(), when it is none
+/// @return the sentence; empty when the bytes are those of something else
 Message failureIn(std::string_view bytes);
 
 } // namespace knead

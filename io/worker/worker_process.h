@@ -20,7 +20,7 @@ namespace knead {
                               const std::function<std::string(TaskControl& control)>& work);
 
 /// All that the parent left in the result file before it started this process.
-/// @throws std::runtime_error, in a sentence
+/// @throws Problem
 std::string requestOfParent();
 
 /// A stage as it goes through the pipe, and back.

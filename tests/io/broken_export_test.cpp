@@ -276,7 +276,7 @@ void BrokenExportTest::crumbsAreWrittenWithWhatTheyCameOff()
         QVERIFY(file.report.isSound());
         std::size_t said = 0;
         for (const PartExportReport& part : file.report.parts)
-            for (const Message& remark : part.remarks)
+            for (const knead::Message& remark : part.remarks)
                 said += remark.english().starts_with("pieces too small") &&
                                 remark.english().ends_with("objects in them: 1.")
                             ? 1

@@ -250,7 +250,7 @@ void ExporterTest::meshesBecomeSolidsOfFlatFaces()
 
 bool isFoldSaid(const PartExportReport& part)
 {
-    return std::ranges::any_of(part.remarks, [](const Message& remark) {
+    return std::ranges::any_of(part.remarks, [](const knead::Message& remark) {
         return remark.english().find("its material is folded over itself near (") != std::string::npos;
     });
 }
@@ -288,7 +288,7 @@ void ExporterTest::facesFollowAFold()
     const FoldMap fold(boxOf(model));
     const ExportedFile file = exportCad(FormatKind::Step, jobOf(model, &fold, 40), TaskControl::none());
     const PartExportReport& part = file.report.parts.front();
-    for (const Message& remark : part.remarks)
+    for (const knead::Message& remark : part.remarks)
         qInfo("%s", remark.english().c_str());
     QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.english().c_str());
     QVERIFY(part.closed && part.valid && part.facesAfter == part.facesBefore);
@@ -375,7 +375,7 @@ void ExporterTest::aFaceThatIsFarOffIsFlatAlone()
     QVERIFY(part.largestDeviation <= part.tolerance);
     QVERIFY(part.largestFlatDeviation > 0 && part.largestFlatDeviation <= part.flatTolerance);
     QVERIFY(part.facesAfter > 100);
-    const auto said = std::ranges::find_if(part.remarks, [](const Message& remark) {
+    const auto said = std::ranges::find_if(part.remarks, [](const knead::Message& remark) {
         return remark.english().find(" is made of flat triangles; its other faces are smooth.") != std::string::npos;
     });
     QVERIFY(said != part.remarks.end());
@@ -530,7 +530,7 @@ void ExporterTest::facesThatAreNotFollowedAreNamed()
     QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.english().c_str());
     QVERIFY(part.valid && part.closed && part.largestDeviation > part.tolerance && part.largestDeviation < 2e-4);
     QVERIFY(!part.isFit() && !part.isSound());
-    const auto named = std::find_if(part.remarks.begin(), part.remarks.end(), [&](const Message& remark) {
+    const auto named = std::find_if(part.remarks.begin(), part.remarks.end(), [&](const knead::Message& remark) {
         return remark.english().starts_with("\"" + part.name + "\": ") &&
                remark.english().find("aimed at") != std::string::npos;
     });
@@ -545,8 +545,9 @@ void ExporterTest::jobsAndReportsSurviveTheirWay()
     const maps::Bend bend(boxOf(model), 0.4);
     ExportJob job = jobOf(model, &bend);
     job.options = {.unit = "inch", .tolerance = 1e-5, .useAp214 = true, .isText = true};
-    job.parts[0].reason = Message("Export", "because of %1").with(Message("Export", "that"));
-    job.parts[0].remarks = {Message("Export", "%1 remarks").with(2), Message::verbatim("and another one")};
+    job.parts[0].reason = knead::Message("Export", "because of %1").with(knead::Message("Export", "that"));
+    job.parts[0].remarks = {knead::Message("Export", "%1 remarks").with(2),
+                            knead::Message::verbatim("and another one")};
     const ExportJob arrived = jobFromBytes(jobToBytes(job));
     QCOMPARE(arrived.options.unit, job.options.unit);
     QCOMPARE(arrived.options.tolerance, job.options.tolerance);
@@ -565,8 +566,12 @@ void ExporterTest::jobsAndReportsSurviveTheirWay()
 
     ExportReport report = exportCad(FormatKind::Step, arrived, TaskControl::none()).report;
     report.file = "/home/ann/out.step";
-    report.warnings = {Message::verbatim("one"), Message("Export", "number %1").with(2)};
+    report.warnings = {knead::Message::verbatim("one"), knead::Message("Export", "number %1").with(2)};
+    const ExportReport handed = exportedFromBytes(exportedToBytes({"STEP", report})).report;
+    QCOMPARE(handed.warnings, report.warnings);
+    QCOMPARE(linesOf(handed), linesOf(report));
     const ExportReport back = reportFromJson(reportToJson(report));
+    QCOMPARE(back.warnings.back(), knead::Message::verbatim("number 2"));
     QCOMPARE(reportToJson(back), reportToJson(report));
     QCOMPARE(linesOf(back), linesOf(report));
 }

@@ -32,9 +32,9 @@ std::string wordsOf(const Model& model)
 {
     std::string words;
     for (const Part& part : model.parts)
-        for (const Message& warning : part.warnings)
+        for (const auto& warning : part.warnings)
             words += warning.english() + " ";
-    for (const Message& missing : model.missing)
+    for (const auto& missing : model.missing)
         words += missing.english() + " ";
     return words;
 }

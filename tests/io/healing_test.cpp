@@ -94,10 +94,11 @@ int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind)
     return found.Extent();
 }
 
-bool mention(const std::vector<Message>& sentences, const std::string& words)
+bool mention(const std::vector<knead::Message>& sentences, const std::string& words)
 {
-    return std::any_of(sentences.begin(), sentences.end(),
-                       [&](const Message& sentence) { return sentence.english().find(words) != std::string::npos; });
+    return std::any_of(sentences.begin(), sentences.end(), [&](const knead::Message& sentence) {
+        return sentence.english().find(words) != std::string::npos;
+    });
 }
 
 Part partOf(const CadBody& body)
@@ -429,7 +430,7 @@ void HealingTest::flatSolidsAreLeftOut()
     flat.volume = 3.6e-9;
     flat.area = 40e-6;
     flat.watertight = true;
-    QCOMPARE(sicknessOf(flat).value_or(Message()).english(), std::string("the solid has no volume"));
+    QCOMPARE(sicknessOf(flat).value_or(knead::Message()).english(), std::string("the solid has no volume"));
     flat.mesh.vertices.emplace_back(0.01, 0.01, 0);
     flat.mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
     if (massProperties(flat.mesh).volume < 0)

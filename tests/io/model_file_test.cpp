@@ -126,6 +126,8 @@ private slots:
         const Message failure = Message("Import", "%1: no.").with("bad.step");
         QCOMPARE(failureIn(failureToBytes(failure)), failure);
         QCOMPARE(failureIn(failureToBytes(failure)).english(), std::string("bad.step: no."));
+        const Message unreadable = Message("Import", "%1: no.").with("bad\xFF.step");
+        QCOMPARE(failureIn(failureToBytes(unreadable)).english(), unreadable.english());
         QVERIFY(failureIn(modelToBytes(fullModel())).empty());
         QVERIFY(failureIn({}).empty());
     }

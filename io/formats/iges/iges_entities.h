@@ -27,7 +27,7 @@ public:
     /// text that is plainly damaged is to be told first.
     void takeRecord(int entity, const std::vector<std::string_view>& values);
 
-    /// @throws std::runtime_error, in a sentence, when an entity does not hold what its type must, holds itself, or names
+    /// @throws Problem, when an entity does not hold what its type must, holds itself, or names
     /// members of a list that are not there
     void finish() const;
 

@@ -19,7 +19,7 @@ struct StepPruning {
 /// Takes out what refers to nothing, or to something of the wrong kind, where the reader would crash: faces leave their shell,
 /// other shapes their representation, and all else stays. Call it between reading and making shapes.
 /// @param path for messages
-/// @throws std::runtime_error, in a sentence, when the structure of an assembly itself is broken
+/// @throws Problem, when the structure of an assembly itself is broken
 StepPruning pruneHollowEntities(STEPControl_Reader& reader, const std::string& path);
 
 } // namespace knead

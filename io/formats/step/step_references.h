@@ -13,7 +13,7 @@ namespace knead {
 /// with it; their text is checked as that of the assembly is.
 /// @param path of the assembly
 /// @return a sentence about those that are missing; empty when none is
-/// @throws std::runtime_error, in a sentence, when one of them is damaged. @throws Cancelled
+/// @throws Problem, when one of them is damaged. @throws Cancelled
 Message checkReferredFiles(const STEPControl_Reader& reader, const std::string& path, TaskControl& control);
 
 /// What a STEP file without solids and surfaces holds instead, as a sentence; empty when it is nothing known.
