@@ -1,5 +1,6 @@
 #include "app/cad_process.h"
 
+#include "core/message/message.h"
 #include "core/model/joined_model.h"
 #include "io/worker/export_worker.h"
 #include "io/worker/import_worker.h"
@@ -67,7 +68,7 @@ private:
 
 struct Outcome {
     std::optional<Model> model;
-    std::string failure;
+    Message failure;
 };
 
 Outcome tryImport(const std::string& path, const ImportOptions& options, TaskControl& control)
@@ -77,7 +78,7 @@ Outcome tryImport(const std::string& path, const ImportOptions& options, TaskCon
     } catch (const Cancelled&) {
         return {};
     } catch (const std::exception& error) {
-        return {std::nullopt, error.what()};
+        return {std::nullopt, messageOf(error)};
     }
 }
 
@@ -127,14 +128,14 @@ Model importInChildren(const std::vector<std::string>& paths, const ImportOption
     std::vector<Outcome> outcomes = importAll(paths, options, control);
     control.throwIfCancelled();
     std::vector<Model> models;
-    std::vector<std::string> failures;
+    std::vector<Message> failures;
     for (Outcome& outcome : outcomes)
         if (outcome.model)
             models.push_back(std::move(*outcome.model));
         else
             failures.push_back(outcome.failure);
     if (models.empty())
-        throw std::runtime_error(failures.empty() ? "There is no file to open." : failures.front());
+        throw Problem(failures.empty() ? Message("Import", "There is no file to open.") : failures.front());
     Model all = joined(std::move(models));
     all.missing.insert(all.missing.end(), failures.begin(), failures.end());
     return all;

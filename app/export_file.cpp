@@ -2,6 +2,7 @@
 
 #include "app/cad_process.h"
 #include "core/geometry/mass_properties.h"
+#include "core/message/message.h"
 #include "core/skin/deformed_surface.h"
 #include "core/skin/torn_parts.h"
 #include "io/export/export_formats.h"
@@ -14,7 +15,6 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 namespace knead {
@@ -137,7 +137,7 @@ ExportReport exportMeshes(const std::string& path, const ExportJob& job, TaskCon
 ExportReport exportFile(const std::string& path, ExportJob job, TaskControl& control)
 {
     if (job.parts.empty())
-        throw std::runtime_error(shortName(path) + ": there is nothing to export.");
+        failReading(path, Message("Export", "there is nothing to export."));
     const bool isCad = cadFormatFor(path).has_value();
     for (PartToExport& part : job.parts)
         if (!holdsFields(path))

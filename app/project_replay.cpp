@@ -47,7 +47,7 @@ void writeFiles(const Project& project, const std::vector<std::string>& files, H
     const RepeatedEntry& at = report.entries.back();
     if (!at.trouble.empty())
         throw std::runtime_error("Nothing was written, since entry " + std::to_string(at.entry) +
-                                 " was not reached: " + at.trouble);
+                                 " was not reached: " + at.trouble.english());
     if (project.model == nullptr)
         throw std::runtime_error("The project has no parts that could be written.");
     const std::shared_ptr<const Snapshot> snapshot = replay.snapshot();

@@ -3,6 +3,7 @@
 #include "app/recipe_files.h"
 #include "app/resources.h"
 #include "app/whole_file.h"
+#include "core/message/message.h"
 #include "io/material_library.h"
 #include "io/recipe/recipe_of_project.h"
 #include "io/recipe/recipe_reader.h"
@@ -19,7 +20,7 @@ RecipeStart open(const std::string& path, TaskControl& control)
     return recipeStart(readRecipe(path, readMaterials(materialsFile())), recipeFiles(), control);
 }
 
-std::vector<std::string> write(const std::string& path, const Project& project, const std::string& projectPath)
+std::vector<Message> write(const std::string& path, const Project& project, const std::string& projectPath)
 {
     RecipeOfProject recipe =
         recipeOfProject(project, {.recipePath = path, .projectPath = projectPath}, readMaterials(materialsFile()));

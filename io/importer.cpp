@@ -1,5 +1,6 @@
 #include "io/importer.h"
 
+#include "core/message/message.h"
 #include "core/model/length_units.h"
 #include "io/document/size_limits.h"
 #include "io/document/unit_remark.h"
@@ -20,14 +21,14 @@ void settleUnit(const std::string& path, const std::string& wanted, Model& model
 {
     if (wanted.empty()) {
         if (model.unit.empty())
-            model.warnings.push_back(shortName(path) + ": " + std::string(noUnitStated));
+            model.warnings.push_back(noUnitStated(shortName(path)));
         model.unitRemark = unitRemark(model);
         return;
     }
     try {
         model = takenIn(std::move(model), wanted);
     } catch (const std::runtime_error& error) {
-        failReading(path, error.what());
+        failReading(path, messageOf(error));
     }
     leaveOutSickParts(model);
     checkAnyPart(path, model);
@@ -57,7 +58,9 @@ Model importFile(const std::string& path, const ImportOptions& options, TaskCont
 {
     control.throwIfCancelled();
     if (!options.unit.empty() && findLengthUnit(options.unit) == nullptr)
-        failReading(path, "\"" + options.unit + "\" is no length unit; choose one of " + lengthUnitNames() + ".");
+        failReading(
+            path,
+            Message("Import", "\"%1\" is no length unit; choose one of %2.").with(options.unit, lengthUnitNames()));
     const FormatKind kind = recognizeFormat(path);
     Model model = readAs(kind, path, options, control);
     model.file = path;

@@ -13,7 +13,7 @@ namespace knead {
 /// the format, not the ending. One import at a time per process runs (a lock inside): the CAD readers share global state.
 /// Runs on the calling thread.
 ///
-/// @throws std::runtime_error whose text is one sentence for the person: which file, what is wrong, what to do.
+/// @throws Problem whose text is one sentence for the person: which file, what is wrong, what to do.
 /// @throws Cancelled
 Model importFile(const std::string& path, const ImportOptions& options = {},
                  TaskControl& control = TaskControl::none());

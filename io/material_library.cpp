@@ -1,6 +1,7 @@
 #include "io/material_library.h"
 
 #include "core/aggregate/material_history.h"
+#include "core/message/message.h"
 #include "io/files/safe_file.h"
 #include "io/json/json_reader.h"
 #include "io/json/json_text.h"
@@ -51,7 +52,7 @@ std::vector<MaterialPreset> readMaterials(const std::string& path)
         MaterialPreset preset = readPreset(node);
         const auto same = [&](const MaterialPreset& other) { return other.id == preset.id; };
         if (std::any_of(presets.begin(), presets.end(), same))
-            node.at("id").fail("is used twice: \"" + preset.id + "\".");
+            node.at("id").fail(Message("Recipe", "is used twice: \"%1\".").with(preset.id));
         presets.push_back(std::move(preset));
     }
     return presets;

@@ -8,7 +8,7 @@
 namespace knead {
 
 /// Reads material presets from a JSON file (resources/materials/materials.json).
-/// @throws std::runtime_error naming file, preset and key.
+/// @throws Problem naming file, preset and key.
 std::vector<MaterialPreset> readMaterials(const std::string& path);
 
 /// Where the materials that a person saved are kept: knead/materials.json in the folder for settings.
@@ -18,7 +18,7 @@ std::string ownMaterialsFile();
 std::vector<MaterialPreset> readOwnMaterials(const std::string& path);
 
 /// Writes presets so that readMaterials() gives the same bits, whole or not at all; makes the folder.
-/// @throws std::runtime_error in a sentence
+/// @throws Problem
 void writeMaterials(const std::string& path, const std::vector<MaterialPreset>& presets);
 
 } // namespace knead

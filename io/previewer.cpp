@@ -1,5 +1,6 @@
 #include "io/previewer.h"
 
+#include "core/message/message.h"
 #include "core/model/readable_name.h"
 #include "io/brep/occt_session.h"
 #include "io/document/cad_document.h"
@@ -130,10 +131,11 @@ void previewStep(const std::string& path, TaskControl& control, FilePreview& pre
         file.seekg(3);
     STEPControl_Reader reader;
     if (reader.ReadStream(shortName(path).c_str(), file) != IFSelect_RetDone)
-        failReading(path, "the STEP text has errors that the reader cannot get over; export the file again.");
+        failReading(path, Message("Import",
+                                  "the STEP text has errors that the reader cannot get over; export the file again."));
     if (countUnfoldedParts(reader, mostParts) >= mostParts)
-        failReading(path, "the assembly unfolds to more than " + std::to_string(mostParts) +
-                              " parts; export the parts you need.");
+        failReading(path, Message("Import", "the assembly unfolds to more than %1 parts; export the parts you need.")
+                              .with(mostParts));
     const Interface_InterfaceModel& model = *reader.Model();
     preview.solids = countOf<StepShape_ManifoldSolidBrep>(model);
     preview.faces = countOf<StepShape_FaceSurface>(model);
@@ -147,8 +149,10 @@ void previewIges(const std::string& path, TaskControl& control, FilePreview& pre
     control.report(0.1, "looking into the file");
     IGESControl_Reader reader;
     if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-        failReading(path,
-                    "the IGES text has errors that the reader cannot get over; export the file again, best as STEP.");
+        failReading(
+            path,
+            Message("Import",
+                    "the IGES text has errors that the reader cannot get over; export the file again, best as STEP."));
     const Interface_InterfaceModel& model = *reader.Model();
     preview.solids = countOf<IGESSolid_ManifoldSolid>(model);
     preview.faces = countOf<IGESSolid_Face>(model) + countOf<IGESGeom_TrimmedSurface>(model);

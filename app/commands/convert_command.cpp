@@ -6,6 +6,7 @@
 #include "app/export_file.h"
 #include "app/import_arguments.h"
 #include "app/terminal_control.h"
+#include "core/message/message.h"
 #include "io/export/export_formats.h"
 #include "io/formats/mesh_writer.h"
 #include "io/picture/picture_writer.h"
@@ -114,12 +115,12 @@ int convert(const ConvertOptions& options)
         control.clear();
         return complain(error.what(), exit_status::failed);
     }
-    for (const std::string& warning : model->warnings)
-        std::cerr << "knead: warning: " << warning << '\n';
+    for (const Message& warning : model->warnings)
+        std::cerr << "knead: warning: " << warning.english() << '\n';
     if (model->unitRemark)
-        std::cerr << "knead: warning: " << model->unitRemark->sentence << '\n';
-    for (const std::string& sentence : model->missing)
-        std::cerr << "knead: missing: " << sentence << '\n';
+        std::cerr << "knead: warning: " << model->unitRemark->sentence.english() << '\n';
+    for (const Message& sentence : model->missing)
+        std::cerr << "knead: missing: " << sentence.english() << '\n';
     return exit_status::done;
 }
 

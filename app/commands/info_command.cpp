@@ -5,6 +5,7 @@
 #include "app/import_arguments.h"
 #include "app/terminal_control.h"
 #include "core/geometry/wall_thickness.h"
+#include "core/message/message.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -50,6 +51,14 @@ Json toJson(const Box& box)
     return numbers;
 }
 
+std::vector<std::string> englishOf(const std::vector<Message>& sentences)
+{
+    std::vector<std::string> english;
+    for (const Message& sentence : sentences)
+        english.push_back(sentence.english());
+    return english;
+}
+
 Json toJson(const Part& part)
 {
     return {{"name", part.name},
@@ -70,17 +79,21 @@ Json toJson(const Part& part)
             {"hidden", !part.visible},
             {"layer", part.layer},
             {"open_edges", part.openEdges.size()},
-            {"repairs", part.repairs},
-            {"warnings", part.warnings}};
+            {"repairs", englishOf(part.repairs)},
+            {"warnings", englishOf(part.warnings)}};
 }
 
 void printJson(const Model& model)
 {
-    Json json{{"file", model.file},     {"format", model.format},     {"unit", model.unit},
-              {"unit_remark", nullptr}, {"warnings", model.warnings}, {"missing", model.missing},
+    Json json{{"file", model.file},
+              {"format", model.format},
+              {"unit", model.unit},
+              {"unit_remark", nullptr},
+              {"warnings", englishOf(model.warnings)},
+              {"missing", englishOf(model.missing)},
               {"parts", Json::array()}};
     if (model.unitRemark)
-        json["unit_remark"] = {{"sentence", model.unitRemark->sentence}, {"unit", model.unitRemark->unit}};
+        json["unit_remark"] = {{"sentence", model.unitRemark->sentence.english()}, {"unit", model.unitRemark->unit}};
     for (const Part& part : model.parts)
         json["parts"].push_back(toJson(part));
     // Paths on Linux are bytes; what is no UTF-8 is shown with replacement characters.
@@ -113,10 +126,10 @@ void printPart(const Part& part, int depth)
     if (!part.layer.empty())
         std::printf(", layer %s", part.layer.c_str());
     std::printf("\n");
-    for (const std::string& repair : part.repairs)
-        std::printf("%*s  repaired: %s\n", indent, "", repair.c_str());
-    for (const std::string& warning : part.warnings)
-        std::printf("%*s  warning: %s\n", indent, "", warning.c_str());
+    for (const Message& repair : part.repairs)
+        std::printf("%*s  repaired: %s\n", indent, "", repair.english().c_str());
+    for (const Message& warning : part.warnings)
+        std::printf("%*s  warning: %s\n", indent, "", warning.english().c_str());
 }
 
 void printNode(const PartNode& node, const Model& model, int depth)
@@ -139,13 +152,13 @@ void printTree(const Model& model)
     std::printf("%s: %s, unit %s, %s (%zu closed), volume %.6g mm3\n", model.file.c_str(), model.format.c_str(),
                 model.unit.empty() ? "not stated" : model.unit.c_str(), plural(model.parts.size(), "part").c_str(),
                 closed, toMm3 * volume);
-    for (const std::string& warning : model.warnings)
-        std::printf("warning: %s\n", warning.c_str());
+    for (const Message& warning : model.warnings)
+        std::printf("warning: %s\n", warning.english().c_str());
     if (model.unitRemark)
-        std::printf("remark: %s Take it so with --unit %s.\n", model.unitRemark->sentence.c_str(),
+        std::printf("remark: %s Take it so with --unit %s.\n", model.unitRemark->sentence.english().c_str(),
                     model.unitRemark->unit.c_str());
-    for (const std::string& sentence : model.missing)
-        std::printf("missing: %s\n", sentence.c_str());
+    for (const Message& sentence : model.missing)
+        std::printf("missing: %s\n", sentence.english().c_str());
     for (const PartNode& child : model.tree.children)
         printNode(child, model, 1);
 }

@@ -6,6 +6,7 @@
 #include "app/resources.h"
 #include "app/terminal_control.h"
 #include "app/whole_file.h"
+#include "core/message/message.h"
 #include "core/session/part_filling.h"
 #include "io/material_library.h"
 #include "io/project/project_file.h"
@@ -16,7 +17,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,7 +49,7 @@ std::string recipeOfPart(const RecipeOptions& options, TerminalControl& control)
 }
 
 /// @param remarks get what the recipe leaves out
-std::string recipeOfSession(const RecipeOptions& options, TerminalControl& control, std::vector<std::string>& remarks)
+std::string recipeOfSession(const RecipeOptions& options, TerminalControl& control, std::vector<Message>& remarks)
 {
     RecipeOfProject recipe =
         recipeOfProject(readProject(options.file, control), {.recipePath = options.output, .projectPath = options.file},
@@ -63,12 +63,12 @@ int recipe(const RecipeOptions& options)
     std::string text;
     TerminalControl control;
     try {
-        std::vector<std::string> remarks;
+        std::vector<Message> remarks;
         text =
             isProjectFile(options.file) ? recipeOfSession(options, control, remarks) : recipeOfPart(options, control);
         control.clear();
-        for (const std::string& remark : remarks)
-            std::cerr << "knead: warning: " << remark << '\n';
+        for (const Message& remark : remarks)
+            std::cerr << "knead: warning: " << remark.english() << '\n';
     } catch (const Cancelled&) {
         control.clear();
         std::cerr << "knead: interrupted.\n";

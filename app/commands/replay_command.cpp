@@ -65,7 +65,7 @@ std::vector<std::uint32_t> entriesOf(const ReplayOptions& options, const Project
 std::string verdict(const HistoryRecord& record, const RepeatedEntry& repeated)
 {
     if (!repeated.trouble.empty())
-        return "not reached: " + repeated.trouble;
+        return "not reached: " + repeated.trouble.english();
     using Whole = RepeatedEntry::Whole;
     if (repeated.isSame)
         return repeated.whole == Whole::same ? "same" : "same positions and velocities; no more was kept";
@@ -120,7 +120,7 @@ Json toJson(const HistoryRecord& record, const RepeatedEntry& repeated)
         json["repeated_hash"] = hexadecimal(repeated.hash);
         json["whole_state"] = wholeWord(repeated.whole);
     } else {
-        json["trouble"] = repeated.trouble;
+        json["trouble"] = repeated.trouble.english();
     }
     return json;
 }

@@ -9,6 +9,7 @@
 #include "app/set_argument.h"
 #include "app/terminal_control.h"
 #include "app/thread_limit.h"
+#include "core/message/message.h"
 #include "core/session/recipe_runner.h"
 #include "core/session/recipe_scene.h"
 #include "io/export/job_file.h"
@@ -149,8 +150,8 @@ Recipe recipeOfSession(const RunOptions& options, const std::vector<MaterialPres
     const RecipeOfProjectChoices choices{
         .recipePath = options.recipe, .projectPath = options.recipe, .namesProject = true};
     const RecipeOfProject recipe = recipeOfProject(project, choices, presets);
-    for (const std::string& remark : recipe.remarks)
-        std::cerr << "knead: warning: " << remark << '\n';
+    for (const Message& remark : recipe.remarks)
+        std::cerr << "knead: warning: " << remark.english() << '\n';
     return readRecipeText(recipe.text, options.recipe, presets, changes);
 }
 

@@ -64,7 +64,7 @@ PointResult resultOf(const ChildEnd& end, const NamelessFile& output, const Name
     const bool isSignaled = end.kind == ChildEnd::Kind::signaled;
     result.status = isSignaled ? 128 + end.number : end.number;
     if (isSignaled)
-        result.message = "The run crashed (" + reasonOfSignal(end.number) + ").";
+        result.message = "The run crashed (" + reasonOfSignal(end.number).english() + ").";
     else
         result.message = messageIn(errors.content(), result.status != exit_status::done);
     if (result.status == exit_status::done)
@@ -80,7 +80,7 @@ void checkWasNotEnded(const ChildEnd& end, std::size_t point)
     const bool isInterrupted = end.kind == ChildEnd::Kind::exited && end.number == exit_status::interrupted;
     if (isEnded || isInterrupted)
         throw RunWasEnded("The run of point " + std::to_string(point) + " was stopped (" +
-                          (isEnded ? reasonOfSignal(end.number) : "interrupted") +
+                          (isEnded ? reasonOfSignal(end.number).english() : "interrupted") +
                           "); the same command carries it out again.");
 }
 

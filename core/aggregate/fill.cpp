@@ -10,13 +10,13 @@
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/surface_cleaning.h"
 #include "core/geometry/surface_distance.h"
+#include "core/message/message.h"
+#include "core/message/number_text.h"
 #include "core/task/parallel_progress.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
-#include <stdexcept>
 
 namespace knead {
 
@@ -28,26 +28,24 @@ constexpr int exactLayers = 1;        // objects up to so many steps from the co
 
 std::string inMillimetres(double length)
 {
-    std::ostringstream text;
-    text << length * 1000 << " mm";
-    return text.str();
+    return inDigits(length * 1000) + " mm";
 }
 
 [[noreturn]] void refuseTooManyObjects(const FillOptions& options)
 {
-    throw std::runtime_error("A spacing of " + inMillimetres(options.spacing) + " needs more than " +
-                             std::to_string(options.maximumObjects) + " objects. Choose a larger spacing.");
+    throw Problem(Message("Filling", "A spacing of %1 needs more than %2 objects. Choose a larger spacing.")
+                      .with(inMillimetres(options.spacing), options.maximumObjects));
 }
 
 void checkVertices(const TriangleMesh& mesh)
 {
     if (mesh.empty())
-        throw std::runtime_error(
-            "The part has no triangles, so there is nothing to fill. Import a part with a surface.");
+        throw Problem(Message("Filling",
+                              "The part has no triangles, so there is nothing to fill. Import a part with a surface."));
     for (const Vec3& vertex : mesh.vertices)
         if (!vertex.allFinite())
-            throw std::runtime_error(
-                "A vertex of the surface is not at a finite place. Repair the file and import again.");
+            throw Problem(Message(
+                "Filling", "A vertex of the surface is not at a finite place. Repair the file and import again."));
 }
 
 /// @returns its half-edges
@@ -55,8 +53,10 @@ HalfEdges checkClosed(const TriangleMesh& mesh)
 {
     HalfEdges halfEdges = findHalfEdges(mesh);
     if (halfEdges.unpaired > 0)
-        throw std::runtime_error("The surface is not closed: " + std::to_string(halfEdges.unpaired) +
-                                 " edges of triangles have no partner. Close the gaps and import again.");
+        throw Problem(Message("Filling",
+                              "The surface is not closed: %1 edges of triangles have no partner. Close the gaps "
+                              "and import again.")
+                          .with(halfEdges.unpaired));
     return halfEdges;
 }
 
@@ -65,7 +65,8 @@ void checkSize(const MassProperties& properties, const FillOptions& options)
 {
     const double a = options.spacing;
     if (!std::isfinite(a) || a <= 0)
-        throw std::runtime_error("A spacing of " + inMillimetres(a) + " cannot be used. Enter a length above 0.");
+        throw Problem(
+            Message("Filling", "A spacing of %1 cannot be used. Enter a length above 0.").with(inMillimetres(a)));
     const auto most = static_cast<double>(options.maximumObjects);
     if (std::abs(properties.volume) / (a * a * a) > most || properties.box.sizes().maxCoeff() / a > most)
         refuseTooManyObjects(options);
@@ -160,8 +161,9 @@ void checkBoundsVolume(const CutCells& cells, bool isClosed)
         return;
     const double volume = cells.volume();
     if (volume <= 0 || cells.doubtful() > mostDoubtful * volume)
-        throw std::runtime_error("The surface does not bound a volume: its holes are too large to tell inside from "
-                                 "outside. Close them and import again.");
+        throw Problem(Message("Filling",
+                              "The surface does not bound a volume: its holes are too large to tell inside from "
+                              "outside. Close them and import again."));
 }
 
 /// @param cleaned what was done to the surface already; none: the surface must be closed
@@ -181,8 +183,10 @@ Aggregate fillSurface(const TriangleMesh& mesh, HalfEdges halfEdges, const Surfa
         cutCells(mesh, grid, orientation, options.minimumFraction, cutting, repair ? &*repair : nullptr);
     checkBoundsVolume(cells, halfEdges.unpaired == 0);
     if (cells.size() == 0)
-        throw std::runtime_error("The part is too thin for a spacing of " + inMillimetres(options.spacing) +
-                                 ": no cell holds enough material. Choose a smaller spacing.");
+        throw Problem(Message("Filling",
+                              "The part is too thin for a spacing of %1: no cell holds enough material. Choose a "
+                              "smaller spacing.")
+                          .with(inMillimetres(options.spacing)));
     if (countCorners(cells) > std::min<std::size_t>(options.maximumObjects, 0x7fffffff))
         refuseTooManyObjects(options);
 

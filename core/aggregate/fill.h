@@ -38,7 +38,7 @@ struct FillOptions {
 /// are estimated from how full the cells there are. A surface whose holes are so large that 3 % of the volume is in doubt
 /// (the winding number is nearer to a half than to 0 or 1) is refused. A surface without faults gives the same bits either way.
 ///
-/// @throws std::runtime_error, in a sentence, when the mesh is empty or not closed (or
+/// @throws Problem when the mesh is empty or not closed (or
 ///         bounds no volume, as above), when the spacing is not positive and
 ///         finite, when no cell holds enough material, or when more than maximumObjects would be needed.
 /// @throws Cancelled

@@ -1,27 +1,26 @@
 #include "core/aggregate/material.h"
 
+#include "core/message/number_text.h"
+
 #include <cmath>
-#include <sstream>
 
 namespace knead {
 
 namespace {
 
+constexpr const char* panelOfMaterials = "MaterialPanel"; // has the names of fields among its words
+
 std::string withUnit(double number, const MaterialField& field)
 {
-    std::ostringstream text;
-    text << number;
-    if (*field.unit != '\0')
-        text << ' ' << field.unit;
-    return text.str();
+    return *field.unit == '\0' ? inDigits(number) : inDigits(number) + ' ' + field.unit;
 }
 
-std::string problem(const MaterialField& field, double number)
+/// Names of fields are said as the panel says them.
+Message problem(const MaterialField& field, double number)
 {
-    std::ostringstream minimum;
-    minimum << field.minimum;
-    return std::string(field.name) + " is " + withUnit(number, field) + "; it must lie between " + minimum.str() +
-           " and " + withUnit(field.maximum, field) + ".";
+    return Message("Material", "%1 is %2; it must lie between %3 and %4.")
+        .with(Message(panelOfMaterials, field.name), withUnit(number, field), inDigits(field.minimum),
+              withUnit(field.maximum, field));
 }
 
 } // namespace
@@ -55,9 +54,9 @@ const std::vector<MaterialField>& materialFields()
     return fields;
 }
 
-std::vector<std::string> materialProblems(const Material& material)
+std::vector<Message> materialProblems(const Material& material)
 {
-    std::vector<std::string> problems;
+    std::vector<Message> problems;
     for (const MaterialField& field : materialFields()) {
         const double number = material.*field.value;
         // A NaN fails every comparison, so the range is asked for, not its opposite.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/message/message.h"
+
 #include <string>
 #include <vector>
 
@@ -61,7 +63,7 @@ struct MaterialField {
 const std::vector<MaterialField>& materialFields();
 
 /// One sentence per number that is not finite or out of range; empty when the material can be simulated.
-std::vector<std::string> materialProblems(const Material& material);
+std::vector<Message> materialProblems(const Material& material);
 
 /// A named material with where its numbers come from.
 struct MaterialPreset {

@@ -1,8 +1,9 @@
 #include "core/aggregate/material_map.h"
 
+#include "core/message/message.h"
+
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 
 namespace knead {
 
@@ -22,8 +23,8 @@ void MaterialMap::set(const std::vector<ObjectIndex>& objects, const Material& m
 {
     for (const ObjectIndex object : objects)
         if (object >= m_index.size())
-            throw std::runtime_error("The region names the object " + std::to_string(object) + "; the body has " +
-                                     std::to_string(m_index.size()) + ".");
+            throw Problem(
+                Message("Material", "The region names the object %1; the body has %2.").with(object, m_index.size()));
     const Index index = place(material);
     for (const ObjectIndex object : objects)
         m_index[object] = index;
@@ -36,7 +37,7 @@ MaterialMap::Index MaterialMap::place(const Material& material)
     if (found != m_materials.end())
         return static_cast<Index>(found - m_materials.begin());
     if (m_materials.size() == std::numeric_limits<Index>::max())
-        throw std::runtime_error("A body can be made of at most 255 different materials.");
+        throw Problem(Message("Material", "A body can be made of at most 255 different materials."));
     m_materials.push_back(material);
     return static_cast<Index>(m_materials.size() - 1);
 }

@@ -38,7 +38,7 @@ public:
     void setOwn(const Material& material) { m_materials.front() = material; }
 
     /// Changes the material of some objects; to the body's own one, and they no longer differ.
-    /// @throws std::runtime_error for an object that does not exist, or for more than 255 different materials
+    /// @throws Problem for an object that does not exist, or for more than 255 different materials
     void set(const std::vector<ObjectIndex>& objects, const Material& material);
 
     friend bool operator==(const MaterialMap&, const MaterialMap&) = default;

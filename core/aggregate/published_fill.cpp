@@ -2,10 +2,10 @@
 
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/surface_distance.h"
+#include "core/message/message.h"
 #include "core/task/parallel.h"
 
 #include <cmath>
-#include <stdexcept>
 
 namespace knead {
 
@@ -85,17 +85,17 @@ void connect(Aggregate& aggregate)
 Aggregate fillAsPublished(const TriangleMesh& mesh, double spacing)
 {
     if (mesh.empty() || !isWatertight(mesh))
-        throw std::runtime_error("The surface is not closed. Close it and try again.");
+        throw Problem(Message("Filling", "The surface is not closed. Close it and try again."));
     if (!(spacing > 0 && std::isfinite(spacing)))
-        throw std::runtime_error("The spacing must be greater than 0.");
+        throw Problem(Message("Filling", "The spacing must be greater than 0."));
     const MassProperties properties = massProperties(mesh);
     if ((properties.box.sizes() / spacing + Vec3::Ones()).prod() > mostNodes)
-        throw std::runtime_error("The spacing is too small for a part of this size. Choose a larger one.");
+        throw Problem(Message("Filling", "The spacing is too small for a part of this size. Choose a larger one."));
     Aggregate aggregate;
     aggregate.lattice = latticeIn(properties.box, spacing);
     keepInside(aggregate.lattice, mesh, properties.volume < 0 ? -1 : 1);
     if (aggregate.size() == 0)
-        throw std::runtime_error("No sphere has its center inside the part. Choose a smaller spacing.");
+        throw Problem(Message("Filling", "No sphere has its center inside the part. Choose a smaller spacing."));
     aggregate.meshVolume = std::abs(properties.volume);
     aggregate.filledVolume = aggregate.meshVolume;
     aggregate.cells = aggregate.size();

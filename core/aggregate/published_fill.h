@@ -11,7 +11,7 @@ namespace knead {
 /// equal stiffness). The lattice is centered in the box of the mesh; a bar of 5 x 5 x 17 spacings gives the 425 objects of
 /// the paper.
 /// @param spacing a [m], > 0
-/// @throws std::runtime_error, in a sentence, when the mesh is empty or not closed, the spacing is not positive, or no center
+/// @throws Problem when the mesh is empty or not closed, the spacing is not positive, or no center
 ///         is inside
 Aggregate fillAsPublished(const TriangleMesh& mesh, double spacing);
 

@@ -2,12 +2,12 @@
 
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/wall_thickness.h"
+#include "core/message/number_text.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace knead {
 
@@ -37,10 +37,8 @@ double spacingForObjects(const FillingSize& size, double objects)
 /// With two digits, as nothing here is known better.
 std::string rounded(double value)
 {
-    std::ostringstream text;
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
-    text << std::round(value / unit) * unit;
-    return text.str();
+    return inDigits(std::round(value / unit) * unit);
 }
 
 std::string inMillimetres(double length)
@@ -48,19 +46,19 @@ std::string inMillimetres(double length)
     return rounded(length * 1000) + " mm";
 }
 
-/// "about 2 million"
-std::string readableCount(double count)
+/// "2 million"
+Message readableCount(double count)
 {
     constexpr double roundedUp = 0.995; // with two digits, what is above this is the next unit
     if (count >= roundedUp * 1e9)
-        return rounded(count / 1e9) + " billion";
+        return Message("Number", "%1 billion").with(rounded(count / 1e9));
     if (count >= roundedUp * 1e6)
-        return rounded(count / 1e6) + " million";
+        return Message("Number", "%1 million").with(rounded(count / 1e6));
     const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(count, 1.0))) - 1));
     std::string digits = std::to_string(static_cast<long>(std::round(count / unit) * unit));
     if (digits.size() > 3)
         digits.insert(digits.size() - 3, 1, ',');
-    return digits;
+    return Message::verbatim(digits);
 }
 
 /// With two digits, and no more than the value.
@@ -70,21 +68,22 @@ double roundedDown(double value)
     return std::floor(value / unit * (1 + 1e-9)) * unit;
 }
 
-std::string stiffnessWords(double error)
+Message thinWallSentence(double cells, const FillingSize& size, double better)
 {
+    const std::string across = rounded(cells);
+    const std::string wall = inMillimetres(size.thinnestWall);
+    const std::string spacing = inMillimetres(better);
+    const std::string advised = inDigits(advisedCellsAcrossWall);
+    const Message objects = readableCount(estimatedObjects(size, better));
+    const double error = bendingErrorOf(cells);
     if (!std::isfinite(error))
-        return "comes out many times too stiff";
-    return "comes out up to " + rounded(100 * error) + " % too stiff";
-}
-
-std::string thinWallSentence(double cells, const FillingSize& size, double better)
-{
-    std::ostringstream text;
-    text << "Thinnest walls: " << rounded(cells) << " cells across " << inMillimetres(size.thinnestWall)
-         << "; bending of such walls " << stiffnessWords(bendingErrorOf(cells)) << ". Fill with a spacing of "
-         << inMillimetres(better) << " for " << advisedCellsAcrossWall << " cells, about "
-         << readableCount(estimatedObjects(size, better)) << " objects.";
-    return text.str();
+        return Message("Filling", "Thinnest walls: %1 cells across %2; bending of such walls comes out many times too "
+                                  "stiff. Fill with a spacing of %3 for %4 cells, about %5 objects.")
+            .with(across, wall, spacing, advised, objects);
+    return Message("Filling",
+                   "Thinnest walls: %1 cells across %2; bending of such walls comes out up to %3 % too stiff. "
+                   "Fill with a spacing of %4 for %5 cells, about %6 objects.")
+        .with(across, wall, rounded(100 * error), spacing, advised, objects);
 }
 
 } // namespace

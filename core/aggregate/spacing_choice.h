@@ -2,9 +2,8 @@
 
 #include "core/geometry/triangle_mesh.h"
 #include "core/geometry/vec3.h"
+#include "core/message/message.h"
 #include "core/task/task_control.h"
-
-#include <string>
 
 namespace knead {
 
@@ -50,7 +49,7 @@ struct SpacingAssessment {
     double objects = 0;         ///< about
     double bytes = 0;           ///< of memory for aggregates, simulation and snapshots, about
     double advisedSpacing = 0;  ///< that serves the thinnest wall; 0: this one does [m]
-    std::string warning;        ///< a sentence when the thinnest wall has too few cells; else empty
+    Message warning;            ///< a sentence when the thinnest wall has too few cells; else empty
 };
 
 constexpr double fewestCellsAcrossWall = 1.75; ///< with fewer, bending of the wall is too stiff by more than a tenth

@@ -1,11 +1,11 @@
 #include "core/document/aggregate_content.h"
 
 #include "core/aggregate/aggregate_check.h"
+#include "core/message/message.h"
 #include "core/skin/former_shape.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -26,7 +26,7 @@ void numbers(ByteReader& bytes, std::vector<double>& values, std::size_t count)
     LaneVector<double> read;
     bytes.numbers(read, count);
     if (!std::all_of(read.begin(), read.end(), [](double number) { return std::isfinite(number); }))
-        throw std::runtime_error("a number of an object is none");
+        throw Problem(Message("History", "a number of an object is none"));
     values.assign(read.begin(), read.end());
 }
 
@@ -109,14 +109,14 @@ std::shared_ptr<const Aggregate> readStage(ByteReader& bytes, const std::shared_
     auto aggregate = std::make_shared<Aggregate>();
     lattice(bytes, aggregate->lattice);
     if (!isSound(aggregate->lattice) || aggregate->size() == 0)
-        throw std::runtime_error("a filling has no lattice");
+        throw Problem(Message("History", "a filling has no lattice"));
     findSegments(aggregate->lattice);
     measures(bytes, *aggregate);
     const std::size_t count = aggregate->size();
     for (std::size_t d = 0; d < Lattice::isotropicCount; ++d) {
         numbers(bytes, aggregate->weight[d], count);
         if (!areSoundWeights(aggregate->weight[d], aggregate->lattice, d) || aggregate->weight[d].size() != count)
-            throw std::runtime_error("a connection of a filling leads nowhere");
+            throw Problem(Message("History", "a connection of a filling leads nowhere"));
     }
     numbers(bytes, aggregate->volume, count);
     numbers(bytes, aggregate->depth, count);
@@ -126,28 +126,28 @@ std::shared_ptr<const Aggregate> readStage(ByteReader& bytes, const std::shared_
     if (aggregate->volume.size() != count || aggregate->depth.size() != count || aggregate->face.size() != count ||
         !std::all_of(aggregate->volume.begin(), aggregate->volume.end(), isMaterial) ||
         !areSoundPoints(aggregate->skin, aggregate->lattice))
-        throw std::runtime_error("a filling is not as it can be");
+        throw Problem(Message("History", "a filling is not as it can be"));
     bool isLater = false;
     if (version >= 9)
         bytes(isLater);
     if (isLater && stage == FormerShape::mostStages)
-        throw std::runtime_error("a former shape has too many before it");
+        throw Problem(Message("History", "a former shape has too many before it"));
     const std::shared_ptr<const Aggregate> carriedBy = isLater ? readStage(bytes, first, version, stage + 1) : first;
     VectorArray carriers;
     bytes.numbers(carriers, carriedBy->size());
     std::vector<Vec3> displacements(carriedBy->size());
     if (carriers.size() != carriedBy->size())
-        throw std::runtime_error("a former shape has no carriers");
+        throw Problem(Message("History", "a former shape has no carriers"));
     for (std::size_t i = 0; i < displacements.size(); ++i) {
         displacements[i] = carriers.at(i);
         if (!displacements[i].allFinite())
-            throw std::runtime_error("a former shape is none");
+            throw Problem(Message("History", "a former shape is none"));
     }
     std::vector<BrokenConnection> parted;
     if (version >= 10)
         broken(bytes, parted);
     if (!areSoundBroken(parted, *carriedBy) || (isLater && !parted.empty()))
-        throw std::runtime_error("a former shape was parted where it could not be");
+        throw Problem(Message("History", "a former shape was parted where it could not be"));
     aggregate->former = std::make_shared<const FormerShape>(carriedBy, std::move(displacements), std::move(parted));
     return aggregate;
 }

@@ -13,7 +13,7 @@ void writeRefilled(ByteWriter& bytes, const Aggregate& aggregate);
 
 /// @param first the filling of the opened part, whose objects carry its former shape, or that of the filling which does
 /// @param version of the moment
-/// @throws std::runtime_error for what cannot be one
+/// @throws Problem for what cannot be one
 std::shared_ptr<const Aggregate> readRefilled(ByteReader& bytes, const std::shared_ptr<const Aggregate>& first,
                                               std::uint32_t version);
 

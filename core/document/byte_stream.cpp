@@ -1,8 +1,9 @@
 #include "core/document/byte_stream.h"
 
+#include "core/message/message.h"
+
 #include <algorithm>
 #include <bit>
-#include <stdexcept>
 
 namespace knead {
 
@@ -95,7 +96,7 @@ void ByteWriter::numbers(const VectorArray& values, std::size_t /*count*/)
 std::span<const std::byte> ByteReader::next(std::size_t count)
 {
     if (count > m_rest.size())
-        throw std::runtime_error("it ends early");
+        throw Problem(Message("History", "it ends early"));
     const std::span<const std::byte> bytes = m_rest.first(count);
     m_rest = m_rest.subspan(count);
     return bytes;
@@ -104,12 +105,12 @@ std::span<const std::byte> ByteReader::next(std::size_t count)
 void ByteReader::requireTruth(std::uint64_t bits)
 {
     if (bits > 1)
-        throw std::runtime_error("a yes or no is neither");
+        throw Problem(Message("History", "a yes or no is neither"));
 }
 
 void ByteReader::failAtChoice()
 {
-    throw std::runtime_error("a choice is none of those there are");
+    throw Problem(Message("History", "a choice is none of those there are"));
 }
 
 void ByteReader::operator()(double& value)

@@ -79,7 +79,7 @@ private:
 };
 
 /// The other way. Trusts no count: memory grows only with what is really there.
-/// @throws std::runtime_error "it ends early" and the like
+/// @throws Problem "it ends early" and the like
 class ByteReader {
 public:
     static constexpr bool isReader = true;

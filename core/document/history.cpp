@@ -1,10 +1,10 @@
 #include "core/document/history.h"
 
+#include "core/message/message.h"
 #include "core/simulation/moment.h"
 #include "core/simulation/replay.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 namespace knead {
@@ -25,13 +25,13 @@ std::size_t memoryOf(const HistoryRecord& record)
 void requireTree(const std::vector<HistoryRecord>& records, History::Entry current)
 {
     if (records.empty())
-        throw std::runtime_error("The history has no entries.");
+        throw Problem(Message("History", "The history has no entries."));
     for (std::size_t i = 0; i < records.size(); ++i)
         if (records[i].parent >= std::max<std::size_t>(i, 1))
-            throw std::runtime_error("The history is damaged: its entry " + std::to_string(i) +
-                                     " follows one that comes later.");
+            throw Problem(
+                Message("History", "The history is damaged: its entry %1 follows one that comes later.").with(i));
     if (current >= records.size())
-        throw std::runtime_error("The history is damaged: it is at an entry that it does not have.");
+        throw Problem(Message("History", "The history is damaged: it is at an entry that it does not have."));
 }
 
 } // namespace
@@ -60,9 +60,9 @@ MomentPointer follow(const Way& way, const Scene& scene, const Packing& packing,
         simulation.goTo(std::move(begin));
     simulation = replay(std::move(simulation), way.commands, way.step, control);
     if (simulation.stateHash() != way.hash)
-        throw std::runtime_error(
-            "Repeating what was done came to another state than it did then, as it does with another "
-            "version of Knead. Go to an entry that is kept.");
+        throw Problem(Message("History",
+                              "Repeating what was done came to another state than it did then, as it does with "
+                              "another version of Knead. Go to an entry that is kept."));
     return simulation.keepMoment();
 }
 

@@ -29,7 +29,7 @@ struct Way {
 
 /// Goes a way: unpacks the moment it begins with and repeats the commands, if there are any. Takes as long as they took.
 /// @param scene the start that the way names
-/// @throws std::runtime_error, in a sentence, when the moment cannot be read or the way ends elsewhere than it did; Cancelled
+/// @throws Problem when the moment cannot be read or the way ends elsewhere than it did; Cancelled
 MomentPointer follow(const Way& way, const Scene& scene, const Packing& packing = {},
                      TaskControl& control = TaskControl::none());
 
@@ -48,7 +48,7 @@ public:
     explicit History(HistoryRecord first, std::size_t memory = defaultMemory);
 
     /// As it was: what records() and current() gave.
-    /// @throws std::runtime_error, in a sentence, when entries do not form a tree
+    /// @throws Problem when entries do not form a tree
     History(std::vector<HistoryRecord> records, Entry current, std::size_t memory = defaultMemory);
 
     /// Appends an entry to the present one and goes to it. What `record` says of its parent and start does not matter.

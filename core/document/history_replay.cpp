@@ -1,6 +1,7 @@
 #include "core/document/history_replay.h"
 
 #include "core/document/moment_hash.h"
+#include "core/message/message.h"
 #include "core/simulation/moment.h"
 #include "core/simulation/replay.h"
 
@@ -16,11 +17,13 @@ namespace {
 std::vector<HistoryRecord> recordsOf(const Project& project, HistoryReplay::From from)
 {
     if (project.entries.empty() || project.starts.empty())
-        throw std::runtime_error("The project has no history: nothing was done in it yet that could be repeated.");
+        throw Problem(
+            Message("History", "The project has no history: nothing was done in it yet that could be repeated."));
     std::vector<HistoryRecord> records = project.entries;
     for (HistoryRecord& record : records) {
         if (record.start >= project.starts.size())
-            throw std::runtime_error("The history is damaged: an entry begins with a start that is not there.");
+            throw Problem(
+                Message("History", "The history is damaged: an entry begins with a start that is not there."));
         if (from == HistoryReplay::From::starts)
             record.moment = nullptr;
     }
@@ -123,7 +126,7 @@ RepeatedEntry HistoryReplay::repeat(History::Entry entry, TaskControl& control, 
     RepeatedEntry result{.entry = entry};
     try {
         if (m_lost.contains(record.parent) && !beginsStart(entry) && !record.moment)
-            throw std::runtime_error("The entry before it was not reached.");
+            throw Problem(Message("History", "The entry before it was not reached."));
         const std::vector<RecordedCommand> commands = goToBegin(entry);
         Simulation from = std::move(*m_simulation);
         m_simulation.reset();
@@ -133,7 +136,7 @@ RepeatedEntry HistoryReplay::repeat(History::Entry entry, TaskControl& control, 
     } catch (const std::runtime_error& error) {
         m_simulation.reset();
         m_lost.insert(entry);
-        result.trouble = error.what();
+        result.trouble = messageOf(error);
         return result;
     }
     m_at = entry;

@@ -2,13 +2,13 @@
 
 #include "core/document/history.h"
 #include "core/document/project.h"
+#include "core/message/message.h"
 
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
-#include <string>
 #include <vector>
 
 namespace knead {
@@ -23,7 +23,7 @@ struct RepeatedEntry {
     std::uint64_t hash = 0; ///< of positions and velocities there
     bool isSame = false;    ///< as all that is kept: step, hash, and the moment unless it was thinned out
     Whole whole = Whole::notKept;
-    std::string trouble; ///< why the entry was not reached, in a sentence; empty when it was
+    Message trouble; ///< why the entry was not reached, in a sentence; empty when it was
 };
 
 /// Proves the history of a project: repeats its commands from the scenes they began with, and compares: all of a moment where
@@ -37,7 +37,7 @@ public:
     };
 
     /// @param project outlives this
-    /// @throws std::runtime_error, in a sentence, when it has no history, or none that hangs together
+    /// @throws Problem when it has no history, or none that hangs together
     explicit HistoryReplay(const Project& project, From from = From::starts, Packing packing = {});
     ~HistoryReplay();
 

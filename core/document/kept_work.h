@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/document/project.h"
+#include "core/message/message.h"
 #include "core/task/task_control.h"
 
 #include <cstdint>
@@ -32,7 +33,7 @@ struct Recovery {
 struct RecoveredWork {
     Project project;
     WorkState state;
-    std::vector<std::string> missing; ///< as in RescuedProject
+    std::vector<Message> missing; ///< as in RescuedProject
 };
 
 /// Keeps the work of a window while it goes on, so that it survives the window. It stays until discard(). One thread at a time;

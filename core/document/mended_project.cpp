@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 namespace knead {
@@ -55,13 +54,13 @@ MendedProject withGesture(Project project, const WorkState& state, const Packing
     } catch (const Cancelled&) {
         throw;
     } catch (const std::exception&) {
-        return {std::move(project), {"what was done last"}};
+        return {std::move(project), {Message("Project", "what was done last")}};
     }
 }
 
 MendedProject withReachableEntry(Project project, const Packing& packing, TaskControl& control)
 {
-    std::vector<std::string> missing;
+    std::vector<Message> missing;
     while (!project.entries.empty())
         try {
             const MomentPointer moment = currentMoment(historyOf(project), project, packing, control);
@@ -73,7 +72,7 @@ MendedProject withReachableEntry(Project project, const Packing& packing, TaskCo
         } catch (const std::exception&) {
             const HistoryRecord& record =
                 project.entries[std::min<std::size_t>(project.current, project.entries.size() - 1)];
-            missing.push_back("the state after \"" + record.name + "\"");
+            missing.push_back(Message("Project", "the state after \"%1\"").with(record.name));
             if (project.current == 0)
                 break;
             project.current = record.parent;

@@ -3,6 +3,7 @@
 #include "core/document/kept_work.h"
 #include "core/document/moment_bytes.h"
 #include "core/document/project.h"
+#include "core/message/message.h"
 #include "core/task/task_control.h"
 
 #include <string>
@@ -13,7 +14,7 @@ namespace knead {
 /// A project with something made good, and what could not be.
 struct MendedProject {
     Project project;
-    std::vector<std::string> missing; ///< a phrase each, for the person
+    std::vector<Message> missing; ///< a phrase each, for the person
 };
 
 /// The gesture that was under way becomes the last entry: it is repeated as far as it had come. Takes as long as it took. When it

@@ -1,9 +1,9 @@
 #include "core/document/moment_bytes.h"
 
 #include "core/document/moment_content.h"
+#include "core/message/message.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 namespace knead {
@@ -38,19 +38,19 @@ Unpacked unpacked(ByteReader& bytes, std::span<const Body> bodies, const Packing
     std::uint64_t packedSize = 0;
     bytes(markRead);
     if (markRead != mark)
-        throw std::runtime_error("it does not begin as one");
+        throw Problem(Message("History", "it does not begin as one"));
     bytes(version);
     if (version < 1 || version > momentVersion)
-        throw std::runtime_error("it was written by another version of Knead");
+        throw Problem(Message("History", "it was written by another version of Knead"));
     bytes(size);
     bytes(packedSize);
     bytes(sum);
     const std::span<const std::byte> packed = bytes.next(packedSize);
     if (!bytes.atEnd() || momentSum(version, packed) != sum || size > mostBytes(bodies))
-        throw std::runtime_error("its bytes are not those that were written");
+        throw Problem(Message("History", "its bytes are not those that were written"));
     Bytes content = packing.unpack ? packing.unpack(packed, size) : Bytes(packed.begin(), packed.end());
     if (content.size() != size)
-        throw std::runtime_error("its bytes are not those that were written");
+        throw Problem(Message("History", "its bytes are not those that were written"));
     return {version, std::move(content)};
 }
 
@@ -103,8 +103,10 @@ Moment momentFromBytes(std::span<const std::byte> bytes, std::span<const Body> b
         const Unpacked moment = unpacked(reader, bodies, packing);
         return momentFromContent(moment.content, bodies, parts, moment.version);
     } catch (const std::runtime_error& error) {
-        throw std::runtime_error("This moment of the history cannot be read: " + std::string(error.what()) +
-                                 ". Go to an earlier one and repeat from there.");
+        throw Problem(
+            Message("History",
+                    "This moment of the history cannot be read: %1. Go to an earlier one and repeat from there.")
+                .with(messageOf(error)));
     }
 }
 

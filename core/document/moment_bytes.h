@@ -17,7 +17,7 @@ struct Packing {
     std::function<Bytes(std::span<const std::byte> bytes)> pack;
 
     /// @param size how many bytes there were, for what was packed by pack(); damaged bytes may give another number
-    /// @throws std::runtime_error for bytes that nothing was packed to
+    /// @throws Problem for bytes that nothing was packed to
     std::function<Bytes(std::span<const std::byte> packed, std::size_t size)> unpack;
 };
 
@@ -38,7 +38,7 @@ Bytes momentToBytes(const Moment& moment, const Packing& packing = {});
 /// whatever comes back.
 /// @param bodies of the scene that the moment is of
 /// @param parts those of the document, in any order
-/// @throws std::runtime_error, in a sentence, for bytes that are damaged, of a newer version, or of another scene
+/// @throws Problem for bytes that are damaged, of a newer version, or of another scene
 Moment momentFromBytes(std::span<const std::byte> bytes, std::span<const Body> bodies, const ToolParts& parts = {},
                        const Packing& packing = {});
 

@@ -59,26 +59,26 @@ public:
     {
     }
 
-    std::string problem() const
+    Message problem() const
     {
         if (m_moment.bodies.size() != m_bodies.size())
-            return "it has another number of bodies than the scene";
+            return Message("History", "it has another number of bodies than the scene");
         for (std::size_t b = 0; b < m_bodies.size(); ++b)
-            if (std::string found = bodyProblem(m_moment.bodies[b], fillingOf(b)); !found.empty())
+            if (Message found = bodyProblem(m_moment.bodies[b], fillingOf(b)); !found.empty())
                 return found;
         if (!all(m_moment.tools, [this](const auto& tool) { return !tool || isTool(*tool); }))
-            return "a tool cannot be simulated";
+            return Message("History", "a tool cannot be simulated");
         if (!all(m_moment.fixtures, [this](const auto& fixture) { return !fixture || isFixture(*fixture); }) ||
             m_moment.fixtureForces.size() > m_moment.fixtures.size() ||
             !all(m_moment.fixtureForces, [](const Vec3& force) { return force.allFinite(); }))
-            return "a fixture cannot be simulated";
+            return Message("History", "a fixture cannot be simulated");
         if (!all(m_moment.loads, [this](const auto& load) { return !load || isLoad(*load); }))
-            return "a load cannot be simulated";
+            return Message("History", "a load cannot be simulated");
         if (!all(m_moment.annealings, [this](const Annealing& annealing) { return isAnnealing(annealing); }))
-            return "a re-normalization under way is out of range";
+            return Message("History", "a re-normalization under way is out of range");
         if (!areContacts(m_moment.contacts))
-            return "a contact or joint is out of range";
-        return areNumbers() ? "" : "a number is out of range";
+            return Message("History", "a contact or joint is out of range");
+        return areNumbers() ? Message() : Message("History", "a number is out of range");
     }
 
 private:
@@ -87,22 +87,22 @@ private:
         return m_moment.bodies[body].refilled ? *m_moment.bodies[body].refilled : *m_bodies[body].aggregate;
     }
 
-    static std::string bodyProblem(const Moment::BodyMoment& body, const Aggregate& aggregate)
+    static Message bodyProblem(const Moment::BodyMoment& body, const Aggregate& aggregate)
     {
         const std::size_t objects = aggregate.size();
         const MaterialMap& map = body.materials;
         if (map.materials().empty() || map.indices().size() != objects ||
             !all(map.indices(), [&](MaterialMap::Index index) { return index < map.materials().size(); }) ||
             !all(map.materials(), [](const Material& material) { return materialProblems(material).empty(); }))
-            return "a material is out of range";
+            return Message("History", "a material is out of range");
         if (body.rigid ? !isRigidMotion(body, objects) : !isState(body, objects))
-            return "objects are not where they can be";
+            return Message("History", "objects are not where they can be");
         if (!(body.mass.empty() || (body.mass.size() == objects && all(body.mass, isPositive))))
-            return "a mass is out of range";
+            return Message("History", "a mass is out of range");
         const std::size_t mode = body.fastestMode.size();
         return areChanges(body.changes, aggregate) && (mode == 0 || mode == 3 * objects)
-                   ? ""
-                   : "connections are not as they can be";
+                   ? Message()
+                   : Message("History", "connections are not as they can be");
     }
 
     static bool isState(const Moment::BodyMoment& body, std::size_t objects)
@@ -254,7 +254,7 @@ private:
 
 } // namespace
 
-std::string momentProblem(const Moment& moment, std::span<const Body> bodies)
+Message momentProblem(const Moment& moment, std::span<const Body> bodies)
 {
     return MomentCheck(moment, bodies).problem();
 }

@@ -4,11 +4,13 @@
 #include "core/document/aggregate_content.h"
 #include "core/document/moment_check.h"
 #include "core/document/moment_fields.h"
+#include "core/message/message.h"
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
+#include <string>
 #include <type_traits>
+#include <utility>
 
 namespace knead {
 
@@ -212,6 +214,19 @@ void edges(Stream& bytes, Of<Stream, Contacts::Memory>& memory)
     });
 }
 
+/// What was said is kept in English.
+void sentence(ByteWriter& bytes, const Message& said)
+{
+    bytes(said.english());
+}
+
+void sentence(ByteReader& bytes, Message& said)
+{
+    std::string text;
+    bytes(text);
+    said = Message::verbatim(std::move(text));
+}
+
 /// All but the bodies.
 template <typename Stream>
 void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std::uint32_t version)
@@ -232,7 +247,7 @@ void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std
         bytes(moment.floorAdhesion);
     bytes(moment.wantedIntegrator, Integrator::automatic);
     bytes(moment.integrator, Integrator::implicitEuler);
-    bytes(moment.integratorReason);
+    sentence(bytes, moment.integratorReason);
     bytes(moment.solverIterations);
     bytes(moment.step);
     for (auto* number : {&moment.time, &moment.timeStep, &moment.lastStep, &moment.stableStep, &moment.crowding,
@@ -249,7 +264,7 @@ void rest(Stream& bytes, Of<Stream, Moment>& moment, const ToolParts& parts, std
         edges(bytes, moment.contacts);
     bytes(moment.wasSquashed);
     bytes(moment.health.ok);
-    bytes(moment.health.message);
+    sentence(bytes, moment.health.message);
     if constexpr (Stream::isReader) {
         if (!bytes.atEnd())
             loadsAndTurns(bytes, moment);
@@ -291,7 +306,7 @@ Moment momentFromContent(std::span<const std::byte> content, std::span<const Bod
     std::uint32_t count = 0;
     bytes(count);
     if (count != bodies.size())
-        throw std::runtime_error("it has another number of bodies than the scene");
+        throw Problem(Message("History", "it has another number of bodies than the scene"));
     for (const Body& each : bodies) {
         Moment::BodyMoment& read = moment.bodies.emplace_back(Moment::BodyMoment{.materials = MaterialMap({}, 0)});
         read.refilled = nextFilling(bytes, each, version);
@@ -299,9 +314,9 @@ Moment momentFromContent(std::span<const std::byte> content, std::span<const Bod
     }
     rest(bytes, moment, parts, version);
     if (!bytes.atEnd())
-        throw std::runtime_error("it goes on after its end");
-    if (const std::string problem = momentProblem(moment, bodies); !problem.empty())
-        throw std::runtime_error(problem);
+        throw Problem(Message("History", "it goes on after its end"));
+    if (const Message problem = momentProblem(moment, bodies); !problem.empty())
+        throw Problem(problem);
     return moment;
 }
 

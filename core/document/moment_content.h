@@ -20,7 +20,7 @@ Bytes momentContent(const Moment& moment);
 
 /// The other way.
 /// @param version that it was written with, 1 .. momentVersion
-/// @throws std::runtime_error, a phrase such as "it ends early", when it is no moment of these bodies
+/// @throws Problem, a phrase such as "it ends early", when it is no moment of these bodies
 Moment momentFromContent(std::span<const std::byte> content, std::span<const Body> bodies, const ToolParts& parts,
                          std::uint32_t version = momentVersion);
 

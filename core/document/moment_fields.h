@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/document/moment_bytes.h"
+#include "core/message/message.h"
 
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
 #include <type_traits>
 #include <variant>
 
@@ -44,7 +44,7 @@ inline void toolPart(ByteReader& bytes, std::shared_ptr<const ToolPart>& part, c
     const auto found = std::find_if(parts.begin(), parts.end(),
                                     [&](const auto& candidate) { return fingerprintOf(*candidate) == fingerprint; });
     if (found == parts.end())
-        throw std::runtime_error("a tool is made of a part that the document does not have");
+        throw Problem(Message("History", "a tool is made of a part that the document does not have"));
     part = *found;
 }
 
@@ -68,7 +68,7 @@ inline void alternative(ByteReader& bytes, Motion& motion)
     std::uint8_t index = 0;
     bytes(index);
     if (index >= std::size(motions))
-        throw std::runtime_error("a motion is none of those there are");
+        throw Problem(Message("History", "a motion is none of those there are"));
     motion = motions[index];
 }
 

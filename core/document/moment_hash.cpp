@@ -16,8 +16,8 @@ std::uint64_t momentHash(Moment moment)
     moment.unsolvedInRow = 0;
     moment.isPlacedInside = false;
     moment.placedEnergy = 0;
-    moment.integratorReason.clear();
-    moment.health.message.clear();
+    moment.integratorReason = {};
+    moment.health.message = {};
     return checksumOf(momentContent(moment));
 }
 

@@ -1,10 +1,11 @@
 #include "core/geometry/refine.h"
 
+#include "core/message/message.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <unordered_map>
 
 namespace knead {
@@ -158,7 +159,7 @@ TriangleMesh refineWhereCarried(const TriangleMesh& mesh, double maximumEdge, st
     TriangleMesh result = mesh;
     double longest = std::max(edge, longestEdge(mesh, places));
     if (!std::isfinite(longest))
-        throw std::runtime_error("A point of the surface is nowhere.");
+        throw Problem(Message("Filling", "A point of the surface is nowhere."));
     int passes = 0;
     while (result.triangles.size() < most) {
         Splitter splitter(result, carry(result.vertices), std::max(edge, 0.5 * longest), maximumEdge / largestStretch);

@@ -17,7 +17,7 @@ TriangleMesh refine(const TriangleMesh& mesh, double maximumEdge, std::size_t ma
 
 /// The same, where the surface is carried elsewhere: edges are as long as there. Where they get 16 times as long as they are in the
 /// mesh, the surface is torn, and they stay.
-/// @throws std::runtime_error, in a sentence, when a vertex is carried nowhere
+/// @throws Problem when a vertex is carried nowhere
 /// @param carry where vertices are taken, as many as it is given; those that it was given before come first again
 TriangleMesh refineWhereCarried(const TriangleMesh& mesh, double maximumEdge, std::size_t maximumTriangles,
                                 const std::function<const std::vector<Vec3>&(const std::vector<Vec3>&)>& carry);

@@ -212,31 +212,31 @@ LoadPatch loadPatch(const Aggregate& aggregate, const TriangleMesh& mesh, const 
     return maker.take();
 }
 
-std::string amountProblem(const LoadAmount& amount, double ramp)
+Message amountProblem(const LoadAmount& amount, double ramp)
 {
     if (!(amount.force.norm() <= largestAmount) || !(amount.moment.norm() <= largestAmount) ||
         !(std::abs(amount.pressure) <= largestAmount))
-        return "A load must not be larger than 1e12 N, N m or Pa.";
+        return Message("Load", "A load must not be larger than 1e12 N, N m or Pa.");
     if (!(ramp >= 0 && ramp <= longestRamp))
-        return "A load must rise within 0 to 3600 s.";
+        return Message("Load", "A load must rise within 0 to 3600 s.");
     return {};
 }
 
-std::string loadProblem(const Load& load, std::size_t objects)
+Message loadProblem(const Load& load, std::size_t objects)
 {
     const LoadPatch& patch = load.patch;
     if (patch.empty() || patch.share.size() != patch.objects.size() || patch.area.size() != patch.objects.size())
-        return "Load \"" + load.name + "\" acts on nothing.";
+        return Message("Load", "Load \"%1\" acts on nothing.").with(load.name);
     double total = 0;
     for (std::size_t i = 0; i < patch.objects.size(); ++i) {
         if (patch.objects[i] >= objects || (i > 0 && patch.objects[i] <= patch.objects[i - 1]))
-            return "Load \"" + load.name + "\" names an object that does not exist.";
+            return Message("Load", "Load \"%1\" names an object that does not exist.").with(load.name);
         if (!std::isfinite(patch.share[i]) || !patch.area[i].allFinite())
-            return "Load \"" + load.name + "\" has an area that is no number.";
+            return Message("Load", "Load \"%1\" has an area that is no number.").with(load.name);
         total += patch.share[i];
     }
     if (!(total > 0))
-        return "Load \"" + load.name + "\" acts on nothing.";
+        return Message("Load", "Load \"%1\" acts on nothing.").with(load.name);
     return amountProblem(load.amount, load.ramp);
 }
 

@@ -3,6 +3,7 @@
 #include "core/aggregate/aggregate.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/mechanics/vector_array.h"
+#include "core/message/message.h"
 
 #include <cstdint>
 #include <optional>
@@ -56,8 +57,8 @@ struct Load {
 };
 
 /// A sentence on why a load cannot be simulated; empty when it can.
-std::string loadProblem(const Load& load, std::size_t objects);
-std::string amountProblem(const LoadAmount& amount, double ramp);
+Message loadProblem(const Load& load, std::size_t objects);
+Message amountProblem(const LoadAmount& amount, double ramp);
 
 /// What a load does to the objects of its patch where they are now.
 ///     force:     f_i = F s_i / sum s                     acts at the center of the surface, which goes along

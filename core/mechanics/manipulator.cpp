@@ -119,45 +119,48 @@ bool isTurn(const Quaternion& rotation)
 
 } // namespace
 
-std::vector<std::string> manipulatorProblems(const Manipulator& manipulator)
+std::vector<Message> manipulatorProblems(const Manipulator& manipulator)
 {
-    std::vector<std::string> problems;
-    const auto require = [&](bool holds, const std::string& sentence) {
+    std::vector<Message> problems;
+    const auto require = [&](bool holds, const Message& sentence) {
         if (!holds)
-            problems.push_back("Tool \"" + manipulator.name + "\": " + sentence);
+            problems.push_back(Message("Tool", "Tool \"%1\": %2").with(manipulator.name, sentence));
     };
     const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
     require(manipulator.size.allFinite() && within(manipulator.size.minCoeff(), 1e-6, 1e3) &&
                 within(manipulator.size.maxCoeff(), 1e-6, 1e3),
-            "each edge must be between 0.001 mm and 1000 m long.");
-    require(manipulator.kind != ToolKind::part || manipulator.part, "it is to be a part, but has none.");
+            Message("Tool", "each edge must be between 0.001 mm and 1000 m long."));
+    require(manipulator.kind != ToolKind::part || manipulator.part,
+            Message("Tool", "it is to be a part, but has none."));
     require(!((fittingSize(manipulator.kind, manipulator.size, manipulator.part.get()) - manipulator.size).norm() >
               1e-9 * manipulator.size.norm()),
-            "its measures do not fit together: a ball has one, a cylinder a diameter and a length.");
+            Message("Tool", "its measures do not fit together: a ball has one, a cylinder a diameter and a length."));
     require(isNear(manipulator.pose.position) && isTurn(manipulator.pose.rotation),
-            "its place must be numbers, within 10 km.");
-    require(within(manipulator.friction, 0, 2), "friction must lie between 0 and 2.");
-    require(within(manipulator.speedLimit, 1e-6, 100), "the speed limit must lie between 0.001 mm/s and 100 m/s.");
-    require(manipulator.adhesion >= 0 && manipulator.adhesion <= 1e9, "the adhesion must lie between 0 and 1e9 Pa.");
-    require(manipulator.forceLimit > 0, "the force limit must be greater than 0 N.");
+            Message("Tool", "its place must be numbers, within 10 km."));
+    require(within(manipulator.friction, 0, 2), Message("Tool", "friction must lie between 0 and 2."));
+    require(within(manipulator.speedLimit, 1e-6, 100),
+            Message("Tool", "the speed limit must lie between 0.001 mm/s and 100 m/s."));
+    require(manipulator.adhesion >= 0 && manipulator.adhesion <= 1e9,
+            Message("Tool", "the adhesion must lie between 0 and 1e9 Pa."));
+    require(manipulator.forceLimit > 0, Message("Tool", "the force limit must be greater than 0 N."));
     if (const auto* follow = std::get_if<FollowKeyFrames>(&manipulator.motion)) {
-        require(!follow->frames.empty(), "a key-framed motion needs at least one frame.");
+        require(!follow->frames.empty(), Message("Tool", "a key-framed motion needs at least one frame."));
         require(std::adjacent_find(follow->frames.begin(), follow->frames.end(),
                                    [](const KeyFrame& a, const KeyFrame& b) { return !(a.time < b.time); }) ==
                     follow->frames.end(),
-                "the times of key frames must ascend.");
+                Message("Tool", "the times of key frames must ascend."));
         require(std::all_of(follow->frames.begin(), follow->frames.end(),
                             [](const KeyFrame& f) {
                                 return std::isfinite(f.time) && isNear(f.pose.position) && isTurn(f.pose.rotation);
                             }),
-                "key frames must be numbers, within 10 km.");
+                Message("Tool", "key frames must be numbers, within 10 km."));
     }
     if (const auto* drive = std::get_if<DriveAt>(&manipulator.motion))
         require(drive->velocity.norm() <= 1e4 && drive->angularVelocity.norm() <= 1e5,
-                "it must not go faster than 10000 m/s or 100000 rad/s.");
+                Message("Tool", "it must not go faster than 10000 m/s or 100000 rad/s."));
     if (const auto* goTo = std::get_if<GoTo>(&manipulator.motion))
         require(isNear(goTo->target.position) && isTurn(goTo->target.rotation),
-                "its target must be numbers, within 10 km.");
+                Message("Tool", "its target must be numbers, within 10 km."));
     return problems;
 }
 

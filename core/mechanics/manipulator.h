@@ -2,6 +2,7 @@
 
 #include "core/geometry/vec3.h"
 #include "core/mechanics/tool_shape.h"
+#include "core/message/message.h"
 
 #include <cstdint>
 #include <limits>
@@ -71,6 +72,6 @@ Pose advance(const Manipulator& manipulator, double time, double dt);
 Pose yieldTo(const Vec3& force, const Manipulator& manipulator, const Pose& next, double dt, bool goesBack = false);
 
 /// One sentence per thing that cannot be simulated: sizes, places, speeds or key frames out of range. Empty when all is well.
-std::vector<std::string> manipulatorProblems(const Manipulator& manipulator);
+std::vector<Message> manipulatorProblems(const Manipulator& manipulator);
 
 } // namespace knead

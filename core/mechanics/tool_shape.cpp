@@ -1,10 +1,11 @@
 #include "core/mechanics/tool_shape.h"
 
+#include "core/message/message.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 namespace knead {
 
@@ -146,7 +147,7 @@ TriangleMesh boxMesh(const Vec3& size)
 Box boxOf(const TriangleMesh& mesh)
 {
     if (mesh.empty())
-        throw std::runtime_error("The tool's part has no surface. Choose another file.");
+        throw Problem(Message("Tool", "The tool's part has no surface. Choose another file."));
     Box box;
     for (const Vec3& vertex : mesh.vertices)
         box.extend(vertex);

@@ -40,9 +40,9 @@ struct SurfacePoint {
 /// The surface of an imported part, ready to be touched. Immutable, shared.
 class ToolPart {
 public:
-    /// Moves the part so that the middle of its box is the origin. @throws std::runtime_error when it is empty.
+    /// Moves the part so that the middle of its box is the origin. @throws Problem when it is empty.
     explicit ToolPart(TriangleMesh mesh);
-    /// With the numbers of another one, to the last bit, as from a file. @throws std::runtime_error when it is empty.
+    /// With the numbers of another one, to the last bit, as from a file. @throws Problem when it is empty.
     ToolPart(TriangleMesh centered, const Vec3& center, const Vec3& size);
     ToolPart(const ToolPart&) = delete; // the distances hold on to the mesh
     ToolPart& operator=(const ToolPart&) = delete;

@@ -3,6 +3,7 @@
 #include "core/aggregate/aggregate.h"
 #include "core/aggregate/connection_id.h"
 #include "core/geometry/smooth_map.h"
+#include "core/message/message.h"
 #include "core/model/export_options.h"
 #include "core/model/part.h"
 #include "core/skin/knife_slit.h"
@@ -46,8 +47,8 @@ struct PartToExport {
         slit; ///< that a part whose faces are its own is cut into, whose objects are in one piece; or null
     std::optional<Measures> before;      ///< of a part that is where it is now, for the report
     std::shared_ptr<const PieceCut> cut; ///< of a piece whose part has faces of its own, which are to be cut; else null
-    std::vector<std::string> remarks;    ///< sentences for the report
-    std::string reason;                  ///< why it has no smooth faces, when something is known about that
+    std::vector<Message> remarks;        ///< sentences for the report
+    Message reason;                      ///< why it has no smooth faces, when something is known about that
     double density = 0;                  ///< [kg/m^3], for the report; 0: none
 };
 

@@ -45,7 +45,7 @@ void addLines(const PartExportReport& part, std::vector<std::string>& lines)
                                                                       : "a mesh";
     lines.push_back(part.name + ": " + form + ", " + (part.isSound() ? "sound" : "NOT SOUND"));
     if (!part.reason.empty())
-        lines.push_back("  not as smooth faces: " + part.reason);
+        lines.push_back("  not as smooth faces: " + part.reason.english());
     lines.push_back("  " + change("solid", part.solidsBefore, part.solidsAfter) + ", " +
                     change("face", part.facesBefore, part.facesAfter) + ", " +
                     change("edge", part.edgesBefore, part.edgesAfter) +
@@ -69,8 +69,8 @@ void addLines(const PartExportReport& part, std::vector<std::string>& lines)
         lines.push_back("  normals across " + std::to_string(part.smoothEdges) + " smooth edges agree within " +
                         number("%.2g°", part.largestKink * 180 / std::numbers::pi));
     lines.push_back("  " + volumeLine(part));
-    for (const std::string& remark : part.remarks)
-        lines.push_back("  " + remark);
+    for (const Message& remark : part.remarks)
+        lines.push_back("  " + remark.english());
     if (!part.nameKept)
         lines.emplace_back("  its name was not found again");
     if (!part.colorsKept)
@@ -107,7 +107,8 @@ std::vector<std::string> linesOf(const ExportReport& report)
         number("%.3g MB", 1e-6 * static_cast<double>(report.bytes)) + ", " + number("%.2g s", report.seconds)};
     for (const PartExportReport& part : report.parts)
         addLines(part, lines);
-    lines.insert(lines.end(), report.warnings.begin(), report.warnings.end());
+    for (const Message& warning : report.warnings)
+        lines.push_back(warning.english());
     return lines;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/message/message.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -18,8 +20,8 @@ struct PartExportReport {
 
     std::string name;
     Form form = Form::exact;
-    std::string reason;               ///< why it, or a face of it, is flat: a sentence; empty when nothing is
-    std::vector<std::string> remarks; ///< sentences about what a person should look at
+    Message reason;               ///< why it, or a face of it, is flat: a sentence; empty when nothing is
+    std::vector<Message> remarks; ///< sentences about what a person should look at
 
     // Before and after.
     int solidsBefore = 0;
@@ -78,7 +80,7 @@ struct ExportReport {
     std::uint64_t bytes = 0;
     double seconds = 0; ///< that it took
     std::vector<PartExportReport> parts;
-    std::vector<std::string> warnings; ///< sentences about the whole
+    std::vector<Message> warnings; ///< sentences about the whole
 
     bool isSound() const;
 };

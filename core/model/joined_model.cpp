@@ -1,5 +1,7 @@
 #include "core/model/joined_model.h"
 
+#include "core/message/message.h"
+
 #include <algorithm>
 #include <cassert>
 #include <iterator>
@@ -51,7 +53,8 @@ Model joined(std::vector<Model> models)
         append(model.warnings, all.warnings);
         append(model.missing, all.missing);
         if (model.unitRemark)
-            all.warnings.push_back(model.unitRemark->sentence + " Open that file alone to correct it.");
+            all.warnings.push_back(Message::sequence(
+                {model.unitRemark->sentence, Message("Unit", "Open that file alone to correct it.")}));
         all.tree.children.push_back(std::move(model.tree));
     }
     return all;

@@ -3,20 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <stdexcept>
+#include <vector>
 
 namespace knead {
 
 namespace {
 
-constexpr std::array units{
-    LengthUnit{"mm", "millimetres", 1e-3}, LengthUnit{"m", "metres", 1},
-    LengthUnit{"inch", "inches", 0.0254},  LengthUnit{"cm", "centimetres", 1e-2},
-    LengthUnit{"ft", "feet", 0.3048},      LengthUnit{"um", "micrometres", 1e-6},
-    LengthUnit{"dm", "decimetres", 0.1},   LengthUnit{"mil", "thousandths of an inch", 2.54e-5},
-    LengthUnit{"nm", "nanometres", 1e-9},  LengthUnit{"km", "kilometres", 1e3},
-    LengthUnit{"mile", "miles", 1609.344}, LengthUnit{"uinch", "millionths of an inch", 2.54e-8},
-};
+const std::vector<LengthUnit>& units()
+{
+    static const std::vector<LengthUnit> all{
+        {"mm", Message("Unit", "millimetres"), 1e-3}, {"m", Message("Unit", "metres"), 1},
+        {"inch", Message("Unit", "inches"), 0.0254},  {"cm", Message("Unit", "centimetres"), 1e-2},
+        {"ft", Message("Unit", "feet"), 0.3048},      {"um", Message("Unit", "micrometres"), 1e-6},
+        {"dm", Message("Unit", "decimetres"), 0.1},   {"mil", Message("Unit", "thousandths of an inch"), 2.54e-5},
+        {"nm", Message("Unit", "nanometres"), 1e-9},  {"km", Message("Unit", "kilometres"), 1e3},
+        {"mile", Message("Unit", "miles"), 1609.344}, {"uinch", Message("Unit", "millionths of an inch"), 2.54e-8},
+    };
+    return all;
+}
 
 struct Spelling {
     std::string_view text; ///< lower case
@@ -66,12 +70,12 @@ void scalePart(Part& part, double factor)
         part.exact->unit *= factor;
 }
 
-const LengthUnit& known(std::string_view text, const char* whose)
+/// @param unknown says that it is not known
+const LengthUnit& known(std::string_view text, const Message& unknown)
 {
     const LengthUnit* unit = findLengthUnit(text);
     if (unit == nullptr)
-        throw std::runtime_error("the length unit \"" + std::string(text) + "\" " + whose +
-                                 " is not known; known are " + lengthUnitNames() + ".");
+        throw Problem(unknown.with(text, lengthUnitNames()));
     return *unit;
 }
 
@@ -79,7 +83,7 @@ const LengthUnit& known(std::string_view text, const char* whose)
 
 std::span<const LengthUnit> lengthUnits()
 {
-    return units;
+    return units();
 }
 
 const LengthUnit* findLengthUnit(std::string_view text)
@@ -90,17 +94,23 @@ const LengthUnit* findLengthUnit(std::string_view text)
     if (spelling != spellings.end())
         name = spelling->name;
     const std::string plural = britishPlural(name);
-    const auto unit = std::find_if(units.begin(), units.end(),
-                                   [&](const LengthUnit& one) { return one.name == name || one.plural == plural; });
-    return unit == units.end() ? nullptr : &*unit;
+    const auto unit = std::find_if(units().begin(), units().end(), [&](const LengthUnit& one) {
+        return one.name == name || one.plural.text() == plural;
+    });
+    return unit == units().end() ? nullptr : &*unit;
 }
 
 std::string lengthUnitNames()
 {
     std::string names;
-    for (const LengthUnit& unit : units)
+    for (const LengthUnit& unit : units())
         names += (names.empty() ? "" : ", ") + std::string(unit.name);
     return names;
+}
+
+Message noUnitStated(const std::string& file)
+{
+    return Message("Unit", "%1: the file states no length unit; millimetres were taken.").with(file);
 }
 
 void scaleModel(Model& model, double factor)
@@ -111,12 +121,16 @@ void scaleModel(Model& model, double factor)
 
 Model takenIn(Model model, std::string_view unit)
 {
-    const LengthUnit& wanted = known(unit, "that was asked for");
-    const LengthUnit& taken = known(model.unit.empty() ? "mm" : model.unit, "of the file");
+    const LengthUnit& wanted =
+        known(unit, Message("Unit", "the length unit \"%1\" that was asked for is not known; known are %2."));
+    const LengthUnit& taken = known(model.unit.empty() ? "mm" : model.unit,
+                                    Message("Unit", "the length unit \"%1\" of the file is not known; known are %2."));
     scaleModel(model, wanted.metres / taken.metres);
     model.unit = wanted.name;
     model.unitRemark.reset();
-    std::erase_if(model.warnings, [](const std::string& warning) { return warning.ends_with(noUnitStated); });
+    // Those of earlier versions are texts.
+    const std::string settled = noUnitStated({}).english();
+    std::erase_if(model.warnings, [&](const Message& warning) { return warning.english().ends_with(settled); });
     return model;
 }
 

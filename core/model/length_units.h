@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "core/model/part.h"
 
 #include <span>
@@ -10,9 +11,9 @@ namespace knead {
 
 /// A length unit that people use in files.
 struct LengthUnit {
-    const char* name;   ///< as shown and typed: "mm"
-    const char* plural; ///< as spoken of: "millimetres"
-    double metres;      ///< in one of it
+    const char* name; ///< as shown and typed: "mm"
+    Message plural;   ///< as spoken of: "millimetres"
+    double metres;    ///< in one of it
 };
 
 /// From the most common to the rarest.
@@ -25,8 +26,9 @@ const LengthUnit* findLengthUnit(std::string_view text);
 /// "mm, m, inch ...": the names of all units, for sentences and help.
 std::string lengthUnitNames();
 
-/// How Model::warnings says that the numbers of a file were taken as millimetres, after the name of the file.
-inline constexpr std::string_view noUnitStated = "the file states no length unit; millimetres were taken.";
+/// How Model::warnings says that the numbers of a file were taken as millimetres.
+/// @param file its name
+Message noUnitStated(const std::string& file);
 
 /// Multiplies everything that is a length, area or volume.
 /// @pre factor > 0
@@ -35,7 +37,7 @@ void scaleModel(Model& model, double factor);
 /// The model with its numbers read in another unit, whatever the file says: 25.4 times as large when millimetres become
 /// inches. The doubt about the unit is settled by it.
 /// @param unit as findLengthUnit() takes it
-/// @throws std::runtime_error, in a sentence, when `unit` or the unit of the model is not known
+/// @throws Problem, when `unit` or the unit of the model is not known
 Model takenIn(Model model, std::string_view unit);
 
 } // namespace knead

@@ -17,16 +17,6 @@ std::string rounded(double value, int digits)
 
 } // namespace
 
-std::string countOf(std::size_t count, const std::string& thing)
-{
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
-
-std::string wasOrWere(std::size_t count)
-{
-    return count == 1 ? " was " : " were ";
-}
-
 std::string lengthWords(double length)
 {
     const double size = std::abs(length);

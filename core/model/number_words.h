@@ -1,15 +1,8 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 namespace knead {
-
-/// "1 face", "12 faces": for sentences.
-std::string countOf(std::size_t count, const std::string& thing);
-
-/// " was " after one, " were " after any other number.
-std::string wasOrWere(std::size_t count);
 
 /// A length [m] with three digits in the unit that a person would take: "0.37 mm", "41.4 m", "0.02 um".
 std::string lengthWords(double length);

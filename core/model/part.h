@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/triangle_mesh.h"
+#include "core/message/message.h"
 
 #include <cstdint>
 #include <memory>
@@ -54,9 +55,9 @@ struct Part {
 
     bool visible = true;                      ///< false: hidden in the file, and hidden here until the person shows it
     std::string layer;                        ///< that the file puts it on; empty when there is none
-    std::vector<std::string> repairs;         ///< what was wrong with the shape and what was done about it, in order
+    std::vector<Message> repairs;             ///< what was wrong with the shape and what was done about it, in order
     std::vector<std::vector<Vec3>> openEdges; ///< polylines along which the surface ends [m]; empty for a closed one
-    std::vector<std::string> warnings;        ///< sentences for the person, also why it cannot be filled
+    std::vector<Message> warnings;            ///< sentences for the person, also why it cannot be filled
 
     /// Only a closed part can be filled with objects.
     bool canBeFilled() const { return watertight && !mesh.empty(); }
@@ -74,7 +75,7 @@ struct PartNode {
 
 /// A doubt about the length unit of a file, with the unit that would make its size plausible.
 struct UnitRemark {
-    std::string sentence;
+    Message sentence;
     std::string unit; ///< to take instead: "mm", "m", "inch" ...
 };
 
@@ -84,8 +85,8 @@ struct Model {
     std::string format; ///< "STEP AP214", "IGES", "BREP", "STL" ...
     std::string unit;   ///< length unit of the file as a person writes it: "mm", "inch", "m"; empty when unknown
     std::optional<UnitRemark> unitRemark; ///< when the size makes one doubt the unit
-    std::vector<std::string> warnings;
-    std::vector<std::string> missing; ///< what the file holds and the model does not, a sentence each
+    std::vector<Message> warnings;
+    std::vector<Message> missing; ///< what the file holds and the model does not, a sentence each
     std::vector<Part> parts;
     PartNode tree; ///< the root; its children are the free shapes of the file
 };

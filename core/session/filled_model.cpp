@@ -24,12 +24,14 @@ std::string fileName(const Model& model)
 }
 
 /// Why a part cannot be filled.
-std::string openSentence(const Part& part)
+Message openSentence(const Part& part)
 {
     if (part.mesh.empty())
-        return "\"" + part.name + "\" has no surface, so it is not shown.";
-    return "\"" + part.name +
-           "\" is not a closed solid: it is shown, and not simulated. Close its surfaces and import it again.";
+        return Message("Filling", "\"%1\" has no surface, so it is not shown.").with(part.name);
+    return Message("Filling",
+                   "\"%1\" is not a closed solid: it is shown, and not simulated. Close its surfaces and import "
+                   "it again.")
+        .with(part.name);
 }
 
 std::string uniqueName(const std::string& name, std::set<std::string>& taken)
@@ -92,8 +94,8 @@ void addPart(const Model& model, std::size_t index, std::set<std::string>& names
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
-        content.unfilled[index] = error.what();
-        content.warnings.push_back("\"" + part.name + "\" is not simulated: " + error.what());
+        content.unfilled[index] = messageOf(error);
+        content.warnings.push_back(Message("Filling", "\"%1\" is not simulated: %2").with(part.name, messageOf(error)));
     }
     content.surfaces.push_back(makeSurface(model, index));
 }
@@ -103,18 +105,21 @@ FilledModel emptyFilledModel(const Model& model, const ImportChoices& request)
 {
     FilledModel content;
     content.request = request;
-    content.warnings = model.missing;
-    content.warnings.insert(content.warnings.end(), model.warnings.begin(), model.warnings.end());
+    const auto warn = [&](const std::vector<Message>& sentences) {
+        content.warnings.insert(content.warnings.end(), sentences.begin(), sentences.end());
+    };
+    warn(model.missing);
+    warn(model.warnings);
     for (const Part& part : model.parts) {
-        content.warnings.insert(content.warnings.end(), part.warnings.begin(), part.warnings.end());
+        warn(part.warnings);
         if (!part.canBeFilled() && !request.fillsOpenParts)
             content.warnings.push_back(openSentence(part));
         for (const Vec3& vertex : part.mesh.vertices)
             content.box.extend(vertex);
     }
     if (content.box.isEmpty())
-        throw std::runtime_error(fileName(model) +
-                                 ": the file holds no solid and no surface; export the part as a solid.");
+        throw Problem(Message("Filling", "%1: the file holds no solid and no surface; export the part as a solid.")
+                          .with(fileName(model)));
     return content;
 }
 
@@ -233,7 +238,7 @@ PreparedModel prepareRefill(const FilledModel& before, double spacing, const Sna
     request.spacing = SpacingChoice{SpacingChoice::Kind::Length, spacing};
     FilledModel content = fillModel(before.model, request, filling);
     if (content.bodies.empty() && !content.unfilled.empty())
-        throw std::runtime_error(content.unfilled.begin()->second);
+        throw Problem(content.unfilled.begin()->second);
     control.report(preparedShare, "preparing the simulation");
     Scene scene = restScene(content);
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)

@@ -3,6 +3,7 @@
 #include "core/aggregate/fill.h"
 #include "core/aggregate/spacing_choice.h"
 #include "core/document/project.h"
+#include "core/message/message.h"
 #include "core/session/import_files.h"
 #include "core/session/recipe_start.h"
 #include "core/session/render_mesh.h"
@@ -86,11 +87,11 @@ struct FilledModel {
     std::vector<std::shared_ptr<const FilledBody>>
         bodies; ///< in the order of Scene::bodies; none when no part is closed
     std::vector<std::shared_ptr<const FilledSurface>> surfaces;
-    std::map<std::size_t, std::string> unfilled; ///< parts that were to be filled and could not be, and why
-    double spacing = 0;                          ///< [m]; 0 without bodies
-    SpacingAssessment fineness;                  ///< what the spacing means for the walls
-    Box box;                                     ///< of all bodies and surfaces at rest [m]
-    std::vector<std::string> warnings;           ///< sentences for the person
+    std::map<std::size_t, Message> unfilled; ///< parts that were to be filled and could not be, and why
+    double spacing = 0;                      ///< [m]; 0 without bodies
+    SpacingAssessment fineness;              ///< what the spacing means for the walls
+    Box box;                                 ///< of all bodies and surfaces at rest [m]
+    std::vector<Message> warnings;           ///< sentences for the person
 
     bool isEmpty() const { return bodies.empty() && surfaces.empty(); }
     /// Parts that are hidden in their file, by index into Model::parts.

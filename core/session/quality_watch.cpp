@@ -15,11 +15,11 @@ bool has(const std::vector<Remark>& remarks, Concern concern)
 
 } // namespace
 
-std::vector<std::string> QualityWatch::see(const Snapshot& now)
+std::vector<Message> QualityWatch::see(const Snapshot& now)
 {
     const std::vector<Remark> remarks = remarksOn(qualityOf(now));
     forgetWhatIsWell(now, remarks);
-    std::vector<std::string> sentences;
+    std::vector<Message> sentences;
     for (const Remark& remark : remarks) {
         const bool stays = ++m_frames[remark.concern] >= framesToStay || !now.playing;
         bool& isSaid = m_isSaid[remark.concern];

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <map>
-#include <string>
 #include <vector>
 
 namespace knead {
@@ -14,7 +13,7 @@ namespace knead {
 /// Steps that were not solved are left out: the simulation has a notice of its own for them.
 class QualityWatch {
 public:
-    std::vector<std::string> see(const Snapshot& now);
+    std::vector<Message> see(const Snapshot& now);
     void begin(); ///< another document or filling
 
 private:

@@ -11,7 +11,7 @@ namespace {
 /// A file with its bodies.
 struct Opened {
     std::vector<Part> parts; ///< closed ones, at least one
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
     Model source = {}; ///< without its parts
 };
 
@@ -24,26 +24,31 @@ auto asInput(Read read)
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
-        throw UnusableInput(error.what());
+        throw UnusableInput(messageOf(error));
     }
 }
 
 Opened opened(Model model, const std::string& file, bool fillsOpenParts)
 {
-    Opened opened{{}, model.warnings};
-    opened.warnings.insert(opened.warnings.end(), model.missing.begin(), model.missing.end());
+    Opened opened;
+    const auto warn = [&](const std::vector<Message>& sentences) {
+        opened.warnings.insert(opened.warnings.end(), sentences.begin(), sentences.end());
+    };
+    warn(model.warnings);
+    warn(model.missing);
     for (Part& part : model.parts) {
-        opened.warnings.insert(opened.warnings.end(), part.warnings.begin(), part.warnings.end());
+        warn(part.warnings);
         if (part.canBeFilled() || (fillsOpenParts && !part.mesh.empty()))
             opened.parts.push_back(std::move(part));
         else
-            opened.warnings.push_back("\"" + part.name + "\" is not closed and is left out.");
+            opened.warnings.push_back(Message("Recipe", "\"%1\" is not closed and is left out.").with(part.name));
     }
     model.parts.clear();
     opened.source = std::move(model);
     if (opened.parts.empty())
-        throw UnusableInput(shortName(file) +
-                            ": no closed body found. Close the surfaces in the CAD program and export again.");
+        throw UnusableInput(
+            Message("Filling", "%1: no closed body found. Close the surfaces in the CAD program and export again.")
+                .with(shortName(file)));
     return opened;
 }
 

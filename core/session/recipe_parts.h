@@ -1,21 +1,25 @@
 #pragma once
 
 #include "core/mechanics/tool_shape.h"
+#include "core/message/message.h"
 #include "core/model/part.h"
 #include "core/session/recipe.h"
 #include "core/session/recipe_files.h"
 #include "core/task/task_control.h"
 
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace knead {
 
 /// A part that cannot be read, or a recipe that does not fit it: no such body, no such face, an empty fixture.
-struct UnusableInput : std::runtime_error {
-    using std::runtime_error::runtime_error;
+struct UnusableInput : Problem {
+    using Problem::Problem;
+    explicit UnusableInput(const std::string& sentence)
+        : Problem(Message::verbatim(sentence))
+    {
+    }
 };
 
 /// Everything that a recipe opens.
@@ -24,7 +28,7 @@ struct RecipeParts {
     std::vector<Part> bodies;                                ///< closed ones, extra parts after those of the part
     std::vector<std::shared_ptr<const ToolPart>> toolParts;  ///< per manipulator; none for other kinds than part
     std::vector<std::shared_ptr<const ToolPart>> eventParts; ///< per event: of the manipulator that it adds or reshapes
-    std::vector<std::string> warnings;                       ///< sentences: of the import, and parts left out
+    std::vector<Message> warnings;                           ///< sentences: of the import, and parts left out
 };
 
 /// Imports the part, the extra parts at their places, and the parts that manipulators are. Of a project they are those that

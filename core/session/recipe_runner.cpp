@@ -1,5 +1,6 @@
 #include "core/session/recipe_runner.h"
 
+#include "core/message/message.h"
 #include "core/model/number_words.h"
 #include "core/session/export_jobs.h"
 #include "core/session/pace_watch.h"
@@ -115,7 +116,7 @@ public:
         Clock::time_point nextReport = m_start;
         m_latest = m_simulation.snapshot();
         if (!m_latest->notice.empty())
-            warnAtOnce(m_latest->notice);
+            warnAtOnce(m_latest->notice.english());
         PaceWatch watch([this](const std::string& sentence) { say(sentence); });
         for (carryOutDueEvents(); !m_progress.isDone(m_simulation); carryOutDueEvents()) {
             control.throwIfCancelled();
@@ -146,7 +147,7 @@ public:
             carryOutDueEvents();
             const StaticReport found = m_simulation.findBalance(duration);
             if (!found.converged)
-                throw std::runtime_error("Load step " + std::to_string(i + 1) + ": " + found.message);
+                throw Problem(Message("Balance", "Load step %1: %2").with(i + 1, found.message));
             m_balances.push_back(found);
             m_forces.addRow(m_simulation.reactions(), m_simulation.time());
             takeSnapshot();
@@ -171,7 +172,7 @@ public:
         report.simulated = m_latest->time;
         report.wall = m_wall;
         report.stateHash = m_simulation.stateHash();
-        report.integrator = m_latest->integratorReason;
+        report.integrator = m_latest->integratorReason.english();
         report.energy = m_latest->energy;
         report.broken = m_latest->broken;
         report.refills = m_latest->refills;
@@ -188,10 +189,11 @@ public:
         report.forces = m_forces;
         report.probes = m_probes;
         report.balances = m_balances;
-        report.warnings = m_ready.warnings;
+        for (const Message& warning : m_ready.warnings)
+            report.warnings.push_back(warning.english());
         report.warnings.insert(report.warnings.end(), m_warnings.begin(), m_warnings.end());
-        for (Remark& remark : remarksOn(report.quality))
-            report.warnings.push_back(std::move(remark.sentence));
+        for (const Remark& remark : remarksOn(report.quality))
+            report.warnings.push_back(remark.sentence.english());
         return report;
     }
 
@@ -239,7 +241,7 @@ private:
     {
         m_progress.carryOutDue(m_simulation, [this] {
             takeSnapshot();
-            m_warnings.push_back("at " + fixed(m_latest->time, 3) + " s: " + m_latest->notice);
+            m_warnings.push_back("at " + fixed(m_latest->time, 3) + " s: " + m_latest->notice.english());
         });
     }
 
@@ -247,7 +249,7 @@ private:
     {
         const Health& health = m_simulation.health();
         if (!health.ok)
-            throw std::runtime_error(health.message);
+            throw Problem(health.message);
     }
 
     /// Tools are remembered by id, so that those taken away stay in the report.
@@ -334,7 +336,7 @@ RunReport runRecipe(const Recipe& recipe, const RecipeFiles& files, const std::s
     files.prepareFolders(recipe.exports, outputFolder);
 
     if (say && !ready.fineness.warning.empty())
-        say(ready.fineness.warning);
+        say(ready.fineness.warning.english());
     Runner runner(recipe, ready, ProbeSeries(recipe, ready, preparing), say);
     try {
         recipe.analysis == Analysis::equilibrium ? runner.findBalances(control) : runner.run(control);

@@ -1,6 +1,7 @@
 #include "core/session/recipe_scene.h"
 
 #include "core/aggregate/fill.h"
+#include "core/message/message.h"
 #include "core/model/file_names.h"
 #include "core/model/part_tree.h"
 #include "core/model/readable_name.h"
@@ -31,7 +32,7 @@ std::shared_ptr<const Aggregate> fillNamed(const Part& part, Arrangement arrange
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
-        throw std::runtime_error("\"" + part.name + "\": " + error.what());
+        throw Problem(Message::verbatim("\"%1\": %2").with(part.name, messageOf(error)));
     }
 }
 
@@ -44,7 +45,7 @@ void fillParts(const Recipe& recipe, RecipeScene& result, TaskControl& control)
     const double spacing = spacingFor(recipe.spacing, size);
     result.fineness = assessSpacing(spacing, size);
     if (recipe.arrangement == Arrangement::published)
-        result.fineness.warning.clear(); // of cut cells
+        result.fineness.warning = {}; // of cut cells
     if (!result.fineness.warning.empty())
         result.warnings.push_back(result.fineness.warning);
     TaskPortion filling(control, 0.1, 1);

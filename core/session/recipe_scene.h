@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/aggregate/spacing_choice.h"
+#include "core/message/message.h"
 #include "core/session/recipe_parts.h"
 #include "core/simulation/scene.h"
 
@@ -17,7 +18,7 @@ struct RecipeScene {
     std::vector<std::vector<FixtureId>> fixtureIds;          ///< per fixture of the recipe; one for each body it holds
     std::vector<std::shared_ptr<const ToolPart>> eventParts; ///< as in RecipeParts
     SpacingAssessment fineness;                              ///< of all bodies together
-    std::vector<std::string> warnings;                       ///< sentences: of the import, and parts left out
+    std::vector<Message> warnings;                           ///< sentences: of the import, and parts left out
 
     const std::vector<Part>& parts() const { return model->parts; } ///< one per body of the scene, same order
 };

@@ -72,8 +72,8 @@ RecipeStart recipeStart(Recipe wanted, const RecipeFiles& files, TaskControl& co
                       .warnings = scene.warnings};
     if (recipe.analysis == Analysis::equilibrium)
         start.warnings.push_back(
-            "This recipe asks for balance without inertia, which \"knead run\" finds. Play carries it "
-            "out as motion in time.");
+            Message("Recipe", "This recipe asks for balance without inertia, which \"knead run\" finds. Play carries it out "
+                              "as motion in time."));
     start.script = scriptOf(std::move(ready));
     return start;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/document/project.h"
+#include "core/message/message.h"
 #include "core/session/face_fixture.h"
 #include "core/session/recipe.h"
 #include "core/session/recipe_files.h"
@@ -8,7 +9,6 @@
 #include "core/task/task_control.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace knead {
@@ -20,7 +20,7 @@ struct RecipeStart {
     ProjectStart start;
     std::vector<FaceFixture> fixtures; ///< with faces: of its start and of its events
     ScriptedEventsMaker script;
-    std::vector<std::string> warnings; ///< sentences for the person
+    std::vector<Message> warnings; ///< sentences for the person
 };
 
 /// Reads its parts and fills them. Its script comes to the same bits as runRecipe().

@@ -1,11 +1,12 @@
 #include "core/simulation/first_press.h"
 
+#include "core/message/message.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -32,8 +33,9 @@ Box boxOfClosedParts(const Model& model)
         if (part.canBeFilled())
             box.extend(part.box);
     if (box.isEmpty())
-        throw std::runtime_error(std::filesystem::path(model.file).filename().string() +
-                                 ": no closed body found. Close the surfaces in the CAD program and export again.");
+        throw Problem(
+            Message("Filling", "%1: no closed body found. Close the surfaces in the CAD program and export again.")
+                .with(std::filesystem::path(model.file).filename().string()));
     return box;
 }
 

@@ -20,7 +20,7 @@ struct FirstPress {
 };
 
 /// @param bearableStrain what the material bears before it breaks, see below
-/// @throws std::runtime_error, in a sentence, when no part is closed.
+/// @throws Problem when no part is closed.
 FirstPress firstPress(const Model& model, double bearableStrain = std::numeric_limits<double>::infinity());
 
 /// Strain of a bar when it breaks; infinite for what never does.

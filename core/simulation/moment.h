@@ -98,7 +98,7 @@ struct Moment {
     double floorAdhesion = 0; ///< [Pa]
     Integrator wantedIntegrator = Integrator::semiImplicitEuler;
     Integrator integrator = Integrator::semiImplicitEuler; ///< in use; never automatic
-    std::string integratorReason;
+    Message integratorReason;
     int solverIterations = 0;
     Pace pace = Pace::full;
 

@@ -1,8 +1,8 @@
 #include "core/simulation/replay.h"
 
+#include "core/message/message.h"
+
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace knead {
@@ -51,9 +51,10 @@ void stepUntil(Simulation& simulation, std::uint64_t step, Progress& progress)
         progress.stepDone();
     }
     if (simulation.stepCount() != step)
-        throw std::runtime_error("The recording does not belong to this scene: it goes on at step " +
-                                 std::to_string(step) + ", and the run is at step " +
-                                 std::to_string(simulation.stepCount()) + ". Start from the scene it was made with.");
+        throw Problem(Message("History",
+                              "The recording does not belong to this scene: it goes on at step %1, and the run is "
+                              "at step %2. Start from the scene it was made with.")
+                          .with(step, simulation.stepCount()));
 }
 
 } // namespace

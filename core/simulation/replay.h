@@ -12,7 +12,7 @@ namespace knead {
 /// counts from the last Reset like those of the commands. From the same state it comes to the same state, bit for bit, on any
 /// number of threads.
 /// @param from where the recording began: the start of the scene, or a moment that was gone to
-/// @throws std::runtime_error when the commands do not belong to this simulation, so that a step is never reached; Cancelled
+/// @throws Problem when the commands do not belong to this simulation, so that a step is never reached; Cancelled
 Simulation replay(Simulation from, std::span<const RecordedCommand> commands, std::uint64_t upToStep,
                   TaskControl& control = TaskControl::none());
 

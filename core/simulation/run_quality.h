@@ -25,7 +25,7 @@ enum class Concern : std::uint8_t { unsolved, imbalance, penetration, addedMass 
 /// Something that a person should know.
 struct Remark {
     Concern concern;
-    std::string sentence; ///< with what to do
+    Message sentence; ///< with what to do
 };
 
 /// Empty when all is well.

@@ -6,6 +6,7 @@
 #include "core/mechanics/contacts.h"
 #include "core/mechanics/load.h"
 #include "core/mechanics/manipulator.h"
+#include "core/message/message.h"
 #include "core/vicinity/vicinity.h"
 
 #include <cstdint>
@@ -72,7 +73,7 @@ enum class Touching : std::uint8_t {
 };
 
 /// A sentence on why a grip cannot move so; empty when it can.
-std::string gripProblem(const Fixture& fixture);
+Message gripProblem(const Fixture& fixture);
 
 /// Everything a simulation starts from.
 struct Scene {

@@ -417,7 +417,7 @@ const std::vector<Body>& Simulation::bodies() const
 {
     return m_state->bodies;
 }
-void Simulation::stop(const std::string& cause)
+void Simulation::stop(const Message& cause)
 {
     m_state->stop(cause, Trouble::failed);
 }
@@ -429,7 +429,7 @@ const Health& Simulation::health() const
 {
     return m_state->health;
 }
-const std::string& Simulation::integratorReason() const
+const Message& Simulation::integratorReason() const
 {
     return m_state->integratorReason;
 }

@@ -19,7 +19,7 @@ using MomentPointer = std::shared_ptr<const Moment>;
 /// as many threads as TBB allows, and the bits of the result do not depend on their number.
 class Simulation {
 public:
-    /// @throws std::runtime_error, in a sentence, when a material or manipulator cannot be simulated.
+    /// @throws Problem when a material or manipulator cannot be simulated.
     explicit Simulation(Scene scene);
     ~Simulation();
     Simulation(Simulation&&) noexcept;
@@ -61,7 +61,7 @@ public:
     /// Something else than the numbers went wrong, within a step or beside it: stops and goes back to the last good state, as
     /// with other trouble.
     /// @param cause a sentence with its remedy
-    void stop(const std::string& cause);
+    void stop(const Message& cause);
 
     /// Connected pieces of material, by live connections and joints.
     std::size_t components();
@@ -71,7 +71,7 @@ public:
     std::uint64_t stepCount() const;
     const std::vector<Body>& bodies() const; ///< with their present materials
     const Health& health() const;
-    const std::string& integratorReason() const; ///< a sentence on which integrator is in use and why
+    const Message& integratorReason() const; ///< a sentence on which integrator is in use and why
 
     /// Whether snapshots tell what presses on each object, which takes time. Changes nothing else.
     void showPressing(bool on);

@@ -19,7 +19,7 @@ public:
     {
         BodyRun& run = body(command.body);
         if (const auto problems = materialProblems(command.material); !problems.empty())
-            throw std::runtime_error(problems.front());
+            throw Problem(problems.front());
         MaterialMap changed = run.materials;
         if (command.objects.empty())
             changed.setOwn(command.material);
@@ -51,12 +51,12 @@ public:
     {
         BodyRun& run = body(command.body);
         if (!run.deforms())
-            throw std::runtime_error("A rigid body has no stress to lose. Make it deformable first.");
+            throw Problem(Message("Material", "A rigid body has no stress to lose. Make it deformable first."));
         if (!(command.duration >= 0 && command.duration <= 3600))
-            throw std::runtime_error("Re-normalization takes 0 to 3600 s.");
+            throw Problem(Message("Material", "Re-normalization takes 0 to 3600 s."));
         for (const ObjectIndex object : command.objects)
             if (object >= run.state.size())
-                throw std::runtime_error("There is no object number " + std::to_string(object) + ".");
+                throw Problem(Message("Material", "There is no object number %1.").with(object));
         std::vector<std::uint8_t> marks = marksOf(command.objects, run.state.size());
         if (command.duration > 0)
             m_state.annealings.push_back({.body = command.body,
@@ -69,17 +69,17 @@ public:
     void operator()(const SetGravity& command) const
     {
         if (!(command.gravity.norm() <= 1e4))
-            throw std::runtime_error("Gravity must not be stronger than 10000 m/s^2.");
+            throw Problem(Message("Scene", "Gravity must not be stronger than 10000 m/s^2."));
         keepingAccounts([&] { m_state.gravity = command.gravity; });
     }
     void operator()(const SetFloor& command) const
     {
         if (command.height && !(std::abs(*command.height) <= 1e4))
-            throw std::runtime_error("The height of the floor must lie between -10 and 10 km.");
+            throw Problem(Message("Scene", "The height of the floor must lie between -10 and 10 km."));
         if (!(command.friction >= 0 && command.friction <= 2))
-            throw std::runtime_error("The friction of the floor must lie between 0 and 2.");
+            throw Problem(Message("Scene", "The friction of the floor must lie between 0 and 2."));
         if (!(command.adhesion >= 0 && command.adhesion <= 1e9))
-            throw std::runtime_error("The adhesion of the floor must lie between 0 and 1e9 Pa.");
+            throw Problem(Message("Scene", "The adhesion of the floor must lie between 0 and 1e9 Pa."));
         m_state.floorHeight = command.height;
         m_state.floorFriction = command.friction;
         m_state.floorAdhesion = command.adhesion;
@@ -128,7 +128,8 @@ public:
     void operator()(const AddFixture& command) const
     {
         if (command.fixture.body >= m_state.bodies.size())
-            throw std::runtime_error("Fixture \"" + command.fixture.name + "\" names a body that does not exist.");
+            throw Problem(
+                Message("Fixture", "Fixture \"%1\" names a body that does not exist.").with(command.fixture.name));
         requireGrip(command.fixture);
         keepingAccounts([&] {
             m_state.fixtures.emplace_back(command.fixture);
@@ -139,14 +140,14 @@ public:
     void operator()(const RemoveFixture& command) const
     {
         if (command.fixture >= m_state.fixtures.size() || !m_state.fixtures[command.fixture])
-            throw std::runtime_error("There is no fixture number " + std::to_string(command.fixture) + ".");
+            throw Problem(Message("Fixture", "There is no fixture number %1.").with(command.fixture));
         m_state.fixtures[command.fixture].reset();
         m_state.holdFixtures();
     }
     void operator()(const MoveFixture& command) const
     {
         if (command.fixture >= m_state.fixtures.size() || !m_state.fixtures[command.fixture])
-            throw std::runtime_error("There is no fixture number " + std::to_string(command.fixture) + ".");
+            throw Problem(Message("Fixture", "There is no fixture number %1.").with(command.fixture));
         Fixture moved = *m_state.fixtures[command.fixture];
         moved.velocity = command.velocity;
         moved.turn = command.turn;
@@ -183,28 +184,28 @@ public:
         if (report.converged)
             return;
         m_state.recording.push_back({m_state.step, KeepMoment{}}); // which it began with
-        throw std::runtime_error(report.message);
+        throw Problem(report.message);
     }
     void operator()(const Refill& command) const
     {
         body(command.body);
         if (!(command.spacing >= 0 && std::isfinite(command.spacing)))
-            throw std::runtime_error("The spacing of another filling must be more than 0.");
-        if (const std::string why = m_state.whyNotRefilled(command.body); !why.empty())
-            throw std::runtime_error(why);
+            throw Problem(Message("Filling", "The spacing of another filling must be more than 0."));
+        if (const Message why = m_state.whyNotRefilled(command.body); !why.empty())
+            throw Problem(why);
         m_state.refill(command.body, command.spacing);
     }
     void operator()(const Cut& command) const
     {
         const BodyRun& run = body(command.body);
         if (!(command.point.allFinite() && command.normal.allFinite() && command.normal.norm() > 0))
-            throw std::runtime_error("A cut needs a plane: a point, and a normal that is not zero.");
+            throw Problem(Message("Cut", "A cut needs a plane: a point, and a normal that is not zero."));
         if (!run.deforms())
-            throw std::runtime_error("\"" + m_state.bodies[command.body].name +
-                                     "\" is rigid, and is not cut. Make it deformable first.");
+            throw Problem(Message("Cut", "\"%1\" is rigid, and is not cut. Make it deformable first.")
+                              .with(m_state.bodies[command.body].name));
         if (m_state.cutAlong(command.body, command.point, command.normal.normalized()) == 0)
-            throw std::runtime_error("The plane meets nothing of \"" + m_state.bodies[command.body].name +
-                                     "\" that could be cut.");
+            throw Problem(Message("Cut", "The plane meets nothing of \"%1\" that could be cut.")
+                              .with(m_state.bodies[command.body].name));
     }
     void operator()(const SetPartLook&) const {}
     void operator()(const RenameManipulator& command) const
@@ -215,16 +216,16 @@ public:
     void operator()(const RenameFixture& command) const
     {
         if (command.fixture >= m_state.fixtures.size() || !m_state.fixtures[command.fixture])
-            throw std::runtime_error("There is no fixture number " + std::to_string(command.fixture) + ".");
+            throw Problem(Message("Fixture", "There is no fixture number %1.").with(command.fixture));
         m_state.fixtures[command.fixture]->name = command.name;
     }
     void operator()(const AddLoad& command) const
     {
         if (command.load.body >= m_state.bodies.size())
-            throw std::runtime_error("Load \"" + command.load.name + "\" names a body that does not exist.");
+            throw Problem(Message("Load", "Load \"%1\" names a body that does not exist.").with(command.load.name));
         const Aggregate& aggregate = *m_state.bodies[command.load.body].aggregate;
-        if (const std::string problem = loadProblem(command.load, aggregate.size()); !problem.empty())
-            throw std::runtime_error(problem);
+        if (const Message problem = loadProblem(command.load, aggregate.size()); !problem.empty())
+            throw Problem(problem);
         m_state.loads.add({.load = command.load, .from = {}, .begin = m_state.time}, aggregate);
     }
     void operator()(const RemoveLoad& command) const
@@ -235,8 +236,8 @@ public:
     void operator()(const SetLoad& command) const
     {
         requireLoad(command.load);
-        if (const std::string problem = amountProblem(command.amount, command.ramp); !problem.empty())
-            throw std::runtime_error(problem);
+        if (const Message problem = amountProblem(command.amount, command.ramp); !problem.empty())
+            throw Problem(problem);
         m_state.loads.change(command, m_state.time);
     }
 
@@ -247,7 +248,7 @@ private:
     BodyRun& body(BodyId id) const
     {
         if (id >= m_state.bodies.size())
-            throw std::runtime_error("There is no body number " + std::to_string(id) + ".");
+            throw Problem(Message("Scene", "There is no body number %1.").with(id));
         return *m_state.runs[id];
     }
     /// Pieces that came off move on their own, and a rigid body has one motion.
@@ -255,9 +256,9 @@ private:
     {
         const std::size_t pieces = m_state.piecesOf(id).count;
         if (pieces > findPieces(*m_state.bodies[id].aggregate).count)
-            throw std::runtime_error("\"" + m_state.bodies[id].name + "\" broke into " + std::to_string(pieces) +
-                                     " pieces, and a rigid body would weld them together where they are. Keep it "
-                                     "deformable, or reset before it becomes rigid.");
+            throw Problem(Message("Run", "\"%1\" broke into %2 pieces, and a rigid body would weld them together where "
+                                         "they are. Keep it deformable, or reset before it becomes rigid.")
+                              .with(m_state.bodies[id].name, pieces));
     }
     /// What a person changes by hand is neither won nor lost in the ledger.
     template <typename Change>
@@ -269,23 +270,23 @@ private:
     }
     static void requireGrip(const Fixture& fixture)
     {
-        if (const std::string problem = gripProblem(fixture); !problem.empty())
-            throw std::runtime_error(problem);
+        if (const Message problem = gripProblem(fixture); !problem.empty())
+            throw Problem(problem);
     }
     void requireLoad(LoadId load) const
     {
         if (!m_state.loads.isThere(load))
-            throw std::runtime_error("There is no load number " + std::to_string(load) + ".");
+            throw Problem(Message("Load", "There is no load number %1.").with(load));
     }
     static void check(const Manipulator& manipulator)
     {
         if (const auto problems = manipulatorProblems(manipulator); !problems.empty())
-            throw std::runtime_error(problems.front());
+            throw Problem(problems.front());
     }
     ToolRun& tool(ToolId id) const
     {
         if (id >= m_state.tools.size() || !m_state.tools[id])
-            throw std::runtime_error("There is no tool number " + std::to_string(id) + ".");
+            throw Problem(Message("Tool", "There is no tool number %1.").with(id));
         return *m_state.tools[id];
     }
     template <typename Change>
@@ -371,11 +372,11 @@ void Simulation::State::applyCommands()
         try {
             carryOut(command);
             if (!std::holds_alternative<KeepMoment>(command)) // what was wrong before has not been read yet
-                notice.clear();
+                notice = {};
             if (placesTool(command))
                 noteToolsInside();
         } catch (const std::runtime_error& error) {
-            notice = error.what();
+            notice = messageOf(error);
         }
     }
 }

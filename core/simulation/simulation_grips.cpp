@@ -18,14 +18,15 @@ Mat3 rotation(const Vec3& angularVelocity, double angle)
 
 } // namespace
 
-std::string gripProblem(const Fixture& fixture)
+Message gripProblem(const Fixture& fixture)
 {
     if (!(fixture.velocity.norm() <= fastestFixture))
-        return "A fixture must not move faster than 100 m/s.";
+        return Message("Fixture", "A fixture must not move faster than 100 m/s.");
     if (!(fixture.turn.angularVelocity.norm() <= fastestTurn) || !fixture.turn.center.allFinite() ||
         !(fixture.turn.angle > 0))
-        return "Fixture \"" + fixture.name +
-               "\" must turn about a place, by more than 0, and no faster than 10000 rad/s.";
+        return Message("Fixture",
+                       "Fixture \"%1\" must turn about a place, by more than 0, and no faster than 10000 rad/s.")
+            .with(fixture.name);
     return {};
 }
 

@@ -1,11 +1,11 @@
 // What goes wrong is found, named and undone.
 #include "core/geometry/disjoint_sets.h"
 #include "core/integration/time_step.h"
+#include "core/message/number_text.h"
 #include "core/simulation/simulation_state.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace knead {
@@ -25,53 +25,56 @@ constexpr double stableStepTolerance = 1.25;
 
 } // namespace
 
-void Simulation::State::stop(const std::string& cause, Trouble trouble)
+void Simulation::State::stop(const Message& cause, Trouble trouble)
 {
-    std::ostringstream text;
-    text << "The simulation was stopped at " << time << " s: " << cause << " It went back to " << lastGood->time
-         << " s.";
+    const Message message = Message("Run", "The simulation was stopped at %1 s: %2 It went back to %3 s.")
+                                .with(inDigits(time), cause, inDigits(lastGood->time));
     const std::uint64_t reached = step;
     restore(*lastGood);
     step = reached; // steps are what commands are counted by: what comes now comes after this one
-    health = {false, text.str(), trouble};
+    health = {false, message, trouble};
 }
 
 /// Two looks in a row must agree, since a sharp tool may turn a spot inside out for a moment.
-std::string Simulation::State::squashedBody()
+Message Simulation::State::squashedBody()
 {
-    std::string name;
+    Message name;
     for (std::size_t b = 0; b < bodies.size(); ++b)
         if (runs[b]->deforms() && runs[b]->connections.countInverted(runs[b]->state) > 0)
-            name = bodies[b].name.empty() ? "the body" : "\"" + bodies[b].name + "\"";
+            name =
+                bodies[b].name.empty() ? Message("Run", "the body") : Message::verbatim("\"" + bodies[b].name + "\"");
     const bool again = wasSquashed;
     wasSquashed = !name.empty();
-    return again ? name : "";
+    return again ? name : Message();
 }
 
 /// Once in a while: what costs about a step to see. @return what was found wrong, with a cause
-std::pair<Trouble, std::string> Simulation::State::lookClosely()
+std::pair<Trouble, Message> Simulation::State::lookClosely()
 {
     penetration = std::max(penetration, deepestOverlap());
-    if (const std::string name = squashedBody(); !name.empty())
-        return {Trouble::squashed,
-                "material of " + name +
-                    " was squashed flat or turned inside out. Press less far, raise Poisson's ratio or the yield "
-                    "stress, or fill the part with a smaller spacing, then reset."};
-    if (std::string cause = energyCause(); !cause.empty())
+    if (const Message name = squashedBody(); !name.empty())
+        return {
+            Trouble::squashed,
+            Message("Run",
+                    "material of %1 was squashed flat or turned inside out. Press less far, raise Poisson's ratio or "
+                    "the yield stress, or fill the part with a smaller spacing, then reset.")
+                .with(name)};
+    if (Message cause = energyCause(); !cause.empty())
         return {Trouble::energy, std::move(cause)};
     if (!wasSquashed && !wasOverdrawn)
         lastGood = std::make_shared<const Moment>(moment());
     return {Trouble::none, {}};
 }
 
-std::pair<Trouble, std::string> Simulation::State::findTrouble()
+std::pair<Trouble, Message> Simulation::State::findTrouble()
 {
     if (!std::isfinite(largestTravel / lastStep))
         return {Trouble::notANumber,
-                "a position is no longer a number. " + remedy() + " or make the material softer, then reset."};
-    if (std::string cause = runawayCause(); !cause.empty())
+                Message("Run", "a position is no longer a number. %1 or make the material softer, then reset.")
+                    .with(remedy())};
+    if (Message cause = runawayCause(); !cause.empty())
         return {Trouble::runaway, std::move(cause)};
-    if (std::string cause = unsolvedCause(); !cause.empty())
+    if (Message cause = unsolvedCause(); !cause.empty())
         return {Trouble::unsolved, std::move(cause)};
     if (step % (isImplicit() ? implicitCheckpointInterval : checkpointInterval) == 0)
         return lookClosely();
@@ -105,11 +108,11 @@ void Simulation::State::checkHealth()
     if (cause.empty() && !isImplicit()) {
         findTimeStep();
         if (wantedTimeStep && *wantedTimeStep > stableStepTolerance * stableStep) {
-            std::ostringstream text;
-            text << "the chosen time step of " << *wantedTimeStep << " s is longer than the stable one of "
-                 << stableStep << " s. Choose a shorter one, or a softer or more damped material.";
             trouble = Trouble::longStep;
-            cause = text.str();
+            cause = Message("Run",
+                            "the chosen time step of %1 s is longer than the stable one of %2 s. Choose a shorter one, "
+                            "or a softer or more damped material.")
+                        .with(inDigits(*wantedTimeStep), inDigits(stableStep));
         }
     }
     if (!cause.empty())

@@ -1,13 +1,12 @@
 // Steps of the implicit scheme, how long they are, and when they are taken.
 #include "core/integration/time_step.h"
+#include "core/message/number_text.h"
 #include "core/simulation/simulation_state.h"
 #include "core/simulation/smallest_spacing.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 #include <tuple>
 
 namespace knead {
@@ -41,31 +40,46 @@ constexpr double connectionStepsPerSecond = 2.2e8;
 constexpr double volumetricCost = 1.9;
 constexpr double plasticCost = 0.5;
 
-std::string inWords(double number)
+Message inWords(double number)
 {
-    std::ostringstream text;
-    text << std::setprecision(number < 1e3 ? 3 : 2);
     if (number >= 1e9)
-        text << number / 1e9 << " billion";
-    else if (number >= 1e6)
-        text << number / 1e6 << " million";
-    else if (number >= 1e3)
-        text << number / 1e3 << " thousand";
-    else
-        text << number;
-    return text.str();
+        return Message("Number", "%1 billion").with(inDigits(number / 1e9, 2));
+    if (number >= 1e6)
+        return Message("Number", "%1 million").with(inDigits(number / 1e6, 2));
+    if (number >= 1e3)
+        return Message("Number", "%1 thousand").with(inDigits(number / 1e3, 2));
+    return Message::verbatim(inDigits(number, 3));
 }
 
-const char* nameOf(Integrator integrator)
+Message nameOf(Integrator integrator)
 {
     switch (integrator) {
     case Integrator::implicitEuler:
-        return "Implicit Euler";
+        return Message("Run", "Implicit Euler");
     case Integrator::forwardEuler:
-        return "Forward Euler";
+        return Message("Run", "Forward Euler");
     default:
-        return "Semi-implicit Euler";
+        return Message("Run", "Semi-implicit Euler");
     }
+}
+
+/// Why a scheme is in use. @param isChosen by a person
+Message reasonOf(Integrator integrator, bool isChosen, double stepsPerSecond, bool keepsUp)
+{
+    const Message name = nameOf(integrator);
+    const Message steps = inWords(stepsPerSecond);
+    if (isChosen && keepsUp)
+        return Message("Run",
+                       "%1: chosen; explicit integration needs %2 steps per second, which keeps up with real time.")
+            .with(name, steps);
+    if (isChosen)
+        return Message("Run", "%1: chosen; explicit integration needs %2 steps per second, more than real time allows.")
+            .with(name, steps);
+    if (keepsUp)
+        return Message("Run", "%1: explicit integration needs %2 steps per second, which keeps up with real time.")
+            .with(name, steps);
+    return Message("Run", "%1: explicit integration needs %2 steps per second, more than real time allows.")
+        .with(name, steps);
 }
 
 } // namespace
@@ -88,13 +102,7 @@ void Simulation::State::chooseIntegrator()
     Integrator chosen = wantedIntegrator;
     if (wantedIntegrator == Integrator::automatic)
         chosen = keepsUp ? Integrator::semiImplicitEuler : Integrator::implicitEuler;
-    std::ostringstream reason;
-    reason << nameOf(chosen) << ": ";
-    if (wantedIntegrator != Integrator::automatic)
-        reason << "chosen; ";
-    reason << "explicit integration needs " << inWords(stepsPerSecond) << " steps per second, "
-           << (keepsUp ? "which keeps up with real time." : "more than real time allows.");
-    integratorReason = reason.str();
+    integratorReason = reasonOf(chosen, wantedIntegrator != Integrator::automatic, stepsPerSecond, keepsUp);
     if (chosen != integrator || step == 0) {
         // From here on velocities and places belong to the same time, as at the start.
         lastStep = 0;
@@ -301,11 +309,11 @@ void Simulation::State::countSolved(bool isSolved)
         return;
     if (++unsolvedSteps > 1)
         return;
-    std::ostringstream text;
-    text << std::setprecision(3) << "The equations of the step at " << time
-         << " s could not be solved: forces and places are rough from there on. Make tools slower, or choose a shorter "
-            "time step.";
-    notice = text.str();
+    notice =
+        Message("Run",
+                "The equations of the step at %1 s could not be solved: forces and places are rough from there on. "
+                "Make tools slower, or choose a shorter time step.")
+            .with(inDigits(time, 3));
 }
 
 void Simulation::State::stepImplicitly()

@@ -204,9 +204,9 @@ void Simulation::State::keepMoment()
 void Simulation::State::goTo(MomentPointer moment)
 {
     pending.clear();
-    notice.clear();
+    notice = {};
     if (!isOfThisScene(*moment)) {
-        notice = "The moment belongs to other bodies than these. Nothing was changed.";
+        notice = Message("History", "The moment belongs to other bodies than these. Nothing was changed.");
         return;
     }
     restore(*moment);

@@ -2,6 +2,7 @@
 #include "core/aggregate/pieces.h"
 #include "core/geometry/disjoint_sets.h"
 #include "core/mechanics/carried_touches.h"
+#include "core/message/message.h"
 #include "core/simulation/carried_contacts.h"
 #include "core/simulation/carried_state.h"
 #include "core/simulation/simulation_state.h"
@@ -61,39 +62,45 @@ MaterialMap carried(const MaterialMap& materials, const std::vector<ObjectIndex>
 } // namespace
 
 /// A sentence; empty when it can.
-std::string Simulation::State::whyNotRefilled(BodyId id) const
+Message Simulation::State::whyNotRefilled(BodyId id) const
 {
     const Body& body = bodies[id];
     BodyRun& run = *runs[id];
-    const std::string name = "\"" + body.name + "\" ";
     if (!body.surface)
-        return name + "has no surface that it could be filled from.";
+        return Message("Filling", "\"%1\" has no surface that it could be filled from.").with(body.name);
     if (!body.aggregate->weight.back().empty())
-        return name + "is arranged as published, which filling anew does not know.";
+        return Message("Filling", "\"%1\" is arranged as published, which filling anew does not know.").with(body.name);
     if (!run.deforms())
-        return name + "is not deformable, and keeps its shape.";
+        return Message("Filling", "\"%1\" is not deformable, and keeps its shape.").with(body.name);
     if (!run.connections.yields())
-        return name +
-               "is elastic: it keeps its shape at rest, and is not filled anew. Let it yield, or re-normalize it.";
+        return Message("Filling", "\"%1\" is elastic: it keeps its shape at rest, and is not filled anew. Let it "
+                                  "yield, or re-normalize it.")
+            .with(body.name);
     const bool heals = run.materials.largest([](const Material& material) { return material.healingTime; }) > 0;
     if (!heals && !run.connections.changes().broken.empty())
-        return name + "has cracks, which another filling would blur: only what heals is filled anew with them.";
+        return Message("Filling",
+                       "\"%1\" has cracks, which another filling would blur: only what heals is filled anew with them.")
+            .with(body.name);
     const bool isDrawnOut = body.aggregate->former && body.aggregate->former->carriers()->former;
     if (isDrawnOut &&
         run.pieces.find(run.connections, id, contacts->joints()).count > findPieces(*body.aggregate).count)
-        return name + "came apart after its skin was drawn out far: pieces of such a body are not filled anew.";
+        return Message("Filling",
+                       "\"%1\" came apart after its skin was drawn out far: pieces of such a body are not filled anew.")
+            .with(body.name);
     if (gapingVolume(id) > 0.5 * mostGaping * firstFillings[id]->filledVolume)
-        return name + "has cracks that gape, which another filling would close.";
+        return Message("Filling", "\"%1\" has cracks that gape, which another filling would close.").with(body.name);
     for (LoadId load = 0; load < loads.size(); ++load)
         if (loads.isThere(load) && loads.run(load).load.body == id && loads.run(load).load.faces.empty())
-            return name + "has a load on a box, which says nothing of its present shape. Put it on faces.";
+            return Message("Filling",
+                           "\"%1\" has a load on a box, which says nothing of its present shape. Put it on faces.")
+                .with(body.name);
     if (!std::isfinite(largestSpeed(run.state)))
-        return name + "moves out of all bounds.";
+        return Message("Filling", "\"%1\" moves out of all bounds.").with(body.name);
     const double deep = mostKept * body.aggregate->lattice.spacing;
     if (contacts->isPushingOut() && std::ranges::any_of(contacts->memory().touches, [&](const auto& touch) {
             return touch.body == id && touch.kept > deep;
         }))
-        return name + "is still being pushed out of a tool that was put into it.";
+        return Message("Filling", "\"%1\" is still being pushed out of a tool that was put into it.").with(body.name);
     return {};
 }
 
@@ -292,7 +299,7 @@ void Simulation::State::refill(BodyId id, double spacing)
                                     fittings, outOfTools(id));
     const double grown = filling.aggregate->filledVolume / firstFillings[id]->filledVolume - 1;
     if (!broken.empty() && !(grown < mostGaping))
-        throw std::runtime_error("its cracks gape, and would be filled.");
+        throw Problem(Message("Filling", "its cracks gape, and would be filled."));
     const CarriedState state(run.connections, run.state, filling);
     const std::unique_ptr<BodyRun> old = takeFilling(id, filling, state.changes(run.materials)); // which `state` reads
     BodyRun& filled = *runs[id];
@@ -333,7 +340,7 @@ void Simulation::State::refillWhereBad()
         try {
             refill(id, 0);
         } catch (const std::runtime_error& error) {
-            notice = "\"" + bodies[id].name + "\" could not be filled anew: " + error.what();
+            notice = Message("Filling", "\"%1\" could not be filled anew: %2").with(bodies[id].name, messageOf(error));
         }
     }
 }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace knead {
 
@@ -20,10 +19,10 @@ constexpr FixtureId noFixture = std::numeric_limits<FixtureId>::max();
 // Of scenes in which nothing deforms [s].
 constexpr double rigidTimeStep = 1e-4;
 
-void require(bool holds, const std::string& sentence)
+void require(bool holds, const Message& sentence)
 {
     if (!holds)
-        throw std::runtime_error(sentence);
+        throw Problem(sentence);
 }
 
 bool usableTimeStep(const std::optional<double>& step)
@@ -45,22 +44,23 @@ BodyRun::BodyRun(const Body& body)
     connections.updateMaterials();
 }
 
-std::vector<std::string> bodyProblems(const Body& body)
+std::vector<Message> bodyProblems(const Body& body)
 {
     if (!body.aggregate || body.aggregate->size() == 0)
-        return {"It holds no objects. Fill it with a smaller spacing."};
-    std::vector<std::string> problems = materialProblems(body.material);
+        return {Message("Scene", "It holds no objects. Fill it with a smaller spacing.")};
+    std::vector<Message> problems = materialProblems(body.material);
     for (const MaterialRegion& region : body.regions) {
-        for (const std::string& problem : materialProblems(region.material))
-            problems.push_back("Region \"" + region.name + "\": " + problem);
+        for (const Message& problem : materialProblems(region.material))
+            problems.push_back(Message("Scene", "Region \"%1\": %2").with(region.name, problem));
         if (std::any_of(region.objects.begin(), region.objects.end(),
                         [&](ObjectIndex object) { return object >= body.aggregate->size(); }))
-            problems.push_back("Region \"" + region.name + "\" names an object that does not exist.");
+            problems.push_back(
+                Message("Scene", "Region \"%1\" names an object that does not exist.").with(region.name));
     }
     if (!(body.velocity.norm() <= fastestBody) || !(body.angularVelocity.norm() <= fastestSpin))
-        problems.emplace_back("It must not start faster than 1000 m/s or 100000 rad/s.");
+        problems.push_back(Message("Scene", "It must not start faster than 1000 m/s or 100000 rad/s."));
     if (!(body.structuralFriction >= 0 && body.structuralFriction <= 2))
-        problems.emplace_back("Its structural friction must lie between 0 and 2.");
+        problems.push_back(Message("Scene", "Its structural friction must lie between 0 and 2."));
     return problems;
 }
 
@@ -90,17 +90,20 @@ Simulation::State::State(Scene scene)
 {
     for (const Body& body : bodies)
         if (const auto problems = bodyProblems(body); !problems.empty())
-            throw std::runtime_error("Body \"" + body.name + "\": " + problems.front());
-    require(gravity.norm() <= strongestGravity, "Gravity must not be stronger than 10000 m/s^2.");
+            throw Problem(Message("Scene", "Body \"%1\": %2").with(body.name, problems.front()));
+    require(gravity.norm() <= strongestGravity, Message("Scene", "Gravity must not be stronger than 10000 m/s^2."));
     require(!floorHeight || std::abs(*floorHeight) <= farthestFloor,
-            "The height of the floor must lie between -10 and 10 km.");
-    require(floorAdhesion >= 0 && floorAdhesion <= 1e9, "The adhesion of the floor must lie between 0 and 1e9 Pa.");
-    require(floorFriction >= 0 && floorFriction <= 2, "The friction of the floor must lie between 0 and 2.");
-    require(usableTimeStep(wantedTimeStep), "The time step must lie between 1e-9 and 1 s.");
-    require(usableTimeStep(massScalingTimeStep), "The time step of mass scaling must lie between 1e-9 and 1 s.");
+            Message("Scene", "The height of the floor must lie between -10 and 10 km."));
+    require(floorAdhesion >= 0 && floorAdhesion <= 1e9,
+            Message("Scene", "The adhesion of the floor must lie between 0 and 1e9 Pa."));
+    require(floorFriction >= 0 && floorFriction <= 2,
+            Message("Scene", "The friction of the floor must lie between 0 and 2."));
+    require(usableTimeStep(wantedTimeStep), Message("Scene", "The time step must lie between 1e-9 and 1 s."));
+    require(usableTimeStep(massScalingTimeStep),
+            Message("Scene", "The time step of mass scaling must lie between 1e-9 and 1 s."));
     for (const Manipulator& manipulator : scene.manipulators) {
         if (const auto problems = manipulatorProblems(manipulator); !problems.empty())
-            throw std::runtime_error(problems.front());
+            throw Problem(problems.front());
         tools.emplace_back(manipulator);
     }
     refilling = scene.refilling;
@@ -109,14 +112,16 @@ Simulation::State::State(Scene scene)
         firstFillings.push_back(body.aggregate);
     }
     for (Fixture& fixture : scene.fixtures) {
-        require(fixture.body < bodies.size(), "Fixture \"" + fixture.name + "\" names a body that does not exist.");
+        require(fixture.body < bodies.size(),
+                Message("Fixture", "Fixture \"%1\" names a body that does not exist.").with(fixture.name));
         require(fixture.velocity.norm() <= fastestFixture,
-                "Fixture \"" + fixture.name + "\" must not move faster than 100 m/s.");
+                Message("Fixture", "Fixture \"%1\" must not move faster than 100 m/s.").with(fixture.name));
         require(gripProblem(fixture).empty(), gripProblem(fixture));
         fixtures.emplace_back(std::move(fixture));
     }
     for (Load& load : scene.loads) {
-        require(load.body < bodies.size(), "Load \"" + load.name + "\" names a body that does not exist.");
+        require(load.body < bodies.size(),
+                Message("Load", "Load \"%1\" names a body that does not exist.").with(load.name));
         const Aggregate& aggregate = *bodies[load.body].aggregate;
         require(loadProblem(load, aggregate.size()).empty(), loadProblem(load, aggregate.size()));
         loads.add({.load = std::move(load)}, aggregate);
@@ -132,8 +137,10 @@ Simulation::State::State(Scene scene)
 void Simulation::State::requireDamping(const MaterialMap& materials, Integrator chosen) const
 {
     const double least = -materials.largest([](const Material& material) { return -material.dampingRatio; });
-    require(chosen != Integrator::forwardEuler || least > 0,
-            "Forward Euler is not stable without damping: raise the damping ratio, or use semi-implicit Euler.");
+    require(
+        chosen != Integrator::forwardEuler || least > 0,
+        Message("Scene",
+                "Forward Euler is not stable without damping: raise the damping ratio, or use semi-implicit Euler."));
 }
 
 void Simulation::State::setMasses()

@@ -123,7 +123,7 @@ struct Simulation::State {
     Moment moment() const;
     bool isOfThisScene(const Moment& moment) const;
     void restore(const Moment& moment);
-    std::string whyNotRefilled(BodyId body) const;
+    Message whyNotRefilled(BodyId body) const;
     void carryObjects(BodyId body, const BodyRun& before, bool wasFirst, const std::vector<ObjectIndex>& oldOfNew);
     void takeContacts(const Contacts::Memory& memory);
     std::unique_ptr<BodyRun> takeFilling(BodyId body, const NewFilling& filling,
@@ -143,14 +143,14 @@ struct Simulation::State {
     void restoreContacts(const Moment& moment);
     void keepMoment();
     void goTo(MomentPointer moment);
-    void stop(const std::string& cause, Trouble trouble);
-    std::string squashedBody();
+    void stop(const Message& cause, Trouble trouble);
+    Message squashedBody();
     double releasedSpeed(const BodyRun& run) const;
     double fastestSensible(BodyId body) const;
-    std::string runawayCause() const;
-    std::string energyCause();
-    std::string unsolvedCause() const;
-    std::string remedy() const;
+    Message runawayCause() const;
+    Message energyCause();
+    Message unsolvedCause() const;
+    Message remedy() const;
     struct Overlap {
         double depth = 0; ///< [m]; 0: none
         ToolId tool = 0;
@@ -163,8 +163,8 @@ struct Simulation::State {
     void bookToolsInside();
     void bookPlaced(const Contacts::Report& report);
     void findTimeStep();
-    std::pair<Trouble, std::string> lookClosely();
-    std::pair<Trouble, std::string> findTrouble();
+    std::pair<Trouble, Message> lookClosely();
+    std::pair<Trouble, Message> findTrouble();
     std::size_t components();
     const Pieces& piecesOf(BodyId body);
     double brakeShape(BodyId body, double duration);
@@ -180,7 +180,7 @@ struct Simulation::State {
     Touching touching = Touching::separate;
     Integrator wantedIntegrator = Integrator::semiImplicitEuler;
     Integrator integrator = Integrator::semiImplicitEuler; ///< in use; never automatic
-    std::string integratorReason;
+    Message integratorReason;
     std::unique_ptr<ImplicitEuler> implicit; ///< made anew when bodies or grips change by command
     int solverIterations = 0;                ///< of the last implicit step
     Pace pace = Pace::full;
@@ -234,12 +234,12 @@ struct Simulation::State {
     RestWatch rest;
     StageClock clock;
     bool showsPressing = false; ///< in snapshots
-    std::string notice;         ///< about the last command, empty when it was carried out
+    Message notice;             ///< about the last command, empty when it was carried out
     MomentPointer lastGood;     ///< to go back to in trouble; never null
 };
 
 /// Why a body cannot be simulated; empty when it can.
-std::vector<std::string> bodyProblems(const Body& body);
+std::vector<Message> bodyProblems(const Body& body);
 
 /// 1 for each of `objects`, 0 for the others; empty when there are none.
 std::vector<std::uint8_t> marksOf(const std::vector<ObjectIndex>& objects, std::size_t count);

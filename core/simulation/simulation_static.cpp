@@ -22,9 +22,9 @@ constexpr double lostShare = 10;
 // Where there is something to meet, no object goes further than this at a time [spacings], or it would pass by.
 constexpr double shareOfSpacing = 0.5;
 
-std::string subjectOf(const Body& body)
+Message subjectOf(const Body& body)
 {
-    return body.name.empty() ? "The body" : "\"" + body.name + "\"";
+    return body.name.empty() ? Message("Balance", "The body") : Message::verbatim("\"" + body.name + "\"");
 }
 
 std::string inScientific(double number)
@@ -90,7 +90,8 @@ bool Simulation::State::balance(double duration, TaskControl& control, StaticRep
     report.iterations += found.newtonIterations;
     solverIterations = found.iterations;
     if (found.isFree)
-        report.message = "A body is free to move: hold it, or let time run (dynamic) until it rests on something.";
+        report.message = Message(
+            "Balance", "A body is free to move: hold it, or let time run (dynamic) until it rests on something.");
     if (!found.converged || found.farthest > lostShare * diagonalOf(bodies))
         return false;
     isPlacedInside = false; // all that was put into material has been pushed out
@@ -126,7 +127,7 @@ StaticReport Simulation::State::findBalance(double duration, TaskControl& contro
 {
     StaticReport report;
     if (!(duration > 0 && duration <= longestLoadStep)) {
-        report.message = "A load step takes more than 0 and up to 3600 s.";
+        report.message = Message("Balance", "A load step takes more than 0 and up to 3600 s.");
         return report;
     }
     if (!isImplicit())
@@ -134,8 +135,10 @@ StaticReport Simulation::State::findBalance(double duration, TaskControl& contro
     implicit.reset();
     for (std::size_t b = 0; b < runs.size(); ++b)
         if (runs[b]->rigid) {
-            report.message = subjectOf(bodies[b]) +
-                             " is rigid and free to move: hold it, make it deformable, or let time run (dynamic).";
+            report.message =
+                Message("Balance",
+                        "%1 is rigid and free to move: hold it, make it deformable, or let time run (dynamic).")
+                    .with(subjectOf(bodies[b]));
             return report;
         }
     const Moment before = moment();
@@ -157,9 +160,10 @@ StaticReport Simulation::State::findBalance(double duration, TaskControl& contro
         restore(before);
         if (report.message.empty())
             report.message =
-                "No balance was found at " + std::to_string(end) + " s: forces of " + inScientific(report.residual) +
-                " of those that act are left. Take more load steps or a smaller load, hold what is free to "
-                "slide or turn, or let time run (dynamic).";
+                Message("Balance",
+                        "No balance was found at %1 s: forces of %2 of those that act are left. Take more load steps "
+                        "or a smaller load, hold what is free to slide or turn, or let time run (dynamic).")
+                    .with(std::to_string(end), inScientific(report.residual));
         return report;
     }
     ++step;

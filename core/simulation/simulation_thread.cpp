@@ -76,15 +76,16 @@ struct SimulationThread::Worker {
         try {
             work();
         } catch (const std::bad_alloc&) {
-            pauseAfter("there is not enough memory to go on. Close other programs or fill the part with a larger "
-                       "spacing, then reset.");
+            pauseAfter(Message(
+                "Run", "there is not enough memory to go on. Close other programs or fill the part with a larger "
+                       "spacing, then reset."));
         } catch (const std::exception& error) {
-            pauseAfter(std::string(error.what()) + " Reset, or go to an earlier moment.");
+            pauseAfter(Message("Run", "%1 Reset, or go to an earlier moment.").with(messageOf(error)));
         }
     }
 
     /// The state goes back to the last good one.
-    void pauseAfter(const std::string& cause)
+    void pauseAfter(const Message& cause)
     {
         playing = false;
         try {
@@ -94,7 +95,7 @@ struct SimulationThread::Worker {
             auto shot = std::make_shared<Snapshot>(*latest);
             shot->playing = false;
             shot->requests = carriedOut;
-            shot->health = {false, "The simulation was stopped: " + cause, Trouble::failed};
+            shot->health = {false, Message("Run", "The simulation was stopped: %1").with(cause), Trouble::failed};
             const std::lock_guard lock(mutex);
             latest = shot;
         }

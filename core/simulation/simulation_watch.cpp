@@ -1,12 +1,11 @@
 // What a run is measured by: speeds, energy, equations, tools inside material. Causes and remedies in sentences.
+#include "core/message/number_text.h"
 #include "core/simulation/simulation_state.h"
 #include "core/simulation/surface_overlap.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 namespace knead {
@@ -39,22 +38,15 @@ constexpr double insideDepth = 0.5;
 // Mass scaling that added this share of the mass may be what went wrong.
 constexpr double heavyShare = 0.05;
 
-std::string quoted(const std::string& name)
+Message nameOf(const Body& body)
 {
-    return "\"" + name + "\"";
+    return body.name.empty() ? Message("Run", "the body") : Message::verbatim("\"" + body.name + "\"");
 }
 
-std::string nameOf(const Body& body)
+/// Three digits are plenty in a sentence.
+std::string rounded(double number)
 {
-    return body.name.empty() ? "the body" : quoted(body.name);
-}
-
-/// Three digits, which are plenty in a sentence.
-std::ostringstream sentence()
-{
-    std::ostringstream text;
-    text << std::setprecision(3);
-    return text;
+    return inDigits(number, 3);
 }
 
 /// Speed of the fastest point of a body that moved like a rigid one with its momentum, and about its center [m/s].
@@ -110,7 +102,7 @@ double Simulation::State::fastestSensible(BodyId body) const
 }
 
 /// Empty when no object is too fast.
-std::string Simulation::State::runawayCause() const
+Message Simulation::State::runawayCause() const
 {
     const double speed = largestTravel / lastStep;
     double least = std::numeric_limits<double>::infinity();
@@ -125,17 +117,17 @@ std::string Simulation::State::runawayCause() const
         const double limit = fastestSensible(b);
         if (fastest <= limit)
             continue;
-        std::ostringstream text = sentence();
-        text << "objects of " << nameOf(bodies[b]) << " moved at " << fastest << " m/s, and nothing in the scene makes "
-             << "them faster than " << limit << " m/s. " << remedy() << " or raise the damping ratio, then reset.";
-        return text.str();
+        return Message("Run",
+                       "objects of %1 moved at %2 m/s, and nothing in the scene makes them faster than %3 m/s. %4 or "
+                       "raise the damping ratio, then reset.")
+            .with(nameOf(bodies[b]), rounded(fastest), rounded(limit), remedy());
     }
     return {};
 }
 
 /// Looks at the ledger; empty when no energy worth mention came from nowhere. Two looks in a row must agree, since a blow may
 /// be worse than what comes after it.
-std::string Simulation::State::energyCause()
+Message Simulation::State::energyCause()
 {
     const EnergyLedger now = storedEnergy();
     energy.turnover = now.turnover;
@@ -147,48 +139,42 @@ std::string Simulation::State::energyCause()
     const bool isOverdrawn = now.created() > negligible && now.created() > createdShare * energy.turnover;
     if (!std::exchange(wasOverdrawn, isOverdrawn) || !isOverdrawn)
         return {};
-    std::ostringstream text = sentence();
-    text << now.created() << " J came from nowhere, of " << energy.turnover
-         << " J in the scene: the steps no longer follow the material. " << remedy()
-         << " or raise the damping ratio, then reset.";
-    return text.str();
+    return Message("Run",
+                   "%1 J came from nowhere, of %2 J in the scene: the steps no longer follow the material. %3 or raise "
+                   "the damping ratio, then reset.")
+        .with(rounded(now.created()), rounded(energy.turnover), remedy());
 }
 
 /// Empty as long as most steps could be solved.
-std::string Simulation::State::unsolvedCause() const
+Message Simulation::State::unsolvedCause() const
 {
     if (unsolvedInRow < mostUnsolvedSteps)
         return {};
-    std::ostringstream text = sentence();
-    text << "the equations of " << unsolvedInRow << " steps in a row could not be solved, though the last was only "
-         << lastStep << " s long. " << remedy() << " or raise the damping ratio, then reset.";
-    return text.str();
+    return Message("Run",
+                   "the equations of %1 steps in a row could not be solved, though the last was only %2 s long. %3 or "
+                   "raise the damping ratio, then reset.")
+        .with(unsolvedInRow, rounded(lastStep), remedy());
 }
 
 /// What is most likely wrong, as something to do.
-std::string Simulation::State::remedy() const
+Message Simulation::State::remedy() const
 {
-    std::ostringstream text = sentence();
     const Overlap overlap = deepestTool();
-    if (overlap.depth > 2 * insideDepth * bodies[overlap.body].aggregate->lattice.spacing) {
-        text << "The tool " << quoted(tools[overlap.tool]->manipulator.name) << " is " << 1e3 * overlap.depth
-             << " mm deep in " << nameOf(bodies[overlap.body])
-             << ": let it begin outside and press less far, make it slower";
-        return text.str();
-    }
+    if (overlap.depth > 2 * insideDepth * bodies[overlap.body].aggregate->lattice.spacing)
+        return Message("Run",
+                       "The tool \"%1\" is %2 mm deep in %3: let it begin outside and press less far, make it slower")
+            .with(tools[overlap.tool]->manipulator.name, rounded(1e3 * overlap.depth), nameOf(bodies[overlap.body]));
     double mass = 0;
     for (const auto& run : runs)
         for (const double each : run->state.mass)
             mass += each;
-    if (addedMass > heavyShare * mass) {
-        text << "Choose a shorter time step for mass scaling, which added " << 100 * addedMass / (mass - addedMass)
-             << " % to the mass";
-        return text.str();
-    }
+    if (addedMass > heavyShare * mass)
+        return Message("Run", "Choose a shorter time step for mass scaling, which added %1 % to the mass")
+            .with(rounded(100 * addedMass / (mass - addedMass)));
     const bool hasTools = std::any_of(tools.begin(), tools.end(), [](const auto& tool) { return tool.has_value(); });
-    return hasTools                  ? "Make the tools slower"
-           : gravity != Vec3::Zero() ? "Lower gravity"
-                                     : "Move bodies and fixtures slower";
+    return hasTools                  ? Message("Run", "Make the tools slower")
+           : gravity != Vec3::Zero() ? Message("Run", "Lower gravity")
+                                     : Message("Run", "Move bodies and fixtures slower");
 }
 
 /// Of a surface in a body [m].
@@ -236,11 +222,10 @@ void Simulation::State::noteToolsInside()
     const Overlap overlap = deepestTool();
     if (overlap.depth == 0 || overlap.depth <= insideDepth * bodies[overlap.body].aggregate->lattice.spacing)
         return;
-    std::ostringstream text = sentence();
-    text << "The tool " << quoted(tools[overlap.tool]->manipulator.name) << " begins " << 1e3 * overlap.depth
-         << " mm inside " << nameOf(bodies[overlap.body])
-         << ", which is pushed away with great force, in very short steps. Let it begin outside.";
-    notice = text.str();
+    notice =
+        Message("Run", "The tool \"%1\" begins %2 mm inside %3, which is pushed away with great force, in very short "
+                       "steps. Let it begin outside.")
+            .with(tools[overlap.tool]->manipulator.name, rounded(1e3 * overlap.depth), nameOf(bodies[overlap.body]));
 }
 
 /// Tools that were put into material begin without force, and push it out from here on.

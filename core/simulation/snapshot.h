@@ -2,6 +2,7 @@
 
 #include "core/aggregate/connection_id.h"
 #include "core/mechanics/object_strain.h"
+#include "core/message/message.h"
 #include "core/simulation/pace.h"
 #include "core/simulation/scene.h"
 
@@ -74,7 +75,7 @@ enum class Trouble : std::uint8_t {
 /// Numerical trouble, with its remedy.
 struct Health {
     bool ok = true;
-    std::string message;             ///< a sentence naming the cause and the remedy; empty when ok
+    Message message;                 ///< a sentence naming the cause and the remedy; empty when ok
     Trouble trouble = Trouble::none; ///< for buttons; files keep the message only, and have none
 };
 
@@ -129,7 +130,7 @@ struct Snapshot {
     double stableStep = 0;                                       ///< longest that an explicit scheme could take [s]
     Integrator integrator = Integrator::semiImplicitEuler;       ///< in use; never automatic
     Integrator wantedIntegrator = Integrator::semiImplicitEuler; ///< as chosen
-    std::string integratorReason;                                ///< a sentence on which one is in use and why
+    Message integratorReason;                                    ///< a sentence on which one is in use and why
     Pace pace = Pace::full;                                      ///< of implicit steps
     int solverIterations = 0;                                    ///< of the last implicit step
     std::vector<BodyState> bodies;
@@ -147,7 +148,7 @@ struct Snapshot {
     Vec3 momentum = Vec3::Zero();        ///< [kg m/s]
     Vec3 angularMomentum = Vec3::Zero(); ///< about the origin [kg m^2/s]
     Health health;
-    std::string notice; ///< why the last command was not carried out, or what a person should know of what it did
+    Message notice; ///< why the last command was not carried out, or what a person should know of what it did
     std::size_t objects = 0;
     std::size_t connections = 0;     ///< structural
     std::size_t contacts = 0;        ///< contact connections now

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include "core/message/message.h"
 
 namespace knead {
 
@@ -10,7 +10,7 @@ struct StaticReport {
     double residual = 0; ///< forces that are left, by those that act (2-norms); 1e-7 is converged
     int iterations = 0;  ///< linear systems solved
     int parts = 0;       ///< that the load step was gone in
-    std::string message; ///< a sentence with a remedy; empty when converged
+    Message message;     ///< a sentence with a remedy; empty when converged
 };
 
 } // namespace knead

@@ -2,20 +2,20 @@
 
 #include "core/geometry/half_edges.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/message/message.h"
 #include "core/skin/crack_surface.h"
 #include "core/task/task_control.h"
 
 #include <cstdint>
-#include <stdexcept>
 #include <vector>
 
 namespace knead {
 
 /// Thrown when cracks lie in a plane with the surface, so that nothing can be said of where they cross: with other
 /// numbers for the jitter they will not.
-struct DegenerateCut : std::runtime_error {
+struct DegenerateCut : Problem {
     DegenerateCut()
-        : std::runtime_error("cracks touch the surface without crossing it")
+        : Problem(Message("Filling", "cracks touch the surface without crossing it"))
     {
     }
 };

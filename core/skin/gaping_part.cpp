@@ -3,6 +3,7 @@
 #include "core/aggregate/pieces.h"
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/refine.h"
+#include "core/message/message.h"
 #include "core/skin/fragments.h"
 #include "core/skin/torn_surface.h"
 
@@ -102,8 +103,8 @@ std::optional<PartToExport> gaping(const PartToExport& whole, std::size_t mostTr
     const double gape = gapeOf(torn->mesh, now);
     if (gape < leastGape * spacing)
         return {};
-    char text[160];
-    std::snprintf(text, sizeof text, " is cut into or cracked, but in one piece: it gapes by %.3g mm.", 1e3 * gape);
+    char millimetres[32];
+    std::snprintf(millimetres, sizeof millimetres, "%.3g", 1e3 * gape);
     const auto named = [&](TriangleMesh mesh) {
         PartToExport part{.part = pieceOf(whole.part, std::move(mesh), 1)};
         part.part.name = whole.part.name;
@@ -114,7 +115,8 @@ std::optional<PartToExport> gaping(const PartToExport& whole, std::size_t mostTr
         part.before = {whole.part.volume, static_cast<int>(whole.part.faces.size()), whole.part.edges};
         part.density = whole.density;
         part.remarks = whole.remarks;
-        part.remarks.push_back("\"" + whole.part.name + "\"" + text);
+        part.remarks.push_back(Message("Export", "\"%1\" is cut into or cracked, but in one piece: it gapes by %2 mm.")
+                                   .with(whole.part.name, millimetres));
         return part;
     };
     if (auto slit = keepsFaces && whole.part.exact ? findKnifeSlit(aggregate, *whole.broken) : std::nullopt) {
@@ -126,9 +128,9 @@ std::optional<PartToExport> gaping(const PartToExport& whole, std::size_t mostTr
         return part;
     }
     PartToExport part = named(std::move(now));
-    part.reason = "a cut or crack ends in it, whose sides are no faces of the part.";
+    part.reason = Message("Export", "a cut or crack ends in it, whose sides are no faces of the part.");
     if (whole.relaxed && aggregate.former) {
-        part.remarks.emplace_back("it was filled anew before: its fields are left out.");
+        part.remarks.push_back(Message("Export", "it was filled anew before: its fields are left out."));
     } else if (whole.relaxed) {
         std::vector<ObjectIndex> all(aggregate.size());
         std::iota(all.begin(), all.end(), 0U);

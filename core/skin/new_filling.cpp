@@ -1,12 +1,12 @@
 #include "core/skin/new_filling.h"
 
 #include "core/aggregate/pieces.h"
+#include "core/message/message.h"
 #include "core/skin/carried_cracks.h"
 #include "core/skin/opened_pieces.h"
 #include "core/vicinity/point_grid.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 namespace knead {
@@ -256,7 +256,8 @@ std::shared_ptr<const Aggregate> filledAsOne(const BodyToFill& body, const Refil
 {
     const auto opened = openedState(*body.aggregate, body.displacements, body.broken);
     if (!opened)
-        throw std::runtime_error("what of it has grown together could not be followed back to what was opened.");
+        throw Problem(
+            Message("Filling", "what of it has grown together could not be followed back to what was opened."));
     std::shared_ptr<const ShapeFitting> fitting;
     return refilled(body.surface, opened->aggregate, opened->displacements, manner, fitting, move, control);
 }
@@ -271,7 +272,7 @@ NewFilling newFilling(const BodyToFill& body, double spacing, KnownFittings& fit
     if (wasApart || findPieces(old, body.broken).count > findPieces(old).count) {
         const OpenedPieces apart = openedPieces(old, body.surface, body.broken, body.healed, control);
         if (apart.isUnknown)
-            throw std::runtime_error("its cracks could not be made surfaces.");
+            throw Problem(Message("Filling", "its cracks could not be made surfaces."));
         if (!apart.pieces.empty())
             return fillingOfPieces(body, apart, spacing, fittings, move, control);
     }

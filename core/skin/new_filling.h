@@ -51,7 +51,7 @@ struct KnownFittings {
 /// @param spacing of the new filling [m], > 0
 /// @param fittings of the filling before, or none; afterwards those of this one
 /// @param move what the surface keeps clear of; null: nothing
-/// @throws std::runtime_error, in a sentence, when the shape cannot be filled; Cancelled
+/// @throws Problem when the shape cannot be filled; Cancelled
 NewFilling newFilling(const BodyToFill& body, double spacing, KnownFittings& fittings, const MovePlaces& move = nullptr,
                       TaskControl& control = TaskControl::none());
 

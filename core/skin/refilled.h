@@ -40,7 +40,7 @@ struct RefillManner {
 /// @param fitting of the filling before, or null; afterwards that of this one. It saves time and changes no bit
 /// @param move what the surface keeps clear of; null: nothing
 /// @return with its former shape, never null
-/// @throws std::runtime_error, in a sentence, when the shape cannot be filled; Cancelled
+/// @throws Problem when the shape cannot be filled; Cancelled
 std::shared_ptr<const Aggregate> refilled(const TriangleMesh& surface, const std::shared_ptr<const Aggregate>& present,
                                           std::span<const Vec3> displacements, const RefillManner& manner,
                                           std::shared_ptr<const ShapeFitting>& fitting,

@@ -2,6 +2,7 @@
 
 #include "core/aggregate/pieces.h"
 #include "core/geometry/refine.h"
+#include "core/message/message.h"
 #include "core/skin/carried_fragments.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/fragments.h"
@@ -20,7 +21,7 @@ namespace knead {
 namespace {
 
 /// What a person should know about a part that is cracked and in one piece: where and how far its skin is stretched.
-std::string crackRemark(const PartToExport& part)
+Message crackRemark(const PartToExport& part)
 {
     const Lattice& lattice = part.aggregate->lattice;
     double most = 0;
@@ -35,25 +36,35 @@ std::string crackRemark(const PartToExport& part)
                     (lattice.position(connection.lower) + part.displacements[connection.lower] + 0.5 * (rest + opened));
         }
     }
+    const auto digits = [](double number) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.3g", number);
+        return std::string(text);
+    };
     const std::size_t count = part.broken->size();
-    char text[240];
-    std::snprintf(text, sizeof text,
-                  " is cracked but in one piece: %zu of its connections %s broken, and its skin spans the crack, "
-                  "stretched to %.3g times its length there near (%.3g, %.3g, %.3g) mm.",
-                  count, count == 1 ? "is" : "are", most, where.x(), where.y(), where.z());
-    return "\"" + part.part.name + "\"" + text;
+    const std::string stretch = digits(most);
+    const std::string place = "(" + digits(where.x()) + ", " + digits(where.y()) + ", " + digits(where.z()) + ") mm";
+    return count == 1
+               ? Message("Export", "\"%1\" is cracked but in one piece: 1 of its connections is broken, and its skin "
+                                   "spans the crack, stretched to %2 times its length there near %3.")
+                     .with(part.part.name, stretch, place)
+               : Message("Export", "\"%1\" is cracked but in one piece: %2 of its connections are broken, and its skin "
+                                   "spans the crack, stretched to %3 times its length there near %4.")
+                     .with(part.part.name, count, stretch, place);
 }
 
 /// Of pieces without a shape of their own, so that nobody looks for them in vain.
-void remarkOnDust(std::size_t objects, bool isUncut, std::vector<std::string>& remarks)
+void remarkOnDust(std::size_t objects, bool isUncut, std::vector<Message>& remarks)
 {
     if (isUncut)
-        remarks.push_back("its cracks could not be made into surfaces: other pieces of it are written as one with it; "
-                          "objects in them: " +
-                          std::to_string(objects) + ".");
+        remarks.push_back(Message("Export", "its cracks could not be made into surfaces: other pieces of it are "
+                                            "written as one with it; objects in them: %1.")
+                              .with(objects));
     else if (objects > 0)
-        remarks.push_back("pieces too small for a shape of their own are written as part of it; objects in them: " +
-                          std::to_string(objects) + ".");
+        remarks.push_back(
+            Message("Export",
+                    "pieces too small for a shape of their own are written as part of it; objects in them: %1.")
+                .with(objects));
 }
 
 /// Which fragment each object belongs to.
@@ -69,7 +80,7 @@ std::vector<std::uint32_t> fragmentOfObjects(const Aggregate& aggregate, const s
 
 /// Of cracks that end in a piece: how many of its connections are broken, where that is more than a few.
 void remarkOnCracks(const PartToExport& whole, const std::vector<std::uint32_t>& fragmentOf, std::uint32_t fragment,
-                    std::vector<std::string>& remarks)
+                    std::vector<Message>& remarks)
 {
     constexpr std::ptrdiff_t few = 12;
     const auto within = std::ranges::count_if(*whole.broken, [&](const BrokenConnection& one) {
@@ -77,7 +88,7 @@ void remarkOnCracks(const PartToExport& whole, const std::vector<std::uint32_t>&
     });
     if (within >= few)
         remarks.push_back(
-            "cracks end in it, and its skin spans them; connections broken there: " + std::to_string(within) + ".");
+            Message("Export", "cracks end in it, and its skin spans them; connections broken there: %1.").with(within));
 }
 
 /// What knives went through, a sheet for each two fragments that it parted; none where anything tore.
@@ -146,9 +157,9 @@ std::vector<std::shared_ptr<const PieceCut>> cutsOf(const Aggregate& first,
     return cuts;
 }
 
-std::string tornReason(std::size_t pieces)
+Message tornReason(std::size_t pieces)
 {
-    return "the part is torn; this is one of " + std::to_string(pieces) + " pieces.";
+    return Message("Export", "the part is torn; this is one of %1 pieces.").with(pieces);
 }
 
 /// Of a body that was filled anew, each cut out of the opened part and carried by the former shape and the present objects. Fields,
@@ -197,7 +208,7 @@ std::vector<PartToExport> piecesOfRefilled(const PartToExport& whole, std::size_
         pieces.back().density = whole.density;
         remarkOnDust(from.dust, false, pieces.back().remarks);
         if (whole.relaxed)
-            pieces.back().remarks.emplace_back("it was filled anew before: its fields are left out.");
+            pieces.back().remarks.push_back(Message("Export", "it was filled anew before: its fields are left out."));
     }
     return pieces;
 }
@@ -279,9 +290,8 @@ std::vector<PartToExport> piecesOf(PartToExport& whole, std::size_t mostTriangle
         if (whole.relaxed)
             piece.fields = std::make_shared<const SkinFields>(std::move(now[i].fields));
         if (now[i].isRigid)
-            piece.remarks.emplace_back(
-                "too few of its objects hang together to say how it is deformed: it is written in "
-                "its shape at rest, moved as they have.");
+            piece.remarks.push_back(Message("Export", "too few of its objects hang together to say how it is deformed: "
+                                                      "it is written in its shape at rest, moved as they have."));
         remarkOnDust(fragments[i].dust.size(), fragments[i].isUncut, piece.remarks);
         remarkOnCracks(whole, fragmentOf, static_cast<std::uint32_t>(i), piece.remarks);
         piece.reason = tornReason(fragments.size());

@@ -24,7 +24,7 @@ public:
 /// Thrown by a computation that was asked to stop; nothing has changed.
 struct Cancelled : std::runtime_error {
     Cancelled()
-        : std::runtime_error("cancelled")
+        : std::runtime_error{"cancelled"}
     {
     }
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "io/brep/face_integral.h"
 
 #include <TopTools_DataMapOfShapeShape.hxx>
@@ -19,7 +20,7 @@ struct CadBody {
     TopoDS_Shape shape;                   ///< [mm]
     TopoDS_Shape original;                ///< as the file has it
     TopTools_DataMapOfShapeShape origins; ///< faces that healing made, and the face of the file each stands for
-    std::vector<std::string> repairs;     ///< as Part::repairs
+    std::vector<Message> repairs;         ///< as Part::repairs
     std::optional<bool> isValid;          ///< what the geometry checks say, once they were made
     std::shared_ptr<const BRepCheck_Analyzer> failure; ///< the checks of this shape, when it is known not to pass them
     std::optional<FaceIntegrals> integrals;            ///< over the faces of the shape, once they were made

@@ -1,5 +1,7 @@
 #include "io/brep/exact_shapes.h"
 
+#include "core/message/message.h"
+
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
 #include <Standard_Failure.hxx>
@@ -7,7 +9,6 @@
 #include <TopoDS_Iterator.hxx>
 
 #include <sstream>
-#include <stdexcept>
 
 namespace knead {
 
@@ -33,7 +34,7 @@ std::vector<TopoDS_Shape> shapesFromBytes(std::string_view bytes)
         all.Nullify();
     }
     if (all.IsNull() || all.ShapeType() != TopAbs_COMPOUND)
-        throw std::runtime_error("The exact shapes of the parts cannot be understood; import the file again.");
+        throw Problem(Message("Repair", "The exact shapes of the parts cannot be understood; import the file again."));
     std::vector<TopoDS_Shape> shapes;
     for (TopoDS_Iterator shape(all); shape.More(); shape.Next())
         shapes.push_back(shape.Value());

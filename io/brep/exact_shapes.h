@@ -12,7 +12,7 @@ namespace knead {
 std::string shapesToBytes(const std::vector<TopoDS_Shape>& shapes);
 
 /// The other way, in the same order.
-/// @throws std::runtime_error when they are something else
+/// @throws Problem when they are something else
 std::vector<TopoDS_Shape> shapesFromBytes(std::string_view bytes);
 
 } // namespace knead

@@ -1,5 +1,6 @@
 #include "io/brep/face_sewing.h"
 
+#include "core/message/message.h"
 #include "core/model/number_words.h"
 #include "io/brep/free_edges.h"
 #include "io/brep/millimeter.h"
@@ -52,12 +53,6 @@ double widestGap(const TopoDS_Shape& shape)
     return gap;
 }
 
-std::string gapWords(double gap)
-{
-    constexpr double nothing = 1e-9; // [m]
-    return gap < nothing ? "" : "; the widest gap between two of them is " + lengthWords(gap);
-}
-
 /// Features smaller than the tolerance vanish in sewing; then it is too large.
 bool isAllThere(const CadBody& sewn, const CadBody& before)
 {
@@ -104,11 +99,24 @@ public:
     }
 
 private:
-    std::string sentenceFor(const TopoDS_Shape& shape) const
+    Message sentenceFor(const TopoDS_Shape& shape) const
     {
-        return countOf(static_cast<std::size_t>(m_faces.Extent()), "separate face") +
-               wasOrWere(static_cast<std::size_t>(m_faces.Extent())) + "sewn with a tolerance of " +
-               lengthWords(millimeter * m_tolerance) + gapWords(millimeter * widestGap(shape)) + ".";
+        constexpr double nothing = 1e-9; // [m]
+        const int count = m_faces.Extent();
+        const std::string tolerance = lengthWords(millimeter * m_tolerance);
+        const double gap = millimeter * widestGap(shape);
+        if (gap < nothing)
+            return count == 1 ? Message("Repair", "1 separate face was sewn with a tolerance of %1.").with(tolerance)
+                              : Message("Repair", "%1 separate faces were sewn with a tolerance of %2.")
+                                    .with(count, tolerance);
+        return count == 1
+                   ? Message(
+                         "Repair",
+                         "1 separate face was sewn with a tolerance of %1; the widest gap between two of them is %2.")
+                         .with(tolerance, lengthWords(gap))
+                   : Message("Repair", "%1 separate faces were sewn with a tolerance of %2; the widest gap between two "
+                                       "of them is %3.")
+                         .with(count, tolerance, lengthWords(gap));
     }
 
     CadBody m_body; // with its integrals

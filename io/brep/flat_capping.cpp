@@ -1,6 +1,6 @@
 #include "io/brep/flat_capping.h"
 
-#include "core/model/number_words.h"
+#include "core/message/message.h"
 #include "io/brep/face_sewing.h"
 #include "io/brep/free_edges.h"
 #include "io/brep/shape_measure.h"
@@ -87,9 +87,11 @@ std::optional<CadBody> capped(const CadBody& surface, TaskControl& control)
     const double added = 1 - surface.measured().area / result->measured().area;
     const auto count = static_cast<std::size_t>(borders->Length());
     result->repairs = surface.repairs;
-    result->repairs.push_back(countOf(count, "flat opening") + wasOrWere(count) + "closed with " +
-                              (count == 1 ? "a plane face" : "plane faces") + ", " +
-                              std::to_string(std::lround(100 * added)) + " % of the area.");
+    const long percent = std::lround(100 * added);
+    result->repairs.push_back(
+        count == 1 ? Message("Repair", "1 flat opening was closed with a plane face, %1 % of the area.").with(percent)
+                   : Message("Repair", "%1 flat openings were closed with plane faces, %2 % of the area.")
+                         .with(count, percent));
     return result;
 }
 

@@ -1,6 +1,6 @@
 #include "io/brep/healing.h"
 
-#include "core/model/number_words.h"
+#include "core/message/message.h"
 #include "io/brep/body_check.h"
 #include "io/brep/face_sewing.h"
 #include "io/brep/flat_capping.h"
@@ -158,9 +158,10 @@ std::optional<CadBody> rebuilt(const CadBody& body, const BRepCheck_Analyzer& ch
     if (!result)
         result = attempt([&] { return accepted(body, rebuildAll(body.shape)); });
     if (result)
-        result->repairs.push_back(invalid == 0 ? "Edges that failed the geometry checks were rebuilt."
-                                               : countOf(invalid, "face") + " that failed the geometry checks" +
-                                                     wasOrWere(invalid) + "rebuilt.");
+        result->repairs.push_back(
+            invalid == 0   ? Message("Repair", "Edges that failed the geometry checks were rebuilt.")
+            : invalid == 1 ? Message("Repair", "1 face that failed the geometry checks was rebuilt.")
+                           : Message("Repair", "%1 faces that failed the geometry checks were rebuilt.").with(invalid));
     return result;
 }
 

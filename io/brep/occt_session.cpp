@@ -1,5 +1,7 @@
 #include "io/brep/occt_session.h"
 
+#include "core/message/message.h"
+
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
@@ -23,7 +25,7 @@ std::mutex& occtMutex()
 OcctSession::OcctSession()
     : m_lock(occtMutex())
 {
-    Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
+    ::Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
 }
 
 void guardOcct(const std::string& path, const std::function<void()>& work)
@@ -31,12 +33,14 @@ void guardOcct(const std::string& path, const std::function<void()>& work)
     try {
         work();
     } catch (const Standard_OutOfMemory&) {
-        failReading(path, "the file asks for more memory than there is; it is damaged or far too detailed.");
+        failReading(
+            path, Message("Import", "the file asks for more memory than there is; it is damaged or far too detailed."));
     } catch (const Standard_Failure& failure) {
-        failReading(path, "the CAD reader gave up (" + std::string(failure.DynamicType()->Name()) +
-                              "); the file is damaged, export it again.");
+        failReading(path, Message("Import", "the CAD reader gave up (%1); the file is damaged, export it again.")
+                              .with(failure.DynamicType()->Name()));
     } catch (const std::bad_alloc&) {
-        failReading(path, "the file asks for more memory than there is; it is damaged or far too detailed.");
+        failReading(
+            path, Message("Import", "the file asks for more memory than there is; it is damaged or far too detailed."));
     }
 }
 

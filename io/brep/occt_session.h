@@ -20,7 +20,7 @@ private:
 
 /// Runs work that uses OpenCASCADE and turns its exceptions, which are no std::exception, into sentences about the
 /// file.
-/// @throws std::runtime_error, and whatever else the work throws
+/// @throws Problem, and whatever else the work throws
 void guardOcct(const std::string& path, const std::function<void()>& work);
 
 } // namespace knead

@@ -1,6 +1,6 @@
 #include "io/brep/solid_making.h"
 
-#include "core/model/number_words.h"
+#include "core/message/message.h"
 #include "io/brep/free_edges.h"
 #include "io/brep/shape_measure.h"
 #include "io/document/size_limits.h"
@@ -143,9 +143,12 @@ CadBody solidBody(const std::vector<ClosedShell>& shells, std::size_t outer, con
             ++voids;
         }
     if (turned > 0)
-        body.repairs.push_back(countOf(turned, "shell") + wasOrWere(turned) + "inside out and turned.");
-    body.repairs.push_back("The closed surface was made a solid" +
-                           (voids == 0 ? "." : ", with " + countOf(voids, "void") + " in it."));
+        body.repairs.push_back(turned == 1 ? Message("Repair", "1 shell was inside out and turned.")
+                                           : Message("Repair", "%1 shells were inside out and turned.").with(turned));
+    body.repairs.push_back(
+        voids == 0   ? Message("Repair", "The closed surface was made a solid.")
+        : voids == 1 ? Message("Repair", "The closed surface was made a solid, with 1 void in it.")
+                     : Message("Repair", "The closed surface was made a solid, with %1 voids in it.").with(voids));
     body.shape = solid;
     body.isValid.reset();
     body.failure.reset();

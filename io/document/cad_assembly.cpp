@@ -1,5 +1,6 @@
 #include "io/document/cad_assembly.h"
 
+#include "core/message/message.h"
 #include "core/model/readable_name.h"
 #include "io/formats/step/step_names.h"
 
@@ -124,8 +125,9 @@ private:
     int countParts(const TDF_Label& product, int depth)
     {
         if (depth > deepestAssembly)
-            failReading(m_path, "the assembly is nested more than " + std::to_string(deepestAssembly) +
-                                    " levels deep; export a part of it.");
+            failReading(m_path,
+                        Message("Import", "the assembly is nested more than %1 levels deep; export a part of it.")
+                            .with(deepestAssembly));
         if (const int* known = m_partCounts.Seek(product))
             return *known;
         int count = 0;
@@ -145,8 +147,9 @@ private:
         for (const TDF_Label& root : roots)
             count = std::min(count + countParts(referredBy(root), 0), 2 * mostParts);
         if (count > mostParts)
-            failReading(m_path, "the assembly has more than " + std::to_string(mostParts) +
-                                    " parts; export the parts you need.");
+            failReading(
+                m_path,
+                Message("Import", "the assembly has more than %1 parts; export the parts you need.").with(mostParts));
     }
 
     CadNode fileAsParent() const

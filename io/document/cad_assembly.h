@@ -17,7 +17,7 @@ struct CadAssembly {
 };
 
 /// @param fallbackName for shapes that have no name a person would know
-/// @throws std::runtime_error, in a sentence about `path`, when there are more parts than any program could show.
+/// @throws Problem about `path`, when there are more parts than any program could show.
 CadAssembly readAssembly(const TDocStd_Document& document, const std::string& path, const std::string& fallbackName);
 
 } // namespace knead

@@ -1,5 +1,6 @@
 #include "io/document/cad_document.h"
 
+#include "core/message/message.h"
 #include "core/model/length_units.h"
 #include "core/model/readable_name.h"
 #include "io/brep/occt_progress.h"
@@ -45,7 +46,7 @@ std::string displayUnit(const std::string& name)
     return unit != nullptr ? unit->name : readableName(std::string_view(name));
 }
 
-std::string stepUnit(STEPControl_Reader& reader, const std::string& path, std::vector<std::string>& warnings)
+std::string stepUnit(STEPControl_Reader& reader, const std::string& path, std::vector<Message>& warnings)
 {
     TColStd_SequenceOfAsciiString lengths;
     TColStd_SequenceOfAsciiString angles;
@@ -57,8 +58,9 @@ std::string stepUnit(STEPControl_Reader& reader, const std::string& path, std::v
         if (unit.empty())
             unit = one;
         else if (unit != one)
-            warnings.push_back(shortName(path) + ": the file mixes the length units " + unit + " and " + one +
-                               "; check the sizes of the parts.");
+            warnings.push_back(
+                Message("Import", "%1: the file mixes the length units %2 and %3; check the sizes of the parts.")
+                    .with(shortName(path), unit, one));
     }
     return unit;
 }
@@ -106,8 +108,9 @@ void readStep(const std::string& path, bool onlyShapes, TaskControl& control, Ca
     const StepCheck check = checkStepText(path, checking);
     result.format = check.protocol.empty() ? "STEP" : "STEP " + check.protocol;
     if (check.protocol.empty())
-        result.warnings.push_back(shortName(path) + ": its schema \"" + check.schema +
-                                  "\" is none for CAD parts; check that nothing is missing.");
+        result.warnings.push_back(
+            Message("Import", "%1: its schema \"%2\" is none for CAD parts; check that nothing is missing.")
+                .with(shortName(path), check.schema));
 
     control.report(0.05, "reading the file");
     std::ifstream file(path, std::ios::binary);
@@ -122,29 +125,33 @@ void readStep(const std::string& path, bool onlyShapes, TaskControl& control, Ca
     reader.SetMatMode(false);
     if (reader.ChangeReader().ReadStream(path.c_str(), file) !=
         IFSelect_RetDone) // files are looked for beside the path
-        failReading(path, "the STEP text has errors that the reader cannot get over; export the file again.");
+        failReading(path, Message("Import",
+                                  "the STEP text has errors that the reader cannot get over; export the file again."));
     control.throwIfCancelled();
     const StepPruning pruned = pruneHollowEntities(reader.ChangeReader(), path);
     result.damage = pruned.damage;
     if (!pruned.damage.empty())
-        result.warnings.push_back(shortName(path) + ": " + pruned.damage);
+        result.warnings.push_back(aboutFile(path, pruned.damage));
     if (isCyclic(reader.Reader()))
-        failReading(path, "an assembly in the file holds itself; export the file again, or its parts one by one.");
+        failReading(
+            path,
+            Message("Import", "an assembly in the file holds itself; export the file again, or its parts one by one."));
     if (countUnfoldedParts(reader.Reader(), mostParts) >= mostParts)
-        failReading(path, "the assembly unfolds to more than " + std::to_string(mostParts) +
-                              " parts; export the parts you need.");
+        failReading(path, Message("Import", "the assembly unfolds to more than %1 parts; export the parts you need.")
+                              .with(mostParts));
     result.unit = stepUnit(reader.ChangeReader(), path, result.warnings);
 
     if (onlyShapes) {
         transferShapes(reader.ChangeReader(), control, result);
     } else {
-        if (const std::string missing = checkReferredFiles(reader.Reader(), path, control); !missing.empty())
+        if (const Message missing = checkReferredFiles(reader.Reader(), path, control); !missing.empty())
             result.missing.push_back(missing);
         markNames(reader.Reader());
         if (!transfer(reader, path, control, result)) {
-            const std::string other = otherContent(path);
-            failReading(path,
-                        other.empty() ? "no shape of the STEP file could be made; export the file again." : other);
+            const Message other = otherContent(path);
+            failReading(path, other.empty()
+                                  ? Message("Import", "no shape of the STEP file could be made; export the file again.")
+                                  : other);
         }
     }
     result.names = namesOfStepSolids(reader.Reader());
@@ -172,14 +179,17 @@ void readIges(const std::string& path, TaskControl& control, CadDocument& result
     reader.SetNameMode(true);
     reader.SetLayerMode(true);
     if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-        failReading(path,
-                    "the IGES text has errors that the reader cannot get over; export the file again, best as STEP.");
+        failReading(
+            path,
+            Message("Import",
+                    "the IGES text has errors that the reader cannot get over; export the file again, best as STEP."));
     control.throwIfCancelled();
     result.unit = igesUnit(reader);
 
     keepMembersOnce(reader);
     if (!transfer(reader, path, control, result))
-        failReading(path, "no shape of the IGES file could be made; export the file again, best as STEP.");
+        failReading(path,
+                    Message("Import", "no shape of the IGES file could be made; export the file again, best as STEP."));
     result.names = namesOfIgesSolids(reader);
     joinLooseSurfaces(result);
 }
@@ -195,11 +205,13 @@ void readBrep(const std::string& path, TaskControl& control, CadDocument& result
     try {
         BRepTools::Read(shape, file, BRep_Builder(), progress->Start());
     } catch (const std::ios::failure&) {
-        failReading(path, "the BREP file is cut off or damaged; get it again.");
+        failReading(path, Message("Import", "the BREP file is cut off or damaged; get it again."));
     }
     control.throwIfCancelled();
     if (shape.IsNull())
-        failReading(path, "the BREP file is damaged, or newer than the reader; save it again in an older version.");
+        failReading(path,
+                    Message("Import",
+                            "the BREP file is damaged, or newer than the reader; save it again in an older version."));
     BRepTools::Clean(shape); // triangles stored in the file are of unknown quality
     CadNode leaf;
     leaf.name = result.root.name;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "core/model/part.h"
 #include "core/task/task_control.h"
 #include "io/formats/cad_format.h"
@@ -67,9 +68,9 @@ struct IncompleteShell {
 struct CadDocument {
     std::string format; ///< "STEP AP214"
     std::string unit;   ///< as Model::unit
-    std::vector<std::string> warnings;
-    std::vector<std::string> missing; ///< as Model::missing
-    std::string damage;               ///< that cost parts of it, a sentence; also among the warnings
+    std::vector<Message> warnings;
+    std::vector<Message> missing; ///< as Model::missing
+    Message damage;               ///< that cost parts of it, a sentence; also among the warnings
     std::vector<IncompleteShell> incompleteShells;
     CadNode root;
     ShapeColors colors;
@@ -79,7 +80,7 @@ struct CadDocument {
 
 /// Reads STEP, IGES or BREP. OpenCASCADE keeps global state: call within an OcctSession.
 /// @param onlyShapes see ImportOptions
-/// @throws std::runtime_error, in a sentence. @throws Cancelled
+/// @throws Problem. @throws Cancelled
 CadDocument readCadDocument(const std::string& path, FormatKind kind, bool onlyShapes, TaskControl& control);
 
 } // namespace knead

@@ -1,6 +1,7 @@
 #include "io/document/cad_part.h"
 
 #include "core/geometry/mass_properties.h"
+#include "core/message/message.h"
 #include "core/model/number_words.h"
 #include "io/brep/face_integral.h"
 #include "io/brep/free_edges.h"
@@ -90,15 +91,15 @@ void addSolid(const TopoDS_Shape& body, double volume, const ImportOptions& opti
     part.insideOut = measure.volume < 0;
     if (part.insideOut) {
         if (options.heal)
-            part.repairs.emplace_back("The solid was inside out and has been turned.");
+            part.repairs.push_back(Message("Import", "The solid was inside out and has been turned."));
         else
-            part.warnings.emplace_back("was inside out and has been turned.");
+            part.warnings.push_back(Message("Import", "was inside out and has been turned."));
         for (TriangleMesh::Triangle& triangle : part.mesh.triangles)
             std::swap(triangle[1], triangle[2]);
     }
     if (options.linearDeflection == 0 && measure.disagreement > 1e-3 && measure.isWatertight && part.volume > 0)
-        part.warnings.push_back("has faces that do not meet well: its volume is uncertain by " +
-                                percentWords(measure.disagreement) + ".");
+        part.warnings.push_back(Message("Import", "has faces that do not meet well: its volume is uncertain by %1.")
+                                    .with(percentWords(measure.disagreement)));
 }
 
 /// Faces that the modeler found no triangles for, where that leaves the mesh open.
@@ -115,19 +116,24 @@ void judge(Part& part, std::size_t freeEdges)
 {
     const double diagonal = part.box.isEmpty() ? 0 : part.box.diagonal().norm();
     if (freeEdges > 0) {
-        const std::string borders = describeBorders(freeEdges, part.openEdges);
-        part.warnings.push_back((part.solids == 0 ? "is an open surface: " : "is not closed: ") + borders +
-                                ". It is shown and cannot be filled.");
+        const Message borders = describeBorders(freeEdges, part.openEdges);
+        part.warnings.push_back(
+            part.solids == 0
+                ? Message("Import", "is an open surface: %1. It is shown and cannot be filled.").with(borders)
+                : Message("Import", "is not closed: %1. It is shown and cannot be filled.").with(borders));
     } else if (part.solids == 0) {
-        part.warnings.emplace_back("is a closed surface but no solid; it is shown and cannot be filled.");
+        part.warnings.push_back(
+            Message("Import", "is a closed surface but no solid; it is shown and cannot be filled."));
     } else if (!part.watertight) {
-        part.warnings.emplace_back("could not be covered with a closed net of triangles; it cannot be filled.");
+        part.warnings.push_back(
+            Message("Import", "could not be covered with a closed net of triangles; it cannot be filled."));
     }
     if (!part.valid)
-        part.warnings.emplace_back("does not pass the geometry checks; look at it closely before you trust it.");
+        part.warnings.push_back(
+            Message("Import", "does not pass the geometry checks; look at it closely before you trust it."));
     if (part.maxTolerance > 0.01 * diagonal)
-        part.warnings.push_back("has gaps of up to " + lengthWords(part.maxTolerance) +
-                                ", a hundredth of its size or more.");
+        part.warnings.push_back(Message("Import", "has gaps of up to %1, a hundredth of its size or more.")
+                                    .with(lengthWords(part.maxTolerance)));
 }
 
 } // namespace
@@ -187,8 +193,11 @@ Part makePart(const CadBody& body, const std::optional<Color>& defaultColor, con
             part.mesh = tessellate(shape, start);
         const std::size_t bareFaces = countBareFaces(part);
         if (bareFaces > 0)
-            part.warnings.push_back("has " + std::to_string(bareFaces) + (bareFaces == 1 ? " face" : " faces") +
-                                    " that no triangles could be found for; it is not shown there.");
+            part.warnings.push_back(
+                bareFaces == 1
+                    ? Message("Import", "has 1 face that no triangles could be found for; it is not shown there.")
+                    : Message("Import", "has %1 faces that no triangles could be found for; it is not shown there.")
+                          .with(bareFaces));
         if (!part.mesh.empty() && bareFaces == 0)
             part.box = tightened(part.box, massProperties(part.mesh).box, start.deflection);
         part.openEdges = freeBordersOf(shape);

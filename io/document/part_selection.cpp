@@ -1,5 +1,6 @@
 #include "io/document/part_selection.h"
 
+#include "core/message/message.h"
 #include "io/document/size_limits.h"
 #include "io/formats/cad_format.h"
 
@@ -48,8 +49,11 @@ void PartSelection::finish(const std::string& file, Model& model) const
 {
     for (const Request& request : m_requests)
         if (!request.found)
-            failReading(file, "there is no part or assembly \"" + request.path +
-                                  "\" in it; knead info --json lists the paths of all parts.");
+            failReading(
+                file,
+                Message("Import",
+                        "there is no part or assembly \"%1\" in it; knead info --json lists the paths of all parts.")
+                    .with(request.path));
     if (!m_requests.empty())
         removeEmptyNodes(model.tree);
 }

@@ -21,7 +21,7 @@ public:
     bool mayWant(const std::string& assembly, const std::string& leaf) const;
 
     /// To be called after all parts of the file have been asked for: takes nodes without parts out of the tree.
-    /// @throws std::runtime_error, in a sentence about `file`, when a path that was given is none in it
+    /// @throws Problem about `file`, when a path that was given is none in it
     void finish(const std::string& file, Model& model) const;
 
 private:

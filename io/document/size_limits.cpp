@@ -1,6 +1,7 @@
 #include "io/document/size_limits.h"
 
 #include "core/geometry/mass_properties.h"
+#include "core/message/message.h"
 #include "core/model/number_words.h"
 #include "io/formats/cad_format.h"
 
@@ -46,31 +47,32 @@ bool isWithinReach(const Box& box)
            box.min().cwiseAbs().maxCoeff() <= farthest && box.max().cwiseAbs().maxCoeff() <= farthest;
 }
 
-std::optional<std::string> sicknessOf(const Part& part)
+std::optional<Message> sicknessOf(const Part& part)
 {
     const double size = part.box.isEmpty() ? 0 : part.box.diagonal().norm();
     if (part.box.isEmpty() || !(size < endless) || !std::isfinite(part.volume) || !std::isfinite(part.area))
-        return "it has no finite size: numbers in it are damaged, or its edges are smaller than 0.1 um and lost; check "
-               "the length unit";
+        return Message("Import", "it has no finite size: numbers in it are damaged, or its edges are smaller than 0.1 "
+                                 "um and lost; check the length unit");
     if (!isWithinReach(part.box))
-        return "it reaches farther than 100 km from the origin; check the length unit and the position";
+        return Message("Import",
+                       "it reaches farther than 100 km from the origin; check the length unit and the position");
     if (hasTrianglesFarOutside(part))
-        return "its faces lead far away from their edges: numbers in it are damaged";
+        return Message("Import", "its faces lead far away from their edges: numbers in it are damaged");
     if (size < smallestSize)
-        return "it is smaller than a micrometre; check the length unit";
+        return Message("Import", "it is smaller than a micrometre; check the length unit");
     if (part.maxTolerance > widestGapShare * size)
-        return "its faces and edges are up to " + lengthWords(part.maxTolerance) + " apart, at a size of " +
-               lengthWords(size);
+        return Message("Import", "its faces and edges are up to %1 apart, at a size of %2")
+            .with(lengthWords(part.maxTolerance), lengthWords(size));
     const double leastVolume = leastVolumeShare * std::pow(size, 3);
     const bool isFlat = part.watertight && !(massProperties(part.mesh).volume > leastVolume);
     if (part.solids > 0 && part.openEdges.empty() && (part.volume <= leastVolume || isFlat))
-        return "the solid has no volume";
+        return Message("Import", "the solid has no volume");
     return std::nullopt;
 }
 
-std::string leftOut(const std::string& partName, const std::string& reason)
+Message leftOut(const std::string& partName, const Message& reason)
 {
-    return "\"" + partName + "\" was left out: " + reason + ".";
+    return Message("Import", "\"%1\" was left out: %2.").with(partName, reason);
 }
 
 void leaveOutSickParts(Model& model)
@@ -78,7 +80,7 @@ void leaveOutSickParts(Model& model)
     std::vector<std::optional<std::size_t>> numbers;
     std::vector<Part> sound;
     for (Part& part : model.parts)
-        if (const std::optional<std::string> sickness = sicknessOf(part)) {
+        if (const std::optional<Message> sickness = sicknessOf(part)) {
             model.missing.push_back(leftOut(part.name, *sickness));
             numbers.emplace_back();
         } else {
@@ -106,11 +108,12 @@ void checkAnyPart(const std::string& path, const Model& model)
     if (!model.parts.empty())
         return;
     if (model.missing.empty())
-        failReading(path, "the file holds no solid and no surface; export the part as a solid.");
+        failReading(path, Message("Import", "the file holds no solid and no surface; export the part as a solid."));
     if (model.missing.size() == 1)
         failReading(path, model.missing.front());
-    failReading(path, model.missing.front() + " Of " + std::to_string(model.missing.size()) +
-                          " parts like that none is left.");
+    failReading(
+        path,
+        Message("Import", "%1 Of %2 parts like that none is left.").with(model.missing.front(), model.missing.size()));
 }
 
 } // namespace knead

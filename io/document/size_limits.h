@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "core/model/part.h"
 
 #include <optional>
@@ -13,10 +14,10 @@ constexpr double leastVolumeShare = 1e-9; ///< of the cube of the size; a solid 
 bool isWithinReach(const Box& box);
 
 /// Why a part is of no use: "it has no volume". Nothing for a sound part.
-std::optional<std::string> sicknessOf(const Part& part);
+std::optional<Message> sicknessOf(const Part& part);
 
 /// What Model::missing says about a part that was left out.
-std::string leftOut(const std::string& partName, const std::string& reason);
+Message leftOut(const std::string& partName, const Message& reason);
 
 /// Takes the parts that are of no use out of a model, and says so in Model::missing.
 void leaveOutSickParts(Model& model);
@@ -24,7 +25,7 @@ void leaveOutSickParts(Model& model);
 /// Takes nodes without parts out of a tree.
 void removeEmptyNodes(PartNode& node);
 
-/// @throws std::runtime_error, in a sentence about `path` that says what is missing, when no part is left.
+/// @throws Problem about `path` that says what is missing, when no part is left.
 void checkAnyPart(const std::string& path, const Model& model);
 
 } // namespace knead

@@ -1,5 +1,6 @@
 #include "io/document/unit_remark.h"
 
+#include "core/message/message.h"
 #include "core/model/length_units.h"
 #include "io/formats/cad_format.h"
 
@@ -50,10 +51,11 @@ std::optional<UnitRemark> unitRemark(const Model& model)
         const double instead = length * unit.metres / taken->metres;
         if (!likely.holds(instead))
             continue;
-        const bool isOne = model.parts.size() == 1;
-        return UnitRemark{shortName(model.file) + (isOne ? ": the part is " : ": the parts together are ") +
-                              spoken(length) + " long; if " + (isOne ? "its" : "their") + " lengths are " +
-                              unit.plural + ", " + (isOne ? "it is " : "they are ") + spoken(instead) + ".",
+        const Message sentence =
+            model.parts.size() == 1
+                ? Message("Unit", "%1: the part is %2 long; if its lengths are %3, it is %4.")
+                : Message("Unit", "%1: the parts together are %2 long; if their lengths are %3, they are %4.");
+        return UnitRemark{sentence.with(shortName(model.file), spoken(length), unit.plural, spoken(instead)),
                           unit.name};
     }
     return std::nullopt;

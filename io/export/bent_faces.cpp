@@ -1,5 +1,6 @@
 #include "io/export/bent_faces.h"
 
+#include "core/message/message.h"
 #include "io/brep/face_integral.h"
 #include "io/export/divided_shape.h"
 #include "io/export/face_order.h"
@@ -21,28 +22,28 @@ constexpr double leastSide =
     1.0 / 150; // of the size, to which their triangles are divided however short the map's features are
 
 /// Why the faces of a shape cannot be used; empty when they can.
-std::string whyNot(const MorphedShape& shape)
+Message whyNot(const MorphedShape& shape)
 {
     const auto isFailed = [](const MorphedFaceNote& note) { return note.kind == MorphedFaceKind::failed; };
     const auto failed = std::count_if(shape.notes.begin(), shape.notes.end(), isFailed);
     if (failed > 0) {
         const auto first = std::find_if(shape.notes.begin(), shape.notes.end(), isFailed);
-        return std::to_string(failed) + " of its faces could not be carried along: " + first->problem + ".";
+        return Message("Export", "%1 of its faces could not be carried along: %2.").with(failed, first->problem);
     }
     if (!shape.isValid)
-        return "its faces do not fit together any more as they are bent now.";
+        return Message("Export", "its faces do not fit together any more as they are bent now.");
     return {};
 }
 
-/// "faces 3, 7, 12"
-std::string facesInWords(const std::set<std::uint32_t>& faces)
+/// "3, 7, 12"
+std::string numbersOf(const std::set<std::uint32_t>& faces)
 {
     constexpr std::size_t mostNamed = 8;
-    std::string words = faces.size() == 1 ? "face" : "faces";
+    std::string words;
     std::size_t named = 0;
     for (const std::uint32_t face : faces)
         if (++named <= mostNamed)
-            words += (named == 1 ? " " : ", ") + std::to_string(face);
+            words += (named == 1 ? "" : ", ") + std::to_string(face);
     return faces.size() > mostNamed ? words + ", ..." : words;
 }
 
@@ -63,7 +64,7 @@ void setColorsByOrigin(const Part& part, ReadyPart& ready)
 /// What came of bending faces.
 struct Bent {
     bool isDone = false;
-    std::string reason;                ///< why they cannot be used
+    Message reason;                    ///< why they cannot be used
     std::vector<std::uint32_t> faulty; ///< those of the source because of which, as far as known
 };
 
@@ -77,7 +78,7 @@ public:
     }
 
     /// @return as bendFaces()
-    std::string run(const FaceChoice& choice, TaskControl& control)
+    Message run(const FaceChoice& choice, TaskControl& control)
     {
         m_firstFace = choice.firstFace;
         // What cannot be divided is better smooth and misread by some than flat.
@@ -135,9 +136,12 @@ private:
         m_ready.manner = FaceManner::divided;
         m_ready.next = FaceManner::flat;
         setFaceColors(m_part.part, divided.origin, m_ready.out);
-        m_ready.report.remarks.push_back(std::to_string(added) + (added == 1 ? " face was" : " faces were") +
-                                         " added: those that close in themselves came in two, which other programs "
-                                         "read more surely.");
+        m_ready.report.remarks.push_back(added == 1
+                                             ? Message("Export", "1 face was added: those that close in themselves "
+                                                                 "came in two, which other programs read more surely.")
+                                             : Message("Export", "%1 faces were added: those that close in themselves "
+                                                                 "came in two, which other programs read more surely.")
+                                                   .with(added));
         return true;
     }
 
@@ -157,7 +161,7 @@ private:
             .mostFlat = mostFacets,
         };
         MorphedShape morphed = morphShape(m_ready.source, *m_ready.map, options, control);
-        if (const std::string reason = whyNot(morphed); !reason.empty())
+        if (const Message reason = whyNot(morphed); !reason.empty())
             return {false, reason, morphed.faulty};
         report.keptFaces =
             static_cast<int>(std::count_if(morphed.notes.begin(), morphed.notes.end(), [](const MorphedFaceNote& note) {
@@ -217,7 +221,7 @@ private:
                     faces.insert(other);
     }
 
-    void tellOfFlatFaces(const std::set<std::uint32_t>& flat, const std::string& why)
+    void tellOfFlatFaces(const std::set<std::uint32_t>& flat, const Message& why)
     {
         std::set<std::uint32_t> ofPart;
         for (const std::uint32_t face : flat)
@@ -226,9 +230,11 @@ private:
         report.flatFaces = static_cast<int>(ofPart.size());
         report.flatTolerance = flatTolerance();
         report.reason = why;
-        report.remarks.push_back("\"" + report.name + "\": " + facesInWords(ofPart) +
-                                 (ofPart.size() == 1 ? " is" : " are") +
-                                 " made of flat triangles; its other faces are smooth.");
+        report.remarks.push_back(
+            (ofPart.size() == 1
+                 ? Message("Export", "\"%1\": face %2 is made of flat triangles; its other faces are smooth.")
+                 : Message("Export", "\"%1\": faces %2 are made of flat triangles; its other faces are smooth."))
+                .with(report.name, numbersOf(ofPart)));
         setColorsByOrigin(m_part.part, m_ready);
         m_ready.next = FaceManner::flat;
     }
@@ -240,7 +246,7 @@ private:
 
 } // namespace
 
-std::string bendFaces(const PartToExport& part, const FaceChoice& choice, TaskControl& control, ReadyPart& ready)
+Message bendFaces(const PartToExport& part, const FaceChoice& choice, TaskControl& control, ReadyPart& ready)
 {
     return FaceBender(part, ready).run(choice, control);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "io/export/exact_part.h"
 
 #include <cstddef>
@@ -17,7 +18,7 @@ inline constexpr std::size_t mostFacets = 60'000;    ///< of a part: more than C
 /// needed, or some of them as triangles where nothing else goes.
 /// @return why they make no solid, a sentence; empty when `ready` has one
 /// @throws Cancelled
-std::string bendFaces(const PartToExport& part, const FaceChoice& choice, TaskControl& control, ReadyPart& ready);
+Message bendFaces(const PartToExport& part, const FaceChoice& choice, TaskControl& control, ReadyPart& ready);
 
 /// The part of a skin that triangles among smooth faces stand for.
 /// @param skin numbered by the faces of the part

@@ -1,6 +1,7 @@
 #include "io/export/deviation.h"
 
 #include "core/geometry/surface_distance.h"
+#include "core/message/message.h"
 #include "io/morph/millimetre_map.h"
 #include "io/morph/trimmed_face.h"
 
@@ -96,6 +97,13 @@ private:
     int m_fruitless = 0;
 };
 
+std::string threeDigits(double number)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", number);
+    return text;
+}
+
 /// Names the faces that are farther off than was allowed, numbered from 0 as in recipes.
 /// @param ofFaces how far each is off [m]
 void noteMisses(const std::vector<double>& ofFaces, PartExportReport& report)
@@ -107,21 +115,25 @@ void noteMisses(const std::vector<double>& ofFaces, PartExportReport& report)
         if (ofFaces[i] <= report.tolerance)
             continue;
         if (count++ < mostNamed)
-            numbers += (count == 1 ? " " : ", ") + std::to_string(i);
+            numbers += (count == 1 ? "" : ", ") + std::to_string(i);
     }
     if (count == 0)
         return;
     const auto worst = std::max_element(ofFaces.begin(), ofFaces.end());
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  " not come as close to the skin as was aimed at, %.3g mm; face %td is %.3g mm off.",
-                  1e3 * report.tolerance, worst - ofFaces.begin(), 1e3 * *worst);
-    report.remarks.push_back("\"" + report.name + "\": " + (count == 1 ? "face" : std::to_string(count) + " faces,") +
-                             numbers +
-                             (count > mostNamed ? ", ...,"
-                              : count > 1       ? ","
-                                                : "") +
-                             (count == 1 ? " does" : " do") + text);
+    const std::string allowed = threeDigits(1e3 * report.tolerance);
+    const std::string off = threeDigits(1e3 * *worst);
+    if (count == 1)
+        report.remarks.push_back(
+            Message("Export",
+                    "\"%1\": face %2 does not come as close to the skin as was aimed at, %3 mm; face %4 is %5 mm off.")
+                .with(report.name, numbers, allowed, worst - ofFaces.begin(), off));
+    else
+        report.remarks.push_back(
+            Message(
+                "Export",
+                "\"%1\": %2 faces, %3, do not come as close to the skin as was aimed at, %4 mm; face %5 is %6 mm off.")
+                .with(report.name, count, count > mostNamed ? numbers + ", ..." : numbers, allowed,
+                      worst - ofFaces.begin(), off));
 }
 
 /// Measures how far the faces that were read back are from where the map takes those of the source.

@@ -2,6 +2,7 @@
 
 #include "core/geometry/mass_properties.h"
 #include "core/geometry/refine.h"
+#include "core/message/message.h"
 #include "core/skin/former_shape.h"
 #include "core/skin/skin_map.h"
 #include "io/brep/face_integral.h"
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <stdexcept>
 
 namespace knead {
 
@@ -89,8 +89,10 @@ TriangleMesh facetsOf(const PartToExport& part, const SmoothMap& map, const Topo
     }
     TriangleMesh facets = carried(map, refined(part, rest, wantedFacets));
     if (facets.triangles.size() > mostFacets)
-        throw std::runtime_error("\"" + part.part.name + "\" would need " + std::to_string(facets.triangles.size()) +
-                                 " flat faces, more than CAD programs can work with; export it as a mesh.");
+        throw Problem(
+            Message("Export",
+                    "\"%1\" would need %2 flat faces, more than CAD programs can work with; export it as a mesh.")
+                .with(part.part.name, facets.triangles.size()));
     return facets;
 }
 
@@ -104,7 +106,7 @@ TopoDS_Shape inMillimetres(const TopoDS_Shape& shape, double unit)
     return BRepBuilderAPI_Transform(shape, scale, true).Shape();
 }
 
-void makeFaceted(const PartToExport& part, const std::string& reason, ReadyPart& ready)
+void makeFaceted(const PartToExport& part, const Message& reason, ReadyPart& ready)
 {
     ready.next.reset();
     const FacetedSolid solid =
@@ -176,10 +178,14 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
     control.throwIfCancelled();
 
     if (shape.IsNull() && !part.part.watertight)
-        throw std::runtime_error("\"" + part.part.name +
-                                 "\" is an open mesh, which CAD files cannot hold; hide it, or " + "export as a mesh.");
+        throw Problem(
+            Message("Export", "\"%1\" is an open mesh, which CAD files cannot hold; hide it, or export as a mesh.")
+                .with(part.part.name));
     if (shape.IsNull()) {
-        makeFaceted(part, part.reason.empty() ? "it came as a mesh, which has no smooth faces." : part.reason, ready);
+        makeFaceted(part,
+                    part.reason.empty() ? Message("Export", "it came as a mesh, which has no smooth faces.")
+                                        : part.reason,
+                    ready);
         ready.skin = std::move(now);
         return ready;
     }
@@ -197,7 +203,7 @@ ReadyPart makeReadyAsIs(const PartToExport& part, const TopoDS_Shape& shape, con
     }
     noteCrossings(*ready.map, {&part.part.mesh, &rest}, now, control, report);
     TaskPortion bending(control, 0.2, 1);
-    if (const std::string reason = bendFaces(part, choice, bending, ready); !reason.empty())
+    if (const Message reason = bendFaces(part, choice, bending, ready); !reason.empty())
         makeFaceted(part, reason, ready);
     noteFold(rest, now, report);
     if (report.form == PartExportReport::Form::faceted)
@@ -221,7 +227,7 @@ ReadyPart makeReady(const PartToExport& part, const TopoDS_Shape& shape, const E
             return makeReadyAsIs(piece, cut->shape, options, choice, control);
     }
     PartToExport flat = part;
-    flat.reason = "its faces could not be cut where the knife went.";
+    flat.reason = Message("Export", "its faces could not be cut where the knife went.");
     return makeReadyAsIs(flat, {}, options, choice, control);
 }
 

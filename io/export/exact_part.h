@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "core/model/export_job.h"
 #include "core/model/export_report.h"
 #include "core/task/task_control.h"
@@ -24,7 +25,7 @@ enum class FaceManner {
 /// What to begin with.
 struct FaceChoice {
     FaceManner from = FaceManner::own; ///< what comes before did not come back sound
-    std::string reason;                ///< why they do not: a sentence; empty for `own`
+    Message reason;                    ///< why they do not: a sentence; empty for `own`
     std::vector<std::uint32_t> flat;   ///< faces of that manner that are to be triangles among smooth ones
 
     /// Faces of the manner before that did not come back fit, should there be none of this manner.

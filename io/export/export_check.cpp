@@ -1,5 +1,6 @@
 #include "io/export/export_check.h"
 
+#include "core/message/message.h"
 #include "io/brep/exact_shapes.h"
 #include "io/brep/free_edges.h"
 #include "io/brep/shape_measure.h"
@@ -111,7 +112,7 @@ void compare(ReadyPart& written, const std::vector<const Part*>& backs, const To
         report.colorsKept = report.colorsKept && (backs.size() > 1 || keepsColors(written.out, *back));
     }
     if (written.cameBackInsideOut)
-        report.remarks.emplace_back("other programs may read it inside out, as it came back here.");
+        report.remarks.push_back(Message("Export", "other programs may read it inside out, as it came back here."));
     if (report.form == PartExportReport::Form::faceted)
         measureFlatDeviation(written.skin, backs, report);
     if (written.source.IsNull() || backs.empty())
@@ -119,7 +120,7 @@ void compare(ReadyPart& written, const std::vector<const Part*>& backs, const To
     const std::vector<double> misses = measureDeviation(written, shape, report);
     if (report.flatFaces > 0 && !measurePatches(written, backs, report)) {
         report.valid = false;
-        report.remarks.emplace_back("its faces were not found again as they were written.");
+        report.remarks.push_back(Message("Export", "its faces were not found again as they were written."));
     }
     if (written.next && !report.isFit())
         written.misfits = misfitsOf(written, misses, shape);
@@ -128,15 +129,16 @@ void compare(ReadyPart& written, const std::vector<const Part*>& backs, const To
     report.smoothEdges = edges.count;
     report.largestKink = edges.largestAngle;
     if (edges.largestAngle > largestKinkOfSoundParts)
-        report.remarks.push_back("faces that met smoothly now meet at an angle near " + placeWords(1e-3 * edges.where) +
-                                 "; a smaller tolerance may help.");
+        report.remarks.push_back(
+            Message("Export", "faces that met smoothly now meet at an angle near %1; a smaller tolerance may help.")
+                .with(placeWords(1e-3 * edges.where)));
 }
 
 } // namespace
 
-std::vector<std::string> checkWritten(std::vector<ReadyPart>& written, const Model& model, TaskControl& control)
+std::vector<Message> checkWritten(std::vector<ReadyPart>& written, const Model& model, TaskControl& control)
 {
-    std::vector<std::string> warnings = model.missing;
+    std::vector<Message> warnings = model.missing;
     std::vector<TopoDS_Shape> shapes;
     if (!model.parts.empty() && model.parts.front().exact)
         shapes = shapesFromBytes(*model.parts.front().exact->bytes);
@@ -157,8 +159,8 @@ std::vector<std::string> checkWritten(std::vector<ReadyPart>& written, const Mod
         compare(written[i], backs, asOne(ofParts));
     }
     if (next != model.parts.size())
-        warnings.push_back("The file holds " + std::to_string(model.parts.size()) + " parts where " +
-                           std::to_string(next) + " were written.");
+        warnings.push_back(
+            Message("Export", "The file holds %1 parts where %2 were written.").with(model.parts.size(), next));
     return warnings;
 }
 

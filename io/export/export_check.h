@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "io/export/exact_part.h"
 
 #include <vector>
@@ -13,6 +14,6 @@ inline constexpr double roughFaces = 20;
 /// @param written in the order of the tree
 /// @param model what reading gave, with its exact shapes
 /// @return sentences about what does not belong to one part
-std::vector<std::string> checkWritten(std::vector<ReadyPart>& written, const Model& model, TaskControl& control);
+std::vector<Message> checkWritten(std::vector<ReadyPart>& written, const Model& model, TaskControl& control);
 
 } // namespace knead

@@ -1,5 +1,6 @@
 #include "io/export/exporter.h"
 
+#include "core/message/message.h"
 #include "io/brep/exact_shapes.h"
 #include "io/brep/occt_session.h"
 #include "io/export/exact_part.h"
@@ -34,7 +35,7 @@ public:
         if (isNew)
             found->second = shapesFromBytes(*part.exact->bytes);
         if (part.exact->number >= found->second.size())
-            throw std::runtime_error("The exact shapes of the parts are not complete; import the file again.");
+            throw Problem(Message("Export", "The exact shapes of the parts are not complete; import the file again."));
         return found->second[part.exact->number];
     }
 
@@ -163,32 +164,31 @@ bool isSpoilt(const PartToExport& part, const PartExportReport& report)
 
 /// Why bent faces are not good enough.
 /// @pre they are not fit
-std::string whyUnfit(const PartExportReport& report, const Outcome& outcome)
+Message whyUnfit(const PartExportReport& report, const Outcome& outcome)
 {
+    const auto digits = [](const char* format, double number) {
+        char text[32];
+        std::snprintf(text, sizeof text, format, number);
+        return std::string(text);
+    };
     if (report.facesAfter == 0)
-        return "its bent faces were not found again in the file when that was read back.";
-    const std::string bent = "read back from the file, its bent faces ";
+        return Message("Export", "its bent faces were not found again in the file when that was read back.");
     if (outcome.cameBackInsideOut)
-        return bent + "are inside out.";
+        return Message("Export", "read back from the file, its bent faces are inside out.");
     if (!report.valid)
-        return bent + "do not pass the geometry checks.";
+        return Message("Export", "read back from the file, its bent faces do not pass the geometry checks.");
     if (!report.closed || report.freeEdges > 0)
-        return bent + "leave gaps.";
-    char text[120];
-    if (report.largestFlatDeviation > report.flatTolerance) {
-        std::snprintf(
-            text, sizeof text,
-            "read back from the file, its flat faces are up to %.3g mm off the skin where %.3g mm are allowed.",
-            1e3 * report.largestFlatDeviation, 1e3 * report.flatTolerance);
-        return text;
-    }
+        return Message("Export", "read back from the file, its bent faces leave gaps.");
+    if (report.largestFlatDeviation > report.flatTolerance)
+        return Message("Export",
+                       "read back from the file, its flat faces are up to %1 mm off the skin where %2 mm are allowed.")
+            .with(digits("%.3g", 1e3 * report.largestFlatDeviation), digits("%.3g", 1e3 * report.flatTolerance));
     if (report.largestDeviation > report.tolerance)
-        std::snprintf(text, sizeof text, "are up to %.3g mm off the skin where %.3g mm are allowed.",
-                      1e3 * report.largestDeviation, 1e3 * report.tolerance);
-    else
-        std::snprintf(text, sizeof text, "enclose a volume %.2g %% off that of the skin.",
-                      100 * std::abs(report.volumeError()));
-    return bent + text;
+        return Message("Export",
+                       "read back from the file, its bent faces are up to %1 mm off the skin where %2 mm are allowed.")
+            .with(digits("%.3g", 1e3 * report.largestDeviation), digits("%.3g", 1e3 * report.tolerance));
+    return Message("Export", "read back from the file, its bent faces enclose a volume %1 % off that of the skin.")
+        .with(digits("%.2g", 100 * std::abs(report.volumeError())));
 }
 
 /// Whether other faces would be better than those that came back: flat ones leave no gaps, and divided ones may meet where
@@ -232,7 +232,7 @@ bool choose(const ExportJob& job, const Attempt& last, Choices& choices)
 ExportedFile exportCad(FormatKind kind, const ExportJob& job, TaskControl& control)
 {
     if (job.parts.empty())
-        throw std::runtime_error("There is nothing to export.");
+        throw Problem(Message("Export", "There is nothing to export."));
     const auto start = std::chrono::steady_clock::now();
     Choices choices(job.parts.size());
     TaskPortion first(control, 0, 0.8);
@@ -245,7 +245,7 @@ ExportedFile exportCad(FormatKind kind, const ExportJob& job, TaskControl& contr
             throw;
         } catch (const std::runtime_error& error) {
             // Too many flat faces: better what there is, with what is wrong with it.
-            attempt.file.report.warnings.emplace_back(error.what());
+            attempt.file.report.warnings.push_back(messageOf(error));
             break;
         }
     }

@@ -17,7 +17,7 @@ struct ExportedFile {
 
 /// Writes the parts of a job as STEP, IGES or BREP, reads that back and compares. Takes the OpenCASCADE lock; may crash where
 /// OpenCASCADE does, see isolated_export.h.
-/// @throws std::runtime_error, in a sentence. @throws Cancelled
+/// @throws Problem. @throws Cancelled
 ExportedFile exportCad(FormatKind kind, const ExportJob& job, TaskControl& control);
 
 } // namespace knead

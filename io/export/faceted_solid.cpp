@@ -2,6 +2,7 @@
 
 #include "core/geometry/disjoint_sets.h"
 #include "core/geometry/flat_faces.h"
+#include "core/message/message.h"
 #include "io/morph/millimetre_map.h"
 
 #include <BRepCheck_Analyzer.hxx>
@@ -23,7 +24,6 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -167,7 +167,7 @@ TopoDS_Shape solidsOf(const std::vector<FacetShell>& shells)
             solids.emplace_back(solid, &shell);
         }
     if (solids.empty())
-        throw std::runtime_error("The surface bounds no volume.");
+        throw Problem(Message("Export", "The surface bounds no volume."));
     for (const FacetShell& shell : shells) {
         if (shell.volume >= 0)
             continue;

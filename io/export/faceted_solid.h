@@ -21,7 +21,7 @@ struct FacetedSolid {
 /// voids. For what smooth faces cannot describe. Triangles in one plane become one face where that gives a valid solid.
 /// @param mesh closed, outward [m]; triangles that are shorter than a point are left out
 /// @param flatness how far vertices may be off a face of several triangles [m]
-/// @throws std::runtime_error, when the mesh bounds no volume
+/// @throws Problem, when the mesh bounds no volume
 FacetedSolid facetedSolid(const TriangleMesh& mesh, double flatness = 0);
 
 } // namespace knead

@@ -1,14 +1,16 @@
 #include "io/export/job_file.h"
 
+#include "core/message/message.h"
 #include "core/skin/former_shape.h"
 #include "io/files/byte_blocks.h"
+#include "io/json/message_json.h"
 #include "io/project/aggregate_bytes.h"
 #include "io/worker/model_file.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
-#include <stdexcept>
 
 namespace knead {
 
@@ -95,8 +97,8 @@ Json toJson(const PartExportReport& part)
 {
     return {{"name", part.name},
             {"form", formNames().at(part.form)},
-            {"reason", part.reason},
-            {"remarks", part.remarks},
+            {"reason", toJson(part.reason)},
+            {"remarks", toJson(part.remarks)},
             {"sound", part.isSound()},
             {"solids", {{"before", part.solidsBefore}, {"after", part.solidsAfter}}},
             {"faces", {{"before", part.facesBefore}, {"after", part.facesAfter}, {"kept", part.keptFaces}}},
@@ -129,8 +131,8 @@ PartExportReport partFrom(const Json& json)
     for (const auto& [form, name] : formNames())
         if (json.at("form") == name)
             part.form = form;
-    part.reason = json.at("reason").get<std::string>();
-    part.remarks = json.at("remarks").get<std::vector<std::string>>();
+    part.reason = messageFrom(json.at("reason"));
+    part.remarks = messagesFrom(json.at("remarks"));
     part.solidsBefore = json.at("solids").at("before").get<int>();
     part.solidsAfter = json.at("solids").at("after").get<int>();
     part.facesBefore = json.at("faces").at("before").get<int>();
@@ -164,6 +166,26 @@ PartExportReport partFrom(const Json& json)
     return part;
 }
 
+std::string documentOf(const ExportReport& report)
+{
+    Json json{{"file", report.file},
+              {"format", report.format},
+              {"unit", report.unit},
+              {"bytes", report.bytes},
+              {"seconds", report.seconds},
+              {"sound", report.isSound()},
+              {"warnings", toJson(report.warnings)},
+              {"parts", Json::array()}};
+    for (const PartExportReport& part : report.parts)
+        json["parts"].push_back(toJson(part));
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void sayInEnglish(Message& sentence)
+{
+    sentence = Message::verbatim(sentence.english());
+}
+
 void addSlit(const KnifeSlit& slit, BlockWriter& blocks)
 {
     blocks.add(std::vector<Vec3>{slit.origin, slit.opening, slit.along});
@@ -176,7 +198,7 @@ KnifeSlit nextSlit(BlockReader& blocks)
     const auto frame = blocks.nextArray<Vec3>();
     const auto numbers = blocks.nextArray<double>();
     if (frame.size() != 3 || numbers.size() != 4)
-        throw std::runtime_error("export job: a slit is not whole");
+        throw Problem(Message::verbatim("export job: a slit is not whole"));
     return {.origin = frame[0],
             .opening = frame[1],
             .along = frame[2],
@@ -198,8 +220,8 @@ std::string jobToBytes(const ExportJob& job)
     for (const PartToExport& part : job.parts) {
         model.parts.push_back(part.part);
         parts.push_back({{"density", part.density},
-                         {"reason", part.reason},
-                         {"remarks", part.remarks},
+                         {"reason", toJson(part.reason)},
+                         {"remarks", toJson(part.remarks)},
                          {"sheets", part.cut ? part.cut->sheets.size() : 0},
                          {"spacing", part.cut ? part.cut->spacing : 0},
                          {"hasSlit", part.slit != nullptr},
@@ -247,8 +269,8 @@ ExportJob jobFromBytes(std::string_view bytes)
             PartToExport& part = job.parts.emplace_back();
             part.part = std::move(model.parts[i]);
             part.density = json.at("parts").at(i).at("density").get<double>();
-            part.reason = json.at("parts").at(i).at("reason").get<std::string>();
-            part.remarks = json.at("parts").at(i).at("remarks").get<std::vector<std::string>>();
+            part.reason = messageFrom(json.at("parts").at(i).at("reason"));
+            part.remarks = messagesFrom(json.at("parts").at(i).at("remarks"));
             if (const auto sheets = json.at("parts").at(i).at("sheets").get<std::size_t>(); sheets > 0) {
                 PieceCut cut{.sheets = {},
                              .inside = {},
@@ -275,14 +297,14 @@ ExportJob jobFromBytes(std::string_view bytes)
         }
         return job;
     } catch (const Json::exception& error) {
-        throw std::runtime_error(std::string("export job: ") + error.what());
+        throw Problem(Message::verbatim(std::string("export job: ") + error.what()));
     }
 }
 
 std::string exportedToBytes(const ExportedFile& file)
 {
     BlockWriter blocks;
-    blocks.add(std::string_view(reportToJson(file.report)));
+    blocks.add(std::string_view(documentOf(file.report)));
     blocks.add(std::string_view(file.bytes));
     return std::move(blocks).bytes();
 }
@@ -298,12 +320,13 @@ ExportedFile exportedFromBytes(std::string_view bytes)
 
 std::string reportToJson(const ExportReport& report)
 {
-    Json json{{"file", report.file},         {"format", report.format},   {"unit", report.unit},
-              {"bytes", report.bytes},       {"seconds", report.seconds}, {"sound", report.isSound()},
-              {"warnings", report.warnings}, {"parts", Json::array()}};
-    for (const PartExportReport& part : report.parts)
-        json["parts"].push_back(toJson(part));
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    ExportReport english = report;
+    for (PartExportReport& part : english.parts) {
+        sayInEnglish(part.reason);
+        std::for_each(part.remarks.begin(), part.remarks.end(), sayInEnglish);
+    }
+    std::for_each(english.warnings.begin(), english.warnings.end(), sayInEnglish);
+    return documentOf(english);
 }
 
 ExportReport reportFromJson(std::string_view text)
@@ -316,12 +339,12 @@ ExportReport reportFromJson(std::string_view text)
         report.unit = json.at("unit").get<std::string>();
         report.bytes = json.at("bytes").get<std::uint64_t>();
         report.seconds = json.at("seconds").get<double>();
-        report.warnings = json.at("warnings").get<std::vector<std::string>>();
+        report.warnings = messagesFrom(json.at("warnings"));
         for (const Json& part : json.at("parts"))
             report.parts.push_back(partFrom(part));
         return report;
     } catch (const Json::exception& error) {
-        throw std::runtime_error(std::string("export report: ") + error.what());
+        throw Problem(Message::verbatim(std::string("export report: ") + error.what()));
     }
 }
 

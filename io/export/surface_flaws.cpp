@@ -2,6 +2,7 @@
 
 #include "core/geometry/refine.h"
 #include "core/geometry/self_intersection.h"
+#include "core/message/message.h"
 #include "io/export/place_words.h"
 
 #include <algorithm>
@@ -205,8 +206,9 @@ void noteCrossings(const SmoothMap& map, const std::array<const TriangleMesh*, 2
         found.where = real->where;
     }
     report.crossesItself = true;
-    report.remarks.push_back("its surface passes through itself near " + placeWords(found.where.center()) +
-                             "; other programs may refuse that.");
+    report.remarks.push_back(
+        Message("Export", "its surface passes through itself near %1; other programs may refuse that.")
+            .with(placeWords(found.where.center())));
 }
 
 void noteFold(const TriangleMesh& rest, const TriangleMesh& now, PartExportReport& report)
@@ -214,11 +216,11 @@ void noteFold(const TriangleMesh& rest, const TriangleMesh& now, PartExportRepor
     const std::optional<Vec3> fold = foldOf(rest, now);
     if (!fold)
         return;
-    const std::string folded = "its material is folded over itself near " + placeWords(*fold);
+    const Message folded = Message("Export", "its material is folded over itself near %1").with(placeWords(*fold));
     if (report.form == PartExportReport::Form::faceted)
-        report.reason = folded + "; " + report.reason;
+        report.reason = Message::verbatim("%1; %2").with(folded, report.reason);
     else
-        report.remarks.push_back(folded + ", and so are its faces.");
+        report.remarks.push_back(Message("Export", "%1, and so are its faces.").with(folded));
 }
 
 } // namespace knead

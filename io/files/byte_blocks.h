@@ -1,9 +1,10 @@
 #pragma once
 
+#include "core/message/message.h"
+
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -45,8 +46,11 @@ public:
     {
     }
 
-    /// @throws std::runtime_error, for the developer
-    [[noreturn]] void fail(const char* saying) const { throw std::runtime_error(std::string(m_what) + ": " + saying); }
+    /// @throws Problem, for the developer
+    [[noreturn]] void fail(const char* saying) const
+    {
+        throw Problem(Message::verbatim(std::string(m_what) + ": " + saying));
+    }
 
     /// @throws as fail(), when it is cut off
     std::string_view next()

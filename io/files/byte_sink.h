@@ -9,7 +9,7 @@ class ByteSink {
 public:
     virtual ~ByteSink() = default;
 
-    /// @throws std::runtime_error, in a sentence, when they cannot be taken
+    /// @throws Problem, when they cannot be taken
     virtual void write(std::string_view bytes) = 0;
 };
 

@@ -1,12 +1,12 @@
 #include "io/files/safe_file.h"
 
+#include "core/message/message.h"
 #include "io/formats/cad_format.h"
 
 #include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <stdexcept>
 #include <utility>
 
 #include <fcntl.h>
@@ -104,13 +104,13 @@ void SafeFile::keep()
 
 void SafeFile::fail() const
 {
-    fail(std::strerror(errno));
+    fail(Message::verbatim(std::strerror(errno)));
 }
 
-void SafeFile::fail(const std::string& reason) const
+void SafeFile::fail(const Message& reason) const
 {
-    throw std::runtime_error(shortName(m_target) + ": the file cannot be written (" + reason +
-                             "); choose another place or make room.");
+    failReading(m_target,
+                Message("File", "the file cannot be written (%1); choose another place or make room.").with(reason));
 }
 
 void removeLeftOvers(const std::string& path)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "io/files/byte_sink.h"
 
 #include <string>
@@ -11,7 +12,7 @@ namespace knead {
 /// keep(). Until then, and when it is not kept, what lay at the path stays as it was and nothing else is left behind, but by a
 /// process that is killed: see removeLeftOvers(). A file that
 /// was there gives its permissions to the new one.
-/// All functions throw std::runtime_error, in a sentence that names the file and why the disk refused.
+/// All functions throw a Problem that names the file and why the disk refused.
 class SafeFile final : public ByteSink {
 public:
     explicit SafeFile(const std::string& path);
@@ -24,8 +25,8 @@ public:
     /// For libraries that write files by their names; nothing else must be written then.
     const std::string& pathForNow() const { return m_path; }
 
-    /// @throws std::runtime_error as when the disk refuses. @param reason in a few words
-    [[noreturn]] void fail(const std::string& reason) const;
+    /// @throws Problem as when the disk refuses. @param reason in a few words
+    [[noreturn]] void fail(const Message& reason) const;
 
     /// Makes sure that the disk has all of it: what can fail for want of room has not failed after this. For files that
     /// belong together: all are finished before the first is kept.
@@ -49,11 +50,11 @@ void removeLeftOvers(const std::string& path);
 void syncFolder(const std::string& folder);
 
 /// Writes a file whole or not at all, as SafeFile does.
-/// @throws std::runtime_error, in a sentence that names the file and why the disk refused; nothing is left behind.
+/// @throws Problem that names the file and why the disk refused; nothing is left behind.
 void writeFileSafely(const std::string& path, std::string_view bytes);
 
 /// Whether writeFileSafely() could begin there now; leaves nothing behind.
-/// @throws std::runtime_error, as that would
+/// @throws Problem, as that would
 void checkIsWritable(const std::string& path);
 
 } // namespace knead

@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 #include <string_view>
 #include <vector>
 
@@ -106,11 +105,11 @@ std::string readHead(const std::string& path)
 {
     std::ifstream file(path, std::ios::binary);
     if (!file)
-        failReading(path, "the file cannot be opened; check that you may read it.");
+        failReading(path, Message("Import", "the file cannot be opened; check that you may read it."));
     std::string head(headLength, '\0');
     file.read(head.data(), static_cast<std::streamsize>(head.size()));
     if (file.bad())
-        failReading(path, "the file cannot be read; the disk or the connection to it failed.");
+        failReading(path, Message("Import", "the file cannot be read; the disk or the connection to it failed."));
     head.resize(static_cast<std::size_t>(file.gcount()));
     return head;
 }
@@ -136,18 +135,18 @@ std::uintmax_t checkedSize(const std::string& path)
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (status.type() == fs::file_type::not_found)
-        failReading(path, "the file does not exist.");
+        failReading(path, Message("Import", "the file does not exist."));
     if (error)
-        failReading(path, "the file cannot be opened (" + error.message() + ").");
+        failReading(path, Message("Import", "the file cannot be opened (%1).").with(error.message()));
     if (status.type() == fs::file_type::directory)
-        failReading(path, "this is a folder, not a file.");
+        failReading(path, Message("Import", "this is a folder, not a file."));
     if (status.type() != fs::file_type::regular)
-        failReading(path, "this is not an ordinary file.");
+        failReading(path, Message("Import", "this is not an ordinary file."));
     const std::uintmax_t size = fs::file_size(path, error);
     if (error)
-        failReading(path, "the file cannot be opened (" + error.message() + ").");
+        failReading(path, Message("Import", "the file cannot be opened (%1).").with(error.message()));
     if (size == 0)
-        failReading(path, "the file is empty.");
+        failReading(path, Message("Import", "the file is empty."));
     return size;
 }
 
@@ -204,21 +203,33 @@ FormatKind recognizeFormat(const std::string& path)
         return FormatKind::Gltf;
     if (trimmed(withoutByteOrderMark(head)).starts_with('{')) {
         if (!holdsText(path, "\"asset\""))
-            failReading(path,
-                        "this is a JSON text, but no glTF (\"asset\" is missing in it); export the part as STEP.");
+            failReading(
+                path,
+                Message("Import",
+                        "this is a JSON text, but no glTF (\"asset\" is missing in it); export the part as STEP."));
         return FormatKind::Gltf;
     }
     if (looksLikeObj(head) || (endsIn(path, ".obj") && isText(head)))
         return FormatKind::Obj;
     if (isText(head))
-        failReading(path,
-                    "this is a text, but none of STEP, IGES, BREP, STL, OBJ, PLY and glTF; export the part as STEP.");
-    failReading(path, "the content is none of STEP, IGES, BREP, STL, OBJ, PLY, 3MF and glTF; export the part as STEP.");
+        failReading(
+            path,
+            Message("Import",
+                    "this is a text, but none of STEP, IGES, BREP, STL, OBJ, PLY and glTF; export the part as STEP."));
+    failReading(
+        path,
+        Message("Import",
+                "the content is none of STEP, IGES, BREP, STL, OBJ, PLY, 3MF and glTF; export the part as STEP."));
 }
 
-void failReading(const std::string& path, const std::string& sentence)
+Message aboutFile(const std::string& path, const Message& sentence)
 {
-    throw std::runtime_error(shortName(path) + ": " + sentence);
+    return Message::verbatim("%1: %2").with(shortName(path), sentence);
+}
+
+void failReading(const std::string& path, const Message& sentence)
+{
+    throw Problem(aboutFile(path, sentence));
 }
 
 } // namespace knead

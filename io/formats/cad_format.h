@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "core/model/file_names.h"
 
 #include <string>
@@ -13,11 +14,14 @@ std::string formatName(FormatKind kind);
 
 /// Tells what a file is by its content; the ending decides only where the content cannot (an OBJ that starts
 /// unusually).
-/// @throws std::runtime_error, in a sentence that names the file and what it really is: missing, empty, a folder, an
+/// @throws Problem that names the file and what it really is: missing, empty, a folder, an
 ///         archive, another kind of document, or no known format.
 FormatKind recognizeFormat(const std::string& path);
 
-/// @throws std::runtime_error "<short name>: <sentence>".
-[[noreturn]] void failReading(const std::string& path, const std::string& sentence);
+/// "<short name>: <sentence>".
+Message aboutFile(const std::string& path, const Message& sentence);
+
+/// @throws Problem aboutFile().
+[[noreturn]] void failReading(const std::string& path, const Message& sentence);
 
 } // namespace knead

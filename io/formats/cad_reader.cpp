@@ -1,5 +1,6 @@
 #include "io/formats/cad_reader.h"
 
+#include "core/message/message.h"
 #include "core/model/length_units.h"
 #include "io/brep/body_check.h"
 #include "io/brep/exact_shapes.h"
@@ -240,9 +241,9 @@ private:
         for (TopExp_Explorer shells(body.original, TopAbs_SHELL); shells.More(); shells.Next())
             for (const IncompleteShell& shell : m_document.incompleteShells)
                 if (shells.Current().IsPartner(*shell.shape))
-                    part.warnings.push_back("is incomplete: " + std::to_string(shell.read) + " of " +
-                                            std::to_string(shell.named) +
-                                            " faces of a shell could be read; the others are damaged in the file.");
+                    part.warnings.push_back(Message("Import", "is incomplete: %1 of %2 faces of a shell could be read; "
+                                                              "the others are damaged in the file.")
+                                                .with(shell.read, shell.named));
     }
 
     /// One sick part does not take the others with it: it is left out, and the model says so.
@@ -252,13 +253,13 @@ private:
         try {
             Part part = makePart(body, node.color, m_document.colors, m_options, control);
             warnOfLostFaces(body, part);
-            const std::optional<std::string> sickness = sicknessOf(part);
+            const std::optional<Message> sickness = sicknessOf(part);
             if (!sickness)
                 return part;
             m_model.missing.push_back(leftOut(name, *sickness));
         } catch (const Standard_Failure& failure) {
             m_model.missing.push_back(
-                leftOut(name, "it could not be measured (" + std::string(failure.DynamicType()->Name()) + ")"));
+                leftOut(name, Message("Import", "it could not be measured (%1)").with(failure.DynamicType()->Name())));
         }
         return std::nullopt;
     }
@@ -288,7 +289,7 @@ Model readCad(const std::string& path, FormatKind kind, const ImportOptions& opt
 {
     const OcctSession session;
     Model model;
-    std::string damage;
+    Message damage;
     guardOcct(path, [&] {
         TaskPortion reading(control, 0, 0.5);
         CadDocument document = readCadDocument(path, kind, options.onlyShapes, reading);
@@ -303,7 +304,7 @@ Model readCad(const std::string& path, FormatKind kind, const ImportOptions& opt
     if (model.parts.empty() && !damage.empty())
         failReading(path, damage);
     if (kind == FormatKind::Step && model.parts.empty() && model.missing.empty())
-        if (const std::string other = otherContent(path); !other.empty())
+        if (const Message other = otherContent(path); !other.empty())
             failReading(path, other);
     checkAnyPart(path, model);
     return model;

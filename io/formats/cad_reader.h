@@ -6,7 +6,7 @@
 namespace knead {
 
 /// Reads STEP, IGES or BREP into parts with exact measures and triangles. Takes the OpenCASCADE lock.
-/// @throws std::runtime_error, in a sentence. @throws Cancelled
+/// @throws Problem. @throws Cancelled
 Model readCad(const std::string& path, FormatKind kind, const ImportOptions& options, TaskControl& control);
 
 } // namespace knead

@@ -1,5 +1,6 @@
 #include "io/formats/cad_writer.h"
 
+#include "core/message/message.h"
 #include "core/model/length_units.h"
 #include "io/brep/occt_progress.h"
 #include "io/document/document_of_parts.h"
@@ -25,7 +26,6 @@
 #include <TopoDS_Compound.hxx>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace knead {
 
@@ -52,7 +52,7 @@ const char* writerUnit(const std::string& unit)
         return "CM";
     if (unit == "mm" || unit.empty())
         return "MM";
-    throw std::runtime_error("A CAD file cannot be written in " + unit + "; choose mm, cm, m, inch or ft.");
+    throw Problem(Message("Export", "A CAD file cannot be written in %1; choose mm, cm, m, inch or ft.").with(unit));
 }
 
 std::string nameOf(const NamelessFile& file)
@@ -84,7 +84,7 @@ std::string writeStep(const Handle(TDocStd_Document) & document, const NamedShap
     const bool done = writer.Transfer(document, STEPControl_AsIs, nullptr, progress->Start());
     control.throwIfCancelled();
     if (!done)
-        throw std::runtime_error("The parts could not be put into STEP.");
+        throw Problem(Message("Export", "The parts could not be put into STEP."));
     nameSolids(shapes, writer.ChangeWriter());
     takePartNumbersApart(writer.ChangeWriter());
     APIHeaderSection_MakeHeader header(writer.ChangeWriter().Model());
@@ -96,7 +96,7 @@ std::string writeStep(const Handle(TDocStd_Document) & document, const NamedShap
     header.SetTimeStamp(new TCollection_HAsciiString(noDate));
     const NamelessFile file;
     if (writer.Write(nameOf(file).c_str()) != IFSelect_RetDone)
-        throw std::runtime_error("The STEP text could not be written.");
+        throw Problem(Message("Export", "The STEP text could not be written."));
     return withStylesInOrder(file.content());
 }
 
@@ -114,11 +114,11 @@ std::string writeIges(const Handle(TDocStd_Document) & document, const ExportOpt
     const bool done = writer.Transfer(document, progress->Start());
     control.throwIfCancelled();
     if (!done)
-        throw std::runtime_error("The parts could not be put into IGES.");
+        throw Problem(Message("Export", "The parts could not be put into IGES."));
     writer.ComputeModel();
     const NamelessFile file;
     if (!writer.Write(nameOf(file).c_str()))
-        throw std::runtime_error("The IGES text could not be written.");
+        throw Problem(Message("Export", "The IGES text could not be written."));
     return file.content();
 }
 
@@ -132,7 +132,7 @@ std::string writeBrep(const std::vector<CadPartToWrite>& parts)
     const NamelessFile file;
     const TopoDS_Shape& shape = parts.size() == 1 ? parts.front().shape : all;
     if (!BRepTools::Write(shape, nameOf(file).c_str(), false, false, TopTools_FormatVersion_VERSION_1))
-        throw std::runtime_error("The BREP text could not be written.");
+        throw Problem(Message("Export", "The BREP text could not be written."));
     return file.content();
 }
 
@@ -150,7 +150,7 @@ std::string writeCad(FormatKind kind, const std::vector<CadPartToWrite>& parts, 
         return writeStep(*document, shapes, options, control);
     if (kind == FormatKind::Iges)
         return writeIges(*document, options, control);
-    throw std::runtime_error("writeCad: no CAD format");
+    throw Problem(Message::verbatim("writeCad: no CAD format"));
 }
 
 } // namespace knead

@@ -28,7 +28,7 @@ struct CadPartToWrite {
 /// @param tree whose parts are numbers among `parts`; those that are not in it are left out
 /// @param options its unit must be one of lengthUnits()
 /// @return the bytes of the file
-/// @throws std::runtime_error, in a sentence. @throws Cancelled
+/// @throws Problem. @throws Cancelled
 std::string writeCad(FormatKind kind, const std::vector<CadPartToWrite>& parts, const PartNode& tree,
                      const ExportOptions& options, TaskControl& control);
 

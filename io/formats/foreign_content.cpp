@@ -13,41 +13,44 @@ namespace knead {
 
 namespace {
 
-constexpr const char* plainZip = "this is a zip archive; unpack it and open the file inside.";
-
 struct Signature {
     std::size_t place; ///< of the bytes in the file
     std::string_view bytes;
-    const char* sentence;
+    Message sentence;
 };
 
-std::optional<std::string> matching(std::string_view head)
+std::optional<Message> matching(std::string_view head)
 {
     using namespace std::string_view_literals;
-    static constexpr std::array signatures{
-        Signature{0, "\x1F\x8B"sv, "this is a gzip archive; unpack it and open the file inside."},
-        Signature{0, "BZh"sv, "this is a bzip2 archive; unpack it and open the file inside."},
-        Signature{0, "7z\xBC\xAF\x27\x1C"sv, "this is a 7z archive; unpack it and open the file inside."},
+    static const std::array signatures{
+        Signature{0, "\x1F\x8B"sv, Message("Import", "this is a gzip archive; unpack it and open the file inside.")},
+        Signature{0, "BZh"sv, Message("Import", "this is a bzip2 archive; unpack it and open the file inside.")},
+        Signature{0, "7z\xBC\xAF\x27\x1C"sv,
+                  Message("Import", "this is a 7z archive; unpack it and open the file inside.")},
         Signature{0,
                   "\xFD"
                   "7zXZ\0"sv,
-                  "this is an xz archive; unpack it and open the file inside."},
-        Signature{0, "\x28\xB5\x2F\xFD"sv, "this is a zstd archive; unpack it and open the file inside."},
-        Signature{0, "Rar!\x1A\x07"sv, "this is a rar archive; unpack it and open the file inside."},
-        Signature{257, "ustar"sv, "this is a tar archive; unpack it and open the file inside."},
-        Signature{0, "\xFF\xFE"sv, "the text is UTF-16; save it as plain text (ASCII or UTF-8) and open it again."},
-        Signature{0, "\xFE\xFF"sv, "the text is UTF-16; save it as plain text (ASCII or UTF-8) and open it again."},
-        Signature{0, "%PDF"sv, "this is a PDF document; ask for the STEP file of the part."},
-        Signature{0, "\x89PNG"sv, "this is a picture; ask for the STEP file of the part."},
-        Signature{0, "\xFF\xD8\xFF"sv, "this is a picture; ask for the STEP file of the part."},
-        Signature{0, "GIF8"sv, "this is a picture; ask for the STEP file of the part."},
-        Signature{0, "SQLite format 3"sv, "this is a database, not a CAD or mesh file."},
-        Signature{0, "\xD0\xCF\x11\xE0"sv, "this is a native file of another program; export it as STEP there."},
-        Signature{0, "AC10"sv, "this is an AutoCAD drawing (DWG); export the part as STEP there."},
+                  Message("Import", "this is an xz archive; unpack it and open the file inside.")},
+        Signature{0, "\x28\xB5\x2F\xFD"sv,
+                  Message("Import", "this is a zstd archive; unpack it and open the file inside.")},
+        Signature{0, "Rar!\x1A\x07"sv, Message("Import", "this is a rar archive; unpack it and open the file inside.")},
+        Signature{257, "ustar"sv, Message("Import", "this is a tar archive; unpack it and open the file inside.")},
+        Signature{0, "\xFF\xFE"sv,
+                  Message("Import", "the text is UTF-16; save it as plain text (ASCII or UTF-8) and open it again.")},
+        Signature{0, "\xFE\xFF"sv,
+                  Message("Import", "the text is UTF-16; save it as plain text (ASCII or UTF-8) and open it again.")},
+        Signature{0, "%PDF"sv, Message("Import", "this is a PDF document; ask for the STEP file of the part.")},
+        Signature{0, "\x89PNG"sv, Message("Import", "this is a picture; ask for the STEP file of the part.")},
+        Signature{0, "\xFF\xD8\xFF"sv, Message("Import", "this is a picture; ask for the STEP file of the part.")},
+        Signature{0, "GIF8"sv, Message("Import", "this is a picture; ask for the STEP file of the part.")},
+        Signature{0, "SQLite format 3"sv, Message("Import", "this is a database, not a CAD or mesh file.")},
+        Signature{0, "\xD0\xCF\x11\xE0"sv,
+                  Message("Import", "this is a native file of another program; export it as STEP there.")},
+        Signature{0, "AC10"sv, Message("Import", "this is an AutoCAD drawing (DWG); export the part as STEP there.")},
         Signature{0,
                   "\x7F"
                   "ELF"sv,
-                  "this is a program, not a CAD or mesh file."},
+                  Message("Import", "this is a program, not a CAD or mesh file.")},
     };
     for (const Signature& signature : signatures)
         if (head.size() > signature.place && head.substr(signature.place).starts_with(signature.bytes))
@@ -55,7 +58,7 @@ std::optional<std::string> matching(std::string_view head)
     return std::nullopt;
 }
 
-std::optional<std::string> markup(std::string_view head)
+std::optional<Message> markup(std::string_view head)
 {
     std::string_view text = head.starts_with("\xEF\xBB\xBF") ? head.substr(3) : head;
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
@@ -63,11 +66,14 @@ std::optional<std::string> markup(std::string_view head)
         return std::nullopt;
     const std::string lower = lowerCase(std::string(text));
     if (lower.starts_with("<!doctype html") || lower.starts_with("<html"))
-        return "this is a web page, not a CAD file; the download may have failed.";
+        return Message("Import", "this is a web page, not a CAD file; the download may have failed.");
     if (lower.find("10303-28") != std::string::npos || lower.find("iso_10303_28") != std::string::npos ||
         lower.find("iso10303") != std::string::npos || lower.find("<n0:uos") != std::string::npos)
-        return "this is STEP as XML (part 28, stpx), which is not read here; export the part as STEP text (stp).";
-    return "this is an XML text and not one of the files that are read here; export the part as STEP.";
+        return Message(
+            "Import",
+            "this is STEP as XML (part 28, stpx), which is not read here; export the part as STEP text (stp).");
+    return Message("Import",
+                   "this is an XML text and not one of the files that are read here; export the part as STEP.");
 }
 
 bool anyStartsWith(const std::vector<std::string>& names, std::string_view start)
@@ -83,7 +89,7 @@ bool endsInStep(const std::string& name)
 
 } // namespace
 
-std::optional<std::string> foreignContent(std::string_view head)
+std::optional<Message> foreignContent(std::string_view head)
 {
     if (const auto sentence = matching(head))
         return sentence;
@@ -94,28 +100,31 @@ ZipContent zipContent(const std::string& path)
 {
     const auto names = zipEntryNames(path);
     if (!names)
-        return {false, "this is a zip archive that is cut off or damaged; get it again."};
+        return {false, Message("Import", "this is a zip archive that is cut off or damaged; get it again.")};
     // A 3MF is known by its model; which file that is, its relations say, but all programs call it the same.
     const auto isModel = [](const std::string& name) { return lowerCase(name).ends_with(".model"); };
     if (std::any_of(names->begin(), names->end(), isModel))
         return {true, {}};
     struct Kind {
         std::string_view start;
-        const char* sentence;
+        Message sentence;
     };
-    static constexpr std::array kinds{
-        Kind{"word/", "this is a Word document; ask for the STEP file of the part."},
-        Kind{"xl/", "this is an Excel workbook; ask for the STEP file of the part."},
-        Kind{"ppt/", "this is a PowerPoint presentation; ask for the STEP file of the part."},
-        Kind{"Document.xml", "this is a FreeCAD document; export the part as STEP there."},
+    static const std::array kinds{
+        Kind{"word/", Message("Import", "this is a Word document; ask for the STEP file of the part.")},
+        Kind{"xl/", Message("Import", "this is an Excel workbook; ask for the STEP file of the part.")},
+        Kind{"ppt/", Message("Import", "this is a PowerPoint presentation; ask for the STEP file of the part.")},
+        Kind{"Document.xml", Message("Import", "this is a FreeCAD document; export the part as STEP there.")},
     };
     for (const Kind& kind : kinds)
         if (anyStartsWith(*names, kind.start))
             return {false, kind.sentence};
     if (names->size() == 1 && endsInStep(names->front()))
-        return {false, "this is a zip archive that holds \"" + readableName(std::string_view(names->front())) +
-                           "\" (compressed STEP, stpz); unpack it and open that file."};
-    return {false, plainZip};
+        return {
+            false,
+            Message("Import",
+                    "this is a zip archive that holds \"%1\" (compressed STEP, stpz); unpack it and open that file.")
+                .with(readableName(std::string_view(names->front())))};
+    return {false, Message("Import", "this is a zip archive; unpack it and open the file inside.")};
 }
 
 } // namespace knead

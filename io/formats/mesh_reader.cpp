@@ -1,6 +1,7 @@
 #include "io/formats/mesh_reader.h"
 
 #include "core/geometry/mass_properties.h"
+#include "core/message/message.h"
 #include "core/model/readable_name.h"
 #include "io/brep/millimeter.h"
 #include "io/document/part_selection.h"
@@ -106,8 +107,10 @@ const aiScene* load(Assimp::Importer& importer, const std::string& path, FormatK
     importer.SetIOHandler(files); // which owns it
     const aiScene* scene = importer.ReadFile(files->shownPath(), 0);
     if (scene != nullptr && !hasAllVertices(*scene))
-        failReading(path, "the " + formatName(kind) +
-                              " file has triangles with corners that are not there; it is damaged, get it again.");
+        failReading(
+            path,
+            Message("Import", "the %1 file has triangles with corners that are not there; it is damaged, get it again.")
+                .with(formatName(kind)));
     return scene == nullptr ? nullptr : importer.ApplyPostProcessing(steps);
 }
 
@@ -203,7 +206,7 @@ void turnIfInsideOut(Part& part)
 {
     if (massProperties(part.mesh).volume >= 0)
         return;
-    part.warnings.emplace_back("was inside out and has been turned.");
+    part.warnings.push_back(Message("Import", "was inside out and has been turned."));
     for (TriangleMesh::Triangle& triangle : part.mesh.triangles)
         std::swap(triangle[1], triangle[2]);
 }
@@ -221,8 +224,8 @@ void measure(Part& part, const ImportOptions& options)
     part.area = massProperties(part.mesh).area;
     if (!part.watertight) {
         part.openEdges = openBordersOf(part.mesh);
-        part.warnings.push_back("is not a closed surface: " + describeBorders(part.openEdges) +
-                                ". It is shown and cannot be filled.");
+        part.warnings.push_back(Message("Import", "is not a closed surface: %1. It is shown and cannot be filled.")
+                                    .with(describeBorders(part.openEdges)));
         return;
     }
     if (!options.heal)
@@ -231,7 +234,7 @@ void measure(Part& part, const ImportOptions& options)
     part.valid = part.volume > 0;
     if (!part.valid) {
         part.watertight = false;
-        part.warnings.emplace_back("has no volume; it cannot be filled.");
+        part.warnings.push_back(Message("Import", "has no volume; it cannot be filled."));
     }
 }
 
@@ -347,7 +350,9 @@ Model readMesh(const std::string& path, FormatKind kind, const ImportOptions& op
     const aiScene* scene = load(importer, path, kind);
     control.throwIfCancelled();
     if (scene == nullptr || scene->mRootNode == nullptr)
-        failReading(path, "the " + formatName(kind) + " file is damaged and cannot be read; export it again.");
+        failReading(
+            path,
+            Message("Import", "the %1 file is damaged and cannot be read; export it again.").with(formatName(kind)));
     Model model = MeshModelMaker(*scene, path, kind, options).run();
     measureMeshes(path, options, model, control);
     return model;

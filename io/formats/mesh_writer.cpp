@@ -1,5 +1,6 @@
 #include "io/formats/mesh_writer.h"
 
+#include "core/message/message.h"
 #include "core/model/length_units.h"
 #include "core/model/readable_name.h"
 #include "io/formats/cad_format.h"
@@ -10,7 +11,6 @@
 #include <cctype>
 #include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <string_view>
 
 namespace knead {
@@ -26,11 +26,6 @@ constexpr std::array writers{MeshFormat{".stl", writeStl},   MeshFormat{".obj", 
                              MeshFormat{".gltf", writeGltf}, MeshFormat{".3mf", writeThreeMf},
                              MeshFormat{".vtp", writeVtp}};
 
-[[noreturn]] void fail(const std::string& path, const std::string& sentence)
-{
-    throw std::runtime_error(shortName(path) + ": " + sentence);
-}
-
 const MeshFormat& formatFor(const std::string& path)
 {
     std::string ending = std::filesystem::path(path).extension().string();
@@ -38,8 +33,11 @@ const MeshFormat& formatFor(const std::string& path)
     const auto* const format =
         std::find_if(writers.begin(), writers.end(), [&](const MeshFormat& one) { return one.ending == ending; });
     if (format == writers.end())
-        fail(path,
-             "the ending is none of .stl, .obj, .ply, .glb, .gltf, .3mf and .vtp; name the file after its format.");
+        failReading(
+            path,
+            Message(
+                "Export",
+                "the ending is none of .stl, .obj, .ply, .glb, .gltf, .3mf and .vtp; name the file after its format."));
     return *format;
 }
 
@@ -47,7 +45,8 @@ const LengthUnit& unitOf(const std::string& path, const ExportOptions& options)
 {
     const LengthUnit* unit = findLengthUnit(options.unit.empty() ? "mm" : options.unit);
     if (unit == nullptr)
-        fail(path, "the length unit \"" + options.unit + "\" is not known; known are " + lengthUnitNames() + ".");
+        failReading(path, Message("Export", "the length unit \"%1\" is not known; known are %2.")
+                              .with(options.unit, lengthUnitNames()));
     return *unit;
 }
 
@@ -59,8 +58,10 @@ void checkNumbers(const std::string& path, const MeshBody& body)
         return vertex.cwiseAbs().maxCoeff() < farthest && vertex.allFinite();
     };
     if (!std::all_of(body.mesh.vertices.begin(), body.mesh.vertices.end(), isGood))
-        fail(path,
-             "the surface of \"" + body.name + "\" leads to infinity; go back to where it was whole and export again.");
+        failReading(path,
+                    Message("Export",
+                            "the surface of \"%1\" leads to infinity; go back to where it was whole and export again.")
+                        .with(body.name));
 }
 
 MeshFile fileFor(const std::string& path, const std::vector<MeshBody>& bodies, const ExportOptions& options,
@@ -79,10 +80,11 @@ MeshFile fileFor(const std::string& path, const std::vector<MeshBody>& bodies, c
         file.triangleCount += body.mesh.triangles.size();
     }
     if (file.bodies.empty())
-        fail(path, "there is no surface to write.");
+        failReading(path, Message("Export", "there is no surface to write."));
     if (std::max(file.vertexCount, file.triangleCount) > INT32_MAX)
-        fail(path, "the surface has more than 2147483647 points or triangles, which the formats cannot count; export "
-                   "fewer bodies.");
+        failReading(path,
+                    Message("Export", "the surface has more than 2147483647 points or triangles, which the formats "
+                                      "cannot count; export fewer bodies."));
     return file;
 }
 

@@ -24,7 +24,7 @@ namespace knead {
 ///
 /// VTP also takes the fields of the bodies and says at points and triangles which part they are of. Numbers are written in single
 /// precision. Bodies without triangles are left out. All bodies go into one file, beside each other.
-/// @throws std::runtime_error, in a sentence, for an unknown ending or unit, nothing to write, or a target that cannot be written.
+/// @throws Problem, for an unknown ending or unit, nothing to write, or a target that cannot be written.
 /// @throws Cancelled
 void writeMeshes(const std::string& path, const std::vector<MeshBody>& bodies, const ExportOptions& options = {},
                  TaskControl& control = TaskControl::none());

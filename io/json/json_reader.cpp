@@ -1,5 +1,6 @@
 #include "io/json/json_reader.h"
 
+#include "core/message/message.h"
 #include "io/json/json_value.h"
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
 namespace knead {
 
@@ -18,14 +18,14 @@ std::string contentOf(const std::string& path)
 {
     std::error_code error;
     if (!std::filesystem::exists(path, error))
-        throw std::runtime_error(path + ": no such file.");
+        throw Problem(Message("File", "%1: no such file.").with(path));
     if (std::filesystem::is_directory(path, error))
-        throw std::runtime_error(path + ": this is a folder; name a file.");
+        throw Problem(Message("File", "%1: this is a folder; name a file.").with(path));
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();
     if (!file)
-        throw std::runtime_error(path + ": the file cannot be read; check its permissions.");
+        throw Problem(Message("File", "%1: the file cannot be read; check its permissions.").with(path));
     return text.str();
 }
 
@@ -80,16 +80,18 @@ JsonNode JsonNode::child(const JsonValue& value, const std::string& place) const
     return {m_document, &value, place};
 }
 
-void JsonNode::fail(const std::string& saying) const
+void JsonNode::fail(const Message& saying) const
 {
     const bool hasLine = m_document->hasLines && m_value->line > 0 && !m_place.empty();
-    throw std::runtime_error(m_document->file + (hasLine ? ", line " + std::to_string(m_value->line) : "") + ": " +
-                             (m_place.empty() ? "the file" : m_place) + " " + saying);
+    const Message place = m_place.empty() ? Message("Recipe", "the file") : Message::verbatim(m_place);
+    if (hasLine)
+        throw Problem(Message("Recipe", "%1, line %2: %3 %4").with(m_document->file, m_value->line, place, saying));
+    throw Problem(Message::verbatim("%1: %2 %3").with(m_document->file, place, saying));
 }
 
-void JsonNode::failExpecting(const std::string& verbAndExpectation) const
+void JsonNode::failExpecting(const Message& verbAndExpectation) const
 {
-    fail(verbAndExpectation + ", got " + shortJson(*m_value) + ".");
+    fail(Message("Recipe", "%1, got %2.").with(verbAndExpectation, shortJson(*m_value)));
 }
 
 bool JsonNode::isObject() const
@@ -110,7 +112,7 @@ bool JsonNode::isList() const
 void JsonNode::mustBeObject() const
 {
     if (!isObject())
-        failExpecting("must be an object in { }");
+        failExpecting(Message("Recipe", "must be an object in { }"));
 }
 
 std::optional<JsonNode> JsonNode::find(std::string_view key) const
@@ -126,7 +128,7 @@ JsonNode JsonNode::at(std::string_view key) const
 {
     if (std::optional<JsonNode> found = find(key))
         return *found;
-    fail("must have the key \"" + std::string(key) + "\".");
+    fail(Message("Recipe", "must have the key \"%1\".").with(key));
 }
 
 std::vector<std::string> JsonNode::keys() const
@@ -146,14 +148,14 @@ void JsonNode::allowOnly(const std::vector<std::string>& allowed) const
         std::string list;
         for (const std::string& name : allowed)
             list += (list.empty() ? "" : ", ") + name;
-        find(key)->fail("is not a known key; allowed here: " + list + ".");
+        find(key)->fail(Message("Recipe", "is not a known key; allowed here: %1.").with(list));
     }
 }
 
 std::vector<JsonNode> JsonNode::items() const
 {
     if (!isList())
-        failExpecting("must be a list in [ ]");
+        failExpecting(Message("Recipe", "must be a list in [ ]"));
     std::vector<JsonNode> nodes;
     for (const JsonValue& value : std::get<JsonValue::List>(m_value->content))
         nodes.push_back(child(value, m_place + "[" + std::to_string(nodes.size()) + "]"));
@@ -164,7 +166,7 @@ std::string JsonNode::text() const
 {
     const auto* text = std::get_if<std::string>(&m_value->content);
     if (!text || text->empty())
-        failExpecting("must be a text in quotes that is not empty");
+        failExpecting(Message("Recipe", "must be a text in quotes that is not empty"));
     return *text;
 }
 
@@ -172,7 +174,7 @@ std::string JsonNode::anyText() const
 {
     const auto* text = std::get_if<std::string>(&m_value->content);
     if (!text)
-        failExpecting("must be a text in quotes");
+        failExpecting(Message("Recipe", "must be a text in quotes"));
     return *text;
 }
 
@@ -180,7 +182,7 @@ bool JsonNode::boolean() const
 {
     const auto* value = std::get_if<bool>(&m_value->content);
     if (!value)
-        failExpecting("must be true or false");
+        failExpecting(Message("Recipe", "must be true or false"));
     return *value;
 }
 
@@ -189,7 +191,7 @@ double JsonNode::number() const
     return number(-std::numeric_limits<double>::max(), std::numeric_limits<double>::max());
 }
 
-const JsonNumber& JsonNode::finite(const char* expectation) const
+const JsonNumber& JsonNode::finite(const Message& expectation) const
 {
     const auto* number = std::get_if<JsonNumber>(&m_value->content);
     if (!number || !std::isfinite(number->value))
@@ -199,23 +201,23 @@ const JsonNumber& JsonNode::finite(const char* expectation) const
 
 double JsonNode::number(double minimum, double maximum) const
 {
-    const double number = finite("must be a number").value;
+    const double number = finite(Message("Recipe", "must be a number")).value;
     if (number < minimum || number > maximum)
-        failExpecting("must be a number between " + plain(minimum) + " and " + plain(maximum));
+        failExpecting(Message("Recipe", "must be a number between %1 and %2").with(plain(minimum), plain(maximum)));
     return number;
 }
 
 double JsonNode::positive() const
 {
-    const double number = finite("must be a positive number").value;
+    const double number = finite(Message("Recipe", "must be a positive number")).value;
     if (number <= 0)
-        failExpecting("must be a positive number");
+        failExpecting(Message("Recipe", "must be a positive number"));
     return number;
 }
 
 double JsonNode::thousandth() const
 {
-    return finite("must be a number").thousandth;
+    return finite(Message("Recipe", "must be a number")).thousandth;
 }
 
 double JsonNode::positiveThousandth() const
@@ -228,7 +230,7 @@ int JsonNode::integer(int minimum, int maximum) const
 {
     const auto* number = std::get_if<JsonNumber>(&m_value->content);
     if (!number || number->value != std::floor(number->value) || number->value < minimum || number->value > maximum)
-        failExpecting("must be a whole number between " + std::to_string(minimum) + " and " + std::to_string(maximum));
+        failExpecting(Message("Recipe", "must be a whole number between %1 and %2").with(minimum, maximum));
     return static_cast<int>(number->value);
 }
 
@@ -237,7 +239,7 @@ std::uint64_t JsonNode::count(std::uint64_t maximum) const
     const auto* number = std::get_if<JsonNumber>(&m_value->content);
     if (!number || number->value != std::floor(number->value) || number->value < 0 ||
         number->value > static_cast<double>(maximum))
-        failExpecting("must be a whole number between 0 and " + std::to_string(maximum));
+        failExpecting(Message("Recipe", "must be a whole number between 0 and %1").with(maximum));
     return static_cast<std::uint64_t>(number->value);
 }
 
@@ -252,7 +254,7 @@ std::vector<JsonNumber> JsonNode::finiteNumbers(std::size_t count) const
     const bool complete =
         isList() && numbers.size() == count && std::get<JsonValue::List>(m_value->content).size() == count;
     if (!complete)
-        failExpecting("must hold " + std::to_string(count) + " numbers");
+        failExpecting(Message("Recipe", "must hold %1 numbers").with(count));
     return numbers;
 }
 

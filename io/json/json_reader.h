@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/message/message.h"
+
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -13,11 +15,11 @@ struct JsonDocument;
 struct JsonNumber;
 struct JsonValue;
 
-/// Reads and parses a whole file. @throws std::runtime_error, in a sentence
+/// Reads and parses a whole file. @throws Problem
 JsonValue readJsonFile(const std::string& path);
 
 /// A value of a JSON file that knows its place in it, for strict reading: every failure is a sentence that names the
-/// file, the place ("manipulators[0].size_mm") and what is allowed there. All failures are std::runtime_error.
+/// file, the place ("manipulators[0].size_mm") and what is allowed there. All failures are Problems.
 class JsonNode {
 public:
     /// Reads a whole file. Syntax errors and keys given twice are named with line and column, all others with their line.
@@ -55,16 +57,16 @@ public:
     std::vector<double> numbers(std::size_t count) const;
     std::vector<double> thousandths(std::size_t count) const;
 
-    /// @throws std::runtime_error "FILE, line 7: PLACE SAYING"; the saying continues the place: "must hold 3 numbers, got 2."
-    [[noreturn]] void fail(const std::string& saying) const;
+    /// @throws Problem "FILE, line 7: PLACE SAYING"; the saying continues the place: "must hold 3 numbers, got 2."
+    [[noreturn]] void fail(const Message& saying) const;
     /// The same with what is there added: "PLACE must be EXPECTED, got VALUE."
-    [[noreturn]] void failExpecting(const std::string& verbAndExpectation) const;
+    [[noreturn]] void failExpecting(const Message& verbAndExpectation) const;
 
 private:
     JsonNode(std::shared_ptr<const JsonDocument> document, const JsonValue* value, std::string place);
     JsonNode child(const JsonValue& value, const std::string& place) const;
     void mustBeObject() const;
-    const JsonNumber& finite(const char* expectation) const;
+    const JsonNumber& finite(const Message& expectation) const;
     std::vector<JsonNumber> finiteNumbers(std::size_t count) const;
 
     std::shared_ptr<const JsonDocument> m_document;

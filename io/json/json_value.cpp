@@ -1,5 +1,7 @@
 #include "io/json/json_value.h"
 
+#include "core/message/message.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include <cstdlib>
 #include <iterator>
 #include <sstream>
-#include <stdexcept>
 
 namespace knead {
 
@@ -17,12 +18,12 @@ namespace {
 constexpr std::size_t maximumDepth = 100; // deeper nesting is no recipe and would exhaust the stack
 constexpr std::size_t shortLength = 60;
 
-std::string lineAndColumn(const std::string& text, std::size_t end)
+Message lineAndColumn(const std::string& text, std::size_t end)
 {
     const auto stop = text.begin() + static_cast<std::ptrdiff_t>(std::min(end, text.size()));
     const auto line = 1 + std::count(text.begin(), stop, '\n');
     const auto start = std::find(std::make_reverse_iterator(stop), text.rend(), '\n').base();
-    return "line " + std::to_string(line) + ", column " + std::to_string(std::max<std::ptrdiff_t>(stop - start, 1));
+    return Message("Recipe", "line %1, column %2").with(line, std::max<std::ptrdiff_t>(stop - start, 1));
 }
 
 /// What the parser complains about, without its own prefix: "unexpected '}'; expected string literal".
@@ -126,23 +127,24 @@ public:
         const auto& object = std::get<JsonValue::Object>(m_open.back().content);
         for (const auto& member : object)
             if (member.first == name)
-                throw std::runtime_error(m_file + ": the key \"" + name + "\" is given twice in the same object.");
+                throw Problem(
+                    Message("Recipe", "%1: the key \"%2\" is given twice in the same object.").with(m_file, name));
         m_keys.back() = name;
         return true;
     }
 
     bool parse_error(std::size_t position, const std::string&, const nlohmann::json::exception& error) override
     {
-        throw std::runtime_error(m_file + ": " + lineAndColumn(m_text, position) + ": " + complaint(error.what()) +
-                                 ".");
+        throw Problem(
+            Message::verbatim("%1: %2: %3.").with(m_file, lineAndColumn(m_text, position), complaint(error.what())));
     }
 
 private:
     bool open(JsonValue value)
     {
         if (m_open.size() == maximumDepth)
-            throw std::runtime_error(m_file + ": lists and objects are nested more than " +
-                                     std::to_string(maximumDepth) + " deep.");
+            throw Problem(
+                Message("Recipe", "%1: lists and objects are nested more than %2 deep.").with(m_file, maximumDepth));
         value.line = m_place.line;
         m_open.push_back(std::move(value));
         m_keys.emplace_back();

@@ -24,7 +24,7 @@ struct JsonValue {
 
 /// Parses a text.
 /// @param file name for messages
-/// @throws std::runtime_error, in a sentence with line and column, for wrong syntax and for keys given twice.
+/// @throws Problem with line and column, for wrong syntax and for keys given twice.
 JsonValue parseJson(const std::string& text, const std::string& file);
 
 /// The value as JSON in one line, shortened with dots when longer than about 60 characters.

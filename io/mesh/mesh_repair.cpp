@@ -1,5 +1,6 @@
 #include "io/mesh/mesh_repair.h"
 
+#include "core/message/message.h"
 #include "core/model/number_words.h"
 #include "io/brep/hole_closing.h"
 #include "io/mesh/mesh_orientation.h"
@@ -90,15 +91,19 @@ void removeStacks(RepairedMesh& result)
     if (stacks.doubled == 0 && stacks.folds == 0)
         return;
     if (stacks.doubled > 0)
-        result.repairs.push_back(countOf(stacks.doubled, "triangle") + wasOrWere(stacks.doubled) +
-                                 "there twice and removed.");
+        result.repairs.push_back(
+            stacks.doubled == 1 ? Message("Repair", "1 triangle was there twice and removed.")
+                                : Message("Repair", "%1 triangles were there twice and removed.").with(stacks.doubled));
     if (isDoubleSided(stacks)) {
         std::transform(stacks.isKept.begin(), stacks.isKept.end(), stacks.isFold.begin(), stacks.isKept.begin(),
                        [](char kept, char fold) { return static_cast<char>(kept | fold); });
-        result.repairs.emplace_back("The surface was given with both its sides; one of them was removed.");
+        result.repairs.push_back(
+            Message("Repair", "The surface was given with both its sides; one of them was removed."));
     } else if (stacks.folds > 0) {
-        result.repairs.push_back(countOf(stacks.folds, "pair") + " of triangles back to back" +
-                                 wasOrWere(stacks.folds) + "removed.");
+        result.repairs.push_back(
+            stacks.folds == 1
+                ? Message("Repair", "1 pair of triangles back to back was removed.")
+                : Message("Repair", "%1 pairs of triangles back to back were removed.").with(stacks.folds));
     }
     result.mesh = only(result.mesh, stacks.isKept);
 }
@@ -116,15 +121,19 @@ RepairedMesh repaired(TriangleMesh mesh, bool capsFlatOpenings)
     RepairedMesh result{std::move(mesh), {}};
     removeStacks(result);
     if (const std::size_t turned = orient(result.mesh); turned > 0)
-        result.repairs.push_back(countOf(turned, "triangle") + " faced the wrong way and" + wasOrWere(turned) +
-                                 "turned.");
+        result.repairs.push_back(
+            turned == 1 ? Message("Repair", "1 triangle faced the wrong way and was turned.")
+                        : Message("Repair", "%1 triangles faced the wrong way and were turned.").with(turned));
     HoleClosing closing = capsFlatOpenings ? closeHoles(std::move(result.mesh), 1) : closeHoles(std::move(result.mesh));
     result.mesh = std::move(closing.mesh);
     if (closing.holes > 0)
-        result.repairs.push_back(countOf(closing.holes, "small hole") + wasOrWere(closing.holes) +
-                                 "closed, which added " + percentWords(closing.addedShare) + " to the area.");
+        result.repairs.push_back(closing.holes == 1
+                                     ? Message("Repair", "1 small hole was closed, which added %1 to the area.")
+                                           .with(percentWords(closing.addedShare))
+                                     : Message("Repair", "%1 small holes were closed, which added %2 to the area.")
+                                           .with(closing.holes, percentWords(closing.addedShare)));
     if (turnOutward(result.mesh))
-        result.repairs.emplace_back("The surface was inside out and has been turned.");
+        result.repairs.push_back(Message("Repair", "The surface was inside out and has been turned."));
     return result;
 }
 

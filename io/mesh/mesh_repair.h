@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/triangle_mesh.h"
+#include "core/message/message.h"
 
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ TriangleMesh withoutFolds(const TriangleMesh& mesh);
 
 struct RepairedMesh {
     TriangleMesh mesh;
-    std::vector<std::string> repairs; ///< as Part::repairs; empty when nothing had to be done
+    std::vector<Message> repairs; ///< as Part::repairs; empty when nothing had to be done
 };
 
 /// Removes triangles that are there twice, turns those that face the other way than their neighbors, turns closed

@@ -133,7 +133,7 @@ std::vector<std::vector<Vec3>> chained(std::vector<std::vector<Vec3>> lines, dou
     return chains;
 }
 
-std::string describeBorders(std::size_t edges, const std::vector<std::vector<Vec3>>& borders)
+Message describeBorders(std::size_t edges, const std::vector<std::vector<Vec3>>& borders)
 {
     double length = 0;
     double largest = 0;
@@ -145,11 +145,17 @@ std::string describeBorders(std::size_t edges, const std::vector<std::vector<Vec
             isFlat = isFlatLoop(border);
         }
     }
-    return countOf(edges, "open edge") + " in " + countOf(borders.size(), "border") + ", " + lengthWords(length) +
-           " long in all; the largest opening is " + lengthWords(largest) + " across" + (isFlat ? " and flat" : "");
+    const Message openEdges =
+        edges == 1 ? Message("Repair", "1 open edge") : Message("Repair", "%1 open edges").with(edges);
+    const Message inBorders =
+        borders.size() == 1 ? Message("Repair", "1 border") : Message("Repair", "%1 borders").with(borders.size());
+    const Message all = isFlat
+                            ? Message("Repair", "%1 in %2, %3 long in all; the largest opening is %4 across and flat")
+                            : Message("Repair", "%1 in %2, %3 long in all; the largest opening is %4 across");
+    return all.with(openEdges, inBorders, lengthWords(length), lengthWords(largest));
 }
 
-std::string describeBorders(const std::vector<std::vector<Vec3>>& borders)
+Message describeBorders(const std::vector<std::vector<Vec3>>& borders)
 {
     std::size_t edges = 0;
     for (const Polyline& border : borders)

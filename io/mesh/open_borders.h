@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/triangle_mesh.h"
+#include "core/message/message.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,9 +30,9 @@ std::vector<Polyline> openBordersOf(const TriangleMesh& mesh);
 std::vector<std::vector<Vec3>> chained(std::vector<std::vector<Vec3>> lines, double tolerance);
 
 /// "25 open edges in 1 border, 364 mm long in all; the largest opening is 123 mm across and flat".
-std::string describeBorders(std::size_t edges, const std::vector<std::vector<Vec3>>& borders);
+Message describeBorders(std::size_t edges, const std::vector<std::vector<Vec3>>& borders);
 
 /// The same for borders of a mesh, where each segment is an edge.
-std::string describeBorders(const std::vector<std::vector<Vec3>>& borders);
+Message describeBorders(const std::vector<std::vector<Vec3>>& borders);
 
 } // namespace knead

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/smooth_map.h"
+#include "core/message/message.h"
 #include "core/task/task_control.h"
 #include "io/morph/face_morph.h"
 #include "io/morph/morph_options.h"
@@ -20,7 +21,7 @@ struct MorphedFaceNote {
     Vec2 worst = Vec2::Zero(); ///< parameters where that was
     bool converged = true;
     int poles = 0;
-    std::string problem;
+    Message problem;
 };
 
 /// A boundary representation carried through a smooth map: the same topology, each face, edge and vertex where the map takes it, but
@@ -41,7 +42,7 @@ struct MorphedShape {
 /// faces; the result does not depend on the number of threads.
 /// @param shape located where it is [mm]
 /// @param map in metres
-/// @throws Cancelled, and std::runtime_error, in words, when a face that is to be flat cannot be drawn
+/// @throws Cancelled, and Problem, when a face that is to be flat cannot be drawn
 MorphedShape morphShape(const TopoDS_Shape& shape, const SmoothMap& map, const MorphOptions& options,
                         TaskControl& control = TaskControl::none());
 

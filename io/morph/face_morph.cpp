@@ -1,5 +1,6 @@
 #include "io/morph/face_morph.h"
 
+#include "core/message/message.h"
 #include "io/morph/millimetre_map.h"
 #include "io/morph/rigid_piece.h"
 #include "io/morph/spline_geometry.h"
@@ -266,7 +267,7 @@ private:
 
 MorphedFace morphFace(const TopoDS_Face& face, const SmoothMap& map, const MorphOptions& options)
 {
-    const auto failed = [](const char* why) {
+    const auto failed = [](const Message& why) {
         MorphedFace result;
         result.converged = false;
         result.problem = why;
@@ -275,9 +276,9 @@ MorphedFace morphFace(const TopoDS_Face& face, const SmoothMap& map, const Morph
     try {
         return FaceMorpher(face, map, options).run();
     } catch (const Standard_Failure& failure) {
-        return failed(failure.GetMessageString());
+        return failed(Message::verbatim(failure.GetMessageString()));
     } catch (const std::runtime_error& error) {
-        return failed(error.what());
+        return failed(messageOf(error));
     }
 }
 

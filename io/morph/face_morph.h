@@ -2,6 +2,7 @@
 
 #include "core/geometry/smooth_map.h"
 #include "core/geometry/spline_fit.h"
+#include "core/message/message.h"
 #include "io/morph/morph_options.h"
 
 #include <Geom2d_Curve.hxx>
@@ -41,7 +42,7 @@ struct MorphedFace {
     Vec2 worst = Vec2::Zero();     ///< parameters where that was
     bool converged = true;
     int poles = 0;
-    std::string problem; ///< why it failed
+    Message problem; ///< why it failed
 };
 
 /// @param face forward, where it is in space. @param map in millimetres

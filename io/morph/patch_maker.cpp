@@ -1,5 +1,6 @@
 #include "io/morph/patch_maker.h"
 
+#include "core/message/message.h"
 #include "io/brep/face_redrawing.h"
 #include "io/morph/trimmed_face.h"
 
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 namespace knead {
@@ -138,17 +138,17 @@ std::vector<TopoDS_Face> PatchMaker::facesFor(const TopoDS_Face& face, const Mil
 try {
     const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
     if (!slitsOf(forward).IsEmpty() || hasWiresApart(forward))
-        throw std::runtime_error("its border cannot be drawn in its parameters");
+        throw Problem(Message("Export", "its border cannot be drawn in its parameters"));
     CarriedFace carried(forward, map, *this);
     const auto drawn = drawFace(forward, carried, m_fineness);
     if (!drawn)
-        throw std::runtime_error("its border does not close in its parameters");
+        throw Problem(Message("Export", "its border does not close in its parameters"));
     std::vector<TopoDS_Vertex> vertices(drawn->places.size());
     for (const DrawnFace::Run& run : drawn->runs) {
         const Division& division = divisionOf(run.edge);
         const bool isPole = BRep_Tool::Degenerated(run.edge);
         if (run.points.empty() || (!isPole && run.points.size() != division.vertices.size()))
-            throw std::runtime_error("its border is too short to be divided");
+            throw Problem(Message("Export", "its border is too short to be divided"));
         for (std::size_t i = 0; i < run.points.size(); ++i)
             vertices[run.points[i]] = isPole ? division.vertices.front() : division.vertices[i];
     }
@@ -164,7 +164,7 @@ try {
     }
     return faces;
 } catch (const Standard_Failure& failure) {
-    throw std::runtime_error(std::string("a face cannot be drawn: ") + failure.GetMessageString());
+    throw Problem(Message("Export", "a face cannot be drawn: %1").with(failure.GetMessageString()));
 }
 
 const PatchMaker::Division& PatchMaker::divisionOf(const TopoDS_Edge& edge)
@@ -181,7 +181,7 @@ PatchMaker::Division PatchMaker::divide(const TopoDS_Edge& edge)
     const TopoDS_Vertex first = TopExp::FirstVertex(image);
     const TopoDS_Vertex last = TopExp::LastVertex(image);
     if (first.IsNull() || last.IsNull())
-        throw std::runtime_error("an edge does not end");
+        throw Problem(Message("Export", "an edge does not end"));
     Division division;
     if (BRep_Tool::Degenerated(edge)) {
         division.vertices = {first, last};
@@ -229,7 +229,7 @@ void PatchMaker::cut(const TopoDS_Edge& edge, const TopoDS_Edge& image, const Di
         pieces.push_back(piece);
         const Ends ends(vertexNumber(division.vertices[i]), vertexNumber(division.vertices[i + 1]));
         if (m_edges.contains(ends) || m_edges.contains({ends.second, ends.first}))
-            throw std::runtime_error("two of its edges are too short to be told apart");
+            throw Problem(Message("Export", "two of its edges are too short to be told apart"));
         m_edges[ends] = piece;
     }
 }
@@ -248,7 +248,7 @@ TopoDS_Edge PatchMaker::edgeBetween(const TopoDS_Vertex& from, const TopoDS_Vert
     if (edge.IsNull()) {
         const gp_Vec along(placeOf(from), placeOf(to));
         if (along.Magnitude() <= exactTolerance)
-            throw std::runtime_error("two of its points lie on each other");
+            throw Problem(Message("Export", "two of its points lie on each other"));
         m_builder.MakeEdge(edge, new Geom_Line(placeOf(from), gp_Dir(along)), exactTolerance);
         m_builder.Add(edge, from.Oriented(TopAbs_FORWARD));
         m_builder.Add(edge, to.Oriented(TopAbs_REVERSED));
@@ -261,7 +261,7 @@ TopoDS_Face PatchMaker::triangle(const TopoDS_Vertex& a, const TopoDS_Vertex& b,
 {
     const gp_Vec normal = gp_Vec(placeOf(a), placeOf(b)).Crossed(gp_Vec(placeOf(a), placeOf(c)));
     if (normal.Magnitude() <= exactTolerance * exactTolerance)
-        throw std::runtime_error("a triangle in its place has no width");
+        throw Problem(Message("Export", "a triangle in its place has no width"));
     TopoDS_Wire wire;
     m_builder.MakeWire(wire);
     m_builder.Add(wire, edgeBetween(a, b));

@@ -35,7 +35,7 @@ public:
     /// Triangles in the place of a face, their outside where its own is.
     /// @param face of the source, as it is oriented in the whole
     /// @param map what carries it
-    /// @throws std::runtime_error, in words, when it cannot be drawn
+    /// @throws Problem, when it cannot be drawn
     std::vector<TopoDS_Face> facesFor(const TopoDS_Face& face, const MillimetreMap& map);
 
     /// The edges that were cut, by number, in pieces as they run.

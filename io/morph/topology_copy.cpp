@@ -1,5 +1,6 @@
 #include "io/morph/topology_copy.h"
 
+#include "core/message/message.h"
 #include "core/task/parallel_progress.h"
 
 #include <BRepAdaptor_Curve.hxx>
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace knead {
 
@@ -175,7 +175,7 @@ void TopologyCopy::makeFlatFaces(TaskControl& control)
         m_flatFaces[i] = m_patchMaker.facesFor(TopoDS::Face(m_faces(i)), m_map.forFace(placesOnEdges(m_faces(i))));
         count += m_flatFaces[i].size();
         if (count > m_options.mostFlat)
-            throw std::runtime_error("too many triangles would be needed");
+            throw Problem(Message("Export", "too many triangles would be needed"));
     }
 }
 

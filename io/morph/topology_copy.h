@@ -33,7 +33,7 @@ public:
     void computeGeometry(TaskControl& control);
 
     /// The new shape. Tolerances are not measured yet.
-    /// @throws Cancelled, and std::runtime_error, in words, when a face that is to be flat cannot be drawn
+    /// @throws Cancelled, and Problem, when a face that is to be flat cannot be drawn
     TopoDS_Shape build(TaskControl& control);
 
     /// Whether triangles take the place of a face.

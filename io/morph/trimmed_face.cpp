@@ -1,5 +1,6 @@
 #include "io/morph/trimmed_face.h"
 
+#include "core/message/message.h"
 #include "io/morph/millimetre_map.h"
 
 #include <BRep_Tool.hxx>
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace knead {
 
@@ -50,7 +50,7 @@ Handle(Geom2d_Curve) curveOn(const TopoDS_Face& face, const TopoDS_Edge& edge, d
 {
     Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
     if (curve.IsNull())
-        throw std::runtime_error("an edge has no curve on its face");
+        throw Problem(Message("Export", "an edge has no curve on its face"));
     return curve;
 }
 
@@ -73,7 +73,7 @@ void takeRangeInSpace(FaceEdge& edge)
         try {
             GeomLib::SameRange(1e-9, curve, edge.first, edge.last, first, last, ranged);
         } catch (const Standard_Failure&) {
-            throw std::runtime_error("an edge has a curve on its face that does not match it");
+            throw Problem(Message("Export", "an edge has a curve on its face that does not match it"));
         }
         if (!ranged.IsNull())
             curve = ranged;
@@ -108,7 +108,7 @@ TrimmedFace::TrimmedFace(const TopoDS_Face& face)
     TopLoc_Location location;
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location);
     if (surface.IsNull())
-        throw std::runtime_error("a face has no surface");
+        throw Problem(Message("Export", "a face has no surface"));
     m_surface.Load(surface);
     m_location = location.Transformation();
     std::vector<WireBox> wires;
@@ -119,13 +119,13 @@ TrimmedFace::TrimmedFace(const TopoDS_Face& face)
         surface->Bounds(m_low[0], m_high[0], m_low[1], m_high[1]);
         for (const double bound : {m_low[0], m_high[0], m_low[1], m_high[1]})
             if (Precision::IsInfinite(bound))
-                throw std::runtime_error("a face has no border");
+                throw Problem(Message("Export", "a face has no border"));
         return;
     }
     bringTogether(wires);
     snapToBounds();
     if (!(m_high[0] > m_low[0] && m_high[1] > m_low[1]))
-        throw std::runtime_error("a face is degenerate");
+        throw Problem(Message("Export", "a face is degenerate"));
 }
 
 void TrimmedFace::addWire(const TopoDS_Shape& wire, WireBox& box)

@@ -32,7 +32,7 @@ struct FaceEdge {
 class TrimmedFace {
 public:
     /// @param face forward
-    /// @throws std::runtime_error, when an edge has no curve on the surface or the face is not bounded
+    /// @throws Problem, when an edge has no curve on the surface or the face is not bounded
     explicit TrimmedFace(const TopoDS_Face& face);
 
     const TopoDS_Face& face() const { return m_face; }

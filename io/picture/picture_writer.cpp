@@ -1,5 +1,6 @@
 #include "io/picture/picture_writer.h"
 
+#include "core/message/message.h"
 #include "core/task/parallel.h"
 #include "io/files/safe_file.h"
 #include "io/formats/cad_format.h"
@@ -15,7 +16,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 
 namespace knead {
 
@@ -300,7 +300,7 @@ std::string encodePng(const std::vector<std::uint8_t>& pixels, int width, int he
     std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
     png_alloc_size_t size = bytes.size();
     if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0)
-        throw std::runtime_error("The picture cannot be compressed: " + std::string(image.message) + ".");
+        throw Problem(Message("Export", "The picture cannot be compressed: %1.").with(image.message));
     bytes.resize(size);
     return bytes;
 }
@@ -309,12 +309,12 @@ void check(const std::string& path, const std::vector<MeshBody>& bodies, const P
 {
     const auto isEmpty = [](const MeshBody& body) { return body.mesh.empty(); };
     if (std::all_of(bodies.begin(), bodies.end(), isEmpty))
-        throw std::runtime_error(shortName(path) + ": there is no surface to draw.");
+        failReading(path, Message("Export", "there is no surface to draw."));
     if (std::min(options.width, options.height) < 1 || std::max(options.width, options.height) > largestSide)
-        throw std::runtime_error(shortName(path) + ": the picture must have from 1 to " + std::to_string(largestSide) +
-                                 " pixels on each side.");
+        failReading(path,
+                    Message("Export", "the picture must have from 1 to %1 pixels on each side.").with(largestSide));
     if (!(options.viewDirection.norm() > 0) || !(options.up.norm() > 0))
-        throw std::runtime_error(shortName(path) + ": the directions of view and of up must not be zero.");
+        failReading(path, Message("Export", "the directions of view and of up must not be zero."));
 }
 
 } // namespace

@@ -16,7 +16,7 @@ struct PictureOptions {
 
 /// Draws bodies, with the colors of their faces, to a PNG without a display or a graphics card: z-buffer, smooth shading with sharp CAD edges, parallel
 /// projection fitted to the bodies, anti-aliased, light background, soft ground shadow when it helps.
-/// @throws std::runtime_error, in a sentence.
+/// @throws Problem.
 /// @param glass what is drawn as if of glass, so that one sees what it does to the bodies
 void writePicture(const std::string& path, const std::vector<MeshBody>& bodies, const PictureOptions& options = {},
                   const std::vector<MeshBody>& glass = {});

@@ -10,7 +10,7 @@ namespace knead {
 
 /// An aggregate as bytes, to the last bit, and the other way: arrays as they lie in memory. Trusts nothing: sizes, order of
 /// objects, connections to objects that are not there and numbers that are none are found.
-/// @throws std::runtime_error, naming what is wrong, for the developer
+/// @throws Problem, naming what is wrong, for the developer
 std::string aggregateToBytes(const Aggregate& aggregate);
 Aggregate aggregateFromBytes(std::string_view bytes);
 

@@ -1,5 +1,6 @@
 #include "io/project/blobs.h"
 
+#include "core/message/message.h"
 #include "io/project/packing.h"
 
 #include <zstd.h>
@@ -32,14 +33,14 @@ void packInto(std::span<const std::byte> bytes, Bytes& packed)
 void unpackInto(const Bytes& packed, std::int64_t size, Bytes& bytes, std::size_t& budget)
 {
     if (size < 0 || size > static_cast<std::int64_t>(std::min(pieceSize, budget)))
-        throw DamagedData("a number in the table blobs is out of range");
+        throw DamagedData(Message("Project", "a number in the table blobs is out of range"));
     const std::size_t begin = bytes.size();
     const auto wanted = static_cast<std::size_t>(size);
     budget -= wanted;
     bytes.resize(begin + wanted);
     const std::size_t unpacked = ZSTD_decompress(bytes.data() + begin, wanted, packed.data(), packed.size());
     if (ZSTD_isError(unpacked) != 0 || unpacked != wanted)
-        throw DamagedData("a row of the table blobs cannot be unpacked");
+        throw DamagedData(Message("Project", "a row of the table blobs cannot be unpacked"));
 }
 
 } // namespace
@@ -86,7 +87,7 @@ Bytes Blobs::read(SQLite::Database& database, std::int64_t id, std::size_t& budg
         if (i == 0)
             count = row.integer(2);
         if (row.integer(1) != i || row.integer(2) != count)
-            throw DamagedData("pieces of the table blobs are mixed up");
+            throw DamagedData(Message("Project", "pieces of the table blobs are mixed up"));
         unpackInto(row.bytes(4), row.integer(3), bytes, budget);
     }
     return bytes;

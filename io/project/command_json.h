@@ -21,7 +21,7 @@ std::string commandsToJson(std::span<const RecordedCommand> commands, ToolPartTa
 /// The other way. What simulations check themselves is not checked here: materials out of range, tools that do not exist.
 /// @param source what messages call the text
 /// @param longList elements that lists of objects may have together; counts down
-/// @throws std::runtime_error "SOURCE: [3].gravity_m_s2 must hold 3 numbers, got 7.", or with line and column where the text
+/// @throws Problem "SOURCE: [3].gravity_m_s2 must hold 3 numbers, got 7.", or with line and column where the text
 ///         is no JSON
 std::vector<RecordedCommand> commandsFromJson(const std::string& text, const std::string& source,
                                               const ToolPartTable& tools, std::size_t& longList);

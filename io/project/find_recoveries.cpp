@@ -1,3 +1,4 @@
+#include "core/message/message.h"
 #include "io/project/recovery.h"
 #include "io/project/recovery_files.h"
 #include "io/project/rows.h"
@@ -103,7 +104,7 @@ void dropRecovery(const Recovery& recovery)
 {
     const FileLock lock = recovery_files::patientLock(recovery.folder);
     if (lock.result() == FileLock::Result::taken)
-        throw std::runtime_error("Another window works on this: discard it there.");
+        throw Problem(Message("Project", "Another window works on this: discard it there."));
     recovery_files::remove(recovery.folder);
 }
 

@@ -1,5 +1,6 @@
 #include "io/project/json_fields.h"
 
+#include "core/message/message.h"
 #include "io/json/exact_number.h"
 #include "io/json/json_text.h"
 
@@ -35,7 +36,7 @@ std::array<double, count> numbersIn(const JsonNode& node)
 {
     const std::vector<JsonNode> items = node.items();
     if (items.size() != count)
-        node.failExpecting("must hold " + std::to_string(count) + " numbers");
+        node.failExpecting(Message("Recipe", "must hold %1 numbers").with(count));
     std::array<double, count> numbers;
     std::transform(items.begin(), items.end(), numbers.begin(), numberIn);
     return numbers;
@@ -164,9 +165,9 @@ void FieldReader::operator()(const char* key, std::vector<std::uint32_t>& value)
     value.clear();
     const auto add = [&](const JsonNode& item, std::uint64_t first, std::uint64_t last) {
         if (last < first)
-            item.failExpecting("must hold the first and the last number of a stretch");
+            item.failExpecting(Message("Recipe", "must hold the first and the last number of a stretch"));
         if (last - first >= m_longList)
-            item.failExpecting("makes a list longer than any that this program writes");
+            item.failExpecting(Message("Recipe", "makes a list longer than any that this program writes"));
         m_longList -= last - first + 1;
         for (std::uint64_t number = first; number <= last; ++number)
             value.push_back(static_cast<std::uint32_t>(number));
@@ -178,7 +179,7 @@ void FieldReader::operator()(const char* key, std::vector<std::uint32_t>& value)
         }
         const std::vector<JsonNode> ends = item.items();
         if (ends.size() != 2)
-            item.failExpecting("must hold the first and the last number of a stretch");
+            item.failExpecting(Message("Recipe", "must hold the first and the last number of a stretch"));
         add(item, indexIn(ends[0]), indexIn(ends[1]));
     }
 }
@@ -191,7 +192,7 @@ void FieldReader::operator()(const char* key, std::shared_ptr<const ToolPart>& v
         return;
     const std::uint32_t number = indexIn(*node);
     if (number >= m_tools.parts().size() || m_tools.parts()[number] == nullptr)
-        node->failExpecting("must be the number of a tool part of the project");
+        node->failExpecting(Message("Recipe", "must be the number of a tool part of the project"));
     value = m_tools.parts()[number];
 }
 

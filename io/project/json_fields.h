@@ -2,6 +2,7 @@
 
 #include "core/geometry/vec3.h"
 #include "core/mechanics/tool_shape.h"
+#include "core/message/message.h"
 #include "io/json/json_reader.h"
 #include "io/recipe/recipe_values.h"
 
@@ -137,7 +138,7 @@ private:
     std::string m_text;
 };
 
-/// Reads fields from a JSON object; failures are std::runtime_error and name the field.
+/// Reads fields from a JSON object; failures are Problems and name the field.
 class FieldReader {
 public:
     /// @param longList elements that all lists of numbers read with it may have together; counts down
@@ -262,7 +263,7 @@ void describeVariant(const FieldReader& fields, const char* key, std::variant<Al
     };
     const bool isKnown = ((word == wordOf<Alternatives> && readAs(Alternatives{})) || ...);
     if (!isKnown)
-        fields.node().at(key).failExpecting("must be one of those that this program knows");
+        fields.node().at(key).failExpecting(Message("Recipe", "must be one of those that this program knows"));
 }
 
 } // namespace knead

@@ -1,9 +1,10 @@
 #include "io/project/packing.h"
 
+#include "core/message/message.h"
+
 #include <zstd.h>
 
 #include <new>
-#include <stdexcept>
 
 namespace knead {
 
@@ -25,7 +26,7 @@ Bytes unpack(std::span<const std::byte> packed, std::size_t size)
     Bytes bytes(size);
     const std::size_t unpacked = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
     if (ZSTD_isError(unpacked) != 0)
-        throw std::runtime_error("it cannot be unpacked");
+        throw Problem(Message("Project", "it cannot be unpacked"));
     bytes.resize(unpacked);
     return bytes;
 }

@@ -1,5 +1,6 @@
 #include "io/project/project_database.h"
 
+#include "core/message/message.h"
 #include "io/formats/cad_format.h"
 #include "io/project/schema.h"
 
@@ -37,20 +38,20 @@ void checkIsDatabase(const std::string& path)
 {
     std::error_code error;
     if (!fs::exists(path, error))
-        failReading(path, "there is no such file.");
+        failReading(path, Message("Project", "there is no such file."));
     if (fs::is_directory(path, error))
-        failReading(path, "this is a folder, not a project.");
+        failReading(path, Message("Project", "this is a folder, not a project."));
     if (!fs::is_regular_file(path, error))
-        failReading(path, "this is no file, and no project either.");
+        failReading(path, Message("Project", "this is no file, and no project either."));
     std::ifstream file(path, std::ios::binary);
     std::array<char, 16> start{};
     file.read(start.data(), start.size());
     if (!file.good() && !file.eof())
-        failReading(path, "the file cannot be read; check its permissions.");
+        failReading(path, Message("Project", "the file cannot be read; check its permissions."));
     if (file.gcount() == 0)
-        failReading(path, "the file is empty.");
+        failReading(path, Message("Project", "the file is empty."));
     if (std::string_view(start.data(), start.size()) != std::string_view("SQLite format 3\0", 16))
-        failReading(path, "this is not a Knead project.");
+        failReading(path, Message("Project", "this is not a Knead project."));
 }
 
 } // namespace
@@ -65,7 +66,7 @@ OpenProject openProject(const std::string& path)
     // The schema of a stranger's file runs no code of its own; that of a cut-off file may still be looked at.
     database.exec("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA writable_schema = ON");
     if (database.execAndGet("PRAGMA application_id").getInt() != applicationId && !hasTables(database, projectTables()))
-        failReading(path, "this is a database of another program, not a Knead project.");
+        failReading(path, Message("Project", "this is a database of another program, not a Knead project."));
     project.version = database.execAndGet("PRAGMA user_version").getInt();
     return project;
 }

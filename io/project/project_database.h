@@ -20,7 +20,7 @@ struct OpenProject {
     std::uint64_t bytes = 0;
 };
 
-/// @throws std::runtime_error, in a sentence, when it is no file or no project, or cannot be read
+/// @throws Problem, when it is no file or no project, or cannot be read
 OpenProject openProject(const std::string& path);
 
 /// A copy that is gone with its connection, brought to the present version. @throws SQLite::Exception, DamagedData

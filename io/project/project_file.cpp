@@ -1,5 +1,6 @@
 #include "io/project/project_file.h"
 
+#include "core/message/message.h"
 #include "io/files/safe_file.h"
 #include "io/formats/cad_format.h"
 #include "io/project/project_database.h"
@@ -26,9 +27,10 @@ namespace {
 
 constexpr double writingShare = 0.9; // of the progress of saving; the rest is reading back
 
-[[noreturn]] void failDamaged(const std::string& path, const std::string& what)
+[[noreturn]] void failDamaged(const std::string& path, const Message& what)
 {
-    throw DamagedProject(shortName(path) + ": the project is damaged: " + what + ". What is whole can be rescued.");
+    throw DamagedProject(Message("Project", "%1: the project is damaged: %2. What is whole can be rescued.")
+                             .with(shortName(path), what));
 }
 
 /// Root may write everywhere, but a person who marked a file as read-only meant it.
@@ -38,9 +40,9 @@ void checkMayBeReplaced(const std::string& path)
     if (stat(path.c_str(), &status) != 0)
         return;
     if (S_ISDIR(status.st_mode))
-        failReading(path, "there is a folder of this name; choose another name.");
+        failReading(path, Message("Project", "there is a folder of this name; choose another name."));
     if ((status.st_mode & 0222U) == 0 || access(path.c_str(), W_OK) != 0)
-        failReading(path, "the file is read-only; save the project under another name.");
+        failReading(path, Message("Project", "the file is read-only; save the project under another name."));
 }
 
 /// Where a link leads, so that the file behind it is replaced and not the link.
@@ -71,7 +73,7 @@ Project readFrom(OpenProject& file, ReadingChoices choices, TaskControl& control
         copy = migratedCopy(*file.database, file.version);
     SQLite::Database& database = copy != nullptr ? *copy : *file.database;
     if (!hasTables(database, projectTables()))
-        throw DamagedData("its tables are not those of a project");
+        throw DamagedData(Message("Project", "its tables are not those of a project"));
     choices.bytes = file.bytes;
     return ProjectReader(database, choices, control).read();
 }
@@ -81,14 +83,14 @@ Project readWhole(const std::string& path, const ReadingChoices& choices, TaskCo
     try {
         OpenProject file = openProject(path);
         if (file.version > schemaVersion)
-            failReading(path, "a newer Knead saved this project (version " + std::to_string(file.version) +
-                                  " of the file; this program reads up to " + std::to_string(schemaVersion) +
-                                  "). Update Knead to open it.");
+            failReading(path, Message("Project", "a newer Knead saved this project (version %1 of the file; this "
+                                                 "program reads up to %2). Update Knead to open it.")
+                                  .with(file.version, schemaVersion));
         return readFrom(file, choices, control);
     } catch (const SQLite::Exception& error) {
-        failDamaged(path, error.what());
+        failDamaged(path, messageOf(error));
     } catch (const DamagedData& error) {
-        failDamaged(path, error.what());
+        failDamaged(path, messageOf(error));
     }
 }
 
@@ -99,7 +101,7 @@ void readBack(const SafeFile& file, TaskControl& control)
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
-        file.fail(std::string("what was written cannot be read back: ") + error.what());
+        file.fail(Message("Project", "what was written cannot be read back: %1").with(messageOf(error)));
     }
 }
 
@@ -116,7 +118,7 @@ void writeProject(const std::string& path, const Project& project, TaskControl& 
     try {
         fill(database, project, writing);
     } catch (const SQLite::Exception& error) {
-        file.fail(reasonOf(database, error));
+        file.fail(Message::verbatim(reasonOf(database, error)));
     }
     TaskPortion checking(control, writingShare, 1);
     readBack(file, checking);
@@ -143,8 +145,13 @@ Project readProject(const std::string& path, TaskControl& control)
 
 namespace {
 
-constexpr const char* nothingLeft =
-    "nothing of this project can be read any more; open a copy of it, or the part that it was made from.";
+[[noreturn]] void failWithNothing(const std::string& path)
+{
+    failReading(
+        path,
+        Message("Project",
+                "nothing of this project can be read any more; open a copy of it, or the part that it was made from."));
+}
 
 } // namespace
 
@@ -160,10 +167,10 @@ RescuedProject rescueProject(const std::string& path, TaskControl& control)
         rescued.project = reader.read();
         rescued.missing = reader.missing();
         if (rescued.project.model == nullptr && rescued.project.starts.empty() && !rescued.missing.empty())
-            failReading(path, nothingLeft);
+            failWithNothing(path);
         return rescued;
     } catch (const SQLite::Exception&) {
-        failReading(path, nothingLeft);
+        failWithNothing(path);
     }
 }
 

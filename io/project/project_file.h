@@ -8,7 +8,7 @@
 namespace knead {
 
 // Project files, "bracket.knead": SQLite databases, see schema.h. All functions may be called on any thread and throw
-// std::runtime_error in a sentence for the person: which file, what is wrong, what to do.
+// Problem for the person: which file, what is wrong, what to do.
 
 /// Writes a project. The file appears whole or not at all, and is on the disk when this returns: until then, and whatever ends
 /// the program, what lay at the path before stays. It is read back before it takes that place. A link is followed.
@@ -24,7 +24,7 @@ Project readProject(const std::string& path, TaskControl& control = TaskControl:
 /// Whether a file begins as projects do, whatever its name; no promise that it can be read.
 bool isProjectFile(const std::string& path);
 
-/// Takes from a file what is whole. @throws std::runtime_error when no table of a project is left; Cancelled
+/// Takes from a file what is whole. @throws Problem when no table of a project is left; Cancelled
 RescuedProject rescueProject(const std::string& path, TaskControl& control = TaskControl::none());
 
 } // namespace knead

@@ -1,10 +1,10 @@
 #include "io/project/project_lock.h"
 
+#include "core/message/message.h"
 #include "io/formats/cad_format.h"
 
 #include <ctime>
 #include <filesystem>
-#include <stdexcept>
 
 #include <unistd.h>
 
@@ -37,14 +37,15 @@ std::string timeWords(double time)
     return text;
 }
 
-std::string sentenceAbout(const std::optional<Owner>& owner)
+Message sentenceAbout(const std::optional<Owner>& owner)
 {
     if (!owner)
-        return "another window works on it. Close it there, or open a copy.";
+        return Message("Project", "another window works on it. Close it there, or open a copy.");
     if (owner->process == getpid())
-        return "another window of this program works on it. Close it there, or open a copy.";
-    return "another window works on it (process " + std::to_string(owner->process) + " on " + owner->host + ", since " +
-           timeWords(owner->since) + "). Close it there, or open a copy.";
+        return Message("Project", "another window of this program works on it. Close it there, or open a copy.");
+    return Message("Project",
+                   "another window works on it (process %1 on %2, since %3). Close it there, or open a copy.")
+        .with(owner->process, owner->host, timeWords(owner->since));
 }
 
 } // namespace

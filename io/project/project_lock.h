@@ -10,7 +10,7 @@ namespace knead {
 /// ".NAME.lock" beside the project, since the project itself is replaced at each save; it goes with the process.
 class ProjectLock {
 public:
-    /// @throws std::runtime_error, in a sentence that says who works on it (host, process, since when) and what to do
+    /// @throws Problem that says who works on it (host, process, since when) and what to do
     explicit ProjectLock(const std::string& path);
     ~ProjectLock();
     ProjectLock(const ProjectLock&) = delete;

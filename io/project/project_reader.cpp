@@ -1,5 +1,6 @@
 #include "io/project/project_reader.h"
 
+#include "core/message/message.h"
 #include "io/project/aggregate_bytes.h"
 #include "io/project/command_json.h"
 #include "io/project/project_fields.h"
@@ -24,35 +25,40 @@ std::string_view textOf(const Bytes& bytes)
 }
 
 /// Objects of a body: ascending, and there.
-void checkObjects(const std::vector<ObjectIndex>& objects, const Aggregate& aggregate, const std::string& what)
+/// @param sentence says that they are not
+void checkObjects(const std::vector<ObjectIndex>& objects, const Aggregate& aggregate, const Message& sentence)
 {
     const auto isNotAfter = [](ObjectIndex a, ObjectIndex b) { return a >= b; };
     if (std::adjacent_find(objects.begin(), objects.end(), isNotAfter) != objects.end() ||
         (!objects.empty() && objects.back() >= aggregate.size()))
-        throw DamagedData(what + " has objects that are not there");
+        throw DamagedData(sentence);
 }
 
 void checkFixture(const Fixture& fixture, const Scene& scene)
 {
     if (fixture.body >= scene.bodies.size())
-        throw DamagedData("a fixture is of a body that is not there");
-    checkObjects(fixture.objects, *scene.bodies[fixture.body].aggregate, "a fixture");
+        throw DamagedData(Message("Project", "a fixture is of a body that is not there"));
+    checkObjects(fixture.objects, *scene.bodies[fixture.body].aggregate,
+                 Message("Project", "a fixture has objects that are not there"));
 }
 
 std::uint64_t countIn(const Row& row, std::size_t column)
 {
     const std::int64_t number = row.integer(column);
     if (number < 0)
-        throw DamagedData("a count is negative");
+        throw DamagedData(Message("Project", "a count is negative"));
     return static_cast<std::uint64_t>(number);
 }
 
 /// Sentences of readers go on in a longer one.
-std::string withoutStop(std::string sentence)
+Message withoutStop(const std::runtime_error& error)
 {
-    while (!sentence.empty() && sentence.back() == '.')
+    std::string sentence = error.what();
+    if (!sentence.ends_with('.'))
+        return messageOf(error);
+    while (sentence.ends_with('.'))
         sentence.pop_back();
-    return sentence;
+    return Message::verbatim(sentence);
 }
 
 } // namespace
@@ -82,7 +88,7 @@ Project ProjectReader::read()
     return std::move(m_project);
 }
 
-bool ProjectReader::attempt(const std::string& what, const std::function<void()>& read)
+bool ProjectReader::attempt(const Message& what, const std::function<void()>& read)
 {
     m_control.throwIfCancelled();
     try {
@@ -91,7 +97,7 @@ bool ProjectReader::attempt(const std::string& what, const std::function<void()>
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
-        const std::string sentence = what + " (" + withoutStop(error.what()) + ")";
+        const Message sentence = Message::verbatim("%1 (%2)").with(what, withoutStop(error));
         if (!m_choices.rescues)
             throw DamagedData(sentence);
         m_missing.push_back(sentence);
@@ -108,11 +114,11 @@ std::int64_t ProjectReader::countOf(const std::string& table)
     const auto read = [&] {
         const Row row = rowAt(m_database, "contents", form - tables.begin());
         if (row.text(1) != table)
-            throw DamagedData("rows of the table contents are mixed up");
+            throw DamagedData(Message("Project", "rows of the table contents are mixed up"));
         count = row.integer(2);
     };
-    if (!attempt("the number of rows of the table " + table, read))
-        attempt("the table " + table, [&] {
+    if (!attempt(Message("Project", "the number of rows of the table %1").with(table), read))
+        attempt(Message("Project", "the table %1").with(table), [&] {
             SQLite::Statement statement(m_database, "SELECT max(id) FROM " + table);
             if (statement.executeStep() && statement.getColumn(0).isInteger())
                 count = statement.getColumn(0).getInt64() + 1;
@@ -140,7 +146,7 @@ std::vector<RecordedCommand> ProjectReader::commands(const std::string& json, co
 
 void ProjectReader::readModel()
 {
-    attempt("the model", [&] {
+    attempt(Message("Project", "the model"), [&] {
         const Row row = rowAt(m_database, "project", 0);
         readFields(row.text(1), "import", m_project.import);
         if (!row.isNull(2))
@@ -154,7 +160,7 @@ void ProjectReader::readToolParts()
     const std::int64_t count = countOf("tool_parts");
     for (std::int64_t id = 0; id < count; ++id) {
         std::shared_ptr<const ToolPart> part;
-        attempt("tool part " + std::to_string(id), [&] {
+        attempt(Message("Project", "tool part %1").with(id), [&] {
             const Row row = rowAt(m_database, "tool_parts", id);
             ToolPartPlace place;
             readFields(row.text(2), "place", place);
@@ -170,7 +176,7 @@ void ProjectReader::readStarts()
     for (std::int64_t id = 0; id < count; ++id) {
         const auto number = static_cast<std::uint32_t>(m_project.starts.size());
         const bool isWhole =
-            attempt("start state " + std::to_string(id), [&] { m_project.starts.push_back(startAt(id)); });
+            attempt(Message("Project", "start state %1").with(id), [&] { m_project.starts.push_back(startAt(id)); });
         m_starts.push_back(isWhole ? std::optional(number) : std::nullopt);
     }
 }
@@ -184,7 +190,7 @@ ProjectStart ProjectReader::startAt(std::int64_t id)
     for (std::uint32_t i = 0; i < bodies; ++i) {
         const Row body = rowAt(m_database, "bodies", std::int64_t{row.index(2)} + i);
         if (body.integer(1) != id)
-            throw DamagedData("rows of the table bodies are mixed up");
+            throw DamagedData(Message("Project", "rows of the table bodies are mixed up"));
         start.partOfBody.push_back(readBody(body, start.scene.bodies.emplace_back()));
     }
     for (const Fixture& fixture : start.scene.fixtures)
@@ -197,7 +203,7 @@ std::size_t ProjectReader::readBody(const Row& row, Body& body)
 {
     const std::size_t part = row.index(2);
     if (m_project.model != nullptr && part >= m_project.model->parts.size())
-        throw DamagedData("a body is of a part that is not there");
+        throw DamagedData(Message("Project", "a body is of a part that is not there"));
     body.name = row.text(3);
     readFields(row.text(4), "material", body.material);
     readFields(row.text(5), "state", body);
@@ -205,7 +211,7 @@ std::size_t ProjectReader::readBody(const Row& row, Body& body)
     if (m_project.model != nullptr)
         body.surface = surfaceOf(m_project.model, part);
     for (const MaterialRegion& region : body.regions)
-        checkObjects(region.objects, *body.aggregate, "a region");
+        checkObjects(region.objects, *body.aggregate, Message("Project", "a region has objects that are not there"));
     return part;
 }
 
@@ -224,7 +230,7 @@ void ProjectReader::readEntries()
     const std::int64_t count = countOf("entries");
     for (std::int64_t id = 0; id < count; ++id) {
         const auto number = static_cast<std::uint32_t>(m_project.entries.size());
-        const bool isWhole = attempt("entry " + std::to_string(id), [&] {
+        const bool isWhole = attempt(Message("Project", "entry %1").with(id), [&] {
             m_project.entries.push_back(entryAt(rowAt(m_database, "entries", id), static_cast<std::uint32_t>(id)));
         });
         m_entries.push_back(isWhole ? std::optional(number) : std::nullopt);
@@ -233,9 +239,9 @@ void ProjectReader::readEntries()
     m_project.current = wholeEntryBefore(current);
     if (current == 0 && m_project.entries.empty())
         return;
-    attempt("which entry was shown", [&] {
+    attempt(Message("Project", "which entry was shown"), [&] {
         if (current >= m_entries.size() || !m_entries[current])
-            throw DamagedData("that entry is missing");
+            throw DamagedData(Message("Project", "that entry is missing"));
         m_project.current = *m_entries[current];
     });
 }
@@ -254,11 +260,11 @@ HistoryRecord ProjectReader::entryAt(const Row& row, std::uint32_t number)
     const std::uint32_t parent = row.index(1);
     const std::uint32_t start = row.index(2);
     if (number > 0 && parent >= number)
-        throw DamagedData("it follows a later one");
+        throw DamagedData(Message("Project", "it follows a later one"));
     if (number == 0 ? parent != 0 : !m_entries[parent].has_value())
-        throw DamagedData("the entry that it follows is missing");
+        throw DamagedData(Message("Project", "the entry that it follows is missing"));
     if (start >= m_starts.size() || !m_starts[start])
-        throw DamagedData("its start state is missing");
+        throw DamagedData(Message("Project", "its start state is missing"));
     HistoryRecord record;
     record.parent = number == 0 ? 0 : *m_entries[parent];
     record.start = *m_starts[start];
@@ -290,13 +296,13 @@ void ProjectReader::readMoments()
                          "opening the history");
         if (!m_entries[id])
             continue;
-        attempt("the state of entry " + std::to_string(id), [&] {
+        attempt(Message("Project", "the state of entry %1").with(id), [&] {
             const Row row = rowAt(m_database, "entries", static_cast<std::int64_t>(id));
             if (row.isNull(11))
                 return;
             Bytes moment = blob(row.integer(11));
             if (moment.size() != countIn(row, 10))
-                throw DamagedData("it is of another length");
+                throw DamagedData(Message("Project", "it is of another length"));
             m_project.entries[*m_entries[id]].moment = std::make_shared<const Bytes>(std::move(moment));
         });
     }
@@ -304,14 +310,14 @@ void ProjectReader::readMoments()
 
 void ProjectReader::readView()
 {
-    attempt("the view", [&] {
+    attempt(Message("Project", "the view"), [&] {
         const Row row = rowAt(m_database, "view", 0);
         ProjectView view;
         readFields(row.text(1), "camera", view.camera);
         const std::size_t parts = m_project.model == nullptr ? 0 : m_project.model->parts.size();
         for (const JsonNode& part : JsonNode::readText(row.text(2), "hidden parts").items())
             if (view.hiddenParts.emplace_back(part.count(std::numeric_limits<std::uint32_t>::max())) >= parts)
-                part.failExpecting("must be the number of a part");
+                part.failExpecting(Message("Recipe", "must be the number of a part"));
         view.thumbnail = row.bytes(3);
         m_project.view = std::move(view);
     });
@@ -321,11 +327,11 @@ void ProjectReader::readMarks()
 {
     const std::int64_t count = countOf("marks");
     for (std::int64_t id = 0; id < count; ++id)
-        attempt("mark " + std::to_string(id), [&] {
+        attempt(Message("Project", "mark %1").with(id), [&] {
             const Row row = rowAt(m_database, "marks", id);
             const std::uint32_t entry = row.index(1);
             if (entry >= m_entries.size() || !m_entries[entry])
-                throw DamagedData("its entry is missing");
+                throw DamagedData(Message("Project", "its entry is missing"));
             m_project.marks.push_back({*m_entries[entry], row.text(2)});
         });
 }
@@ -334,7 +340,7 @@ void ProjectReader::readPanels()
 {
     const std::int64_t count = countOf("panels");
     for (std::int64_t id = 0; id < count; ++id)
-        attempt("what panel " + std::to_string(id) + " kept", [&] {
+        attempt(Message("Project", "what panel %1 kept").with(id), [&] {
             const Row row = rowAt(m_database, "panels", id);
             m_project.panels[row.text(1)] = row.text(2);
         });

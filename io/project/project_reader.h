@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/document/project.h"
+#include "core/message/message.h"
 #include "io/project/blobs.h"
 #include "io/project/json_fields.h"
 
@@ -30,13 +31,13 @@ public:
 
     /// Does a part of the reading; what goes wrong is thrown as DamagedData, or listed as missing when it rescues.
     /// @return whether it went well
-    bool attempt(const std::string& what, const std::function<void()>& read);
+    bool attempt(const Message& what, const std::function<void()>& read);
 
-    /// Commands in another table. @throws std::runtime_error
+    /// Commands in another table. @throws Problem
     std::vector<RecordedCommand> commands(const std::string& json, const std::string& source);
 
     /// What is not whole, a phrase each: "the state of entry 7 (row 9 of the table blobs is missing)".
-    const std::vector<std::string>& missing() const { return m_missing; }
+    const std::vector<Message>& missing() const { return m_missing; }
 
 private:
     std::int64_t countOf(const std::string& table);
@@ -69,7 +70,7 @@ private:
     std::map<std::int64_t, std::shared_ptr<const Aggregate>> m_aggregates;
     std::vector<std::optional<std::uint32_t>> m_starts;  ///< per start in the file: which of the project it is
     std::vector<std::optional<std::uint32_t>> m_entries; ///< the same for entries
-    std::vector<std::string> m_missing;
+    std::vector<Message> m_missing;
 };
 
 } // namespace knead

@@ -1,5 +1,6 @@
 #include "io/project/recovery.h"
 
+#include "core/message/message.h"
 #include "io/files/safe_file.h"
 #include "io/project/project_database.h"
 #include "io/project/project_reader.h"
@@ -12,7 +13,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <stdexcept>
 
 namespace knead {
 
@@ -20,16 +20,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void failKeeping(const std::string& reason)
+[[noreturn]] void failKeeping(const Message& reason)
 {
-    throw std::runtime_error("The work cannot be kept for recovery (" + reason +
-                             "). Save the project, and make room in " + recoveryFolder() + ".");
+    throw Problem(
+        Message("Project", "The work cannot be kept for recovery (%1). Save the project, and make room in %2.")
+            .with(reason, recoveryFolder()));
 }
 
 [[noreturn]] void failRescuing(const std::string& folder)
 {
-    throw std::runtime_error("Nothing of the work that was kept in " + folder +
-                             " can be read any more. Discard it, and open what was saved last.");
+    throw Problem(
+        Message(
+            "Project",
+            "Nothing of the work that was kept in %1 can be read any more. Discard it, and open what was saved last.")
+            .with(folder));
 }
 
 /// A folder of its own that nobody sees under its final name before it is locked.
@@ -39,13 +43,13 @@ std::string newFolder(const std::string& parent, FileLock& lock)
     fs::create_directories(parent, error);
     std::string name = (fs::path(parent) / "new-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)
-        failKeeping(std::strerror(errno));
+        failKeeping(Message::verbatim(std::strerror(errno)));
     lock = FileLock(recovery_files::lock(name));
     const std::string ready = (fs::path(parent) / ("work-" + name.substr(name.size() - 6))).string();
     fs::rename(name, ready, error);
     if (error || !lock.isHeld()) {
         fs::remove_all(name, error);
-        failKeeping("its folder cannot be locked");
+        failKeeping(Message("Project", "its folder cannot be locked"));
     }
     for (const fs::path& folder : {fs::path(ready), fs::path(parent), fs::path(parent).parent_path()})
         syncFolder(folder.string());
@@ -68,7 +72,7 @@ RecoveryFile::RecoveryFile(const std::string& folder)
         m_database = recovery_files::open(m_folder);
     } catch (const SQLite::Exception& error) {
         recovery_files::remove(m_folder);
-        failKeeping(error.what());
+        failKeeping(Message::verbatim(error.what()));
     }
 }
 
@@ -77,7 +81,8 @@ RecoveryFile::RecoveryFile(const Recovery& recovery)
     , m_folder(recovery.folder)
 {
     if (!m_lock.isHeld())
-        throw std::runtime_error("Another window works on this already, or it was discarded: look for it there.");
+        throw Problem(
+            Message("Project", "Another window works on this already, or it was discarded: look for it there."));
     try {
         m_database = recovery_files::open(m_folder);
     } catch (const SQLite::Exception&) {
@@ -96,7 +101,7 @@ RecoveredWork RecoveryFile::read(TaskControl& control)
             RecoveredWork work;
             work.project = reader.read();
             const auto read = [&](const std::string& json) { return reader.commands(json, "gesture"); };
-            reader.attempt("what was done last", [&] { work.state = readState(read); });
+            reader.attempt(Message("Project", "what was done last"), [&] { work.state = readState(read); });
             work.missing = reader.missing();
             return work;
         } catch (const DamagedData&) {
@@ -129,7 +134,7 @@ void RecoveryFile::inTransaction(const std::function<void()>& change)
     } catch (const SQLite::Exception& error) {
         const std::string reason = reasonOf(*m_database, error);
         giveUp();
-        failKeeping(reason);
+        failKeeping(Message::verbatim(reason));
     } catch (...) {
         giveUp();
         throw;

@@ -22,7 +22,7 @@ std::string recoveryFolder();
 /// nothing in them to lose are removed.
 std::vector<Recovery> findRecoveries(const std::string& folder = recoveryFolder());
 
-/// Removes one that the person does not want. @throws std::runtime_error, in a sentence, when a window works on it
+/// Removes one that the person does not want. @throws Problem, when a window works on it
 void dropRecovery(const Recovery& recovery);
 
 /// Keeps work in a database that survives a kill at any moment, and so a second crash too.
@@ -31,7 +31,7 @@ public:
     /// Begins a new one.
     explicit RecoveryFile(const std::string& folder = recoveryFolder());
     /// Takes over what is left of a window that is gone. It stays as it is until begin().
-    /// @throws std::runtime_error, in a sentence, when another window was quicker
+    /// @throws Problem, when another window was quicker
     explicit RecoveryFile(const Recovery& recovery);
     ~RecoveryFile() override;
     RecoveryFile(const RecoveryFile&) = delete;

@@ -1,5 +1,7 @@
 #include "io/project/rows.h"
 
+#include "core/message/message.h"
+
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <zlib.h>
 
@@ -78,9 +80,9 @@ RowValue valueOf(const SQLite::Column& column)
     return Bytes(bytes, bytes + column.getBytes());
 }
 
-std::string nameOf(const std::string& table, std::int64_t id)
+Message nameOf(const std::string& table, std::int64_t id)
 {
-    return "row " + std::to_string(id) + " of the table " + table;
+    return Message("Project", "row %1 of the table %2").with(id, table);
 }
 
 } // namespace
@@ -89,7 +91,7 @@ template <class Value>
 const Value& Row::get(std::size_t column) const
 {
     if (column >= m_values.size() || !std::holds_alternative<Value>(m_values[column]))
-        throw DamagedData("a value in the table " + m_table + " is of the wrong kind");
+        throw DamagedData(Message("Project", "a value in the table %1 is of the wrong kind").with(m_table));
     return std::get<Value>(m_values[column]);
 }
 
@@ -107,7 +109,7 @@ std::uint32_t Row::index(std::size_t column) const
 {
     const std::int64_t number = integer(column);
     if (number < 0 || number > std::numeric_limits<std::uint32_t>::max())
-        throw DamagedData("a number in the table " + m_table + " is out of range");
+        throw DamagedData(Message("Project", "a number in the table %1 is out of range").with(m_table));
     return static_cast<std::uint32_t>(number);
 }
 
@@ -146,7 +148,7 @@ Row rowAt(SQLite::Database& database, const std::string& table, std::int64_t id)
     SQLite::Statement statement(database, "SELECT * FROM " + table + " WHERE id = ?");
     statement.bind(1, id);
     if (!statement.executeStep())
-        throw DamagedData(nameOf(table, id) + " is missing");
+        throw DamagedData(Message("Project", "%1 is missing").with(nameOf(table, id)));
     RowCheck check;
     std::vector<RowValue> values;
     const int count = statement.getColumnCount() - 1;
@@ -154,7 +156,7 @@ Row rowAt(SQLite::Database& database, const std::string& table, std::int64_t id)
         check.add(values.emplace_back(valueOf(statement.getColumn(i))));
     const RowValue written = valueOf(statement.getColumn(count));
     if (written != RowValue(check.value()) || values.front() != RowValue(id))
-        throw DamagedData(nameOf(table, id) + " is not as it was written");
+        throw DamagedData(Message("Project", "%1 is not as it was written").with(nameOf(table, id)));
     return {table, std::move(values)};
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "core/message/message.h"
+
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,8 +15,8 @@ class Database;
 namespace knead {
 
 /// A row, a blob or what they say is not as it was written. The text says which and how, without a full stop, for a sentence.
-struct DamagedData : std::runtime_error {
-    using std::runtime_error::runtime_error;
+struct DamagedData : Problem {
+    using Problem::Problem;
 };
 
 using Bytes = std::vector<std::byte>;

@@ -1,9 +1,9 @@
 #include "io/project/tool_part_bytes.h"
 
+#include "core/message/message.h"
 #include "io/worker/model_file.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace knead {
 
@@ -23,7 +23,7 @@ std::shared_ptr<const ToolPart> toolPartFromBytes(std::string_view mesh, const T
 {
     Model model = modelFromBytes(mesh);
     if (model.parts.size() != 1 || model.parts.front().mesh.empty())
-        throw std::runtime_error("tool part: it has no surface");
+        throw Problem(Message::verbatim("tool part: it has no surface"));
     return std::make_shared<const ToolPart>(std::move(model.parts.front().mesh), place.center, place.size);
 }
 

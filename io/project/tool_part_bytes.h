@@ -30,7 +30,7 @@ inline ToolPartPlace placeOf(const ToolPart& part)
 /// The surface as the bytes of a model with one part.
 std::string toolPartMeshToBytes(const ToolPart& part);
 
-/// @throws std::runtime_error, naming what is wrong, for the developer
+/// @throws Problem, naming what is wrong, for the developer
 std::shared_ptr<const ToolPart> toolPartFromBytes(std::string_view mesh, const ToolPartPlace& place);
 
 } // namespace knead

@@ -1,4 +1,5 @@
 // Events of a recipe: what changes on the way.
+#include "core/message/message.h"
 #include "core/simulation/scene_limits.h"
 #include "io/recipe/recipe_sections.h"
 #include "io/recipe/recipe_values.h"
@@ -33,7 +34,7 @@ void readWhere(const JsonNode& node, Action& action)
         action.box = readBox(*box);
     action.objects = readRecipeObjects(node);
     if (action.objects && action.box)
-        node.fail("must have only one of the keys box_mm and objects.");
+        node.fail(Message("Recipe", "must have only one of the keys box_mm and objects."));
 }
 
 RecipeAction readRenormalize(const JsonNode& node)
@@ -71,7 +72,7 @@ RecipeAction readMoveOfFixture(const JsonNode& node)
     const auto velocity = node.find("velocity_mm_s");
     const auto turn = node.find("turn");
     if (!velocity && !turn)
-        node.fail("must have at least one of the keys velocity_mm_s and turn.");
+        node.fail(Message("Recipe", "must have at least one of the keys velocity_mm_s and turn."));
     return MoveRecipeFixture{.fixture = node.at("name").text(),
                              .velocity = velocity ? readMillimeters(*velocity, fastestGrip) : Vec3(Vec3::Zero()),
                              .turn = turn ? readGripTurn(*turn) : GripTurn{}};
@@ -110,14 +111,14 @@ RecipeAction readCut(const JsonNode& node)
     cut.point = readPlace(node.at("point_mm"));
     cut.normal = readVector(node.at("normal"), largestNormal);
     if (cut.normal.isZero(0))
-        node.at("normal").fail("must not be 0: it says which way the plane faces.");
+        node.at("normal").fail(Message("Recipe", "must not be 0: it says which way the plane faces."));
     return cut;
 }
 
 RecipeAction readReset(const JsonNode& node)
 {
     if (!node.boolean())
-        node.fail("must be true.");
+        node.fail(Message("Recipe", "must be true."));
     return StartAgain{};
 }
 
@@ -191,9 +192,9 @@ const ActionReader& readerFor(const JsonNode& node)
         if (node.find(reader.key))
             found.push_back(&reader);
     if (found.size() > 1)
-        node.fail("must have only one of the keys " + found[0]->key + " and " + found[1]->key + ".");
+        node.fail(Message("Recipe", "must have only one of the keys %1 and %2.").with(found[0]->key, found[1]->key));
     if (found.empty())
-        node.fail("must have exactly one of the keys " + allKeys() + ".");
+        node.fail(Message("Recipe", "must have exactly one of the keys %1.").with(allKeys()));
     return *found.front();
 }
 
@@ -202,7 +203,7 @@ RecipeEvent readWhen(const JsonNode& node, const EventContext& context)
     const auto time = node.find("time_s");
     const auto step = node.find("step");
     if (time.has_value() == step.has_value())
-        node.fail("must have either time_s or step.");
+        node.fail(Message("Recipe", "must have either time_s or step."));
     RecipeEvent event;
     if (time)
         event.time = time->number(0, context.duration);
@@ -214,7 +215,7 @@ RecipeEvent readWhen(const JsonNode& node, const EventContext& context)
 std::vector<RecipeEvent> readPathEvents(const JsonNode& path, const std::string& name, const RecipeEvent& when)
 {
     if (!when.step)
-        path.fail("needs an event with a step; say keyframes for times.");
+        path.fail(Message("Recipe", "needs an event with a step; say keyframes for times."));
     std::vector<RecipeEvent> events;
     for (const PathRow& row : readPath(path))
         events.push_back({0, *when.step + row.step, MoveRecipeManipulator{name, GoTo{row.target}}});
@@ -230,7 +231,7 @@ std::optional<JsonNode> pathIn(const JsonNode& move)
     const auto path = move.find("path");
     for (const std::string& key : motionKeys())
         if (path && move.find(key))
-            move.fail("must have only one of the keys path and " + key + ".");
+            move.fail(Message("Recipe", "must have only one of the keys path and %1.").with(key));
     return path;
 }
 
@@ -248,7 +249,7 @@ std::vector<RecipeEvent> readRecipeEvent(const JsonNode& node, const EventContex
     if (reader.key != "material")
         for (const char* detail : {"body", "box_mm", "objects", "objects_in_body", "filled_anew"})
             if (const auto found = node.find(detail))
-                found->fail("belongs to a change of material only.");
+                found->fail(Message("Recipe", "belongs to a change of material only."));
     if (reader.key == "move_manipulator")
         if (const auto path = pathIn(action))
             return readPathEvents(*path, action.at("name").text(), event);

@@ -47,7 +47,7 @@ struct RecipeGesture {
 };
 
 /// Commands as events of a recipe, one item each; a tool that goes from place to place is one.
-/// @throws std::runtime_error, in a phrase, for what a recipe cannot say
+/// @throws Problem, for what a recipe cannot say
 std::vector<std::string> eventTexts(const RecipeWords& words, std::span<const RecipeGesture> gestures);
 
 } // namespace knead

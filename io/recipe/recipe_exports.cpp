@@ -1,4 +1,5 @@
 // Files that a recipe writes at the end.
+#include "core/message/message.h"
 #include "core/model/length_units.h"
 #include "io/export/export_formats.h"
 #include "io/recipe/recipe_sections.h"
@@ -36,8 +37,8 @@ View readNamedView(const JsonNode& node)
 {
     const auto found = namedViews().find(node.text());
     if (found == namedViews().end())
-        node.failExpecting("must be one of " + listed(namedViews(), [](const auto& view) { return view.first; }) +
-                           " or a direction of 3 numbers");
+        node.failExpecting(Message("Recipe", "must be one of %1 or a direction of 3 numbers")
+                               .with(listed(namedViews(), [](const auto& view) { return view.first; })));
     return found->second;
 }
 
@@ -45,7 +46,7 @@ View readViewDirection(const JsonNode& node)
 {
     const Vec3 direction = readVector(node, farAway);
     if (direction.norm() == 0)
-        node.failExpecting("must be a direction of 3 numbers that are not all 0");
+        node.failExpecting(Message("Recipe", "must be a direction of 3 numbers that are not all 0"));
     const bool vertical = direction.head<2>().norm() < 1e-6 * direction.norm();
     return {direction, vertical ? Vec3(Vec3::UnitY()) : Vec3(Vec3::UnitZ())};
 }
@@ -72,7 +73,7 @@ void readFileKeys(const JsonNode& node, RecipeExport& file)
     if (const auto unit = node.find("unit")) {
         file.options.unit = unit->text();
         if (findLengthUnit(file.options.unit) == nullptr)
-            unit->failExpecting("must be one of " + lengthUnitNames());
+            unit->failExpecting(Message("Recipe", "must be one of %1").with(lengthUnitNames()));
     }
     if (const auto tolerance = node.find("tolerance_mm"))
         file.options.tolerance = 1e-3 * tolerance->number(1e-6, 1e3);
@@ -90,7 +91,7 @@ void checkStaysInside(const JsonNode& node, const std::string& file)
     const fs::path path(file);
     const bool leaves = path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
     if (leaves)
-        node.failExpecting("must be a path inside the output folder");
+        node.failExpecting(Message("Recipe", "must be a path inside the output folder"));
 }
 
 std::vector<std::string> knownEndings()
@@ -113,7 +114,9 @@ RecipeExport readRecipeExport(const JsonNode& node)
 
     const std::vector<std::string> endings = knownEndings();
     if (std::find(endings.begin(), endings.end(), lowerCaseEnding(wanted.file)) == endings.end())
-        file.failExpecting("must end in one of " + listed(endings, [](const std::string& e) { return "." + e; }));
+        file.failExpecting(Message("Recipe", "must end in one of %1").with(listed(endings, [](const std::string& e) {
+            return "." + e;
+        })));
     if (wanted.isPicture())
         readPictureKeys(node, wanted);
     else

@@ -1,4 +1,5 @@
 // Loads of a recipe, and grips that turn.
+#include "core/message/message.h"
 #include "io/recipe/recipe_sections.h"
 #include "io/recipe/recipe_values.h"
 
@@ -35,7 +36,7 @@ Vec3 readAxis(const JsonNode& node)
 {
     const Vec3 axis = readVector(node, farAway);
     if (axis.norm() == 0)
-        node.failExpecting("must be a direction of 3 numbers that are not all 0");
+        node.failExpecting(Message("Recipe", "must be a direction of 3 numbers that are not all 0"));
     return axis.normalized();
 }
 
@@ -66,7 +67,7 @@ GripTurn readGripTurn(const JsonNode& node)
     turn.center = readPlace(node.at("center_mm"));
     const auto radians = node.find("angular_velocity_rad_s");
     if (radians && (node.find("axis") || node.find("speed_deg_s")))
-        node.fail("must have either axis and speed_deg_s, or angular_velocity_rad_s.");
+        node.fail(Message("Recipe", "must have either axis and speed_deg_s, or angular_velocity_rad_s."));
     if (radians)
         turn.angularVelocity = readVector(*radians, fastestGripInRadians);
     else
@@ -75,7 +76,7 @@ GripTurn readGripTurn(const JsonNode& node)
     const auto degrees = node.find("angle_deg");
     const auto angle = node.find("angle_rad");
     if (degrees && angle)
-        node.fail("must have only one of the keys angle_deg and angle_rad.");
+        node.fail(Message("Recipe", "must have only one of the keys angle_deg and angle_rad."));
     if (degrees)
         turn.angle = radiansPerDegree * degrees->positive();
     if (angle)

@@ -1,4 +1,5 @@
 // Manipulators of a recipe: their forms and motions.
+#include "core/message/message.h"
 #include "io/recipe/recipe_sections.h"
 #include "io/recipe/recipe_values.h"
 #include "io/recipe/scene_words.h"
@@ -33,12 +34,12 @@ void readForm(const JsonNode& node, const std::string& recipePath, RecipeManipul
     if (manipulator.kind != ToolKind::part) {
         for (const char* key : {"part_file", "part_number"})
             if (const auto found = node.find(key))
-                found->fail("belongs to manipulators of the kind part only.");
+                found->fail(Message("Recipe", "belongs to manipulators of the kind part only."));
         manipulator.size = readSize(node.at("size_mm"), manipulator.kind);
         return;
     }
     if (size)
-        size->fail("does not belong to the kind part; its file says how large it is.");
+        size->fail(Message("Recipe", "does not belong to the kind part; its file says how large it is."));
     manipulator.partFile = readFilePath(node.at("part_file"), recipePath);
     if (const auto number = node.find("part_number"))
         manipulator.partNumber = static_cast<std::size_t>(number->integer(0, mostToolParts));
@@ -56,11 +57,11 @@ void checkSpeed(const JsonNode& node, const KeyFrame& before, const KeyFrame& fr
 {
     const double time = frame.time - before.time;
     if (time <= 0)
-        node.at("time_s").failExpecting("must be later than the frame before it");
+        node.at("time_s").failExpecting(Message("Recipe", "must be later than the frame before it"));
     const double speed = (frame.pose.position - before.pose.position).norm() / time;
     if (speed > limit * (1 + 1e-9))
-        node.fail("asks for a speed of " + std::to_string(std::lround(1000 * speed)) +
-                  " mm/s; speed_limit_mm_s allows " + std::to_string(std::lround(1000 * limit)) + ".");
+        node.fail(Message("Recipe", "asks for a speed of %1 mm/s; speed_limit_mm_s allows %2.")
+                      .with(std::lround(1000 * speed), std::lround(1000 * limit)));
 }
 
 /// The motion starts at time 0 in the given pose.
@@ -89,7 +90,7 @@ void readLimits(const JsonNode& node, RecipeManipulator& manipulator)
     if (const auto rolls = node.find("rolls_freely")) {
         manipulator.rollsFreely = rolls->boolean();
         if (manipulator.rollsFreely && !canRoll(manipulator.kind))
-            rolls->failExpecting("must be false where the tool is neither a ball nor a cylinder");
+            rolls->failExpecting(Message("Recipe", "must be false where the tool is neither a ball nor a cylinder"));
     }
 }
 
@@ -127,7 +128,7 @@ RecipeManipulator readRecipeManipulator(const JsonNode& node, const std::string&
     const auto frames = node.find("keyframes");
     const auto motion = node.find("motion");
     if (frames && motion)
-        node.fail("must have only one of the keys keyframes and motion.");
+        node.fail(Message("Recipe", "must have only one of the keys keyframes and motion."));
     if (frames)
         manipulator.motion = readKeyFrames(*frames, manipulator.pose, manipulator.speedLimit);
     if (motion) {

@@ -1,6 +1,7 @@
 #include "io/recipe/recipe_of_project.h"
 
 #include "core/document/history.h"
+#include "core/message/message.h"
 #include "io/json/exact_number.h"
 #include "io/recipe/recipe_events_text.h"
 #include "io/recipe/recipe_places.h"
@@ -89,20 +90,20 @@ private:
     void checkParts() const
     {
         if (m_scene.bodies.empty())
-            throw std::runtime_error("the project has no bodies.");
+            throw Problem(Message("Recipe", "the project has no bodies."));
         std::vector<std::size_t> filled;
         for (std::size_t p = 0; p < m_project.model->parts.size(); ++p)
             if (const Part& part = m_project.model->parts[p];
                 part.canBeFilled() || (m_project.import.fillsOpenParts && !part.mesh.empty()))
                 filled.push_back(p);
         if (filled != m_start.partOfBody)
-            throw std::runtime_error(
-                "some of its parts could not be filled with objects, which a recipe takes for an error.");
+            throw Problem(Message(
+                "Recipe", "some of its parts could not be filled with objects, which a recipe takes for an error."));
         const Body& first = m_scene.bodies.front();
         for (const Body& body : m_scene.bodies)
             if (body.aggregate->lattice.spacing != first.aggregate->lattice.spacing ||
                 body.structuralFriction != first.structuralFriction)
-                throw std::runtime_error("its bodies differ in their spacing or structural friction.");
+                throw Problem(Message("Recipe", "its bodies differ in their spacing or structural friction."));
     }
 
     bool namesProject() const
@@ -120,11 +121,12 @@ private:
         ObjectText part;
         if (namesProject()) {
             if (m_choices.projectPath.empty())
-                throw std::runtime_error("the files of its parts are not there any more; save the project first.");
+                throw Problem(
+                    Message("Recipe", "the files of its parts are not there any more; save the project first."));
             part.text("file", seenFrom(m_choices.recipePath, m_choices.projectPath));
             if (!m_choices.namesProject)
-                m_remarks.push_back("The files that the parts were read from are not there any more: the recipe takes "
-                                    "the parts from the project.");
+                m_remarks.push_back(Message("Recipe", "The files that the parts were read from are not there any more: "
+                                                      "the recipe takes the parts from the project."));
         } else {
             putFiles(part);
             putImport(part);
@@ -285,8 +287,8 @@ private:
                 gestures.push_back({record.name, record.commands});
         }
         if (start != m_project.entries.front().start)
-            m_remarks.push_back("The recipe begins where the part was filled last; what was done before left nothing "
-                                "behind but tools, materials and fixtures.");
+            m_remarks.push_back(Message("Recipe", "The recipe begins where the part was filled last; what was done "
+                                                  "before left nothing behind but tools, materials and fixtures."));
         return eventTexts(m_words, gestures);
     }
 
@@ -298,7 +300,7 @@ private:
     RecipeWords m_words;
     Document m_document;
     std::set<std::string> m_regionNames;
-    std::vector<std::string> m_remarks;
+    std::vector<Message> m_remarks;
 };
 
 /// Whatever is out of the ranges of recipes is found by reading.
@@ -314,13 +316,13 @@ RecipeOfProject recipeOfProject(const Project& project, const RecipeOfProjectCho
                                 const std::vector<MaterialPreset>& presets)
 {
     if (project.model == nullptr || project.starts.empty() || project.entries.empty())
-        throw std::runtime_error("The project has nothing in it yet that a recipe could say.");
+        throw Problem(Message("Recipe", "The project has nothing in it yet that a recipe could say."));
     try {
         RecipeOfProject recipe = Writer(project, choices, presets).write();
         readBack(recipe.text, choices, presets);
         return recipe;
     } catch (const std::runtime_error& error) {
-        throw std::runtime_error(std::string("A recipe cannot say what was done here: ") + error.what());
+        throw Problem(Message("Recipe", "A recipe cannot say what was done here: %1").with(messageOf(error)));
     }
 }
 

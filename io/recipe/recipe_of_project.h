@@ -2,6 +2,7 @@
 
 #include "core/aggregate/material.h"
 #include "core/document/project.h"
+#include "core/message/message.h"
 
 #include <string>
 #include <vector>
@@ -23,14 +24,14 @@ Project withSettingsFirst(Project project);
 
 /// A session as a recipe.
 struct RecipeOfProject {
-    std::string text;                 ///< JSON
-    std::vector<std::string> remarks; ///< sentences on what the recipe leaves out
+    std::string text;             ///< JSON
+    std::vector<Message> remarks; ///< sentences on what the recipe leaves out
 };
 
 /// The present branch of a project, from where its part was filled last, as a recipe that a person can read and change. Carried
 /// out, it comes to the same state, bit for bit. It exports nothing.
 /// @param presets bundled materials, which are named
-/// @throws std::runtime_error, in a sentence, when a recipe cannot say it
+/// @throws Problem, when a recipe cannot say it
 RecipeOfProject recipeOfProject(const Project& project, const RecipeOfProjectChoices& choices,
                                 const std::vector<MaterialPreset>& presets);
 

@@ -1,5 +1,6 @@
 #include "io/recipe/recipe_override.h"
 
+#include "core/message/message.h"
 #include "io/json/json_value.h"
 #include "io/recipe/recipe_values.h"
 
@@ -63,7 +64,7 @@ public:
         else if (auto* list = std::get_if<JsonValue::List>(&at.content))
             changeList(*list);
         else
-            fail(placeOr("the file") + " is " + shortJson(at) + ", which has nothing in it to set.");
+            fail(Message("Recipe", "%1 is %2, which has nothing in it to set.").with(placeOrFile(), shortJson(at)));
     }
 
 private:
@@ -113,27 +114,30 @@ private:
             step(*name);
             return static_cast<std::size_t>(std::find_if(list.begin(), list.end(), isIt) - list.begin());
         }
-        const std::string place = placeOr("the file");
+        const Message place = placeOrFile();
         const std::string wanted(stepUpToDot());
         const std::optional<std::size_t> index = indexOf(wanted);
         if (!index || *index >= list.size())
-            fail(place + " has no item \"" + wanted + "\"; allowed here: " + itemsOf(list) + ".");
+            fail(Message("Recipe", "%1 has no item \"%2\"; allowed here: %3.").with(place, wanted, itemsOf(list)));
         step(wanted);
         return *index;
     }
 
-    static std::string itemsOf(const JsonValue::List& list)
+    static Message itemsOf(const JsonValue::List& list)
     {
         if (list.empty())
-            return "a whole list, since this one is empty";
-        std::string text = list.size() == 1 ? "the number 0" : "the numbers 0 to " + std::to_string(list.size() - 1);
+            return Message("Recipe", "a whole list, since this one is empty");
+        const Message numbers = list.size() == 1 ? Message("Recipe", "the number 0")
+                                                 : Message("Recipe", "the numbers 0 to %1").with(list.size() - 1);
         std::vector<std::string> names;
         for (const JsonValue& item : list)
             if (const std::string* name = nameOfItem(item))
                 names.push_back(*name);
-        if (!names.empty())
-            text += " and the names " + listed(names, [](const std::string& name) { return name; });
-        return text;
+        if (names.empty())
+            return numbers;
+        return Message("Recipe", "%1 and the names %2").with(numbers, listed(names, [](const std::string& name) {
+                                                                 return name;
+                                                             }));
     }
 
     void changeOrGoOn(JsonValue& found)
@@ -157,7 +161,8 @@ private:
     {
         const std::string_view step = m_rest.substr(0, m_rest.find('.'));
         if (step.empty())
-            fail("the path has an empty step; between two dots there must be a key, a name or a number.");
+            fail(Message("Recipe",
+                         "the path has an empty step; between two dots there must be a key, a name or a number."));
         return step;
     }
 
@@ -169,14 +174,14 @@ private:
         const bool isLast = m_rest.size() == taken.size();
         m_rest.remove_prefix(isLast ? taken.size() : taken.size() + 1);
         if (!isLast && m_rest.empty())
-            fail("the path ends with a dot; name what is to be set after it.");
+            fail(Message("Recipe", "the path ends with a dot; name what is to be set after it."));
     }
 
-    std::string placeOr(const char* root) const { return m_place.empty() ? root : m_place; }
+    Message placeOrFile() const { return m_place.empty() ? Message("Recipe", "the file") : Message::verbatim(m_place); }
 
-    [[noreturn]] void fail(const std::string& saying) const
+    [[noreturn]] void fail(const Message& saying) const
     {
-        throw std::runtime_error(m_file + ": " + m_change.path + " cannot be set: " + saying);
+        throw Problem(Message("Recipe", "%1: %2 cannot be set: %3").with(m_file, m_change.path, saying));
     }
 
     const RecipeOverride& m_change;
@@ -193,7 +198,7 @@ RecipeOverride parseOverride(const std::string& text)
 {
     const std::size_t sign = text.find('=');
     if (sign == 0 || sign == std::string::npos)
-        throw std::runtime_error("\"" + text + "\" sets nothing; write PATH=VALUE, for example spacing_mm=3.");
+        throw Problem(Message("Recipe", "\"%1\" sets nothing; write PATH=VALUE, for example spacing_mm=3.").with(text));
     return {text.substr(0, sign), text.substr(sign + 1)};
 }
 

@@ -15,11 +15,11 @@ struct RecipeOverride {
     std::string value; ///< JSON; anything else is a text. null takes away what is there
 };
 
-/// Cuts "PATH=VALUE" in two. @throws std::runtime_error, in a sentence
+/// Cuts "PATH=VALUE" in two. @throws Problem
 RecipeOverride parseOverride(const std::string& text);
 
 /// What a value means: JSON, or else the text itself.
-/// @throws std::runtime_error, in a sentence, when it begins as an object, a list or a quoted text and is none
+/// @throws Problem, when it begins as an object, a list or a quoted text and is none
 JsonValue overrideValue(const RecipeOverride& change);
 
 /// Takes the lines away, of a text that nobody sees.
@@ -28,7 +28,7 @@ void forgetLines(JsonValue& value);
 /// Carries out the changes in their order. Objects that are missing on the way are made, and a material that is given by its
 /// name becomes one with that preset; whether the result is a recipe is checked afterwards.
 /// @param file name for messages
-/// @throws std::runtime_error, in a sentence: the path, where it ends and what there is instead
+/// @throws Problem: the path, where it ends and what there is instead
 void applyOverrides(JsonValue& recipe, const std::vector<RecipeOverride>& changes, const std::string& file);
 
 } // namespace knead

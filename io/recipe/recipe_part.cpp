@@ -1,4 +1,5 @@
 // Which part a recipe is about, and how it is imported.
+#include "core/message/message.h"
 #include "core/model/length_units.h"
 #include "io/recipe/recipe_sections.h"
 #include "io/recipe/recipe_values.h"
@@ -24,7 +25,7 @@ ImportOptions readImport(const JsonNode& part)
     if (const auto node = part.find("unit"))
         options.unit = node->text();
     if (!options.unit.empty() && findLengthUnit(options.unit) == nullptr)
-        part.at("unit").failExpecting("must be one of " + lengthUnitNames());
+        part.at("unit").failExpecting(Message("Recipe", "must be one of %1").with(lengthUnitNames()));
     if (const auto node = part.find("heal"))
         options.heal = node->boolean();
     if (const auto node = part.find("cap_flat_openings"))
@@ -47,14 +48,14 @@ void readRecipePart(const JsonNode& part, Recipe& recipe)
     const auto file = part.find("file");
     const auto files = part.find("files");
     if (file.has_value() == files.has_value())
-        part.fail("must have either file or files.");
+        part.fail(Message("Recipe", "must have either file or files."));
     if (file)
         recipe.part = readFilePath(*file, recipe.file);
     else
         for (const JsonNode& item : files->items())
             recipe.partsBeside.push_back(readFilePath(item, recipe.file));
     if (files && recipe.partsBeside.empty())
-        files->fail("must hold at least one file.");
+        files->fail(Message("Recipe", "must hold at least one file."));
     if (files) {
         recipe.part = recipe.partsBeside.front();
         recipe.partsBeside.erase(recipe.partsBeside.begin());

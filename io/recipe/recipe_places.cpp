@@ -1,10 +1,11 @@
 #include "io/recipe/recipe_places.h"
 
+#include "core/message/message.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
-#include <stdexcept>
 
 namespace knead {
 
@@ -21,7 +22,7 @@ std::vector<ObjectIndex> inOrder(std::vector<ObjectIndex> objects, std::size_t c
     objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
     std::erase_if(objects, [&](ObjectIndex object) { return object >= count; });
     if (objects.empty())
-        throw std::runtime_error("a fixture holds no object of its body.");
+        throw Problem(Message("Recipe", "a fixture holds no object of its body."));
     return objects;
 }
 

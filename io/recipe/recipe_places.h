@@ -10,7 +10,7 @@ namespace knead {
 /// Adds what says which objects are meant: `faces` or `box_mm`, which mean something in other fillings too, where they mean
 /// exactly these objects; else `objects` one by one.
 /// @param objects of the body
-/// @throws std::runtime_error when there are none
+/// @throws Problem when there are none
 void putObjects(ObjectText& text, const Aggregate& aggregate, const TriangleMesh& mesh,
                 std::vector<ObjectIndex> objects);
 

@@ -1,5 +1,6 @@
 #include "io/recipe/recipe_reader.h"
 
+#include "core/message/message.h"
 #include "core/simulation/scene_limits.h"
 #include "io/formats/cad_format.h"
 #include "io/json/json_reader.h"
@@ -28,7 +29,8 @@ SpacingChoice readSpacing(const JsonNode& root)
     const auto wallCells = root.find("cells_across_wall");
     const auto objects = root.find("objects");
     if (spacing.has_value() + cells.has_value() + wallCells.has_value() + objects.has_value() != 1)
-        root.fail("must have exactly one of the keys spacing_mm, cells_across, cells_across_wall and objects.");
+        root.fail(Message(
+            "Recipe", "must have exactly one of the keys spacing_mm, cells_across, cells_across_wall and objects."));
     using Kind = SpacingChoice::Kind;
     if (spacing)
         return {Kind::Length, spacing->positiveThousandth()};
@@ -74,7 +76,7 @@ void checkNameIsNew(const JsonNode& node, const std::vector<Named>& others, cons
 {
     const auto same = [&](const Named& other) { return other.name == name; };
     if (std::any_of(others.begin(), others.end(), same))
-        node.at("name").fail("is used twice: \"" + name + "\".");
+        node.at("name").fail(Message("Recipe", "is used twice: \"%1\".").with(name));
 }
 
 /// What is held from the start on is named in the first filling.
@@ -82,7 +84,7 @@ RecipeFixture readFirstFixture(const JsonNode& node)
 {
     RecipeFixture fixture = readRecipeFixture(node);
     if (fixture.objects && fixture.objects->isFilledAnew)
-        node.at("filled_anew").fail("belongs to events: at the start nothing has been filled anew.");
+        node.at("filled_anew").fail(Message("Recipe", "belongs to events: at the start nothing has been filled anew."));
     return fixture;
 }
 
@@ -106,7 +108,7 @@ std::vector<RecipeExport> readExports(const JsonNode& node)
         RecipeExport wanted = readRecipeExport(item);
         const auto same = [&](const RecipeExport& other) { return other.file == wanted.file; };
         if (std::any_of(exports.begin(), exports.end(), same))
-            item.at("file").fail("is written twice: \"" + wanted.file + "\".");
+            item.at("file").fail(Message("Recipe", "is written twice: \"%1\".").with(wanted.file));
         exports.push_back(std::move(wanted));
     }
     return exports;
@@ -165,7 +167,7 @@ void readParts(const JsonNode& root, Recipe& recipe)
         recipe.arrangement = readChoice<Arrangement>(
             *node, {{"cut-cells", Arrangement::cutCells}, {"published", Arrangement::published}});
     if (recipe.arrangement == Arrangement::published && recipe.spacing.kind != SpacingChoice::Kind::Length)
-        root.at("arrangement").fail("is \"published\", which needs spacing_mm.");
+        root.at("arrangement").fail(Message("Recipe", "is \"published\", which needs spacing_mm."));
 }
 
 /// What the bodies are made of, how they begin and what holds them.
@@ -234,12 +236,12 @@ private:
     static void require(const JsonNode& node, const std::set<std::string>& known, const std::string& name)
     {
         if (!known.contains(name))
-            node.fail("names \"" + name + "\", which is not in the recipe.");
+            node.fail(Message("Recipe", "names \"%1\", which is not in the recipe.").with(name));
     }
     static void take(const JsonNode& node, std::set<std::string>& known, const std::string& name)
     {
         if (!known.insert(name).second)
-            node.fail("is used twice: \"" + name + "\".");
+            node.fail(Message("Recipe", "is used twice: \"%1\".").with(name));
     }
 
     std::set<std::string> m_fixtures;
@@ -253,9 +255,9 @@ public:
     void check(const JsonNode& node, const RecipeEvent& event)
     {
         if (!event.step && event.time < m_time)
-            node.at("time_s").failExpecting("must not be earlier than that of the event before it");
+            node.at("time_s").failExpecting(Message("Recipe", "must not be earlier than that of the event before it"));
         if (event.step && *event.step < m_step)
-            node.at("step").failExpecting("must not be less than that of the event before it");
+            node.at("step").failExpecting(Message("Recipe", "must not be less than that of the event before it"));
         m_time = event.step ? m_time : event.time;
         m_step = event.step.value_or(m_step);
         if (std::holds_alternative<StartAgain>(event.action))
@@ -298,14 +300,14 @@ void readDuration(const JsonNode& root, Recipe& recipe)
 {
     const auto steps = root.find("duration_steps");
     if (steps && root.find("duration_s"))
-        root.fail("must have only one of the keys duration_s and duration_steps.");
+        root.fail(Message("Recipe", "must have only one of the keys duration_s and duration_steps."));
     if (steps) {
         recipe.durationSteps = steps->count(mostSteps);
         return;
     }
     recipe.duration = root.at("duration_s").positive();
     if (recipe.duration > longestDuration)
-        root.at("duration_s").failExpecting("must be at most 3600 s");
+        root.at("duration_s").failExpecting(Message("Recipe", "must be at most 3600 s"));
 }
 
 /// Balance has no steps of time: what says so does not go with it.
@@ -320,9 +322,9 @@ void readAnalysis(const JsonNode& root, Recipe& recipe)
             recipe.loadSteps = steps->integer(1, mostLoadSteps);
         for (const char* key : {"integrator", "time_step_s", "mass_scaling_time_step_s", "duration_steps"})
             if (const auto found = root.find(key))
-                found->fail("belongs to a dynamic analysis only.");
+                found->fail(Message("Recipe", "belongs to a dynamic analysis only."));
     } else if (steps) {
-        steps->fail("belongs to a static analysis only.");
+        steps->fail(Message("Recipe", "belongs to a static analysis only."));
     }
 }
 

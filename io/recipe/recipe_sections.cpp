@@ -1,6 +1,7 @@
 // Materials, parts, bodies and regions of a recipe.
 #include "io/recipe/recipe_sections.h"
 
+#include "core/message/message.h"
 #include "io/recipe/recipe_values.h"
 #include "io/recipe/scene_words.h"
 
@@ -20,8 +21,8 @@ Material readPreset(const JsonNode& node, const std::vector<MaterialPreset>& pre
     for (const MaterialPreset& preset : presets)
         if (preset.id == id)
             return preset.material;
-    node.fail("names the unknown material \"" + id +
-              "\"; known are: " + listed(presets, [](const MaterialPreset& preset) { return preset.id; }) + ".");
+    node.fail(Message("Recipe", "names the unknown material \"%1\"; known are: %2.")
+                  .with(id, listed(presets, [](const MaterialPreset& preset) { return preset.id; })));
 }
 
 std::vector<std::uint32_t> readFaces(const JsonNode& node)
@@ -30,7 +31,7 @@ std::vector<std::uint32_t> readFaces(const JsonNode& node)
     for (const JsonNode& face : node.items())
         faces.push_back(static_cast<std::uint32_t>(face.integer(0, std::numeric_limits<int>::max())));
     if (faces.empty())
-        node.fail("must hold at least one face.");
+        node.fail(Message("Recipe", "must hold at least one face."));
     return faces;
 }
 
@@ -41,7 +42,7 @@ std::pair<std::uint64_t, std::uint64_t> readStretch(const JsonNode& node)
         return {node.count(mostObjects), node.count(mostObjects)};
     const std::vector<JsonNode> ends = node.items();
     if (ends.size() != 2)
-        node.failExpecting("must hold the first and the last number of a stretch");
+        node.failExpecting(Message("Recipe", "must hold the first and the last number of a stretch"));
     return {ends[0].count(mostObjects), ends[1].count(mostObjects)};
 }
 
@@ -59,7 +60,7 @@ RecipeMaterial readRecipeMaterial(const JsonNode& node, const std::vector<Materi
     if (node.isString())
         return {readPreset(node, presets), {}};
     if (!node.isObject())
-        node.failExpecting("must be the name of a material or an object in { }");
+        node.failExpecting(Message("Recipe", "must be the name of a material or an object in { }"));
 
     std::vector<std::string> allowed{"preset"};
     RecipeMaterial material;
@@ -79,9 +80,9 @@ std::optional<RecipeObjects> readRecipeObjects(const JsonNode& node)
     const auto list = node.find("objects");
     const auto count = node.find("objects_in_body");
     if (list.has_value() != count.has_value())
-        node.fail("must have both of the keys objects and objects_in_body, or none.");
+        node.fail(Message("Recipe", "must have both of the keys objects and objects_in_body, or none."));
     if (const auto anew = node.find("filled_anew"); anew && !list)
-        anew->fail("belongs to objects.");
+        anew->fail(Message("Recipe", "belongs to objects."));
     if (!list)
         return std::nullopt;
     RecipeObjects objects{{}, count->count(mostObjects)};
@@ -90,12 +91,12 @@ std::optional<RecipeObjects> readRecipeObjects(const JsonNode& node)
     for (const JsonNode& item : list->items()) {
         const auto [first, last] = readStretch(item);
         if (last < first || last >= objects.of || (!objects.numbers.empty() && first <= objects.numbers.back()))
-            item.failExpecting("must go on upwards, below objects_in_body");
+            item.failExpecting(Message("Recipe", "must go on upwards, below objects_in_body"));
         for (std::uint64_t number = first; number <= last; ++number)
             objects.numbers.push_back(static_cast<ObjectIndex>(number));
     }
     if (objects.numbers.empty())
-        list->fail("must hold at least one object.");
+        list->fail(Message("Recipe", "must hold at least one object."));
     return objects;
 }
 
@@ -108,7 +109,7 @@ RecipeRegion readRecipePlace(const JsonNode& node)
     const auto box = node.find("box_mm");
     region.objects = readRecipeObjects(node);
     if (faces.has_value() + box.has_value() + region.objects.has_value() != 1)
-        node.fail("must have exactly one of the keys faces, box_mm and objects.");
+        node.fail(Message("Recipe", "must have exactly one of the keys faces, box_mm and objects."));
     if (faces)
         region.faces = readFaces(*faces);
     if (box)
@@ -147,7 +148,8 @@ RecipeBody readRecipeBody(const JsonNode& node, const std::string& name)
     const auto turns = node.find("angular_velocity_deg_s");
     const auto radians = node.find("angular_velocity_rad_s");
     if (turns && radians)
-        node.fail("must have only one of the keys angular_velocity_deg_s and angular_velocity_rad_s.");
+        node.fail(
+            Message("Recipe", "must have only one of the keys angular_velocity_deg_s and angular_velocity_rad_s."));
     if (turns)
         body.angularVelocity = radiansPerDegree * readVector(*turns, fastestStart);
     if (radians)

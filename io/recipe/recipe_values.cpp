@@ -1,5 +1,7 @@
 #include "io/recipe/recipe_values.h"
 
+#include "core/message/message.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -14,7 +16,7 @@ Vec3 readVector(const JsonNode& node, double limit)
     const std::vector<double> numbers = node.numbers(3);
     for (const double number : numbers)
         if (std::abs(number) > limit)
-            node.failExpecting("must hold 3 numbers no larger than " + std::to_string(std::lround(limit)));
+            node.failExpecting(Message("Recipe", "must hold 3 numbers no larger than %1").with(std::lround(limit)));
     return {numbers[0], numbers[1], numbers[2]};
 }
 
@@ -35,7 +37,7 @@ Box readBox(const JsonNode& node)
     const std::vector<double> m = node.thousandths(6);
     const Box box(Vec3(m[0], m[1], m[2]), Vec3(m[3], m[4], m[5]));
     if (box.isEmpty())
-        node.failExpecting("must hold the lowest x, y, z and then the highest x, y, z");
+        node.failExpecting(Message("Recipe", "must hold the lowest x, y, z and then the highest x, y, z"));
     return box;
 }
 
@@ -51,7 +53,7 @@ Quaternion readQuaternion(const JsonNode& node)
     const std::vector<double> n = node.numbers(4);
     const Quaternion rotation(n[0], n[1], n[2], n[3]);
     if (!(std::abs(rotation.norm() - 1) < 1e-6))
-        node.failExpecting("must hold w, x, y, z of a quaternion of length 1");
+        node.failExpecting(Message("Recipe", "must hold w, x, y, z of a quaternion of length 1"));
     return rotation;
 }
 
@@ -62,7 +64,7 @@ Pose readPose(const JsonNode& node, Pose pose)
     const auto rotation = node.find("rotation_deg");
     const auto exact = node.find("rotation_wxyz");
     if (rotation && exact)
-        node.fail("must have only one of the keys rotation_deg and rotation_wxyz.");
+        node.fail(Message("Recipe", "must have only one of the keys rotation_deg and rotation_wxyz."));
     if (rotation)
         pose.rotation = readRotation(*rotation);
     if (exact)
@@ -81,7 +83,7 @@ std::vector<double> readLengths(const JsonNode& node, std::size_t count)
     const std::vector<double> lengths = node.numbers(count);
     const auto usable = [](double number) { return number > 0 && number <= farAway; };
     if (!std::all_of(lengths.begin(), lengths.end(), usable))
-        node.failExpecting("must hold " + std::to_string(count) + " positive numbers");
+        node.failExpecting(Message("Recipe", "must hold %1 positive numbers").with(count));
     return node.thousandths(count);
 }
 
@@ -90,8 +92,9 @@ std::string readFilePath(const JsonNode& node, const std::string& recipePath)
     const fs::path path = fs::path(recipePath).parent_path() / node.text();
     std::error_code error;
     if (!fs::is_regular_file(path, error))
-        node.fail("names a file that does not exist: " + path.lexically_normal().string() +
-                  ". The path is taken from the folder of the recipe.");
+        node.fail(
+            Message("Recipe", "names a file that does not exist: %1. The path is taken from the folder of the recipe.")
+                .with(path.lexically_normal().string()));
     return path.lexically_normal().string();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/vec3.h"
+#include "core/message/message.h"
 #include "io/json/json_reader.h"
 
 #include <cstdint>
@@ -36,7 +37,8 @@ Choice readChoice(const JsonNode& node, const Choices<Choice>& choices)
     for (const auto& [word, choice] : choices)
         if (node.isString() && node.text() == word)
             return choice;
-    node.failExpecting("must be one of " + listed(choices, [](const auto& named) { return named.first; }));
+    node.failExpecting(
+        Message("Recipe", "must be one of %1").with(listed(choices, [](const auto& named) { return named.first; })));
 }
 
 /// Three numbers, none larger than `limit` in size.

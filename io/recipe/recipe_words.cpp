@@ -1,4 +1,5 @@
 // What recipes say of materials, tools and fixtures of a session.
+#include "core/message/message.h"
 #include "io/recipe/recipe_events_text.h"
 
 #include "io/json/exact_number.h"
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace knead {
 
@@ -95,8 +95,8 @@ ObjectText RecipeWords::reshaping(const Manipulator& form, const std::string& na
     } else {
         const auto part = std::find(toolParts.begin(), toolParts.end(), form.part);
         if (toolPartFile.empty() || part == toolParts.end())
-            throw std::runtime_error("the tool \"" + name +
-                                     "\" is an imported part, which only a saved project keeps.");
+            throw Problem(
+                Message("Recipe", "the tool \"%1\" is an imported part, which only a saved project keeps.").with(name));
         text.text("part_file", toolPartFile).put("part_number", std::to_string(part - toolParts.begin()));
     }
     text.number("friction", form.friction).millimeters("speed_limit_mm_s", form.speedLimit);

@@ -1,5 +1,7 @@
 #include "io/worker/child_process.h"
 
+#include "core/message/message.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -7,7 +9,6 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
-#include <stdexcept>
 #include <system_error>
 #include <thread>
 
@@ -32,9 +33,10 @@ constexpr int lowestOwn = 16; // descriptors of the parent are above those of th
 constexpr std::size_t longestMessage = 4096;
 constexpr int pollInterval = 50; // [ms]
 
-[[noreturn]] void fail(const std::string& what, int error)
+/// @param sentence with a place for why
+[[noreturn]] void fail(const Message& sentence, int error)
 {
-    throw std::runtime_error(what + " (" + std::generic_category().message(error) + ").");
+    throw Problem(sentence.with(std::generic_category().message(error)));
 }
 
 /// An open file that is closed in the end.
@@ -72,7 +74,7 @@ int raised(int descriptor)
     const int error = errno;
     ::close(descriptor);
     if (result < 0)
-        fail("A pipe to another process cannot be made", error);
+        fail(Message("Work", "A pipe to another process cannot be made (%1)."), error);
     return result;
 }
 
@@ -142,7 +144,7 @@ pid_t start(const ChildProgram& program, int lines)
     const int error =
         posix_spawnp(&child, program.program.c_str(), actions.get(), attributes.get(), words.data(), environ);
     if (error != 0)
-        fail("The process of " + program.program + " cannot be started", error);
+        fail(Message("Work", "The process of %1 cannot be started (%2).").with(program.program), error);
     return child;
 }
 
@@ -241,11 +243,11 @@ NamelessFile::NamelessFile()
     std::error_code error;
     const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
     if (error)
-        throw std::runtime_error("There is no folder for temporary files; set TMPDIR to one you may write to.");
+        throw Problem(Message("File", "There is no folder for temporary files; set TMPDIR to one you may write to."));
     std::string name = (folder / "knead-XXXXXX").string();
     const int descriptor = mkostemp(name.data(), O_CLOEXEC);
     if (descriptor < 0)
-        fail(folder.string() + ": no temporary file can be made there", errno);
+        fail(Message("File", "%1: no temporary file can be made there (%2).").with(folder.string()), errno);
     unlink(name.c_str());
     m_descriptor = raised(descriptor);
 }
@@ -262,7 +264,8 @@ void NamelessFile::write(std::string_view bytes)
         if (count < 0 && errno == EINTR)
             continue;
         if (count < 0)
-            fail("The folder for temporary files takes no more; make room there, or set TMPDIR to another folder",
+            fail(Message("File", "The folder for temporary files takes no more; make room there, or set TMPDIR to "
+                                 "another folder (%1)."),
                  errno);
         bytes.remove_prefix(static_cast<std::size_t>(count));
     }
@@ -272,7 +275,7 @@ std::string NamelessFile::content() const
 {
     struct stat facts {};
     if (fstat(m_descriptor, &facts) != 0)
-        fail("What was read cannot be fetched", errno);
+        fail(Message("Work", "What was read cannot be fetched (%1)."), errno);
     std::string bytes(static_cast<std::size_t>(facts.st_size), '\0');
     std::size_t done = 0;
     while (done < bytes.size()) {
@@ -280,7 +283,7 @@ std::string NamelessFile::content() const
         if (count < 0 && errno == EINTR)
             continue;
         if (count < 0)
-            fail("What was read cannot be fetched", errno);
+            fail(Message("Work", "What was read cannot be fetched (%1)."), errno);
         if (count == 0)
             break;
         done += static_cast<std::size_t>(count);
@@ -294,7 +297,7 @@ ChildEnd runChild(const ChildProgram& program, double wallTime,
 {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0)
-        fail("A pipe to another process cannot be made", errno);
+        fail(Message("Work", "A pipe to another process cannot be made (%1)."), errno);
     Descriptor readEnd(ends[0]);
     Descriptor writeEnd(raised(ends[1]));
     const Clock::time_point deadline =
@@ -319,22 +322,22 @@ ChildEnd runChild(const ChildProgram& program, double wallTime,
     }
 }
 
-std::string reasonOfSignal(int signal)
+Message reasonOfSignal(int signal)
 {
     switch (signal) {
     case SIGSEGV:
     case SIGBUS:
-        return "memory access";
+        return Message("Work", "memory access");
     case SIGFPE:
-        return "arithmetic";
+        return Message("Work", "arithmetic");
     case SIGABRT:
-        return "internal error";
+        return Message("Work", "internal error");
     case SIGILL:
-        return "illegal instruction";
+        return Message("Work", "illegal instruction");
     case SIGKILL:
-        return "ended from outside, perhaps because the machine ran out of memory";
+        return Message("Work", "ended from outside, perhaps because the machine ran out of memory");
     default:
-        return "signal " + std::to_string(signal);
+        return Message("Work", "signal %1").with(signal);
     }
 }
 

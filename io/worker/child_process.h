@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/message/message.h"
+
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -12,7 +14,7 @@ namespace knead {
 /// A file that has no name and is gone with the last process that holds it: nothing is left behind, whatever happens.
 class NamelessFile {
 public:
-    /// @throws std::runtime_error, in a sentence, when the folder for temporary files takes none
+    /// @throws Problem, when the folder for temporary files takes none
     NamelessFile();
     ~NamelessFile();
     NamelessFile(const NamelessFile&) = delete;
@@ -20,10 +22,10 @@ public:
 
     int descriptor() const { return m_descriptor; }
 
-    /// Appends. @throws std::runtime_error, in a sentence, when the folder takes no more
+    /// Appends. @throws Problem, when the folder takes no more
     void write(std::string_view bytes);
 
-    /// All that was written, by whomever. @throws std::runtime_error, in a sentence
+    /// All that was written, by whomever. @throws Problem
     std::string content() const;
 
 private:
@@ -62,12 +64,12 @@ struct ChildEnd {
 ///
 /// @param wallTime [s] the child is ended after
 /// @param isCancelled asked about twenty times a second; the child is ended when it says yes
-/// @throws std::runtime_error, in a sentence, when the program cannot be started
+/// @throws Problem, when the program cannot be started
 ChildEnd runChild(const ChildProgram& program, double wallTime,
                   const std::function<void(std::string_view line)>& onLine, const std::function<bool()>& isCancelled);
 
 /// Why a signal ends a process, in a few words: "memory access".
-std::string reasonOfSignal(int signal);
+Message reasonOfSignal(int signal);
 
 /// Called by the child: it ends when the thread that started it ends.
 void endWithParent();

@@ -1,5 +1,6 @@
 #include "io/worker/export_worker.h"
 
+#include "core/message/message.h"
 #include "io/export/exporter.h"
 #include "io/export/job_file.h"
 #include "io/worker/worker_process.h"
@@ -37,7 +38,8 @@ int runExportWorker(int, char** argv)
     const Json request = Json::parse(argv[3]);
     serveParent(
         {request.at("memory").get<std::uint64_t>(), request.at("processorTime").get<unsigned>()}, shortName(path),
-        "the export asks for more memory than there is; export fewer parts at a time.", [&](TaskControl& control) {
+        Message("Export", "the export asks for more memory than there is; export fewer parts at a time."),
+        [&](TaskControl& control) {
             const ExportJob job = jobFromBytes(requestOfParent());
             return exportedToBytes(exportCad(static_cast<FormatKind>(request.at("kind").get<int>()), job, control));
         });

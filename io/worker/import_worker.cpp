@@ -1,5 +1,6 @@
 #include "io/worker/import_worker.h"
 
+#include "core/message/message.h"
 #include "io/formats/cad_format.h"
 #include "io/importer.h"
 #include "io/previewer.h"
@@ -70,7 +71,8 @@ int runImportWorker(int, char** argv)
     const std::string path = argv[2];
     const Json request = Json::parse(argv[3]);
     serveParent({request.at("memory").get<std::uint64_t>(), request.at("processorTime").get<unsigned>()},
-                shortName(path), "the file asks for more memory than there is; it is damaged or far too detailed.",
+                shortName(path),
+                Message("Import", "the file asks for more memory than there is; it is damaged or far too detailed."),
                 [&](TaskControl& control) { return bytesFor(path, request, control); });
 }
 

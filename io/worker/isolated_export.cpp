@@ -1,5 +1,6 @@
 #include "io/worker/isolated_export.h"
 
+#include "core/message/message.h"
 #include "io/export/export_formats.h"
 #include "io/export/job_file.h"
 #include "io/files/safe_file.h"
@@ -25,7 +26,7 @@ FormatKind kindFor(const std::string& path)
 {
     const auto kind = cadFormatFor(path);
     if (!kind)
-        throw std::runtime_error(shortName(path) + ": smooth faces go into .step, .iges and .brep files only.");
+        failReading(path, Message("Export", "smooth faces go into .step, .iges and .brep files only."));
     return *kind;
 }
 
@@ -48,10 +49,12 @@ ExportReport exportIsolated(const std::string& program, const std::string& path,
         .path = path,
         .processorTime = static_cast<double>(limits.processorTime),
         .wallTime = 2.0 * limits.processorTime,
-        .worker = "writer",
-        .work = "writing",
-        .outOfTime = "Nothing was written; export fewer parts at a time, or with a larger tolerance.",
-        .afterFailure = "Nothing was written; export the parts one by one to see which one it is, or as a mesh.",
+        .worker = Message("Work", "the writer"),
+        .work = Message("Work", "writing"),
+        .outOfTime =
+            Message("Export", "Nothing was written; export fewer parts at a time, or with a larger tolerance."),
+        .afterFailure =
+            Message("Export", "Nothing was written; export the parts one by one to see which one it is, or as a mesh."),
     };
     ExportedFile exported;
     try {
@@ -59,8 +62,9 @@ ExportReport exportIsolated(const std::string& program, const std::string& path,
     } catch (const Cancelled&) {
         throw;
     } catch (const std::runtime_error& error) {
-        const std::string name = shortName(path) + ": ";
-        throw std::runtime_error(std::string(error.what()).starts_with(name) ? error.what() : name + error.what());
+        if (std::string(error.what()).starts_with(shortName(path) + ": "))
+            throw;
+        failReading(path, messageOf(error));
     }
     writeFileSafely(path, exported.bytes);
     exported.report.file = path;

@@ -1,5 +1,6 @@
 #include "io/worker/isolated_import.h"
 
+#include "core/message/message.h"
 #include "io/formats/cad_format.h"
 #include "io/worker/import_worker.h"
 #include "io/worker/isolated_work.h"
@@ -44,10 +45,10 @@ Result readIsolated(const std::string& program, const ReadingRequest& request, c
         .path = path,
         .processorTime = limits.processorTime,
         .wallTime = limits.wallTime,
-        .worker = "reader",
-        .work = "reading",
-        .outOfTime = "Nothing was imported; the file is damaged, or needs a longer time limit.",
-        .afterFailure = "Nothing was imported; export the file again, best as STEP.",
+        .worker = Message("Work", "the reader"),
+        .work = Message("Work", "reading"),
+        .outOfTime = Message("Import", "Nothing was imported; the file is damaged, or needs a longer time limit."),
+        .afterFailure = Message("Import", "Nothing was imported; export the file again, best as STEP."),
     };
     const std::string bytes = runIsolated(work, file, control);
     try {
@@ -56,8 +57,8 @@ Result readIsolated(const std::string& program, const ReadingRequest& request, c
         control.report(1, "done");
         return read;
     } catch (const std::runtime_error& error) {
-        failReading(path, "the reader's result is damaged (" + std::string(error.what()) +
-                              "). Nothing was imported; try again.");
+        failReading(path, Message("Import", "the reader's result is damaged (%1). Nothing was imported; try again.")
+                              .with(messageOf(error)));
     }
 }
 
@@ -97,8 +98,9 @@ Model importIsolated(const std::string& program, const std::string& path, const 
         try {
             Model model = read(plain);
             model.warnings.push_back(
-                shortName(path) + ": the reader crashed on what the file says beside its shapes; these were read "
-                                  "without names, colors and assemblies, and without other files that it refers to.");
+                Message("Import", "%1: the reader crashed on what the file says beside its shapes; these were read "
+                                  "without names, colors and assemblies, and without other files that it refers to.")
+                    .with(shortName(path)));
             return model;
         } catch (const Cancelled&) {
             throw;

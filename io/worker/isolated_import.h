@@ -26,7 +26,7 @@ ImportLimits limitsFor(const std::string& path, const ImportOptions& options = {
 /// gives a sentence. Cancelling ends it at once. Any number of imports may run beside each other, on threads of their own.
 ///
 /// @param program that calls runImportWorker() when isImportWorker()
-/// @throws std::runtime_error, in a sentence for the person: which file, what is wrong, what to do. @throws Cancelled
+/// @throws Problem: which file, what is wrong, what to do. @throws Cancelled
 Model importIsolated(const std::string& program, const std::string& path, const ImportOptions& options,
                      const ImportLimits& limits, TaskControl& control);
 

@@ -1,12 +1,12 @@
 #include "io/worker/isolated_work.h"
 
+#include "core/message/message.h"
 #include "io/formats/cad_format.h"
 #include "io/worker/model_file.h"
 #include "io/worker/worker_process.h"
 
 #include <cmath>
 #include <csignal>
-#include <stdexcept>
 
 namespace knead {
 
@@ -15,10 +15,10 @@ namespace {
 constexpr double workShare = 0.95; // of the progress; the rest is handing over
 
 /// "2 minutes", "45 s"
-std::string duration(double seconds)
+Message duration(double seconds)
 {
-    return seconds < 120 ? std::to_string(std::lround(seconds)) + " s"
-                         : std::to_string(std::lround(seconds / 60)) + " minutes";
+    return seconds < 120 ? Message::verbatim("%1 s").with(std::lround(seconds))
+                         : Message("Work", "%1 minutes").with(std::lround(seconds / 60));
 }
 
 /// The stages that came through the pipe; keeps the last for the sentence about a crash.
@@ -40,7 +40,7 @@ public:
     }
 
     /// " while making shapes"
-    std::string whileLast() const { return m_last.empty() ? std::string() : " while " + m_last; }
+    Message whileLast() const { return m_last.empty() ? Message() : Message("Work", " while %1").with(m_last); }
 
 private:
     TaskControl& m_control;
@@ -51,18 +51,20 @@ private:
 {
     const bool outOfTime = end.kind == ChildEnd::Kind::signaled && end.number == SIGXCPU;
     if (outOfTime || end.kind == ChildEnd::Kind::tooLong)
-        failReading(work.path, work.work + " took longer than " +
-                                   duration(outOfTime ? work.processorTime : work.wallTime) + stages.whileLast() +
-                                   " and was ended. " + work.outOfTime);
+        failReading(work.path, Message("Work", "%1 took longer than %2%3 and was ended. %4")
+                                   .with(work.work, duration(outOfTime ? work.processorTime : work.wallTime),
+                                         stages.whileLast(), work.outOfTime));
     if (end.kind == ChildEnd::Kind::signaled) {
-        const std::string crashed = "the " + work.worker + " crashed" + stages.whileLast() + " (" +
-                                    reasonOfSignal(end.number) + "). " + work.afterFailure;
+        const Message crashed =
+            Message("Work", "%1 crashed%2 (%3). %4")
+                .with(work.worker, stages.whileLast(), reasonOfSignal(end.number), work.afterFailure);
         if (end.number == SIGKILL) // from outside
             failReading(work.path, crashed);
-        throw WorkerCrashed(shortName(work.path) + ": " + crashed);
+        throw WorkerCrashed(aboutFile(work.path, crashed));
     }
-    failReading(work.path,
-                "the " + work.worker + " ended without a result" + stages.whileLast() + ". " + work.afterFailure);
+    failReading(
+        work.path,
+        Message("Work", "%1 ended without a result%2. %3").with(work.worker, stages.whileLast(), work.afterFailure));
 }
 
 } // namespace
@@ -81,8 +83,8 @@ std::string runIsolated(const IsolatedWork& work, const NamelessFile& file, Task
         failFor(work, end, stages);
     control.report(workShare, "handing over");
     std::string bytes = file.content();
-    if (const std::string failure = failureIn(bytes); !failure.empty())
-        throw std::runtime_error(failure);
+    if (const Message failure = failureIn(bytes); !failure.empty())
+        throw Problem(failure);
     control.throwIfCancelled();
     return bytes;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "core/task/task_control.h"
 #include "io/worker/child_process.h"
 
@@ -17,21 +18,21 @@ struct IsolatedWork {
     double processorTime = 0;           ///< [s] that it limits itself to; 0: none
     double wallTime = 0;                ///< [s]; 0: none
 
-    std::string worker;       ///< "reader"
-    std::string work;         ///< "reading"
-    std::string outOfTime;    ///< what that means and what to do: "Nothing was imported; the file is damaged ..."
-    std::string afterFailure; ///< what a crash means and what to do
+    Message worker;       ///< "the reader"
+    Message work;         ///< "reading"
+    Message outOfTime;    ///< what that means and what to do: "Nothing was imported; the file is damaged ..."
+    Message afterFailure; ///< what a crash means and what to do
 };
 
 /// The process crashed by itself; the sentence says so.
-class WorkerCrashed : public std::runtime_error {
+class WorkerCrashed : public Problem {
 public:
-    using std::runtime_error::runtime_error;
+    using Problem::Problem;
 };
 
 /// Runs a program as serveParent() expects and returns what it left in the file. Cancelling ends it at once.
 /// @param file what the program is given, and what it returns
-/// @throws std::runtime_error, in a sentence: its own, or WorkerCrashed. @throws Cancelled
+/// @throws Problem: its own, or WorkerCrashed. @throws Cancelled
 std::string runIsolated(const IsolatedWork& work, const NamelessFile& file, TaskControl& control);
 
 } // namespace knead

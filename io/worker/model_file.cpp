@@ -1,5 +1,8 @@
 #include "io/worker/model_file.h"
 
+#include "core/message/message.h"
+#include "io/json/message_json.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -8,7 +11,6 @@
 #include <cstring>
 #include <limits>
 #include <map>
-#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -26,7 +28,7 @@ constexpr std::size_t alignment = 8;
 
 [[noreturn]] void fail(const std::string& what)
 {
-    throw std::runtime_error("model file: " + what);
+    throw Problem(Message::verbatim("model file: " + what));
 }
 
 std::size_t aligned(std::size_t size)
@@ -113,8 +115,8 @@ private:
                   {"maxTolerance", part.maxTolerance},
                   {"visible", part.visible},
                   {"layer", part.layer},
-                  {"repairs", part.repairs},
-                  {"warnings", part.warnings}};
+                  {"repairs", knead::toJson(part.repairs)},
+                  {"warnings", knead::toJson(part.warnings)}};
         if (!part.bodyOf.empty())
             json["bodyOf"] = part.bodyOf;
         if (!part.box.isEmpty())
@@ -132,11 +134,16 @@ private:
 
     Json toJson(const Model& model)
     {
-        Json json{{"file", model.file},         {"format", model.format},   {"unit", model.unit},
-                  {"warnings", model.warnings}, {"missing", model.missing}, {"parts", Json::array()},
+        Json json{{"file", model.file},
+                  {"format", model.format},
+                  {"unit", model.unit},
+                  {"warnings", knead::toJson(model.warnings)},
+                  {"missing", knead::toJson(model.missing)},
+                  {"parts", Json::array()},
                   {"nodes", Json::array()}};
         if (model.unitRemark)
-            json["unitRemark"] = {{"sentence", model.unitRemark->sentence}, {"unit", model.unitRemark->unit}};
+            json["unitRemark"] = {{"sentence", knead::toJson(model.unitRemark->sentence)},
+                                  {"unit", model.unitRemark->unit}};
         for (const Part& part : model.parts)
             json["parts"].push_back(toJson(part));
         addNodes(model.tree, -1, json["nodes"]);
@@ -241,10 +248,10 @@ public:
         model.file = m_json.at("file").get<std::string>();
         model.format = m_json.at("format").get<std::string>();
         model.unit = m_json.at("unit").get<std::string>();
-        model.warnings = m_json.at("warnings").get<std::vector<std::string>>();
-        model.missing = m_json.at("missing").get<std::vector<std::string>>();
+        model.warnings = messagesFrom(m_json.at("warnings"));
+        model.missing = messagesFrom(m_json.at("missing"));
         if (const auto remark = m_json.find("unitRemark"); remark != m_json.end())
-            model.unitRemark = {remark->at("sentence").get<std::string>(), remark->at("unit").get<std::string>()};
+            model.unitRemark = {messageFrom(remark->at("sentence")), remark->at("unit").get<std::string>()};
         for (const Json& json : m_json.at("parts"))
             model.parts.push_back(part(json));
         model.tree = treeOf(m_json.at("nodes"), model.parts.size());
@@ -330,10 +337,10 @@ private:
         part.maxTolerance = finite(json.at("maxTolerance"));
         part.visible = json.at("visible").get<bool>();
         part.layer = json.at("layer").get<std::string>();
-        part.repairs = json.at("repairs").get<std::vector<std::string>>();
+        part.repairs = messagesFrom(json.at("repairs"));
         for (const Json& edge : json.at("openEdges"))
             part.openEdges.push_back(points(edge));
-        part.warnings = json.at("warnings").get<std::vector<std::string>>();
+        part.warnings = messagesFrom(json.at("warnings"));
         return part;
     }
 
@@ -385,14 +392,25 @@ FilePreview previewFromBytes(std::string_view bytes)
     }
 }
 
-std::string failureToBytes(const std::string& sentence)
+std::string failureToBytes(const Message& sentence)
 {
-    return std::string(failureMark) + sentence;
+    try {
+        return std::string(failureMark) + toJson(sentence).dump();
+    } catch (const Json::type_error&) { // the name of a file need not be UTF-8
+        return std::string(failureMark) + sentence.english();
+    }
 }
 
-std::string failureIn(std::string_view bytes)
+Message failureIn(std::string_view bytes)
 {
-    return bytes.starts_with(failureMark) ? std::string(bytes.substr(failureMark.size())) : std::string();
+    if (!bytes.starts_with(failureMark))
+        return {};
+    const std::string_view text = bytes.substr(failureMark.size());
+    try {
+        return messageFrom(Json::parse(text));
+    } catch (const Json::exception&) {
+        return Message::verbatim(std::string(text));
+    }
 }
 
 } // namespace knead

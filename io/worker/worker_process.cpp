@@ -1,5 +1,6 @@
 #include "io/worker/worker_process.h"
 
+#include "core/message/message.h"
 #include "io/worker/model_file.h"
 
 #include <Standard_OutOfMemory.hxx>
@@ -12,7 +13,6 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
-#include <stdexcept>
 #include <system_error>
 
 #include <unistd.h>
@@ -90,7 +90,7 @@ std::string bytesOf(const std::function<std::string(TaskControl&)>& work)
     } catch (const std::bad_alloc&) {
         return outOfMemoryBytes();
     } catch (const std::exception& error) {
-        return failureToBytes(error.what());
+        return failureToBytes(messageOf(error));
     }
 }
 
@@ -102,19 +102,20 @@ bool emptyResult()
 
 } // namespace
 
-void serveParent(const OwnLimits& limits, const std::string& subject, const std::string& outOfMemory,
+void serveParent(const OwnLimits& limits, const std::string& subject, const Message& outOfMemory,
                  const std::function<std::string(TaskControl&)>& work)
 {
     limitOwnProcess(limits);
-    outOfMemoryBytes() = failureToBytes(subject + ": " + outOfMemory);
+    outOfMemoryBytes() = failureToBytes(Message::verbatim("%1: %2").with(subject, outOfMemory));
     std::set_terminate(endTerminated);
     const std::string bytes = bytesOf(work);
     if (!emptyResult() || !writeAll(child_descriptors::result, bytes)) {
         const std::string reason = std::generic_category().message(errno);
         if (emptyResult())
             writeAll(child_descriptors::result,
-                     failureToBytes(subject + ": the folder for temporary files takes no more (" + reason +
-                                    "); make room there, or set TMPDIR to another folder."));
+                     failureToBytes(Message("File", "%1: the folder for temporary files takes no more (%2); make room "
+                                                    "there, or set TMPDIR to another folder.")
+                                        .with(subject, reason)));
     }
     _exit(0); // the work is done; the CAD libraries may fall over while they tidy up
 }
@@ -128,7 +129,7 @@ std::string requestOfParent()
         if (count < 0 && errno == EINTR)
             continue;
         if (count < 0)
-            throw std::runtime_error("What to write could not be handed over; try again.");
+            throw Problem(Message("Export", "What to write could not be handed over; try again."));
         if (count == 0)
             return bytes;
         bytes.append(block.data(), static_cast<std::size_t>(count));

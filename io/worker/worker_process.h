@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "core/task/task_control.h"
 #include "io/worker/child_process.h"
 
@@ -15,11 +16,11 @@ namespace knead {
 /// @param subject what sentences are about: "part.step"
 /// @param outOfMemory the sentence, without the subject, for work that wants more memory than it may have
 /// @param work its result; what it throws becomes the sentence
-[[noreturn]] void serveParent(const OwnLimits& limits, const std::string& subject, const std::string& outOfMemory,
+[[noreturn]] void serveParent(const OwnLimits& limits, const std::string& subject, const Message& outOfMemory,
                               const std::function<std::string(TaskControl& control)>& work);
 
 /// All that the parent left in the result file before it started this process.
-/// @throws std::runtime_error, in a sentence
+/// @throws Problem
 std::string requestOfParent();
 
 /// A stage as it goes through the pipe, and back.

@@ -249,8 +249,8 @@ private slots:
         for (std::size_t i = 0; i < model.parts.size(); ++i)
             QVERIFY(model.parts[i].canBeFilled() && model.parts[i].volume == usual.parts[i].volume);
         QCOMPARE(model.warnings.size(), usual.warnings.size() + 1);
-        QVERIFY2(mentions(model.warnings.back(), "without names, colors and assemblies"),
-                 model.warnings.back().c_str());
+        QVERIFY2(mentions(model.warnings.back().english(), "without names, colors and assemblies"),
+                 model.warnings.back().english().c_str());
 
         for (const auto& [signal, tries] : {std::pair("KILL", 1), std::pair("ABRT", 2)}) {
             const std::string note = file("starts", "");
@@ -381,7 +381,7 @@ private slots:
         const Model model = importInChildren({bad, example("bar.step")}, {}, TaskControl::none());
         QCOMPARE(model.parts.size(), std::size_t{1});
         QCOMPARE(model.missing.size(), std::size_t{1});
-        QVERIFY(mentions(model.missing[0], "bad.step"));
+        QVERIFY(mentions(model.missing[0].english(), "bad.step"));
         QVERIFY_EXCEPTION_THROWN(importInChildren({bad, bad}, {}, TaskControl::none()), std::runtime_error);
     }
 

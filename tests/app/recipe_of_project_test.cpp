@@ -164,9 +164,9 @@ private slots:
             const std::vector<Remark> poor = remarksOn(report.quality);
             for (const std::string& warning : report.warnings)
                 QVERIFY2(warning.starts_with("Nothing moved") || warning.find("begins ") != std::string::npos ||
-                             warning == report.fineness.warning ||
+                             warning == report.fineness.warning.english() ||
                              std::any_of(poor.begin(), poor.end(),
-                                         [&](const Remark& remark) { return remark.sentence == warning; }),
+                                         [&](const Remark& remark) { return remark.sentence.english() == warning; }),
                          warning.c_str());
             if (report.stateHash != document.simulation.stateHash())
                 qInfo("%s", text.c_str());
@@ -321,7 +321,7 @@ private slots:
         }
         project.current = static_cast<std::uint32_t>(project.entries.size() - 1);
         const RecipeOfProject recipe = write(project, "refilled.recipe.json");
-        QVERIFY(recipe.remarks.at(0).starts_with("The recipe begins where the part was filled last"));
+        QVERIFY(recipe.remarks.at(0).english().starts_with("The recipe begins where the part was filled last"));
         const RunReport report = runRecipe(read("refilled.recipe.json"), recipeFiles(), m_shop.path("out"));
         QCOMPARE(report.stateHash, refilled.simulation.stateHash());
     }

@@ -48,11 +48,14 @@ private slots:
         const auto remarks = knead::remarksOn(
             {.penetration = 0.83, .imbalance = 0.2, .addedMass = 0.25, .unsolvedSteps = 3, .steps = 100});
         QCOMPARE(remarks.size(), std::size_t{4});
-        QVERIFY2(remarks[0].sentence.find("3 of 100 steps could not be solved") != std::string::npos,
-                 remarks[0].sentence.c_str());
-        QVERIFY2(remarks[1].sentence.find("off by 20 %") != std::string::npos, remarks[1].sentence.c_str());
-        QVERIFY2(remarks[2].sentence.find("0.83 spacings") != std::string::npos, remarks[2].sentence.c_str());
-        QVERIFY2(remarks[3].sentence.find("25 % of the mass") != std::string::npos, remarks[3].sentence.c_str());
+        QVERIFY2(remarks[0].sentence.english().find("3 of 100 steps could not be solved") != std::string::npos,
+                 remarks[0].sentence.english().c_str());
+        QVERIFY2(remarks[1].sentence.english().find("off by 20 %") != std::string::npos,
+                 remarks[1].sentence.english().c_str());
+        QVERIFY2(remarks[2].sentence.english().find("0.83 spacings") != std::string::npos,
+                 remarks[2].sentence.english().c_str());
+        QVERIFY2(remarks[3].sentence.english().find("25 % of the mass") != std::string::npos,
+                 remarks[3].sentence.english().c_str());
     }
 
     void theReportTellsHowFarItMayBeTrusted()

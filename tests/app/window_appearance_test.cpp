@@ -42,10 +42,10 @@ private slots:
     {
         ExportReport report;
         report.file = "bracket.step";
-        report.warnings = {wordsOf(60)};
+        report.warnings = {Message::verbatim(wordsOf(60))};
         PartExportReport part;
         part.name = "Bracket";
-        part.reason = wordsOf(50);
+        part.reason = Message::verbatim(wordsOf(50));
         report.parts = {part};
         ExportPanel panel;
         panel.show({report});

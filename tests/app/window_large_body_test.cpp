@@ -381,7 +381,7 @@ private:
     void waitSimulated(double time)
     {
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().playing || !snapshot().health.ok, patience);
-        QVERIFY2(snapshot().health.ok, snapshot().health.message.c_str());
+        QVERIFY2(snapshot().health.ok, snapshot().health.message.english().c_str());
         const double end = snapshot().time + time;
         QTRY_VERIFY_WITH_TIMEOUT(snapshot().time > end, patience);
     }

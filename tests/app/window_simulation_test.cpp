@@ -214,7 +214,7 @@ private slots:
         QTRY_COMPARE(snapshot().gravity.z(), -10000.0);
         QTest::keyClick(m_window.get(), Qt::Key_Space);
         QTRY_VERIFY_WITH_TIMEOUT(!snapshot().health.ok, patience);
-        QVERIFY2(snapshot().health.trouble == Trouble::runaway, snapshot().health.message.c_str());
+        QVERIFY2(snapshot().health.trouble == Trouble::runaway, snapshot().health.message.english().c_str());
         auto* remedy = find<QToolButton>("bannerRemedy");
         QTRY_VERIFY(remedy->isVisible());
         QCOMPARE(remedy->text(), QString("More damping"));

@@ -166,7 +166,7 @@ private slots:
         goTo(box.max().z() + 0.0085);
         pause();
         stage("dented");
-        QVERIFY2(snapshot().health.ok, snapshot().health.message.c_str());
+        QVERIFY2(snapshot().health.ok, snapshot().health.message.english().c_str());
         const std::uint64_t dented = hash();
         auto* axis = find<TimelineAxis>("timelineAxis");
         const Timeline line = axis->timeline();
@@ -248,7 +248,7 @@ private slots:
             QTRY_VERIFY_WITH_TIMEOUT(!snapshot().playing, patience);
             waitForGesture();
         }
-        QVERIFY2(snapshot().health.ok, snapshot().health.message.c_str());
+        QVERIFY2(snapshot().health.ok, snapshot().health.message.english().c_str());
         QCOMPARE(document().history().tree().records().size(), entries + std::size(places));
         key(Qt::Key_Escape);
         placeTool(0, at(91, -2, 45));

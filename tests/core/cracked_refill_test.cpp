@@ -199,7 +199,7 @@ private slots:
         while (simulation.time() < 0.2 && simulation.health().ok)
             simulation.step();
         const auto shot = simulation.snapshot();
-        QVERIFY2(shot->health.ok, shot->health.message.c_str());
+        QVERIFY2(shot->health.ok, shot->health.message.english().c_str());
         QVERIFY(shot->refills > 0);
         const auto& body = shot->bodies[0];
         const CellQuality cells = cellsOf(body).quality([&](ObjectIndex object) { return body.positions[object]; });
@@ -229,7 +229,7 @@ private slots:
         for (const double x : {0.25, -0.25})
             dentAt(simulation, x * size.x());
         const auto shot = simulation.snapshot();
-        QVERIFY2(shot->health.ok, shot->health.message.c_str());
+        QVERIFY2(shot->health.ok, shot->health.message.english().c_str());
         QVERIFY(
             !std::ranges::equal(shot->bodies[0].aggregate->lattice.nodes, scene.bodies[0].aggregate->lattice.nodes));
         QCOMPARE(cellsOf(shot->bodies[0]).quality(placesIn(*shot)).inverted, std::size_t{0});
@@ -282,7 +282,7 @@ private slots:
         Simulation simulation(scene);
         scenes::RandomStrokes hand(simulation, 5);
         for (int n = 0; n < 10; ++n)
-            QVERIFY2(hand.stroke(), simulation.health().message.c_str());
+            QVERIFY2(hand.stroke(), simulation.health().message.english().c_str());
         const auto shot = simulation.snapshot();
         QVERIFY(shot->refills > 3);
         const auto& body = shot->bodies[0];

@@ -70,7 +70,7 @@ double press(const Vec3& direction, double cells, const Material& material, doub
     run(0.9 * duration);
     const auto shot = run(duration);
     if (!shot->health.ok)
-        qWarning("%s", shot->health.message.c_str());
+        qWarning("%s", shot->health.message.english().c_str());
     const Vec3 axis = turn * Vec3::UnitZ();
     return shot->health.ok ? 0.5 * (shot->tools[1].force - shot->tools[0].force).dot(axis) : 0;
 }
@@ -95,7 +95,7 @@ double pull(const Vec3& direction, double cells, const Material& material, doubl
         simulation.step();
     const auto shot = simulation.snapshot();
     if (!shot->health.ok)
-        qWarning("%s", shot->health.message.c_str());
+        qWarning("%s", shot->health.message.english().c_str());
     return shot->health.ok ? 0.5 * std::abs((shot->fixtureForces[1] - shot->fixtureForces[0]).dot(axis)) : 0;
 }
 

@@ -530,7 +530,7 @@ private slots:
         Simulation simulation(scene);
         while (simulation.health().ok && simulation.time() < 0.12)
             simulation.step();
-        QVERIFY2(simulation.health().ok, simulation.health().message.c_str());
+        QVERIFY2(simulation.health().ok, simulation.health().message.english().c_str());
         const auto shot = simulation.snapshot();
         QVERIFY(shot->components >= 2);
         const Snapshot::BodyState& body = shot->bodies[0];

@@ -169,9 +169,9 @@ private slots:
         project.entries[1].commands = {{40, SetGravity{}}, {20, SetGravity{}}};
         const std::vector<RepeatedEntry> repeated = repeatAll(project);
         QVERIFY(repeated[0].isSame);
-        QVERIFY2(repeated[1].trouble.starts_with("The recording does not belong to this scene"),
-                 repeated[1].trouble.c_str());
-        QCOMPARE(repeated[2].trouble, std::string("The entry before it was not reached."));
+        QVERIFY2(repeated[1].trouble.english().starts_with("The recording does not belong to this scene"),
+                 repeated[1].trouble.english().c_str());
+        QCOMPARE(repeated[2].trouble.english(), std::string("The entry before it was not reached."));
     }
 
     void everyStartIsRepeatedFromItsOwnScene()

@@ -12,7 +12,7 @@ Model modelOf(const std::string& name, const std::string& unit)
     model.file = "/home/ann/" + name + ".step";
     model.format = "STEP AP214";
     model.unit = unit;
-    model.warnings = {name + " is odd."};
+    model.warnings = {Message::verbatim(name + " is odd.")};
     model.parts.resize(2);
     model.parts[0].path = "pin";
     model.parts[1].path = "frame/nut";
@@ -35,8 +35,8 @@ private slots:
     void eachFileIsANodeAndKeepsItsParts()
     {
         Model doubtful = modelOf("b", "mm");
-        doubtful.unitRemark = UnitRemark{"b is large.", "mm"};
-        doubtful.missing = {"\"lid\" was left out."};
+        doubtful.unitRemark = UnitRemark{Message::verbatim("b is large."), "mm"};
+        doubtful.missing = {Message::verbatim("\"lid\" was left out.")};
         const Model model = joined({modelOf("a", "mm"), doubtful});
         QCOMPARE(model.format, std::string("STEP AP214"));
         QCOMPARE(model.unit, std::string("mm"));
@@ -45,6 +45,7 @@ private slots:
         QCOMPARE(model.tree.children.size(), std::size_t{2});
         QCOMPARE(model.tree.children[1].children[1].children[0].part.value(), std::size_t{3});
         QCOMPARE(model.warnings.size(), std::size_t{3}); // the doubt is one
+        QCOMPARE(model.warnings[2].english(), std::string("b is large. Open that file alone to correct it."));
         QVERIFY(!model.unitRemark);
         QCOMPARE(model.missing.size(), std::size_t{1});
     }

@@ -176,7 +176,7 @@ private slots:
             scene.integrator = Integrator::semiImplicitEuler;
         Simulation simulation(scene);
         const double force = meanForce(simulation);
-        QVERIFY2(simulation.health().ok, simulation.health().message.c_str());
+        QVERIFY2(simulation.health().ok, simulation.health().message.english().c_str());
         const SnapshotPointer shot = simulation.snapshot();
         const double width = size.y() / std::sin(turn * std::numbers::pi / 180);
         const double expected = toughness * width;
@@ -294,7 +294,7 @@ private slots:
         const Vec3 normal(1, 0.3, 0.2);
         simulation.post(Cut{.body = 0, .point = Vec3(0.003, 0, 0), .normal = normal});
         simulation.step();
-        QVERIFY2(simulation.snapshot()->notice.empty(), simulation.snapshot()->notice.c_str());
+        QVERIFY2(simulation.snapshot()->notice.empty(), simulation.snapshot()->notice.english().c_str());
         QCOMPARE(simulation.components(), std::size_t{2});
         const SnapshotPointer shot = simulation.snapshot();
         for (const BrokenConnection& cut : *shot->bodies[0].broken)
@@ -341,7 +341,7 @@ private slots:
         const auto refusal = [&](const Cut& cut) {
             simulation.post(cut);
             simulation.applyCommands();
-            return simulation.snapshot()->notice;
+            return simulation.snapshot()->notice.english();
         };
         QVERIFY(refusal({.body = 0, .point = Vec3::Zero(), .normal = Vec3::Zero()}).find("plane") != std::string::npos);
         QVERIFY(refusal({.body = 0, .point = Vec3(1, 0, 0), .normal = Vec3::UnitX()}).find("nothing") !=

@@ -92,12 +92,14 @@ void LengthUnitsTest::everyLengthIsScaled()
 void LengthUnitsTest::takingInAnotherUnitSettlesTheDoubt()
 {
     Model model = cube();
-    model.warnings = {"cube.stl: " + std::string(noUnitStated), "another one."};
-    model.unitRemark = UnitRemark{"is tiny.", "m"};
+    const std::string ofEarlierVersion = "cube.stl: the file states no length unit; millimetres were taken.";
+    QCOMPARE(noUnitStated("cube.stl").english(), ofEarlierVersion);
+    model.warnings = {noUnitStated("cube.stl"), Message::verbatim(ofEarlierVersion), Message::verbatim("another one.")};
+    model.unitRemark = UnitRemark{Message::verbatim("is tiny."), "m"};
     const Model taken = takenIn(model, "in");
     QCOMPARE(taken.unit, std::string("inch"));
     QVERIFY(!taken.unitRemark);
-    QCOMPARE(taken.warnings, std::vector<std::string>{"another one."});
+    QCOMPARE(taken.warnings, std::vector{Message::verbatim("another one.")});
     QVERIFY(std::abs(taken.parts[0].box.sizes().x() / 0.254 - 1) < 1e-12);
     QVERIFY(std::abs(takenIn(taken, "mm").parts[0].box.sizes().x() / 0.01 - 1) < 1e-12);
 }

@@ -235,7 +235,7 @@ private slots:
         const Scene scene = loadedBar(static_cast<Integrator>(integrator));
         Simulation simulation(scene);
         runUntil(simulation, 0.1);
-        QVERIFY2(simulation.health().ok, simulation.health().message.c_str());
+        QVERIFY2(simulation.health().ok, simulation.health().message.english().c_str());
         Vec3 before = simulation.snapshot()->momentum;
         double scale = 0;
         for (int i = 0; i < 5; ++i) {

@@ -115,7 +115,7 @@ std::size_t firstDifference(const Bytes& one, const Bytes& other)
 /// How much of a moment's bytes comes at the end in all versions.
 std::ptrdiff_t restOf(const Moment& moment)
 {
-    return 1 + 1 + 4 + static_cast<std::ptrdiff_t>(moment.health.message.size());
+    return 1 + 1 + 4 + static_cast<std::ptrdiff_t>(moment.health.message.english().size());
 }
 
 using Stretches = std::vector<std::pair<std::size_t, std::ptrdiff_t>>; // where, and how much

@@ -67,7 +67,7 @@ private slots:
         Simulation simulation(of.scene);
         scenes::runSteps(simulation, of, 0, of.steps);
         const auto middle = simulation.snapshot();
-        QVERIFY2(middle->health.ok, middle->health.message.c_str());
+        QVERIFY2(middle->health.ok, middle->health.message.english().c_str());
         QVERIFY(!of.shows || of.shows(*middle));
         const MomentPointer moment = simulation.keepMoment();
         const auto kept = simulation.snapshot();
@@ -257,7 +257,7 @@ private slots:
         while (simulation.health().ok && simulation.stepCount() < 20'000)
             simulation.step();
         QVERIFY(!simulation.health().ok);
-        const std::string message = simulation.health().message;
+        const Message message = simulation.health().message;
         simulation.post(SetMaterial{0, scenes::soft(0.4)});
         const MomentPointer stopped = simulation.keepMoment();
         const std::uint64_t hash = simulation.stateHash();

@@ -171,7 +171,7 @@ private slots:
         Simulation simulation(scene);
         QCOMPARE(simulation.components(), std::size_t{1});
         runUntil(simulation, 0.2);
-        QVERIFY2(simulation.health().ok, simulation.health().message.c_str());
+        QVERIFY2(simulation.health().ok, simulation.health().message.english().c_str());
         const auto shot = simulation.snapshot();
         QVERIFY2(shot->components >= 2, qPrintable(QString::number(shot->components)));
         QCOMPARE(shot->components, findPieces(bar, *shot->bodies[0].broken).count);
@@ -264,7 +264,7 @@ private slots:
         Simulation simulation(scene);
         while (simulation.health().ok && simulation.time() < duration)
             simulation.step();
-        QVERIFY2(simulation.health().ok, simulation.health().message.c_str());
+        QVERIFY2(simulation.health().ok, simulation.health().message.english().c_str());
         const auto shot = simulation.snapshot();
         const double stress = std::abs(shot->fixtureForces[0].x()) / (16 * spacing * spacing);
         qInfo("%zu connections broken, %zu pieces, %.3g MPa", shot->broken, shot->components, stress / 1e6);
@@ -363,7 +363,7 @@ private slots:
             Simulation simulation(scene);
             QCOMPARE(simulation.components(), std::size_t{2});
             runUntil(simulation, 0.35);
-            QVERIFY2(simulation.health().ok, simulation.health().message.c_str());
+            QVERIFY2(simulation.health().ok, simulation.health().message.english().c_str());
             if (heals || adhesion == 0)
                 QCOMPARE(simulation.components(), heals ? std::size_t{1} : std::size_t{2});
             QVERIFY(ledgerCloses(*simulation.snapshot()));
@@ -452,7 +452,7 @@ private slots:
         }
         Simulation simulation(scene);
         runUntil(simulation, 0.2);
-        QVERIFY2(simulation.health().ok, simulation.health().message.c_str());
+        QVERIFY2(simulation.health().ok, simulation.health().message.english().c_str());
         const auto shot = simulation.snapshot();
         const Aggregate& aggregate = *scene.bodies[0].aggregate;
         const auto meanOfFace = [&](double face) { // of a prong's inner side near its tip, away from its edges

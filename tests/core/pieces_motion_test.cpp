@@ -85,7 +85,7 @@ private slots:
         while (simulation.time() < 0.05)
             simulation.step();
         const auto shot = simulation.snapshot();
-        QVERIFY2(shot->health.ok, shot->health.message.c_str());
+        QVERIFY2(shot->health.ok, shot->health.message.english().c_str());
         const double t = shot->time;
         const double h = t / static_cast<double>(shot->step);
         const double fall = 0.5 * 9.81 * t * t;
@@ -177,7 +177,7 @@ private slots:
         for (int step = 0; step < 640; ++step)
             simulation.step();
         const auto shot = simulation.snapshot();
-        QVERIFY2(shot->health.ok, shot->health.message.c_str());
+        QVERIFY2(shot->health.ok, shot->health.message.english().c_str());
         const Vec3 way = shot->bodies[0].displacement(last);
         QVERIFY2((way - shot->time * Vec3(1, 2, 3)).norm() < 1e-9 * way.norm(),
                  qPrintable(QString::number(way.norm())));
@@ -238,7 +238,8 @@ private slots:
         simulation.applyCommands();
         const auto shot = simulation.snapshot();
         QCOMPARE(shot->bodies[0].kind, BodyKind::deformable);
-        QVERIFY2(shot->notice.find("broke into 2 pieces") != std::string::npos, shot->notice.c_str());
+        QVERIFY2(shot->notice.english().find("broke into 2 pieces") != std::string::npos,
+                 shot->notice.english().c_str());
         QVERIFY(simulation.recording().empty());
         QCOMPARE(simulation.stateHash(), hash);
         simulation.post(Reset{});

@@ -119,8 +119,8 @@ private slots:
         for (const double x : {0.25, -0.25})
             dentAt(simulation, x * size.x());
         const auto shot = simulation.snapshot();
-        QVERIFY2(shot->health.ok, shot->health.message.c_str());
-        QVERIFY2(shot->notice.empty(), shot->notice.c_str());
+        QVERIFY2(shot->health.ok, shot->health.message.english().c_str());
+        QVERIFY2(shot->notice.empty(), shot->notice.english().c_str());
         QVERIFY(shot->refills >= 4);
         const Snapshot::BodyState& body = shot->bodies[0];
         QVERIFY(body.aggregate->former->isInPieces());
@@ -146,7 +146,7 @@ private slots:
             run(simulation, 0.1);
         }
         const auto shot = simulation.snapshot();
-        QVERIFY2(shot->health.ok, shot->health.message.c_str());
+        QVERIFY2(shot->health.ok, shot->health.message.english().c_str());
         QCOMPARE(shot->refills, std::uint64_t{3});
         QCOMPARE(piecesOf(shot->bodies[0]), std::size_t{2});
         QVERIFY(cellsOf(shot->bodies[0]).largestStretch < 1.05);
@@ -200,13 +200,13 @@ private slots:
         simulation.post(Refill{0, 0});
         simulation.step();
         auto shot = simulation.snapshot();
-        QVERIFY2(shot->notice.empty(), shot->notice.c_str());
+        QVERIFY2(shot->notice.empty(), shot->notice.english().c_str());
         QVERIFY(!shot->bodies[0].aggregate->former->isInPieces());
         QCOMPARE(piecesOf(shot->bodies[0]), std::size_t{1});
         QCOMPARE(shot->joints, std::size_t{0}); // connections have taken their place
         dentAt(simulation, 0);
         shot = simulation.snapshot();
-        QVERIFY2(shot->health.ok, shot->health.message.c_str());
+        QVERIFY2(shot->health.ok, shot->health.message.english().c_str());
         QCOMPARE(cellsOf(shot->bodies[0]).inverted, std::size_t{0});
         const double grown = shot->bodies[0].aggregate->filledVolume / size.prod() - 1;
         QVERIFY2(std::abs(grown) < 2e-3, qPrintable(QString::number(grown)));
@@ -221,14 +221,14 @@ private slots:
         QVERIFY(simulation.snapshot()->bodies[0].aggregate->former->isInPieces());
         simulation.post(Cut{0, Vec3(-0.25 * size.x(), 0, 0), Vec3(1, 0, 0)});
         simulation.step();
-        QVERIFY2(simulation.snapshot()->notice.empty(), simulation.snapshot()->notice.c_str());
+        QVERIFY2(simulation.snapshot()->notice.empty(), simulation.snapshot()->notice.english().c_str());
         QCOMPARE(piecesOf(simulation.snapshot()->bodies[0]), std::size_t{3});
         const TriangleMesh before = skinOf(simulation.snapshot()->bodies[0]);
         QVERIFY(isWatertight(before));
         simulation.post(Refill{0, 0});
         simulation.step();
         const auto shot = simulation.snapshot();
-        QVERIFY2(shot->notice.empty(), shot->notice.c_str());
+        QVERIFY2(shot->notice.empty(), shot->notice.english().c_str());
         QCOMPARE(findPieces(*shot->bodies[0].aggregate).count, std::size_t{3});
         const TriangleMesh after = skinOf(shot->bodies[0]);
         QVERIFY(isWatertight(after));
@@ -300,7 +300,7 @@ private slots:
                 simulation.post(Cut{0, at, Vec3(within(-1, 1), within(-1, 1), within(-0.5, 0.5))});
                 simulation.step();
             }
-            QVERIFY2(hand.stroke(), simulation.health().message.c_str());
+            QVERIFY2(hand.stroke(), simulation.health().message.english().c_str());
         }
         const auto shot = simulation.snapshot();
         QVERIFY(shot->refills > 3);

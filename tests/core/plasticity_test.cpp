@@ -108,7 +108,7 @@ private slots:
         QFETCH(double, share);
         QFETCH(double, volumeError);
         const Pressed result = share == 0.3 ? pressedClay() : press(scenes::clay(), share);
-        QVERIFY2(result.health.ok, result.health.message.c_str());
+        QVERIFY2(result.health.ok, result.health.message.english().c_str());
         QVERIFY(std::abs(result.volumeAfter - 1) < volumeError);
         QVERIFY(result.springback < 0.10);
         const double heightAfter = 1 - share * (1 - result.springback);

@@ -147,7 +147,7 @@ private slots:
         Simulation simulation(dent());
         drive(simulation, deep);
         auto shot = simulation.snapshot();
-        QVERIFY2(shot->health.ok, shot->health.message.c_str());
+        QVERIFY2(shot->health.ok, shot->health.message.english().c_str());
         QVERIFY(shot->refills >= 2);
         QCOMPARE(cellsOf(*shot).inverted, std::size_t{0});
         QVERIFY(std::abs(volumeOf(*shot) / size.prod() - 1) < 2e-3);
@@ -181,7 +181,7 @@ private slots:
         drive(simulation, Vec3(-0.009, 0, 0.5 * size.z()));
         drive(simulation, Vec3(0.009, 0, 0.5 * size.z()));
         const auto shot = simulation.snapshot();
-        QVERIFY2(shot->health.ok, shot->health.message.c_str());
+        QVERIFY2(shot->health.ok, shot->health.message.english().c_str());
         QVERIFY(shot->refills >= 2);
         QCOMPARE(cellsOf(*shot).inverted, std::size_t{0});
         QVERIFY(std::abs(volumeOf(*shot) / size.prod() - 1) < 2e-3);
@@ -196,7 +196,7 @@ private slots:
         for (const double x : {-0.018, 0.015})
             drive(simulation, Vec3(x, 0, rodHeight - 0.005));
         const auto shot = simulation.snapshot();
-        QVERIFY2(shot->health.ok, shot->health.message.c_str());
+        QVERIFY2(shot->health.ok, shot->health.message.english().c_str());
         const auto& former = shot->bodies[0].aggregate->former;
         QVERIFY2(former && former->stages() > 1, qPrintable(QString("%1 fillings").arg(shot->refills)));
         QVERIFY(former->largestStretch() > FormerShape::mostStretch);
@@ -251,7 +251,7 @@ private slots:
             while (simulation.time() < 2 && simulation.health().ok)
                 simulation.step();
             const auto shot = simulation.snapshot();
-            QVERIFY2(shot->health.ok, shot->health.message.c_str());
+            QVERIFY2(shot->health.ok, shot->health.message.english().c_str());
             QVERIFY(shot->refills > 0);
             QCOMPARE(cellsOf(*shot).inverted, std::size_t{0});
             const double volume = volumeOf(*shot, limb) / limb.prod();
@@ -281,7 +281,7 @@ private slots:
             QVERIFY(before > 10);
             simulation.post(Refill{0, 0});
             steps(simulation, 1);
-            QVERIFY2(simulation.snapshot()->notice.empty(), simulation.snapshot()->notice.c_str());
+            QVERIFY2(simulation.snapshot()->notice.empty(), simulation.snapshot()->notice.english().c_str());
             QVERIFY2(std::abs(forceOn(simulation) / before - 1) < most,
                      qPrintable(QString("%1 of %2").arg(forceOn(simulation)).arg(before)));
         }
@@ -345,7 +345,7 @@ private slots:
         const auto noticeOf = [](Simulation& simulation, const Refill& refill) {
             simulation.post(refill);
             simulation.applyCommands();
-            return QString::fromStdString(simulation.snapshot()->notice);
+            return QString::fromStdString(simulation.snapshot()->notice.english());
         };
         Scene scene;
         scene.bodies.push_back(lump(Material{}));
@@ -406,7 +406,7 @@ private slots:
         while (simulation.time() < 0.25) {
             simulation.step();
             const SnapshotPointer now = simulation.snapshot();
-            QVERIFY2(now->health.ok, now->health.message.c_str());
+            QVERIFY2(now->health.ok, now->health.message.english().c_str());
             QVERIFY2(now->energy.plastic >= flowed - 0.05 * now->energy.toolWork,
                      qPrintable(QString("filling %1: %2 of %3 J")
                                     .arg(now->refills)
@@ -422,7 +422,7 @@ private slots:
             simulation.post(Refill{0, finer * spacing});
             simulation.applyCommands();
         }
-        QVERIFY2(simulation.snapshot()->refills == refills + 2, simulation.snapshot()->notice.c_str());
+        QVERIFY2(simulation.snapshot()->refills == refills + 2, simulation.snapshot()->notice.english().c_str());
     }
 
     /// An object of the surface that something squashed does not say how the material around it is strained.

@@ -70,7 +70,7 @@ private slots:
     {
         Simulation simulation(hangingBar());
         const StaticReport report = simulation.settle({});
-        QVERIFY2(report.converged, report.message.c_str());
+        QVERIFY2(report.converged, report.message.english().c_str());
         QVERIFY(report.residual <= 1e-7);
         double lowest = 0;
         for (const Vec3& displacement : simulation.snapshot()->bodies[0].displacements())
@@ -84,7 +84,7 @@ private slots:
     void timeRunsOnFromIt()
     {
         Simulation simulation(hangingBar());
-        const std::string reason = simulation.integratorReason();
+        const Message reason = simulation.integratorReason();
         QVERIFY(simulation.settle({}).converged);
         QCOMPARE(simulation.stepCount(), std::uint64_t{1});
         QCOMPARE(simulation.time(), FindBalance{}.duration);
@@ -146,7 +146,7 @@ private slots:
         Simulation simulation(freeBar());
         simulation.post(FindBalance{});
         simulation.applyCommands();
-        QVERIFY(simulation.snapshot()->notice.find("is free to move") != std::string::npos);
+        QVERIFY(simulation.snapshot()->notice.english().find("is free to move") != std::string::npos);
         QCOMPARE(simulation.stepCount(), std::uint64_t{0});
         for (const RecordedCommand& recorded : simulation.recording())
             QVERIFY(!std::holds_alternative<FindBalance>(recorded.command));

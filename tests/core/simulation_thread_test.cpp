@@ -139,8 +139,8 @@ private slots:
         QVERIFY(stopped);
         QVERIFY(!stopped->playing);
         QCOMPARE(stopped->health.trouble, Trouble::failed);
-        QVERIFY2(stopped->health.message.find("the file of the recipe is gone. Reset") != std::string::npos,
-                 stopped->health.message.c_str());
+        QVERIFY2(stopped->health.message.english().find("the file of the recipe is gone. Reset") != std::string::npos,
+                 stopped->health.message.english().c_str());
         thread.reset();
         QVERIFY(waitFor(thread, [](const Snapshot& shot) { return shot.health.ok && shot.step == 0; }));
         thread.stepOnce();

@@ -39,7 +39,7 @@ void runUntil(Simulation& simulation, double time)
 {
     while (simulation.health().ok && simulation.time() < time * (1 - 1e-9))
         simulation.step();
-    QVERIFY2(simulation.health().ok, simulation.health().message.c_str());
+    QVERIFY2(simulation.health().ok, simulation.health().message.english().c_str());
 }
 
 /// A body on the floor of a slope that goes down along x.

@@ -51,10 +51,10 @@ private slots:
         const SpacingAssessment coarse = assessSpacing(0.0015, size);
         QVERIFY(std::abs(coarse.cellsAcrossWall - 0.4) < 1e-9);
         // 0.3 x 0.2 x 0.0006 m^3 in cells of 0.3 mm are 1.3 million, and 1000 x 667 x 2 at the faces.
-        QCOMPARE(coarse.warning,
+        QCOMPARE(coarse.warning.english(),
                  std::string("Thinnest walls: 0.4 cells across 0.6 mm; bending of such walls comes out many times too "
                              "stiff. Fill with a spacing of 0.3 mm for 2 cells, about 2.7 million objects."));
-        QCOMPARE(assessSpacing(0.0006 / 1.75, size).warning, std::string());
+        QCOMPARE(assessSpacing(0.0006 / 1.75, size).warning.english(), std::string());
         QVERIFY(!assessSpacing(0.0006 / 1.74, size).warning.empty());
     }
 

@@ -151,7 +151,7 @@ private slots:
         const Scene scene = loadedBar(isSteel ? steel() : rubber(), of.face, amount);
         Simulation simulation(scene);
         const StaticReport report = balance(simulation);
-        QVERIFY2(report.converged, report.message.c_str());
+        QVERIFY2(report.converged, report.message.english().c_str());
         QVERIFY(report.residual <= 1e-7);
 
         const Aggregate& aggregate = *scene.bodies[0].aggregate;
@@ -176,7 +176,7 @@ private slots:
             Simulation simulation(scene);
             const StaticReport report = balance(simulation, steps);
             if (!report.converged) {
-                qWarning("%s", report.message.c_str());
+                qWarning("%s", report.message.english().c_str());
                 return std::nan("");
             }
             rounds = report.iterations;
@@ -212,7 +212,7 @@ private slots:
         scene.gravity = Vec3(0, 0, -9.81);
         Simulation simulation(scene);
         const StaticReport report = balance(simulation, 2);
-        QVERIFY2(report.converged, report.message.c_str());
+        QVERIFY2(report.converged, report.message.english().c_str());
         const auto shot = simulation.snapshot();
         const Aggregate& aggregate = *scene.bodies[0].aggregate;
         Vec3 force = Vec3::Zero();
@@ -264,7 +264,7 @@ private slots:
         scene.fixtures[1].turn = {.center = Vec3(4 * a, 0, 0), .angularVelocity = Vec3(1, 0.5, 0), .angle = 0.4};
         Simulation still(scene);
         const StaticReport report = balance(still, 4);
-        QVERIFY2(report.converged, report.message.c_str());
+        QVERIFY2(report.converged, report.message.english().c_str());
         Simulation moving(scene);
         while (moving.time() < 3)
             moving.step();
@@ -326,7 +326,7 @@ private slots:
         scene.manipulators.push_back(ball);
         Simulation still(scene);
         const StaticReport report = balance(still, 4);
-        QVERIFY2(report.converged, report.message.c_str());
+        QVERIFY2(report.converged, report.message.english().c_str());
         Simulation moving(scene);
         while (moving.time() < 3)
             moving.step();
@@ -351,8 +351,9 @@ private slots:
             const std::uint64_t hash = simulation.stateHash();
             const StaticReport report = simulation.findBalance(1);
             QVERIFY(!report.converged);
-            QVERIFY2(report.message.find("is free to move: hold it, or let time run (dynamic)") != std::string::npos,
-                     report.message.c_str());
+            QVERIFY2(report.message.english().find("is free to move: hold it, or let time run (dynamic)") !=
+                         std::string::npos,
+                     report.message.english().c_str());
             QCOMPARE(simulation.stateHash(), hash);
             QCOMPARE(simulation.time(), 0.0);
         }
@@ -361,7 +362,7 @@ private slots:
         scene.bodies[1].kind = BodyKind::rigid;
         Simulation simulation(scene);
         const StaticReport report = simulation.findBalance(1);
-        QVERIFY(!report.converged && report.message.find("\"other\"") != std::string::npos);
+        QVERIFY(!report.converged && report.message.english().find("\"other\"") != std::string::npos);
     }
 
     void whatFindsNoBalanceSaysSoAndChangesNothing()

@@ -200,7 +200,7 @@ private slots:
         simulation.snapshot(); // forces are means since the one before
         simulation.step();
         const auto shot = simulation.snapshot();
-        QVERIFY2(shot->health.ok, shot->health.message.c_str());
+        QVERIFY2(shot->health.ok, shot->health.message.english().c_str());
         QVERIFY(shot->refills > 2);
         QVERIFY(shot->tools[0].force.norm() < 1e-9);
         double lowest = 1;
@@ -216,7 +216,7 @@ private slots:
         Simulation simulation(onTable(Integrator::implicitEuler, 0));
         simulation.post(SetFloor{0, 0.4, -1});
         simulation.step();
-        QVERIFY(QString::fromStdString(simulation.snapshot()->notice).contains("adhesion"));
+        QVERIFY(QString::fromStdString(simulation.snapshot()->notice.english()).contains("adhesion"));
         Manipulator tool{.name = "tool"};
         tool.adhesion = 1e10;
         QCOMPARE(manipulatorProblems(tool).size(), std::size_t{1});

@@ -66,7 +66,7 @@ private slots:
                                         shot->energy.plastic > 0;
                 if (!everything)
                     qWarning("%zu broken, %zu joints, %zu contacts, %s", shot->broken, shot->joints, shot->contacts,
-                             shot->health.message.c_str());
+                             shot->health.message.english().c_str());
                 return everything ? simulation.stateHash() : 0;
             });
         };
@@ -263,7 +263,7 @@ private slots:
         Simulation simulation(scene);
         const double spinBefore = simulation.snapshot()->angularMomentum.norm();
         runUntil(simulation, 0.1);
-        QVERIFY2(simulation.health().ok, simulation.health().message.c_str());
+        QVERIFY2(simulation.health().ok, simulation.health().message.english().c_str());
         const auto shot = simulation.snapshot();
         QVERIFY(shot->energy.kinetic > 0);
         QVERIFY(shot->tools[0].peakForce > 0);
@@ -298,8 +298,8 @@ private slots:
         for (int step = 0; step < 2000 && simulation.health().ok; ++step)
             simulation.step();
         QVERIFY(!simulation.health().ok);
-        QVERIFY2(simulation.health().message.find("time step") != std::string::npos,
-                 simulation.health().message.c_str());
+        QVERIFY2(simulation.health().message.english().find("time step") != std::string::npos,
+                 simulation.health().message.english().c_str());
         scene.timeStep = 1e-5;
         Simulation slow(scene);
         QCOMPARE(slow.timeStep(), 1e-5);

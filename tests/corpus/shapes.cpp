@@ -13,7 +13,7 @@ namespace knead::corpus {
 
 int writeShapes(const std::string& folder)
 {
-    Message::DefaultMessenger()->RemovePrinters(
+    ::Message::DefaultMessenger()->RemovePrinters(
         Message_Printer::get_type_descriptor()); // what OpenCASCADE tells of each file
     int count = 0;
     for (const hard_shapes::HardShape& shape : hard_shapes::all()) {

@@ -49,7 +49,7 @@ void checkSmoothPieces(const Model& model, const ExportJob& job)
     QVERIFY(file.report.isSound());
     double rest = 0;
     for (const PartExportReport& part : file.report.parts) {
-        QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.c_str());
+        QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.english().c_str());
         QVERIFY(part.closed && part.valid && part.freeEdges == 0);
         QVERIFY2(part.largestDeviation <= part.tolerance, qPrintable(QString::number(part.largestDeviation)));
         QVERIFY2(std::abs(part.volumeError()) < 1e-3, qPrintable(QString::number(part.volumeError())));
@@ -276,8 +276,11 @@ void BrokenExportTest::crumbsAreWrittenWithWhatTheyCameOff()
         QVERIFY(file.report.isSound());
         std::size_t said = 0;
         for (const PartExportReport& part : file.report.parts)
-            for (const std::string& remark : part.remarks)
-                said += remark.starts_with("pieces too small") && remark.ends_with("objects in them: 1.") ? 1 : 0;
+            for (const knead::Message& remark : part.remarks)
+                said += remark.english().starts_with("pieces too small") &&
+                                remark.english().ends_with("objects in them: 1.")
+                            ? 1
+                            : 0;
         QCOMPARE(said, std::size_t{1});
     }
 }
@@ -307,7 +310,7 @@ void BrokenExportTest::crackedPartsInOnePieceSaySo()
     for (const std::string& line : linesOf(file.report))
         qInfo("%s", line.c_str());
     QVERIFY(!report.remarks.empty());
-    const QString remark = QString::fromStdString(report.remarks.front());
+    const QString remark = QString::fromStdString(report.remarks.front().english());
     QVERIFY(remark.startsWith("\"Bar\" is cracked but in one piece: " + QString::number(bar.broken->size()) +
                               " of its connections are broken"));
     QVERIFY2(remark.contains("stretched to " + QString::asprintf("%.3g", most) + " times"), qPrintable(remark));
@@ -342,7 +345,7 @@ void BrokenExportTest::partsThatAKnifeIsInKeepTheirFaces()
     for (const std::string& line : linesOf(file.report))
         qInfo("%s", line.c_str());
     const PartExportReport& report = file.report.parts.front();
-    QVERIFY2(report.form == PartExportReport::Form::exact, report.reason.c_str());
+    QVERIFY2(report.form == PartExportReport::Form::exact, report.reason.english().c_str());
     QVERIFY(report.closed && report.valid && report.freeEdges == 0);
     QVERIFY2(report.largestDeviation <= report.tolerance, qPrintable(QString::number(report.largestDeviation)));
     QVERIFY2(std::abs(report.volumeError()) < 5e-4, qPrintable(QString::number(report.volumeError())));
@@ -362,8 +365,8 @@ void BrokenExportTest::partsThatGapeWhereTheyToreAreFlat()
         QVERIFY(bar.slit == nullptr);
         QVERIFY(isWatertight(bar.part.mesh));
         QCOMPARE(bar.part.name, model.parts.front().name);
-        QVERIFY2(bar.remarks.front().find("but in one piece: it gapes by") != std::string::npos,
-                 bar.remarks.front().c_str());
+        QVERIFY2(bar.remarks.front().english().find("but in one piece: it gapes by") != std::string::npos,
+                 bar.remarks.front().english().c_str());
     }
 }
 
@@ -375,8 +378,9 @@ void BrokenExportTest::crackedPartsThatAreFoldedSayWhyTheyAreFlat()
     const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
     const PartExportReport& report = file.report.parts.front();
     QCOMPARE(report.form, PartExportReport::Form::faceted);
-    QVERIFY2(report.reason.find("folded") != std::string::npos, report.reason.c_str());
-    QVERIFY2(report.remarks.front().find("is cracked") != std::string::npos, report.remarks.front().c_str());
+    QVERIFY2(report.reason.english().find("folded") != std::string::npos, report.reason.english().c_str());
+    QVERIFY2(report.remarks.front().english().find("is cracked") != std::string::npos,
+             report.remarks.front().english().c_str());
 }
 
 QTEST_GUILESS_MAIN(BrokenExportTest)

@@ -56,10 +56,11 @@ std::string lineOfTwoPoints(const std::string& step)
     return std::string(step).replace(comma + 1, step.find(")", comma) - comma - 1, name);
 }
 
-bool mention(const std::vector<std::string>& sentences, const std::string& words)
+bool mention(const std::vector<knead::Message>& sentences, const std::string& words)
 {
-    return std::any_of(sentences.begin(), sentences.end(),
-                       [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
+    return std::any_of(sentences.begin(), sentences.end(), [&](const knead::Message& sentence) {
+        return sentence.english().find(words) != std::string::npos;
+    });
 }
 
 } // namespace
@@ -98,7 +99,7 @@ std::string DamagedFilesTest::write(const std::string& name, const std::string& 
 void DamagedFilesTest::initTestCase()
 {
     QVERIFY(m_folder.isValid());
-    Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
+    ::Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
     m_step = contentOf(std::string(KNEAD_RESOURCES) + "/examples/bar.step");
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 20, 30).Shape();
     std::ostringstream brep;

@@ -250,8 +250,8 @@ void ExporterTest::meshesBecomeSolidsOfFlatFaces()
 
 bool isFoldSaid(const PartExportReport& part)
 {
-    return std::ranges::any_of(part.remarks, [](const std::string& remark) {
-        return remark.find("its material is folded over itself near (") != std::string::npos;
+    return std::ranges::any_of(part.remarks, [](const knead::Message& remark) {
+        return remark.english().find("its material is folded over itself near (") != std::string::npos;
     });
 }
 
@@ -288,9 +288,9 @@ void ExporterTest::facesFollowAFold()
     const FoldMap fold(boxOf(model));
     const ExportedFile file = exportCad(FormatKind::Step, jobOf(model, &fold, 40), TaskControl::none());
     const PartExportReport& part = file.report.parts.front();
-    for (const std::string& remark : part.remarks)
-        qInfo("%s", remark.c_str());
-    QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.c_str());
+    for (const knead::Message& remark : part.remarks)
+        qInfo("%s", remark.english().c_str());
+    QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.english().c_str());
     QVERIFY(part.closed && part.valid && part.facesAfter == part.facesBefore);
     QVERIFY(isFoldSaid(part));
 }
@@ -328,7 +328,7 @@ void ExporterTest::facesFollowACrease()
     job.parts.front().map = std::make_shared<CreaseMap>(boxOf(model));
     const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
     const PartExportReport& part = file.report.parts.front();
-    QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.c_str());
+    QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.english().c_str());
     QVERIFY(part.isSound() && part.facesAfter == part.facesBefore);
     QVERIFY(part.maxTolerance < part.tolerance); // edges follow the groove, too
     QVERIFY(isFoldSaid(part) && !part.crossesItself);
@@ -369,17 +369,17 @@ void ExporterTest::aFaceThatIsFarOffIsFlatAlone()
     job.parts.front().part.faces[0].color = Color{1, 0, 0};
     const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
     const PartExportReport& part = file.report.parts.front();
-    QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.c_str());
+    QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.english().c_str());
     QCOMPARE(part.flatFaces, 1);
     QVERIFY(part.valid && part.closed && part.freeEdges == 0 && part.colorsKept);
     QVERIFY(part.largestDeviation <= part.tolerance);
     QVERIFY(part.largestFlatDeviation > 0 && part.largestFlatDeviation <= part.flatTolerance);
     QVERIFY(part.facesAfter > 100);
-    const auto said = std::ranges::find_if(part.remarks, [](const std::string& remark) {
-        return remark.find(" is made of flat triangles; its other faces are smooth.") != std::string::npos;
+    const auto said = std::ranges::find_if(part.remarks, [](const knead::Message& remark) {
+        return remark.english().find(" is made of flat triangles; its other faces are smooth.") != std::string::npos;
     });
     QVERIFY(said != part.remarks.end());
-    QVERIFY2(part.reason.find("mm off the skin where") != std::string::npos, part.reason.c_str());
+    QVERIFY2(part.reason.english().find("mm off the skin where") != std::string::npos, part.reason.english().c_str());
     QVERIFY(part.isSound());
     // Five of the six are one face still.
     const Model back = readBack(file, "step");
@@ -399,7 +399,7 @@ void ExporterTest::facesThatAreFarOffAreFlatOnes()
     const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
     const PartExportReport& part = file.report.parts.front();
     QCOMPARE(part.form, PartExportReport::Form::faceted);
-    QVERIFY2(part.reason.find("mm off the skin where") != std::string::npos, part.reason.c_str());
+    QVERIFY2(part.reason.english().find("mm off the skin where") != std::string::npos, part.reason.english().c_str());
 }
 
 /// The bar's ends are bent past each other, through one another: its faces follow, and no one is told that they are sound.
@@ -409,12 +409,12 @@ void ExporterTest::surfacesThatPassThroughThemselvesAreNamed()
     const maps::Bend bend(boxOf(model), 2.3 * std::numbers::pi);
     const ExportedFile file = exportCad(FormatKind::Step, jobOf(model, &bend, 60), TaskControl::none());
     const PartExportReport& part = file.report.parts.front();
-    QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.c_str());
+    QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.english().c_str());
     QVERIFY(part.closed && part.valid && part.freeEdges == 0 && part.isFit());
     QVERIFY(part.crossesItself && !part.isSound());
     QCOMPARE(part.remarks.size(), std::size_t{1});
-    QVERIFY2(part.remarks.front().find("passes through itself near (") != std::string::npos,
-             part.remarks.front().c_str());
+    QVERIFY2(part.remarks.front().english().find("passes through itself near (") != std::string::npos,
+             part.remarks.front().english().c_str());
 }
 
 /// The chords of a wavy wall and of the plane above it overlap beside their edge, as deep as they leave the curve.
@@ -527,15 +527,16 @@ void ExporterTest::facesThatAreNotFollowedAreNamed()
     job.parts.front().map = std::make_shared<RippleMap>(boxOf(model), 5e-5);
     const ExportedFile file = exportCad(FormatKind::Step, job, TaskControl::none());
     const PartExportReport& part = file.report.parts.front();
-    QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.c_str());
+    QVERIFY2(part.form == PartExportReport::Form::exact, part.reason.english().c_str());
     QVERIFY(part.valid && part.closed && part.largestDeviation > part.tolerance && part.largestDeviation < 2e-4);
     QVERIFY(!part.isFit() && !part.isSound());
-    const auto named = std::find_if(part.remarks.begin(), part.remarks.end(), [&](const std::string& remark) {
-        return remark.starts_with("\"" + part.name + "\": ") && remark.find("aimed at") != std::string::npos;
+    const auto named = std::find_if(part.remarks.begin(), part.remarks.end(), [&](const knead::Message& remark) {
+        return remark.english().starts_with("\"" + part.name + "\": ") &&
+               remark.english().find("aimed at") != std::string::npos;
     });
     QVERIFY(named != part.remarks.end());
     const QString off = QString::asprintf("is %.3g mm off", 1e3 * part.largestDeviation);
-    QVERIFY2(named->find(off.toStdString()) != std::string::npos, named->c_str());
+    QVERIFY2(named->english().find(off.toStdString()) != std::string::npos, named->english().c_str());
 }
 
 void ExporterTest::jobsAndReportsSurviveTheirWay()
@@ -544,13 +545,16 @@ void ExporterTest::jobsAndReportsSurviveTheirWay()
     const maps::Bend bend(boxOf(model), 0.4);
     ExportJob job = jobOf(model, &bend);
     job.options = {.unit = "inch", .tolerance = 1e-5, .useAp214 = true, .isText = true};
-    job.parts[0].reason = "because";
+    job.parts[0].reason = knead::Message("Export", "because of %1").with(knead::Message("Export", "that"));
+    job.parts[0].remarks = {knead::Message("Export", "%1 remarks").with(2),
+                            knead::Message::verbatim("and another one")};
     const ExportJob arrived = jobFromBytes(jobToBytes(job));
     QCOMPARE(arrived.options.unit, job.options.unit);
     QCOMPARE(arrived.options.tolerance, job.options.tolerance);
     QVERIFY(arrived.options.useAp214);
     QCOMPARE(arrived.parts.size(), job.parts.size());
     QCOMPARE(arrived.parts[0].reason, job.parts[0].reason);
+    QCOMPARE(arrived.parts[0].remarks, job.parts[0].remarks);
     QCOMPARE(arrived.parts[1].density, job.parts[1].density);
     QVERIFY(arrived.parts[0].displacements == job.parts[0].displacements);
     QVERIFY(arrived.parts[0].aggregate->lattice.nodes == job.parts[0].aggregate->lattice.nodes);
@@ -562,8 +566,12 @@ void ExporterTest::jobsAndReportsSurviveTheirWay()
 
     ExportReport report = exportCad(FormatKind::Step, arrived, TaskControl::none()).report;
     report.file = "/home/ann/out.step";
-    report.warnings = {"one"};
+    report.warnings = {knead::Message::verbatim("one"), knead::Message("Export", "number %1").with(2)};
+    const ExportReport handed = exportedFromBytes(exportedToBytes({"STEP", report})).report;
+    QCOMPARE(handed.warnings, report.warnings);
+    QCOMPARE(linesOf(handed), linesOf(report));
     const ExportReport back = reportFromJson(reportToJson(report));
+    QCOMPARE(back.warnings.back(), knead::Message::verbatim("number 2"));
     QCOMPARE(reportToJson(back), reportToJson(report));
     QCOMPARE(linesOf(back), linesOf(report));
 }

@@ -40,7 +40,7 @@ private:
     {
         try {
             const Model model = importFile(path);
-            return model.warnings.empty() ? std::string() : model.warnings.front();
+            return model.warnings.empty() ? std::string() : model.warnings.front().english();
         } catch (const std::runtime_error& error) {
             return error.what();
         }
@@ -114,8 +114,8 @@ void FuzzRegressionTest::facesWithoutTrianglesAreTold()
     const Model model = importFile(write("bare.igs", text));
     QCOMPARE(flawOf(model), std::string());
     QVERIFY(std::any_of(model.parts.begin(), model.parts.end(), [](const Part& part) {
-        return std::any_of(part.warnings.begin(), part.warnings.end(), [](const std::string& warning) {
-            return warning.find("1 face that no triangles could be found for") != std::string::npos;
+        return std::any_of(part.warnings.begin(), part.warnings.end(), [](const Message& warning) {
+            return warning.english().find("1 face that no triangles could be found for") != std::string::npos;
         });
     }));
 }

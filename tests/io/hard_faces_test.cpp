@@ -203,7 +203,7 @@ void HardFacesTest::pairsThatOnceCameBackUnsound()
     const ExportedFile written = exportCad(FormatKind::Step, job, TaskControl::none());
     const PartExportReport& part = written.report.parts.front();
     QCOMPARE(part.form, PartExportReport::Form::exact);
-    QVERIFY2(part.isFit(), part.remarks.empty() ? "" : part.remarks.back().c_str());
+    QVERIFY2(part.isFit(), part.remarks.empty() ? "" : part.remarks.back().english().c_str());
     QVERIFY(part.facesAfter >= part.facesBefore);
     QVERIFY(part.colorsKept);
     QVERIFY(!part.crossesItself); // though chords of its triangles cross, near walls and gaps that are thin

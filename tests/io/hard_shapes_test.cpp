@@ -32,10 +32,10 @@ std::string wordsOf(const Model& model)
 {
     std::string words;
     for (const Part& part : model.parts)
-        for (const std::string& warning : part.warnings)
-            words += warning + " ";
-    for (const std::string& missing : model.missing)
-        words += missing + " ";
+        for (const auto& warning : part.warnings)
+            words += warning.english() + " ";
+    for (const auto& missing : model.missing)
+        words += missing.english() + " ";
     return words;
 }
 

@@ -94,10 +94,11 @@ int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind)
     return found.Extent();
 }
 
-bool mention(const std::vector<std::string>& sentences, const std::string& words)
+bool mention(const std::vector<knead::Message>& sentences, const std::string& words)
 {
-    return std::any_of(sentences.begin(), sentences.end(),
-                       [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
+    return std::any_of(sentences.begin(), sentences.end(), [&](const knead::Message& sentence) {
+        return sentence.english().find(words) != std::string::npos;
+    });
 }
 
 Part partOf(const CadBody& body)
@@ -202,7 +203,7 @@ void HealingTest::sickFacesAreRebuilt()
     QVERIFY(BRepCheck_Analyzer(bodies.front().shape).IsValid());
     QCOMPARE(bodies.front().repairs.size(), std::size_t(1));
     QVERIFY2(mention(bodies.front().repairs, "3 faces that failed the geometry checks were rebuilt"),
-             bodies.front().repairs.front().c_str());
+             bodies.front().repairs.front().english().c_str());
     QVERIFY(isClose(volumeOf(bodies.front().shape), 6000));
 }
 
@@ -300,7 +301,8 @@ void HealingTest::gapIsClosedAndReported()
     const Part part = partOf(bodies.front());
     QVERIFY(part.canBeFilled());
     QVERIFY(isClose(part.volume, 1e-6, 1e-3));
-    QVERIFY2(mention(part.repairs, "the widest gap between two of them is 5 um"), part.repairs.front().c_str());
+    QVERIFY2(mention(part.repairs, "the widest gap between two of them is 5 um"),
+             part.repairs.front().english().c_str());
 }
 
 void HealingTest::wideGapStaysOpen()
@@ -428,7 +430,7 @@ void HealingTest::flatSolidsAreLeftOut()
     flat.volume = 3.6e-9;
     flat.area = 40e-6;
     flat.watertight = true;
-    QCOMPARE(sicknessOf(flat), std::optional<std::string>("the solid has no volume"));
+    QCOMPARE(sicknessOf(flat).value_or(knead::Message()).english(), std::string("the solid has no volume"));
     flat.mesh.vertices.emplace_back(0.01, 0.01, 0);
     flat.mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
     if (massProperties(flat.mesh).volume < 0)

@@ -127,11 +127,11 @@ Row tryOne(const PartToExport& part, const std::string& map)
         row.kink = report.largestKink * 180 / std::numbers::pi;
         row.seconds = file.report.seconds;
         row.bytes = file.bytes.size();
-        row.reason = report.reason;
+        row.reason = report.reason.english();
         if (!report.isSound())
             keep(file, part.part.name + " " + map);
         if (row.isExact && !report.isSound())
-            row.reason = !report.remarks.empty() ? report.remarks.back()
+            row.reason = !report.remarks.empty() ? report.remarks.back().english()
                          : !report.valid         ? "not valid"
                          : !report.closed        ? "not closed"
                                                  : "volume or deviation";

@@ -200,7 +200,7 @@ private slots:
         QCOMPARE(project.marks[0].entry, 1U);
         QCOMPARE(project.current, 0U);
         QCOMPARE(rescued.missing.size(), std::size_t{4}); // two entries, which was shown, a mark
-        QVERIFY(QString::fromStdString(rescued.missing[1]).contains("the entry that it follows is missing"));
+        QVERIFY(QString::fromStdString(rescued.missing[1].english()).contains("the entry that it follows is missing"));
     }
 
     void whatWasDoneBeforeALostEntryIsShown()
@@ -220,7 +220,7 @@ private slots:
         QVERIFY(rescued.project.entries[3].moment == nullptr);
         QVERIFY(rescued.project.entries[2].moment != nullptr);
         QCOMPARE(rescued.missing.size(), std::size_t{1});
-        QVERIFY(QString::fromStdString(rescued.missing[0]).startsWith("the state of entry 3 ("));
+        QVERIFY(QString::fromStdString(rescued.missing[0].english()).startsWith("the state of entry 3 ("));
     }
 
     /// The history lies before its states.

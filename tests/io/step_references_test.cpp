@@ -102,7 +102,7 @@ void StepReferencesTest::missingFilesAreNamed()
     const Model model = importFile(path("machine.stp"));
     QCOMPARE(model.parts.size(), 2U);
     QCOMPARE(model.missing.size(), 1U);
-    QVERIFY(model.missing.front().find("the file part_plate.stp, which is not there") != std::string::npos);
+    QVERIFY(model.missing.front().english().find("the file part_plate.stp, which is not there") != std::string::npos);
 
     QVERIFY(QFile::remove(m_folder->filePath("part_pin.stp")));
     const std::string refusal = refusalOf(path("machine.stp"));

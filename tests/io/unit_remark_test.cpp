@@ -82,7 +82,7 @@ void UnitRemarkTest::sizesAreDoubtedAndCorrected()
 
 void UnitRemarkTest::sentenceSaysWhatIsMeant()
 {
-    QCOMPARE(unitRemark(longPart(0.122e-3, "mm"))->sentence,
+    QCOMPARE(unitRemark(longPart(0.122e-3, "mm"))->sentence.english(),
              std::string("bearing.iges: the part is 0.122 mm long; if its lengths are metres, it is 122 mm."));
 }
 

@@ -141,7 +141,7 @@ protected:
             QVERIFY2(repeated.isSame, qPrintable(QString("entry %1, \"%2\": %3")
                                                      .arg(entry)
                                                      .arg(QString::fromStdString(project.entries[entry].name))
-                                                     .arg(QString::fromStdString(repeated.trouble))));
+                                                     .arg(QString::fromStdString(repeated.trouble.english()))));
         }
     }
 };

@@ -58,10 +58,10 @@ inline std::string flawOf(const Part& part)
             return "an open edge lies far outside of the box";
     if (part.name.empty() || !isOneLine(part.name))
         return "its name is empty or not one line";
-    for (const std::vector<std::string>& texts : {part.warnings, part.repairs})
-        for (const std::string& text : texts)
-            if (!isOneLine(text) || !text.ends_with('.'))
-                return "it has no sentence: " + text;
+    for (const std::vector<Message>& texts : {part.warnings, part.repairs})
+        for (const Message& text : texts)
+            if (const std::string english = text.english(); !isOneLine(english) || !english.ends_with('.'))
+                return "it has no sentence: " + english;
     return {};
 }
 
@@ -87,10 +87,10 @@ inline std::string flawOf(const Model& model)
     countParts(model.tree, counts);
     if (counts.size() != model.parts.size() || std::any_of(counts.begin(), counts.end(), [](int n) { return n != 1; }))
         return "its tree does not hold every part once";
-    for (const std::vector<std::string>& texts : {model.warnings, model.missing})
-        for (const std::string& text : texts)
-            if (!isOneLine(text) || !text.ends_with('.'))
-                return "it has no sentence: " + text;
+    for (const std::vector<Message>& texts : {model.warnings, model.missing})
+        for (const Message& text : texts)
+            if (const std::string english = text.english(); !isOneLine(english) || !english.ends_with('.'))
+                return "it has no sentence: " + english;
     return {};
 }
 

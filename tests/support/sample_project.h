@@ -48,9 +48,9 @@ inline Model model()
     part.maxTolerance = 1e-7;
     part.visible = false;
     part.layer = "layer 7";
-    part.repairs = {"45 faces were sewn."};
+    part.repairs = {Message("Repair", "%1 faces were sewn.").with(45)};
     part.openEdges = {{Vec3(0, 0, 0), Vec3(1, 0, third)}, {}};
-    part.warnings = {"is odd."};
+    part.warnings = {Message::verbatim("is odd.")};
     Part other;
     other.exact = part.exact;
     other.exact->number = 2;
@@ -59,9 +59,9 @@ inline Model model()
     model.file = "/home/ann/part.step";
     model.format = "STEP AP242";
     model.unit = "inch";
-    model.unitRemark = UnitRemark{"It is large.", "mm"};
-    model.warnings = {"one", "two"};
-    model.missing = {"\"lid\" is missing."};
+    model.unitRemark = UnitRemark{Message("Unit", "It is large."), "mm"};
+    model.warnings = {Message::verbatim("one"), Message("Import", "%1 two").with(Message("Import", "of"))};
+    model.missing = {Message("Import", "\"%1\" is missing.").with("lid")};
     model.parts = {part, other};
     model.tree = {"root", std::nullopt, {{"a", std::nullopt, {{"one", 0, {}}, {"two", 1, {}}}}, {"b", 1, {}}}};
     return model;

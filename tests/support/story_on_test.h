@@ -186,7 +186,7 @@ protected:
     void waitUntil(Condition isSo)
     {
         QTRY_VERIFY_WITH_TIMEOUT(isSo() || !snapshot().health.ok, patience);
-        QVERIFY2(snapshot().health.ok, snapshot().health.message.c_str());
+        QVERIFY2(snapshot().health.ok, snapshot().health.message.english().c_str());
     }
 
     /// Holds a key until something is so.

@@ -95,10 +95,9 @@ private slots:
         model.parts = {open};
         PreparedModel alone = prepare(model);
         QVERIFY(alone.content.bodies.empty() && !alone.content.isEmpty());
-        QVERIFY(
-            std::any_of(alone.content.warnings.begin(), alone.content.warnings.end(), [](const std::string& warning) {
-                return warning.find("\"lid\" is not a closed solid") != std::string::npos;
-            }));
+        QVERIFY(std::any_of(alone.content.warnings.begin(), alone.content.warnings.end(), [](const Message& warning) {
+            return warning.english().find("\"lid\" is not a closed solid") != std::string::npos;
+        }));
         alone.simulation.step();
         QVERIFY(alone.simulation.snapshot()->health.ok);
     }
@@ -111,7 +110,7 @@ private slots:
         QCOMPARE(prepared.content.bodies.size(), std::size_t{1});
         QCOMPARE(prepared.content.bodies[0]->name, std::string("house"));
         QCOMPARE(prepared.content.surfaces.size(), std::size_t{1});
-        QVERIFY(prepared.content.unfilled.at(1).find("too thin") != std::string::npos);
+        QVERIFY(prepared.content.unfilled.at(1).english().find("too thin") != std::string::npos);
     }
 
     void aFileWithoutASurfaceIsRefused()
@@ -131,7 +130,7 @@ private slots:
         QCOMPARE(prepared.content.bodies.size(), std::size_t{1});
         QCOMPARE(prepared.content.bodies[0]->part, std::size_t{1});
         QCOMPARE(prepared.content.warnings.size(), std::size_t{1});
-        QVERIFY(prepared.content.warnings[0].find("sheet") != std::string::npos);
+        QVERIFY(prepared.content.warnings[0].english().find("sheet") != std::string::npos);
     }
 
     void thinWallsGetMoreObjectsAndElseAWarning()
@@ -146,7 +145,8 @@ private slots:
         const PreparedModel sheet = prepare(model);
         QVERIFY(sheet.content.bodies[0]->aggregate->size() < 20'000);
         QCOMPARE(sheet.content.warnings.size(), std::size_t{1});
-        QVERIFY(sheet.content.warnings[0].find("cells across 2 mm; bending of such walls") != std::string::npos);
+        QVERIFY(sheet.content.warnings[0].english().find("cells across 2 mm; bending of such walls") !=
+                std::string::npos);
         model.parts = {boxPart("block", {0.1, 0.1, 0.03}, Vec3::Zero())};
         QVERIFY(prepare(model).content.warnings.empty());
     }

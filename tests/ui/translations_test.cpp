@@ -12,7 +12,7 @@ using namespace knead;
 
 namespace {
 
-struct Message {
+struct Entry {
     QString context, source, state;
     QStringList said;
 };
@@ -22,12 +22,12 @@ QString fileOf(const QString& code)
     return QString(KNEAD_RESOURCES "/translations/knead_%1.ts").arg(code);
 }
 
-std::vector<Message> messagesIn(const QString& path)
+std::vector<Entry> messagesIn(const QString& path)
 {
     QFile file(path);
     if (!file.open(QFile::ReadOnly))
         return {};
-    std::vector<Message> messages;
+    std::vector<Entry> messages;
     QString context;
     QXmlStreamReader reader(&file);
     while (!reader.atEnd()) {
@@ -39,7 +39,7 @@ std::vector<Message> messagesIn(const QString& path)
         } else if (name == "source") {
             messages.push_back({context, reader.readElementText(), {}, {}});
         } else if (name == "translation") {
-            Message& message = messages.back();
+            Entry& message = messages.back();
             message.state = reader.attributes().value("type").toString();
             const QString text = reader.readElementText(QXmlStreamReader::IncludeChildElements);
             message.said = text.trimmed().split('\n', Qt::SkipEmptyParts);
@@ -50,7 +50,7 @@ std::vector<Message> messagesIn(const QString& path)
     return messages;
 }
 
-std::vector<Message> messagesOf(const QString& code)
+std::vector<Entry> messagesOf(const QString& code)
 {
     return messagesIn(fileOf(code));
 }
@@ -82,9 +82,9 @@ private slots:
     void nothingIsUnfinished()
     {
         QFETCH_GLOBAL(QString, code);
-        const std::vector<Message> messages = messagesOf(code);
+        const std::vector<Entry> messages = messagesOf(code);
         QVERIFY(!messages.empty());
-        for (const Message& message : messages) {
+        for (const Entry& message : messages) {
             QVERIFY2(message.state.isEmpty(),
                      qPrintable(message.context + ": " + message.source + ": " + message.state));
             for (const QString& said : message.said)
@@ -104,11 +104,13 @@ private slots:
         QVERIFY(QFile::copy(fileOf(code), copy));
         QProcess update;
         update.setWorkingDirectory(KNEAD_RESOURCES "/..");
-        update.start("/usr/lib/qt6/bin/lupdate", {"-silent", "-no-obsolete", "-locations", "none", "-source-language",
-                                                  "en", "-target-language", code, "ui", "-ts", copy});
+        update.start("/usr/lib/qt6/bin/lupdate",
+                     {"-silent", "-no-obsolete", "-locations", "none", "-source-language", "en", "-target-language",
+                      code, "-tr-function-alias", "QT_TRANSLATE_NOOP+=Message", "core", "io", "ui", "app", "-ts",
+                      copy});
         QVERIFY(update.waitForFinished(60'000) && update.exitCode() == 0);
-        const std::vector<Message> messages = messagesIn(copy);
-        for (const Message& message : messages)
+        const std::vector<Entry> messages = messagesIn(copy);
+        for (const Entry& message : messages)
             QVERIFY2(message.state.isEmpty(), qPrintable(message.context + ": " + message.source));
         QCOMPARE(messages.size(), messagesOf(code).size()); // and nothing is there that is said no more
     }
@@ -116,7 +118,7 @@ private slots:
     void placesForNumbersAndNamesAreKept()
     {
         QFETCH_GLOBAL(QString, code);
-        for (const Message& message : messagesOf(code))
+        for (const Entry& message : messagesOf(code))
             for (const QString& said : message.said) {
                 QStringList wanted = placesOf(message.source);
                 QStringList there = placesOf(said);
@@ -130,7 +132,7 @@ private slots:
     {
         QFETCH_GLOBAL(QString, code);
         static const QRegularExpression tag("<[^>]*>");
-        for (const Message& message : messagesOf(code))
+        for (const Entry& message : messagesOf(code))
             for (const QString& said : message.said) {
                 QCOMPARE(said.count(tag), message.source.count(tag));
                 if (!message.source.contains("%n"))
@@ -145,7 +147,7 @@ private slots:
         QFETCH_GLOBAL(QString, code);
         static const QRegularExpression key("&(.)");
         QStringList bar;
-        for (const Message& message : messagesOf(code))
+        for (const Entry& message : messagesOf(code))
             if ((message.context == "WindowMenus" || message.context == "MeasuringFeature") &&
                 message.source.startsWith('&'))
                 bar << key.match(message.said.front()).captured(1).toLower();

@@ -27,7 +27,7 @@ void Experiment::runUntil(double time)
     while (m_simulation.time() < time && m_simulation.health().ok)
         m_simulation.step();
     if (!m_simulation.health().ok)
-        throw std::runtime_error(m_simulation.health().message);
+        throw Problem(m_simulation.health().message);
     notice(*m_simulation.snapshot());
 }
 

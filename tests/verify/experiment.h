@@ -20,7 +20,7 @@ public:
     Simulation& simulation() { return m_simulation; }
     double time() const { return m_simulation.time(); }
 
-    /// Steps until a simulated time [s]. @throws std::runtime_error with the sentence of the simulation when it stops
+    /// Steps until a simulated time [s]. @throws Problem with the sentence of the simulation when it stops
     void runUntil(double time);
 
     /// Until hardly anything moves and stored energy stays from look to look, or a simulated time [s].

@@ -79,7 +79,7 @@ public:
     /// Shows the same model filled anew: the next entry of the history.
     void refill(PreparedModel prepared, const QString& name = {});
     /// Shows a project at its current entry.
-    /// @throws std::runtime_error, in a sentence, when its entries do not form a tree; nothing has changed
+    /// @throws Problem when its entries do not form a tree; nothing has changed
     void open(PreparedProject prepared);
 
     /// All that a project file keeps but marks, view and the panels of others. What is under way is not in it: call it from

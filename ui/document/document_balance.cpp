@@ -1,7 +1,7 @@
 // Balance without inertia: found on the simulation's thread, while a task shows how far it is and can be cancelled.
 #include "ui/document/document.h"
 
-#include "ui/language/words_of_files.h"
+#include "ui/language/said.h"
 #include "ui/tasks/task_runner.h"
 
 #include <atomic>
@@ -79,7 +79,7 @@ void Document::cancelBalancing()
 void Document::tellBalance(const StaticReport& report)
 {
     if (!report.converged)
-        emit notBalanced(inWords(report.message));
+        emit notBalanced(said(report.message));
     else if (report.residual == 0)
         emit balanced(tr("In balance: no force acts on the part."));
     else

@@ -4,6 +4,7 @@
 
 #include "core/simulation/moment.h"
 #include "ui/document/entry_names.h"
+#include "ui/language/said.h"
 #include "ui/selection/selection_model.h"
 #include "ui/tasks/task_runner.h"
 
@@ -152,7 +153,7 @@ void Document::goShort(const HistoryNavigation& navigation)
         } catch (const std::bad_alloc&) {
             failure = tr("There is not enough memory to go to %1. Close other programs and try again.").arg(name);
         } catch (const std::exception& error) {
-            failure = QString::fromStdString(error.what());
+            failure = said(messageOf(error));
         }
         const auto tell = [this, destination, failure, travel] {
             if (travel != m_travels)

@@ -39,7 +39,7 @@ public:
 
     /// A new document, shown; `first` becomes entry 0. What was there before is forgotten.
     void begin(Start start, Gesture first, const QString& name);
-    /// One that was saved. @throws std::runtime_error, in a sentence, when entries do not form a tree; nothing has changed
+    /// One that was saved. @throws Problem when entries do not form a tree; nothing has changed
     void begin(std::vector<Start> starts, std::vector<HistoryRecord> entries, Entry current);
 
     bool isEmpty() const { return !m_tree; }

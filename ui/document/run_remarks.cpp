@@ -1,6 +1,6 @@
 #include "ui/document/run_remarks.h"
 
-#include "ui/language/words_of_files.h"
+#include "ui/language/said.h"
 #include "ui/units.h"
 
 #include <QTimer>
@@ -31,8 +31,8 @@ void RunRemarks::documentChanged(Document::Change what)
         m_stall = {};
     }
     if (what == Document::Change::Frame)
-        for (const std::string& sentence : m_quality.see(*m_document.frame()->snapshot))
-            emit said(inWords(sentence));
+        for (const Message& sentence : m_quality.see(*m_document.frame()->snapshot))
+            emit said(knead::said(sentence));
 }
 
 void RunRemarks::lookAtPace()

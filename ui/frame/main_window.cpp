@@ -9,7 +9,6 @@
 #include "ui/frame/notices.h"
 #include "ui/frame/window_menus.h"
 #include "ui/interaction/hands.h"
-#include "ui/language/words_of_files.h"
 #include "ui/materials/material_store.h"
 #include "ui/measuring/measuring.h"
 #include "ui/modes.h"
@@ -323,7 +322,7 @@ void MainWindow::connectTasks()
     connect(&m_tasks, &TaskRunner::finished, m_taskReading, &TaskReading::end);
     connect(m_taskReading, &TaskReading::cancelClicked, &m_tasks, &TaskRunner::cancel);
     connect(&m_tasks, &TaskRunner::failed, this,
-            [this](const QString&, const QString& sentence) { m_notices->problem(inWords(sentence.toStdString())); });
+            [this](const QString&, const QString& sentence) { m_notices->problem(sentence); });
     connect(&m_tasks, &TaskRunner::cancelled, this,
             [this](const QString& title) { m_notices->note(tr("%1: cancelled, nothing has changed.").arg(title)); });
 }

@@ -1,5 +1,6 @@
 #include "ui/importing/import_feature.h"
 
+#include "core/message/message.h"
 #include "core/model/length_units.h"
 #include "ui/actions.h"
 #include "ui/dialogs/file_question.h"
@@ -7,7 +8,7 @@
 #include "ui/dialogs/import_dialog.h"
 #include "ui/frame/docks.h"
 #include "ui/frame/notices.h"
-#include "ui/language/words_of_files.h"
+#include "ui/language/said.h"
 #include "ui/panels/import_panel.h"
 #include "ui/preferences/preferences.h"
 #include "ui/project/project_keeper.h"
@@ -179,12 +180,12 @@ void ImportFeature::refillOnceMore(double spacing)
 /// A part that does not suit the spacing, unlike the others, is only shown from now on.
 void ImportFeature::showRefilled(PreparedModel prepared)
 {
-    const std::map<std::size_t, std::string> before = m_bench.document.content().unfilled;
+    const std::map<std::size_t, Message> before = m_bench.document.content().unfilled;
     m_bench.document.refill(std::move(prepared));
     for (const auto& [part, reason] : m_bench.document.content().unfilled)
         if (!before.contains(part))
             m_bench.notices.problem(
-                tr("\"%1\" is not simulated: %2").arg(m_bench.document.nameOfPart(part), inWords(reason)));
+                tr("\"%1\" is not simulated: %2").arg(m_bench.document.nameOfPart(part), said(reason)));
 }
 
 void ImportFeature::tellOfModel()
@@ -202,8 +203,8 @@ void ImportFeature::tellOfModel()
                                  .arg(name, QString::fromStdString(content.model->format), formatCount(start.objects),
                                       formatQuantity(content.spacing, Quantity::Length), formatCount(start.connections),
                                       formatReading(start.timeStep, Quantity::Time)));
-    for (const std::string& warning : content.warnings)
-        m_bench.notices.warn(inWords(warning));
+    for (const Message& warning : content.warnings)
+        m_bench.notices.warn(said(warning));
 }
 
 void ImportFeature::showImport()
@@ -217,11 +218,11 @@ void ImportFeature::showImport()
         m_bench.docks.of("importDock").raise();
     if (model.unitRemark) {
         const QString unit = QString::fromStdString(model.unitRemark->unit);
-        m_bench.notices.problem(inWords(model.unitRemark->sentence), tr("Take as %1").arg(unit),
+        m_bench.notices.problem(said(model.unitRemark->sentence), tr("Take as %1").arg(unit),
                                 [this, unit] { takeIn(unit); });
     } else if (!model.missing.empty()) {
         m_bench.notices.problem(model.missing.size() == 1
-                                    ? inWords(model.missing.front())
+                                    ? said(model.missing.front())
                                     : tr("%1 parts of the file are missing; the import report says which and why.")
                                           .arg(formatCount(model.missing.size())),
                                 tr("Show report"), [this] { m_bench.docks.show("importDock"); });

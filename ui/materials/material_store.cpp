@@ -1,5 +1,8 @@
 #include "ui/materials/material_store.h"
 
+#include "core/message/message.h"
+#include "ui/language/said.h"
+
 #include <algorithm>
 #include <exception>
 #include <future>
@@ -34,7 +37,7 @@ MaterialStore::MaterialStore(const Services& services, QObject* parent)
         m_all.insert(m_all.end(), m_kept.begin(), m_kept.end());
     } catch (const std::exception& error) {
         m_damage = tr("Your own materials cannot be read: %1 Mend or remove the file; until then none can be saved.")
-                       .arg(QString::fromStdString(error.what()));
+                       .arg(said(messageOf(error)));
     }
 }
 
@@ -123,7 +126,7 @@ void MaterialStore::write(std::function<void(Presets& own)> change)
             write(own);
             m_kept = own;
         } catch (const std::exception& error) {
-            problem = QString::fromStdString(error.what());
+            problem = said(messageOf(error));
         }
         QMetaObject::invokeMethod(
             this, [this, own, problem] { written(own, problem); }, Qt::QueuedConnection);

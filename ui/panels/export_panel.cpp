@@ -1,6 +1,7 @@
 #include "ui/panels/export_panel.h"
 
-#include "ui/language/words_of_files.h"
+#include "core/message/message.h"
+#include "ui/language/said.h"
 #include "ui/theme.h"
 #include "ui/units.h"
 
@@ -92,9 +93,9 @@ QTreeWidgetItem* rowOf(const PartExportReport& part)
     row->setText(7, part.density > 0 ? formatQuantity(part.density * part.volume, Quantity::Mass) : QString());
     QStringList remarks;
     if (!part.reason.empty())
-        remarks << ExportPanel::tr("Not as smooth faces: %1").arg(inWords(part.reason));
-    for (const std::string& remark : part.remarks)
-        remarks << inWords(remark);
+        remarks << ExportPanel::tr("Not as smooth faces: %1").arg(said(part.reason));
+    for (const Message& remark : part.remarks)
+        remarks << said(remark);
     if (!part.nameKept)
         remarks << ExportPanel::tr("Its name was not found again.");
     if (!part.colorsKept)
@@ -193,8 +194,8 @@ void ExportPanel::show(const std::vector<ExportReport>& reports)
             sound += part.isSound() ? 1 : 0;
             ++parts;
         }
-        for (const std::string& warning : report.warnings)
-            warnings << inWords(warning);
+        for (const Message& warning : report.warnings)
+            warnings << said(warning);
     }
     for (const QString& warning : warnings) {
         auto* row = new QTreeWidgetItem(m_parts, {warning});

@@ -1,7 +1,8 @@
 #include "ui/panels/import_panel.h"
 
+#include "core/message/message.h"
 #include "core/model/length_units.h"
-#include "ui/language/words_of_files.h"
+#include "ui/language/said.h"
 #include "ui/panels/form.h"
 #include "ui/units.h"
 
@@ -106,20 +107,20 @@ void ImportPanel::listRemarks(const FilledModel& content)
     };
     const Model& model = *content.model;
     if (model.unitRemark)
-        add(tr("Size"), inWords(model.unitRemark->sentence));
+        add(tr("Size"), said(model.unitRemark->sentence));
     if (!content.fineness.warning.empty())
-        add(tr("Filling"), inWords(content.fineness.warning));
-    for (const std::string& sentence : model.missing)
-        add(tr("Missing"), inWords(sentence));
-    for (const std::string& sentence : model.warnings)
-        add(tr("File"), inWords(sentence));
+        add(tr("Filling"), said(content.fineness.warning));
+    for (const Message& sentence : model.missing)
+        add(tr("Missing"), said(sentence));
+    for (const Message& sentence : model.warnings)
+        add(tr("File"), said(sentence));
     for (const auto& [part, reason] : content.unfilled)
-        add(QString::fromStdString(model.parts[part].path), tr("was not filled: %1").arg(inWords(reason)));
+        add(QString::fromStdString(model.parts[part].path), tr("was not filled: %1").arg(said(reason)));
     for (const Part& part : model.parts) {
-        for (const std::string& sentence : part.warnings)
-            add(QString::fromStdString(part.path), inWords(sentence));
-        for (const std::string& sentence : part.repairs)
-            add(QString::fromStdString(part.path), tr("Repaired: %1").arg(inWords(sentence)), true);
+        for (const Message& sentence : part.warnings)
+            add(QString::fromStdString(part.path), said(sentence));
+        for (const Message& sentence : part.repairs)
+            add(QString::fromStdString(part.path), tr("Repaired: %1").arg(said(sentence)), true);
     }
     m_hasRemarks = !rows.isEmpty();
     m_remarks->setHtml(m_hasRemarks ? "<table cellpadding=2>" + rows + "</table>"

@@ -1,6 +1,7 @@
 #include "ui/panels/simulation_panel.h"
 
 #include "ui/document/table_kinds.h"
+#include "ui/language/said.h"
 #include "ui/panels/choice_menu.h"
 #include "ui/panels/form.h"
 
@@ -223,7 +224,7 @@ void SimulationPanel::showState()
         m_postedIntegrator.reset();
         m_integrator->setCurrentIndex(static_cast<int>(now.wantedIntegrator));
     }
-    m_integratorReason->setText(QString::fromStdString(now.integratorReason));
+    m_integratorReason->setText(said(now.integratorReason));
 }
 
 void SimulationPanel::showGravity(const Vec3& gravity)

@@ -1,5 +1,6 @@
 #include "ui/panels/status_readings.h"
 
+#include "ui/language/said.h"
 #include "ui/theme.h"
 #include "ui/units.h"
 
@@ -138,7 +139,7 @@ void StatusReadings::show(const Snapshot& snapshot)
     m_integrator->setText(snapshot.integrator == Integrator::implicitEuler  ? tr("Implicit")
                           : snapshot.integrator == Integrator::forwardEuler ? tr("Forward")
                                                                             : tr("Explicit"));
-    m_integrator->setToolTip(QString::fromStdString(snapshot.integratorReason));
+    m_integrator->setToolTip(said(snapshot.integratorReason));
     m_objects->setText(tr("%1 objects").arg(formatCount(snapshot.objects)));
     m_connections->setText(tr("%1 connections").arg(formatCount(snapshot.connections)));
     m_contacts->setText(tr("%1 contacts").arg(formatCount(snapshot.contacts)));

@@ -1,5 +1,7 @@
 #include "ui/project/autosave.h"
 
+#include "ui/language/said.h"
+
 #include <atomic>
 #include <condition_variable>
 #include <deque>
@@ -39,7 +41,7 @@ struct Autosave::Stop final : TaskControl {
 struct Autosave::Worker {
     using Job = std::function<void(Worker&)>;
 
-    explicit Worker(std::function<void(const std::string&)> teller)
+    explicit Worker(std::function<void(const Message&)> teller)
         : tell(std::move(teller))
         , thread([this] { run(); })
     {
@@ -68,7 +70,7 @@ struct Autosave::Worker {
             } catch (const Cancelled&) {
                 // It is discarded next.
             } catch (const std::exception& error) {
-                tell(error.what());
+                tell(messageOf(error));
             }
     }
 
@@ -110,7 +112,7 @@ struct Autosave::Worker {
     std::map<History::Entry, HistoryRecord> oldMoments; ///< entries of which the rest is kept
     std::optional<std::uint64_t> revisionInFile;        ///< when saving began; none when all was kept anew since
 
-    const std::function<void(const std::string&)> tell;
+    const std::function<void(const Message&)> tell;
     std::mutex mutex; // guards the jobs
     std::deque<Job> jobs;
     std::condition_variable wake;
@@ -121,7 +123,7 @@ Autosave::Autosave(ProjectServices services, QObject* parent)
     : QObject(parent)
     , m_services(std::move(services))
     , m_stop(std::make_shared<Stop>())
-    , m_worker(std::make_unique<Worker>([this](const std::string& sentence) { tell(sentence, &Autosave::failed); }))
+    , m_worker(std::make_unique<Worker>([this](const Message& sentence) { tell(sentence, &Autosave::failed); }))
 {
 }
 
@@ -131,11 +133,10 @@ Autosave::~Autosave()
 }
 
 /// On the thread.
-void Autosave::tell(const std::string& sentence, void (Autosave::*signal)(const QString&))
+void Autosave::tell(const Message& sentence, void (Autosave::*signal)(const QString&))
 {
     QMetaObject::invokeMethod(
-        this, [this, sentence, signal] { emit(this->*signal)(QString::fromStdString(sentence)); },
-        Qt::QueuedConnection);
+        this, [this, sentence, signal] { emit(this->*signal)(said(sentence)); }, Qt::QueuedConnection);
 }
 
 Autosave::Known Autosave::knownOf(const HistoryRecord& record)
@@ -286,7 +287,7 @@ void Autosave::onRecoveries(std::function<void()> work)
         try {
             work();
         } catch (const std::runtime_error& error) {
-            tell(error.what(), &Autosave::recoveriesFailed);
+            tell(messageOf(error), &Autosave::recoveriesFailed);
         }
     });
 }

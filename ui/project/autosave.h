@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/document/history.h"
+#include "core/message/message.h"
 #include "ui/project/project_services.h"
 
 #include <QObject>
@@ -86,7 +87,7 @@ private:
     using Replacing = void (KeptWork::*)(std::uint32_t entry, const HistoryRecord& record);
     void know(const Project& project);
     void replace(History::Entry entry, const HistoryRecord& record, Replacing call);
-    void tell(const std::string& sentence, void (Autosave::*signal)(const QString&));
+    void tell(const Message& sentence, void (Autosave::*signal)(const QString&));
     void onRecoveries(std::function<void()> work);
 
     ProjectServices m_services;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "ui/project/autosave.h"
 #include "ui/project/read_project.h"
 
@@ -93,7 +94,7 @@ private:
     void show(ReadProject read);
     bool showModel(ReadProject& read);
     void showView(const ProjectView& view);
-    void listMissing(const std::vector<std::string>& missing);
+    void listMissing(const std::vector<Message>& missing);
 
     /// A saving from when it is asked for until it ends.
     struct Saving {

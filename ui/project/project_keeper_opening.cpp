@@ -1,4 +1,6 @@
 // How a project comes into the window: from its file, as a copy, rescued, or recovered.
+#include "core/message/message.h"
+#include "ui/language/said.h"
 #include "ui/project/project_keeper.h"
 
 #include "ui/dialogs/recovery_dialog.h"
@@ -67,7 +69,7 @@ void ProjectKeeper::offerRemedy(const ProjectRequest& request, const ReadProject
     ProjectRequest other = request;
     other.isCopy = true;
     other.rescues = !isLocked;
-    emit problem(QString::fromStdString(read.sentence), isLocked ? tr("Open a copy") : tr("Rescue what is whole"),
+    emit problem(said(read.sentence), isLocked ? tr("Open a copy") : tr("Rescue what is whole"),
                  [this, other] { letGo([this, other] { open(other); }); });
 }
 
@@ -103,7 +105,7 @@ void ProjectKeeper::show(ReadProject read)
     if (isRecovered)
         tellOfWaiting(); // one less
     if (!read.sentence.empty())
-        emit problem(QString::fromStdString(read.sentence), tr("Save as..."), [this] { saveAs(); });
+        emit problem(said(read.sentence), tr("Save as..."), [this] { saveAs(); });
     if (!read.missing.empty())
         listMissing(read.missing);
 }
@@ -122,7 +124,7 @@ bool ProjectKeeper::showModel(ReadProject& read)
         m_isNew = false;
         return true;
     } catch (const std::runtime_error& error) {
-        emit problem(QString::fromStdString(error.what()), {}, {});
+        emit problem(said(messageOf(error)), {}, {});
         return false;
     }
 }
@@ -135,16 +137,16 @@ void ProjectKeeper::showView(const ProjectView& view)
     m_window.tree.hideParts({view.hiddenParts.begin(), view.hiddenParts.end()});
 }
 
-void ProjectKeeper::listMissing(const std::vector<std::string>& missing)
+void ProjectKeeper::listMissing(const std::vector<Message>& missing)
 {
     constexpr std::size_t most = 12;
     QStringList lines;
     for (std::size_t i = 0; i < std::min(missing.size(), most); ++i)
-        lines << QStringLiteral("\u2022 ") + QString::fromStdString(missing[i]);
+        lines << QStringLiteral("\u2022 ") + said(missing[i]);
     if (missing.size() > most)
         lines << tr("and %1 more").arg(missing.size() - most);
-    for (const std::string& phrase : missing)
-        emit told(tr("Not whole: %1").arg(QString::fromStdString(phrase)));
+    for (const Message& phrase : missing)
+        emit told(tr("Not whole: %1").arg(said(phrase)));
     auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Not everything is whole"),
                                 tr("This could not be brought back:"), QMessageBox::Ok, m_window.widget);
     box->setObjectName("missingBox");

@@ -1,4 +1,6 @@
 // How a project is saved, and what is asked before unsaved work would be lost.
+#include "core/message/message.h"
+#include "ui/language/said.h"
 #include "ui/project/project_keeper.h"
 
 #include "ui/dialogs/file_question.h"
@@ -54,7 +56,7 @@ struct ProjectKeeper::SavedFile {
     std::uint64_t revision = 0; ///< of the history in it
     QImage picture;             ///< what the view showed
     std::shared_ptr<void> lock;
-    std::string problem; ///< a sentence; empty: it was written
+    Message problem; ///< a sentence; empty: it was written
 };
 
 void ProjectKeeper::save(std::function<void()> then)
@@ -146,7 +148,7 @@ void ProjectKeeper::startSaving()
         } catch (const Cancelled&) {
             throw;
         } catch (const std::runtime_error& error) {
-            done.problem = error.what();
+            done.problem = messageOf(error);
         }
         return done;
     };
@@ -167,7 +169,7 @@ void ProjectKeeper::finishSaving(SavedFile file)
 {
     const std::function<void()> then = std::exchange(m_saving, std::nullopt)->then;
     if (!file.problem.empty()) {
-        emit problem(QString::fromStdString(file.problem), tr("Save as..."), [this, then] { saveAs(then); });
+        emit problem(said(file.problem), tr("Save as..."), [this, then] { saveAs(then); });
         return;
     }
     m_path = file.path;

@@ -25,7 +25,7 @@ struct Raw {
     WorkState state; ///< of a recovery
 };
 
-void append(std::vector<std::string>& list, std::vector<std::string> more)
+void append(std::vector<Message>& list, std::vector<Message> more)
 {
     list.insert(list.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
@@ -42,7 +42,7 @@ Raw readFile(const ProjectRequest& request, const ProjectServices& services, Rea
             result.lock = request.lock ? request.lock : services.lock(request.path);
         } catch (const std::runtime_error& error) {
             result.obstacle = ReadProject::Obstacle::lock;
-            result.sentence = error.what();
+            result.sentence = messageOf(error);
             return {};
         }
         result.path = request.path;
@@ -52,7 +52,7 @@ Raw readFile(const ProjectRequest& request, const ProjectServices& services, Rea
         return {services.read(request.path, control), {}};
     } catch (const DamagedProject& error) {
         result.obstacle = ReadProject::Obstacle::damage;
-        result.sentence = error.what();
+        result.sentence = messageOf(error);
         return {};
     }
 }
@@ -62,9 +62,9 @@ std::string nameOf(const std::string& path)
     return std::filesystem::path(path).filename().string();
 }
 
-std::string said(const QString& sentence, const std::string& path)
+Message about(const std::string& path, const QString& sentence)
 {
-    return sentence.arg(QString::fromStdString(nameOf(path))).toStdString();
+    return Message::verbatim(sentence.arg(QString::fromStdString(nameOf(path))).toStdString());
 }
 
 /// The file of recovered work may have been written since, or be another window's by now: then the work has none.
@@ -74,16 +74,16 @@ void takeFileOf(const WorkState& state, const ProjectRequest& request, const Pro
     if (state.projectFile.empty())
         return;
     if (state.isFileReplaced) {
-        result.sentence = said(ReadWords::tr("%1 was written after this work was cut off, and stays as it is: save the "
-                                             "work under a name of its own, or in place of that file."),
-                               state.projectFile);
+        result.sentence =
+            about(state.projectFile, ReadWords::tr("%1 was written after this work was cut off, and stays as it is: "
+                                                   "save the work under a name of its own, or in place of that file."));
         return;
     }
     try {
         result.lock = request.lock ? request.lock : services.lock(state.projectFile);
         result.path = state.projectFile;
     } catch (const std::runtime_error& error) {
-        result.sentence = error.what();
+        result.sentence = messageOf(error);
     }
 }
 
@@ -92,10 +92,8 @@ void letGoOfFile(ReadProject& result)
 {
     if (result.path.empty())
         return;
-    result.sentence =
-        said(ReadWords::tr("%1 stays as it is, since the recovered work is not whole: save the work under "
-                           "a name of its own, or in place of that file."),
-             result.path);
+    result.sentence = about(result.path, ReadWords::tr("%1 stays as it is, since the recovered work is not whole: save "
+                                                       "the work under a name of its own, or in place of that file."));
     result.path.clear();
     result.lock.reset();
 }
@@ -136,7 +134,7 @@ void prepare(Project project, const Packing& packing, ReadProject& result, TaskC
         return;
     }
     result.parts = prepareModel(project.model, project.import, {}, control);
-    result.missing.emplace_back("what was done to the parts");
+    result.missing.push_back(Message("Project", "what was done to the parts"));
 }
 
 } // namespace
@@ -165,9 +163,8 @@ ReadProject readProjectFor(const ProjectRequest& request, const ProjectServices&
         if (request.recovery || request.rescues)
             throw;
         result.obstacle = ReadProject::Obstacle::damage;
-        result.sentence = ReadWords::tr("%1: what was seen last cannot be shown. %2 What is whole can be rescued.")
-                              .arg(QString::fromStdString(nameOf(request.path)), QString::fromStdString(error.what()))
-                              .toStdString();
+        result.sentence = Message("Project", "%1: what was seen last cannot be shown. %2 What is whole can be rescued.")
+                              .with(nameOf(request.path), messageOf(error));
     }
     if (request.recovery && !result.missing.empty())
         letGoOfFile(result);

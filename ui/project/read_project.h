@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/document/kept_work.h"
+#include "core/message/message.h"
 #include "ui/document/document.h"
 #include "ui/project/project_services.h"
 
@@ -24,13 +25,13 @@ struct ProjectRequest {
 struct ReadProject {
     enum class Obstacle { none, lock, damage };
     Obstacle obstacle = Obstacle::none;
-    std::string sentence; ///< about the obstacle
+    Message sentence; ///< about the obstacle
 
-    std::string path;                 ///< that it is saved to; empty: none yet
-    std::shared_ptr<void> lock;       ///< of the file there
-    std::shared_ptr<KeptWork> kept;   ///< of a recovery: it is gone on with
-    std::vector<std::string> missing; ///< a phrase each: what could not be brought back
-    bool isSaved = false;             ///< nothing differs from the file
+    std::string path;               ///< that it is saved to; empty: none yet
+    std::shared_ptr<void> lock;     ///< of the file there
+    std::shared_ptr<KeptWork> kept; ///< of a recovery: it is gone on with
+    std::vector<Message> missing;   ///< a phrase each: what could not be brought back
+    bool isSaved = false;           ///< nothing differs from the file
 
     std::optional<PreparedProject> project;
     std::optional<PreparedModel> parts; ///< instead, when only they are whole

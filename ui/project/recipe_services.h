@@ -1,7 +1,9 @@
 #pragma once
 
 #include "core/document/project.h"
+#include "core/message/message.h"
 #include "core/session/recipe_start.h"
+#include "core/simulation/scripted_events.h"
 #include "core/task/task_control.h"
 
 #include <functional>
@@ -20,8 +22,7 @@ struct RecipeServices {
     /// The file appears whole or not at all.
     /// @param projectPath where the project was saved; empty: nowhere yet
     /// @return sentences on what the recipe leaves out
-    std::function<std::vector<std::string>(const std::string& path, const Project&, const std::string& projectPath)>
-        write;
+    std::function<std::vector<Message>(const std::string& path, const Project&, const std::string& projectPath)> write;
 };
 
 } // namespace knead

@@ -1,7 +1,9 @@
 #include "ui/project/recipes_feature.h"
 
+#include "core/message/message.h"
 #include "ui/dialogs/file_question.h"
 #include "ui/frame/notices.h"
+#include "ui/language/said.h"
 #include "ui/project/encoded_path.h"
 #include "ui/project/project_keeper.h"
 #include "ui/project/projects_feature.h"
@@ -89,13 +91,13 @@ void RecipesFeature::write(const QString& path)
                        saved = m_projects.keeper().path()](TaskControl&) {
         return write(encoded(path), project, encoded(saved));
     };
-    const auto finish = [this, path](const std::vector<std::string>& remarks) {
+    const auto finish = [this, path](const std::vector<Message>& remarks) {
         m_bench.notices.note(tr("Exported the session as a recipe to %1.").arg(path));
-        for (const std::string& remark : remarks)
-            m_bench.notices.warn(QString::fromStdString(remark));
+        for (const Message& remark : remarks)
+            m_bench.notices.warn(said(remark));
     };
     const QString title = tr("Exporting %1").arg(QFileInfo(path).fileName());
-    if (!m_bench.tasks.run<std::vector<std::string>>(title, work, finish))
+    if (!m_bench.tasks.run<std::vector<Message>>(title, work, finish))
         m_bench.isBusy(); // says with what
 }
 

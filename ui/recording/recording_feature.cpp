@@ -1,8 +1,10 @@
 #include "ui/recording/recording_feature.h"
 
+#include "core/message/message.h"
 #include "ui/dialogs/file_question.h"
 #include "ui/dialogs/record_dialog.h"
 #include "ui/frame/notices.h"
+#include "ui/language/said.h"
 #include "ui/recording/offscreen_renderer.h"
 #include "ui/units.h"
 #include "ui/viewport/view_grid.h"
@@ -66,7 +68,7 @@ void RecordingFeature::record(const QString& path, const Recording& recording)
     try {
         surface = OffscreenRenderer::makeSurface();
     } catch (const std::exception& error) {
-        m_bench.notices.problem(QString::fromStdString(error.what()));
+        m_bench.notices.problem(said(messageOf(error)));
         return;
     }
     const auto work = [services = m_bench.services, path = QFile::encodeName(path).toStdString(), recording, line,

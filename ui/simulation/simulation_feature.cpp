@@ -5,7 +5,7 @@
 #include "ui/frame/docks.h"
 #include "ui/frame/notices.h"
 #include "ui/importing/import_feature.h"
-#include "ui/language/words_of_files.h"
+#include "ui/language/said.h"
 #include "ui/panels/panel_area.h"
 #include "ui/panels/performance_panel.h"
 #include "ui/panels/simulation_panel.h"
@@ -126,10 +126,10 @@ void SimulationFeature::showThreads(int threads)
 }
 
 /// What was not carried out, or what should be known of it.
-void SimulationFeature::showNotice(const std::string& notice)
+void SimulationFeature::showNotice(const Message& notice)
 {
     if (std::exchange(m_shownNotice, notice) != notice && !notice.empty())
-        m_bench.notices.remark(inWords(notice));
+        m_bench.notices.remark(said(notice));
 }
 
 /// Too few cells across them, with a filling that has enough.
@@ -137,7 +137,7 @@ void SimulationFeature::showWalls(const SpacingAssessment& fineness)
 {
     const bool isSaid = !m_shownWalls.isEmpty() && m_bench.notices.shown() == m_shownWalls;
     const bool isFine = fineness.warning.empty() || m_bench.document.content().bodies.empty();
-    m_shownWalls = isFine ? QString() : inWords(fineness.warning);
+    m_shownWalls = isFine ? QString() : said(fineness.warning);
     if (isFine && isSaid)
         m_bench.notices.hide();
     if (isFine)
@@ -161,7 +161,7 @@ void SimulationFeature::showHealth(const Health& health)
         return;
     m_shownHealth = health.message;
     m_bench.notices.setGrave(!health.message.empty());
-    const QString sentence = inWords(health.message);
+    const QString sentence = said(health.message);
     const auto reset = [this] { m_bench.document.reset(); };
     if (health.message.empty())
         return m_bench.notices.hide();

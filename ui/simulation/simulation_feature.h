@@ -1,12 +1,12 @@
 #pragma once
 
 #include "core/aggregate/spacing_choice.h"
+#include "core/message/message.h"
 #include "core/simulation/snapshot.h"
 #include "ui/frame/workbench.h"
 
 #include <QObject>
 
-#include <string>
 #include <utility>
 
 class QMenu;
@@ -40,7 +40,7 @@ signals:
 private:
     void connectActions();
     void showHealth(const Health& health);
-    void showNotice(const std::string& notice);
+    void showNotice(const Message& notice);
     void showBalance(const QString& sentence);
     void setGravity(bool on);
     void setFloor(bool on);
@@ -52,10 +52,10 @@ private:
     SimulationPanel* m_panel;
     PerformancePanel* m_performance;
     std::pair<bool, bool> m_surroundings; ///< gravity and floor, as last seen
-    std::string m_shownHealth;            ///< message last put into the banner
+    Message m_shownHealth;                ///< message last put into the banner
     QString m_shownImbalance;             ///< why no balance was found last
     QString m_shownWalls;                 ///< sentence of the present filling; empty: its walls are well
-    std::string m_shownNotice;            ///< last said
+    Message m_shownNotice;                ///< last said
 };
 
 } // namespace knead

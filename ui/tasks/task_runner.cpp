@@ -1,5 +1,8 @@
 #include "ui/tasks/task_runner.h"
 
+#include "core/message/message.h"
+#include "ui/language/said.h"
+
 #include <QTimer>
 
 #include <atomic>
@@ -22,7 +25,7 @@ struct TaskRunner::Task final : TaskControl {
     double fraction = 0;
     std::string stage;
     bool wasCancelled = false;
-    std::string failure;
+    Message failure;
 
     void report(double newFraction, std::string_view newStage) override
     {
@@ -41,17 +44,18 @@ struct TaskRunner::Task final : TaskControl {
             const std::lock_guard lock(mutex);
             wasCancelled = true;
         } catch (const std::bad_alloc&) {
-            fail(TaskRunner::tr("%1: there is not enough memory. Close other programs, or choose a larger spacing.")
-                     .arg(title)
-                     .toStdString());
+            fail(Message::verbatim(
+                TaskRunner::tr("%1: there is not enough memory. Close other programs, or choose a larger spacing.")
+                    .arg(title)
+                    .toStdString()));
         } catch (const std::exception& error) {
-            fail(error.what());
+            fail(messageOf(error));
         }
         work = nullptr;
         done = true;
     }
 
-    void fail(const std::string& sentence)
+    void fail(const Message& sentence)
     {
         const std::lock_guard lock(mutex);
         failure = sentence;
@@ -132,7 +136,7 @@ void TaskRunner::poll()
     if (task->wasCancelled)
         emit cancelled(task->title);
     else if (!task->failure.empty())
-        emit failed(task->title, QString::fromStdString(task->failure));
+        emit failed(task->title, said(task->failure));
     else
         task->finish();
     emit finished();

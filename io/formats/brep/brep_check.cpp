@@ -1,5 +1,6 @@
 #include "io/formats/brep/brep_check.h"
 
+#include "core/message/message.h"
 #include "io/formats/cad_format.h"
 
 #include <algorithm>
@@ -26,8 +27,9 @@ void checkVersion(const std::string& path, const std::string& line)
     std::istringstream text(line.substr(place + 10));
     int version = 0;
     if (!(text >> version) || version < 1 || version > newestVersion)
-        failReading(path, "this version of BREP is unknown (\"" + line.substr(0, 40) +
-                              "\"); save the file in an older version.");
+        failReading(path,
+                    Message("Import", "this version of BREP is unknown (\"%1\"); save the file in an older version.")
+                        .with(line.substr(0, 40)));
 }
 
 } // namespace
@@ -48,12 +50,14 @@ void checkBrepText(const std::string& path)
             continue;
         long long count = -1;
         if (!(words >> count) || count < 0 || count > size)
-            failReading(path,
-                        "the BREP file states an impossible number of " + name + "; it is damaged, get it again.");
+            failReading(
+                path, Message("Import", "the BREP file states an impossible number of %1; it is damaged, get it again.")
+                          .with(name));
         ++found;
     }
     if (found < sections.size())
-        failReading(path, "the BREP file is cut off or damaged: sections are missing; get it again.");
+        failReading(path,
+                    Message("Import", "the BREP file is cut off or damaged: sections are missing; get it again."));
 }
 
 } // namespace knead

@@ -1,5 +1,6 @@
 #include "io/formats/gltf/gltf_check.h"
 
+#include "core/message/message.h"
 #include "core/model/readable_name.h"
 #include "io/formats/cad_format.h"
 
@@ -20,7 +21,10 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t deepestNodes = 500; // of nodes; the mesh reader recurses once a level
-constexpr const char* damaged = "the glTF file is damaged and cannot be read; export it again.";
+Message damaged()
+{
+    return Message("Import", "the %1 file is damaged and cannot be read; export it again.").with("glTF");
+}
 
 /// The JSON is all of a .gltf, and the first chunk of a .glb (glTF 2.0, section 4.4).
 std::string jsonText(const std::string& path)
@@ -34,9 +38,10 @@ std::string jsonText(const std::string& path)
     const std::uint32_t total = header[2];
     const std::uint32_t length = header[3];
     if (!file || header[1] != 2)
-        failReading(path, "the GLB is damaged, or of another version than 2; export it again as glTF 2.0.");
+        failReading(
+            path, Message("Import", "the GLB is damaged, or of another version than 2; export it again as glTF 2.0."));
     if (total > size || length > size - sizeof header || std::memcmp(&header[4], "JSON", 4) != 0)
-        failReading(path, "the GLB is cut off or damaged; get it again.");
+        failReading(path, Message("Import", "the GLB is cut off or damaged; get it again."));
     std::string text(length, '\0');
     file.read(text.data(), static_cast<std::streamsize>(length));
     return text;
@@ -60,14 +65,21 @@ void checkVersionAndExtensions(const std::string& path, const Json& json)
     const auto asset = json.find("asset");
     const std::string version = asset != json.end() && asset->is_object() ? textAt(*asset, "version") : "";
     if (!version.starts_with("2."))
-        failReading(path, "this is a glTF of version " +
-                              (version.empty() ? "unknown" : readableName(std::string_view(version))) +
-                              ", but only 2 can be read; export it again as glTF 2.0.");
+        failReading(
+            path,
+            version.empty()
+                ? Message("Import",
+                          "this is a glTF of version unknown, but only 2 can be read; export it again as glTF 2.0.")
+                : Message("Import",
+                          "this is a glTF of version %1, but only 2 can be read; export it again as glTF 2.0.")
+                      .with(readableName(std::string_view(version))));
     for (const Json& extension : listAt(json, "extensionsRequired")) {
         const std::string name = extension.is_string() ? extension.get<std::string>() : "";
         if (name == "KHR_draco_mesh_compression" || name == "EXT_meshopt_compression")
-            failReading(path, "the glTF is compressed (" + name +
-                                  "), which is not read here; export it without compression.");
+            failReading(
+                path,
+                Message("Import", "the glTF is compressed (%1), which is not read here; export it without compression.")
+                    .with(name));
     }
 }
 
@@ -94,8 +106,9 @@ void checkBuffers(const std::string& path, const Json& json)
         if (uri.empty() || uri.starts_with("data:"))
             continue;
         if (!std::filesystem::is_regular_file(std::filesystem::path(path).parent_path() / fromUri(uri)))
-            failReading(path, "the glTF keeps its numbers in \"" + readableName(std::string_view(fromUri(uri))) +
-                                  "\", which is not beside it; put it there.");
+            failReading(path,
+                        Message("Import", "the glTF keeps its numbers in \"%1\", which is not beside it; put it there.")
+                            .with(readableName(std::string_view(fromUri(uri)))));
     }
 }
 
@@ -106,13 +119,15 @@ void checkNodes(const std::string& path, const Json& json)
     std::vector<std::size_t> parents(nodes.size(), nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         if (!nodes[i].is_object())
-            failReading(path, damaged);
+            failReading(path, damaged());
         for (const Json& child : listAt(nodes[i], "children")) {
             if (!child.is_number_unsigned() || child.get<std::size_t>() >= nodes.size())
-                failReading(path, damaged);
+                failReading(path, damaged());
             std::size_t& parent = parents[child.get<std::size_t>()];
             if (parent != nodes.size())
-                failReading(path, "a node of the glTF is in two others; the file is damaged, export it again.");
+                failReading(
+                    path,
+                    Message("Import", "a node of the glTF is in two others; the file is damaged, export it again."));
             parent = i;
         }
     }
@@ -120,8 +135,10 @@ void checkNodes(const std::string& path, const Json& json)
         std::size_t depth = 0;
         for (std::size_t above = i; above != nodes.size(); above = parents[above])
             if (++depth > deepestNodes)
-                failReading(path, "nodes of the glTF hold themselves or are nested more than " +
-                                      std::to_string(deepestNodes) + " deep; export it again.");
+                failReading(
+                    path, Message("Import",
+                                  "nodes of the glTF hold themselves or are nested more than %1 deep; export it again.")
+                              .with(deepestNodes));
     }
 }
 
@@ -131,7 +148,7 @@ void checkGltf(const std::string& path)
 {
     const Json json = Json::parse(jsonText(path), nullptr, false);
     if (!json.is_object())
-        failReading(path, "the glTF file is cut off or damaged; get it again.");
+        failReading(path, Message("Import", "the glTF file is cut off or damaged; get it again."));
     checkVersionAndExtensions(path, json);
     checkBuffers(path, json);
     checkNodes(path, json);

@@ -1,3 +1,4 @@
+#include "core/message/message.h"
 #include "io/files/safe_file.h"
 #include "io/formats/cad_format.h"
 #include "io/formats/mesh_formats.h"
@@ -10,7 +11,6 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace knead {
 
@@ -163,9 +163,10 @@ void writeGlb(const MeshFile& file)
     text.resize((text.size() + 3) / 4 * 4, ' ');
     const std::size_t size = 12 + 8 + text.size() + 8 + description.bytes(); // glTF 2.0, section 4.4
     if (size > std::numeric_limits<std::uint32_t>::max())
-        throw std::runtime_error(
-            shortName(file.path) +
-            ": the surface needs more than the 4 GB that a GLB can hold; export fewer bodies, or .gltf.");
+        throw Problem(aboutFile(
+            file.path,
+            Message("Export",
+                    "the surface needs more than the 4 GB that a GLB can hold; export fewer bodies, or .gltf.")));
     SafeFile target(file.path);
     NumberStream stream(target, file.control, static_cast<double>(size));
     for (const std::size_t number :

@@ -1,5 +1,6 @@
 #include "io/formats/iges/iges_check.h"
 
+#include "core/message/message.h"
 #include "io/formats/cad_format.h"
 #include "io/formats/iges/iges_entities.h"
 
@@ -77,8 +78,10 @@ public:
         if (m_lines['T'] > 0)
             return;
         if (line.size() <= sectionColumn || std::string_view("SGDPT").find(line[sectionColumn]) == line.npos)
-            failReading(m_path, "line " + std::to_string(m_lineNumber + 1) +
-                                    " of the IGES file is not in 80 columns; the file is damaged, get it again.");
+            failReading(
+                m_path,
+                Message("Iges", "line %1 of the IGES file is not in 80 columns; the file is damaged, get it again.")
+                    .with(m_lineNumber + 1));
         ++m_lineNumber;
         const char section = line[sectionColumn];
         ++m_lines[section];
@@ -96,12 +99,14 @@ public:
     {
         endRecord();
         if (m_lines['T'] == 0)
-            failReading(m_path, "the IGES file ends before its last line (T); it is cut off, get it again.");
+            failReading(m_path,
+                        Message("Iges", "the IGES file ends before its last line (T); it is cut off, get it again."));
         for (std::size_t place = 0; place + 8 <= m_terminate.size(); place += 8)
             if (const auto stated = numberIn<int>(std::string_view(m_terminate).substr(place + 1, 7));
                 stated && m_lines[m_terminate[place]] < *stated)
-                failReading(m_path, "the IGES file lacks lines of its section " + std::string(1, m_terminate[place]) +
-                                        "; it is damaged, get it again.");
+                failReading(m_path,
+                            Message("Iges", "the IGES file lacks lines of its section %1; it is damaged, get it again.")
+                                .with(std::string(1, m_terminate[place])));
         m_entities.finish();
     }
 
@@ -150,8 +155,9 @@ private:
             if (record[i] == 'H')
                 if (const auto length = numberIn<long long>(record.substr(begin, i - begin))) {
                     if (*length < 0 || static_cast<unsigned long long>(*length) > record.size() - i - 1)
-                        failReading(m_path, "a text in the IGES file claims to be " + std::to_string(*length) +
-                                                " letters long, more than there are; the file is damaged.");
+                        failReading(m_path, Message("Iges", "a text in the IGES file claims to be %1 letters long, "
+                                                            "more than there are; the file is damaged.")
+                                                .with(*length));
                     i += static_cast<std::size_t>(*length);
                     begin = i + 1;
                     continue;
@@ -175,15 +181,20 @@ private:
             return;
         for (const std::string_view value : values)
             if (!value.empty() && !isNumber(value))
-                failReading(m_path, "the IGES file has \"" + printable(value) +
-                                        "\" in place of a number; it is damaged, export it again.");
+                failReading(
+                    m_path,
+                    Message("Iges", "the IGES file has \"%1\" in place of a number; it is damaged, export it again.")
+                        .with(printable(value)));
         for (const CountPlace& count : countPlaces)
             if (count.type == type && count.place < values.size())
                 if (const auto stated = numberIn<long long>(values[count.place]);
                     stated && (*stated < 0 || static_cast<unsigned long long>(*stated) > values.size()))
-                    failReading(m_path, "an entity of type " + std::to_string(type) + " in the IGES file claims " +
-                                            std::to_string(*stated) + " values and has " +
-                                            std::to_string(values.size()) + "; the file is damaged.");
+                    failReading(
+                        m_path,
+                        Message(
+                            "Iges",
+                            "an entity of type %1 in the IGES file claims %2 values and has %3; the file is damaged.")
+                            .with(type, *stated, values.size()));
     }
 
     static std::string printable(std::string_view value)

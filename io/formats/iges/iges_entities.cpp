@@ -127,8 +127,11 @@ void IgesEntities::takeDirectoryLine(std::string_view line)
         m_forms.push_back(fieldOf(line, 4));
     const std::size_t number = m_types.size() + m_forms.size();
     if (m_failure.empty() && integerIn(line.substr(std::min(numberColumn, line.size()))) != static_cast<int>(number))
-        m_failure = shortName(m_path) + ": line " + std::to_string(number) +
-                    " of section D of the IGES file has another number; lines are lost, get the file again.";
+        m_failure = aboutFile(
+            m_path,
+            Message("Iges",
+                    "line %1 of section D of the IGES file has another number; lines are lost, get the file again.")
+                .with(number));
 }
 
 void IgesEntities::takeRecord(int entity, const std::vector<std::string_view>& values)
@@ -138,16 +141,16 @@ void IgesEntities::takeRecord(int entity, const std::vector<std::string_view>& v
     try {
         checkRecord(entity, values);
     } catch (const std::runtime_error& failure) {
-        m_failure = failure.what();
+        m_failure = messageOf(failure);
     }
 }
 
 void IgesEntities::checkRecord(int entity, const Record& values)
 {
     if (!m_recorded.insert(entity).second)
-        failAt(entity, "has its values twice");
+        failAt(entity, Message("Iges", "has its values twice"));
     if (integerAt(values, 0) != typeOf(entity))
-        failAt(entity, "is of another type where its values are");
+        failAt(entity, Message("Iges", "is of another type where its values are"));
     switch (typeOf(entity)) {
     case type::group:
         return isPlainGroup(entity) ? takeMembers(entity, values, 2, integerAt(values, 1).value_or(0)) : void();
@@ -209,21 +212,21 @@ void IgesEntities::checkRecord(int entity, const Record& values)
 void IgesEntities::finish() const
 {
     if (!m_failure.empty())
-        throw std::runtime_error(m_failure);
+        throw Problem(m_failure);
     CircularEntitySearch search(m_references);
     for (const auto& [entity, to] : m_references)
         if (search.leadsTooDeep(entity))
-            failReading(m_path, "entity " + std::to_string(entity) +
-                                    " of the IGES file holds itself, or the entities are nested more than " +
-                                    std::to_string(deepestReferences) + " deep; export it again.");
+            failReading(m_path, Message("Iges", "entity %1 of the IGES file holds itself, or the entities are nested "
+                                                "more than %2 deep; export it again.")
+                                    .with(entity, deepestReferences));
     for (const auto& [entity, references] : m_references)
         for (const long long to : references)
             if (!m_recorded.contains(to))
-                failAt(static_cast<int>(entity), "refers to one without values");
+                failAt(static_cast<int>(entity), Message("Iges", "refers to one without values"));
     for (const ListMember& member : m_members) {
         const auto length = m_lengths.find(member.list);
         if (length == m_lengths.end() || member.index < 1 || member.index > length->second)
-            failAt(member.user, "refers to a vertex or edge that is not there");
+            failAt(member.user, Message("Iges", "refers to a vertex or edge that is not there"));
     }
 }
 
@@ -298,8 +301,7 @@ void IgesEntities::takeMembers(int entity, const Record& values, std::size_t fir
 void IgesEntities::requireLength(int entity, const Record& values, long long length) const
 {
     if (static_cast<long long>(values.size()) < length)
-        failAt(entity,
-               "has " + std::to_string(values.size()) + " values where " + std::to_string(length) + " are needed");
+        failAt(entity, Message("Iges", "has %1 values where %2 are needed").with(values.size(), length));
 }
 
 /// A number of values that follow, so no more than there are.
@@ -307,7 +309,7 @@ long long IgesEntities::countAt(int entity, const Record& values, std::size_t pl
 {
     const long long count = integerAt(values, place).value_or(-1);
     if (count < 0 || count > static_cast<long long>(values.size()))
-        failAt(entity, "states an impossible count");
+        failAt(entity, Message("Iges", "states an impossible count"));
     return count;
 }
 
@@ -315,7 +317,7 @@ void IgesEntities::require(int entity, const Record& values, std::size_t place, 
 {
     const long long pointer = integerAt(values, place).value_or(0);
     if (!isKind(typeOf(pointer)))
-        failAt(entity, "refers to something of the wrong kind or nothing at all");
+        failAt(entity, Message("Iges", "refers to something of the wrong kind or nothing at all"));
     refer(entity, pointer);
 }
 
@@ -340,10 +342,11 @@ bool IgesEntities::isPlainGroup(long long entity) const
     return form == 1 || form == 7 || form == 14 || form == 15;
 }
 
-void IgesEntities::failAt(int entity, const std::string& what) const
+void IgesEntities::failAt(int entity, const Message& what) const
 {
-    failReading(m_path, "entity " + std::to_string(entity) + " of the IGES file (type " +
-                            std::to_string(typeOf(entity)) + ") " + what + "; the file is damaged, export it again.");
+    failReading(m_path,
+                Message("Iges", "entity %1 of the IGES file (type %2) %3; the file is damaged, export it again.")
+                    .with(entity, typeOf(entity), what));
 }
 
 } // namespace knead

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "core/message/message.h"
 #include <cstddef>
 #include <map>
 #include <set>
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +27,7 @@ public:
     /// text that is plainly damaged is to be told first.
     void takeRecord(int entity, const std::vector<std::string_view>& values);
 
-    /// @throws std::runtime_error, in a sentence, when an entity does not hold what its type must, holds itself, or names
+    /// @throws Problem, when an entity does not hold what its type must, holds itself, or names
     /// members of a list that are not there
     void finish() const;
 
@@ -52,10 +54,10 @@ private:
     void refer(int entity, long long to);
     int typeOf(long long entity) const;
     bool isPlainGroup(long long entity) const;
-    [[noreturn]] void failAt(int entity, const std::string& what) const;
+    [[noreturn]] void failAt(int entity, const Message& what) const;
 
     const std::string& m_path;
-    std::string m_failure;    ///< the first; empty so far
+    Message m_failure;        ///< the first; empty so far
     std::vector<int> m_types; ///< of the entities, in the order of the section D
     std::vector<int> m_forms; ///< the same
     std::set<long long> m_recorded;

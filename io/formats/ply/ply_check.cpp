@@ -1,5 +1,6 @@
 #include "io/formats/ply/ply_check.h"
 
+#include "core/message/message.h"
 #include "io/formats/cad_format.h"
 
 #include <algorithm>
@@ -124,17 +125,22 @@ private:
         if (std::any_of(line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7F; }))
             failEndless();
         line.resize(std::min<std::size_t>(line.size(), 40));
-        failReading(m_path, "the line \"" + line + "\" in the header of the PLY file is damaged; get it again.");
+        failReading(
+            m_path,
+            Message("Import", "the line \"%1\" in the header of the PLY file is damaged; get it again.").with(line));
     }
 
     [[noreturn]] void failEndless() const
     {
-        failReading(m_path, "the header of the PLY file has no end; it is cut off or damaged, get it again.");
+        failReading(m_path, Message("Import",
+                                    "the header of the PLY file has no end; it is cut off or damaged, get it again."));
     }
 
     [[noreturn]] void failCut() const
     {
-        failReading(m_path, "the PLY file holds fewer numbers than its header promises; it is cut off, get it again.");
+        failReading(m_path,
+                    Message("Import",
+                            "the PLY file holds fewer numbers than its header promises; it is cut off, get it again."));
     }
 
     const std::string& m_path;

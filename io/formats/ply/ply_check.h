@@ -6,7 +6,7 @@ namespace knead {
 
 /// Looks through the header of a PLY file, and refuses what makes the mesh reader hang or crash: a header without end, types
 /// and counts that are none, and numbers after it that are fewer than it promises.
-/// @throws std::runtime_error, in a sentence
+/// @throws Problem
 void checkPly(const std::string& path);
 
 } // namespace knead

@@ -1,5 +1,6 @@
 #include "io/formats/step/step_check.h"
 
+#include "core/message/message.h"
 #include "io/formats/cad_format.h"
 
 #include <algorithm>
@@ -50,12 +51,14 @@ public:
     {
         endWord();
         if (m_inString)
-            failReading(m_path, "the STEP file ends inside a text; it is cut off, get it again.");
+            failReading(m_path, Message("Step", "the STEP file ends inside a text; it is cut off, get it again."));
         if (!m_ended)
-            failReading(m_path,
-                        "the STEP file ends before its last line (END-ISO-10303-21); it is cut off, get it again.");
+            failReading(
+                m_path,
+                Message("Step",
+                        "the STEP file ends before its last line (END-ISO-10303-21); it is cut off, get it again."));
         if (!m_hasData)
-            failReading(m_path, "the STEP file has no DATA section, so it holds no shapes.");
+            failReading(m_path, Message("Step", "the STEP file has no DATA section, so it holds no shapes."));
         return {protocolOf(m_schema), m_schema};
     }
 
@@ -114,7 +117,9 @@ private:
         if (m_wantsSchema && m_schema.size() < longestWord)
             m_schema += static_cast<char>(std::toupper(static_cast<unsigned char>(character)));
         if (++m_stringLength > longestString)
-            failReading(m_path, "a name in the STEP file is longer than 65 thousand letters; the file is damaged.");
+            failReading(
+                m_path,
+                Message("Step", "a name in the STEP file is longer than 65 thousand letters; the file is damaged."));
     }
 
     void takeMark(char mark)
@@ -123,7 +128,8 @@ private:
             m_inString = true;
             m_stringLength = 0;
         } else if (mark == '(' && ++m_depth > deepestParentheses) {
-            failReading(m_path, "lists in the STEP file are nested more than 500 deep; the file is damaged.");
+            failReading(m_path,
+                        Message("Step", "lists in the STEP file are nested more than 500 deep; the file is damaged."));
         } else if (mark == ')') {
             --m_depth;
         } else if (mark == ';') {
@@ -143,7 +149,9 @@ private:
         else if (m_word == "END-ISO-10303-21")
             m_ended = true;
         else if (m_hasData && m_depth > 0 && isNoNumber(m_word))
-            failReading(m_path, "the STEP file has \"" + m_word + "\" in place of a number; export it again.");
+            failReading(
+                m_path,
+                Message("Step", "the STEP file has \"%1\" in place of a number; export it again.").with(m_word));
         m_word.clear();
     }
 
@@ -173,7 +181,7 @@ StepCheck checkStepText(const std::string& path, TaskControl& control)
         scanner.scan({block.data(), static_cast<std::size_t>(file.gcount())});
     }
     if (!file.eof())
-        failReading(path, "the file cannot be read; the disk or the connection to it failed.");
+        failReading(path, Message("Import", "the file cannot be read; the disk or the connection to it failed."));
     return scanner.result();
 }
 

@@ -14,7 +14,7 @@ struct StepCheck {
 
 /// Reads the whole text once, in about the time of copying it, and refuses what is known to hang or crash the CAD
 /// reader: numbers that are none (NaN, INF), lists nested thousands deep, a file that ends in its middle.
-/// @throws std::runtime_error, in a sentence. @throws Cancelled
+/// @throws Problem. @throws Cancelled
 StepCheck checkStepText(const std::string& path, TaskControl& control = TaskControl::none());
 
 } // namespace knead

@@ -1,5 +1,6 @@
 #include "io/formats/step/step_face_sides.h"
 
+#include "core/message/message.h"
 #include "io/brep/outer_face.h"
 
 #include <BRepAdaptor_Curve.hxx>
@@ -372,9 +373,10 @@ void mendFaceSides(const STEPControl_Reader& reader, const std::string& path, Ca
         mending.mend(document.incompleteShells);
     }
     if (mends.unsure > 0)
-        document.warnings.push_back(shortName(path) +
-                                    ": a turned face is bounded across its seam, and the file does not tell " +
-                                    "on which side of its border it lies; check the volume of its part.");
+        document.warnings.push_back(
+            Message("Step", "%1: a turned face is bounded across its seam, and the file does not tell on which side of "
+                            "its border it lies; check the volume of its part.")
+                .with(shortName(path)));
 }
 
 } // namespace knead

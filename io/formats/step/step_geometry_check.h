@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Standard_Handle.hxx>
 #include <Standard_Transient.hxx>
 
 #include <vector>

@@ -1,6 +1,6 @@
 #include "io/formats/step/step_lost_faces.h"
 
-#include "core/model/number_words.h"
+#include "core/message/message.h"
 #include "io/brep/shape_measure.h"
 
 #include <Interface_EntityIterator.hxx>
@@ -66,8 +66,13 @@ StepLosses findLosses(const STEPControl_Reader& reader, const StepPruning& prune
             losses.incomplete.push_back({std::make_shared<const TopoDS_Shape>(shape), read, named});
     }
     if (lostShapes > 0)
-        losses.missing.push_back(countOf(lostShapes, "shape") +
-                                 " of the STEP file could not be read: its faces are damaged or of an unknown kind.");
+        losses.missing.push_back(
+            lostShapes == 1
+                ? Message("Step",
+                          "1 shape of the STEP file could not be read: its faces are damaged or of an unknown kind.")
+                : Message("Step",
+                          "%1 shapes of the STEP file could not be read: its faces are damaged or of an unknown kind.")
+                      .with(lostShapes));
     return losses;
 }
 

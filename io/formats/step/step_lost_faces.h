@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "io/document/cad_document.h"
 #include "io/formats/step/step_pruning.h"
 
@@ -13,7 +14,7 @@ namespace knead {
 /// What a STEP reader could not make of the shells that its file names.
 struct StepLosses {
     std::vector<IncompleteShell> incomplete;
-    std::vector<std::string> missing; ///< as Model::missing, for solids and surfaces of which nothing was made
+    std::vector<Message> missing; ///< as Model::missing, for solids and surfaces of which nothing was made
 };
 
 /// Compares shells with what they were transferred to. The reader itself is silent about faces that refer to entities

@@ -1,5 +1,6 @@
 #include "io/formats/step/step_pruning.h"
 
+#include "core/message/message.h"
 #include "io/formats/cad_format.h"
 #include "io/formats/step/step_geometry_check.h"
 
@@ -68,8 +69,11 @@ private:
     void mark(const StepEntity& entity)
     {
         if (isStructure(entity))
-            failReading(m_path, "the entity " + labelOf(entity) +
-                                    " refers to something of the wrong kind or nothing at all; export the file again.");
+            failReading(
+                m_path,
+                Message("Step",
+                        "the entity %1 refers to something of the wrong kind or nothing at all; export the file again.")
+                    .with(labelOf(entity)));
         if (m_seen.insert(entity.get()).second)
             m_marked.push_back(entity);
     }
@@ -125,14 +129,25 @@ private:
 
     std::string labelOf(const StepEntity& entity) const { return m_model->StringLabel(entity)->ToCString(); }
 
-    std::string sentence(const std::vector<StepEntity>& hollow) const
+    Message sentence(const std::vector<StepEntity>& hollow) const
     {
         const std::size_t more = hollow.size() - 1;
-        return "the entity " + labelOf(hollow.front()) +
-               (more > 0 ? " and " + std::to_string(more) + " more refer" : " refers") +
-               " to something of the wrong kind or nothing at all; what needs " + (more > 0 ? "them" : "it") +
-               " could not be read (" +
-               (m_faces > 0 ? "faces: " + std::to_string(m_faces) : "shapes: " + std::to_string(m_shapes)) + ").";
+        const std::string first = labelOf(hollow.front());
+        if (more == 0 && m_faces > 0)
+            return Message("Step", "the entity %1 refers to something of the wrong kind or nothing at all; what needs "
+                                   "it could not be read (faces: %2).")
+                .with(first, m_faces);
+        if (more == 0)
+            return Message("Step", "the entity %1 refers to something of the wrong kind or nothing at all; what needs "
+                                   "it could not be read (shapes: %2).")
+                .with(first, m_shapes);
+        if (m_faces > 0)
+            return Message("Step", "the entity %1 and %2 more refer to something of the wrong kind or nothing at all; "
+                                   "what needs them could not be read (faces: %3).")
+                .with(first, more, m_faces);
+        return Message("Step", "the entity %1 and %2 more refer to something of the wrong kind or nothing at all; what "
+                               "needs them could not be read (shapes: %3).")
+            .with(first, more, m_shapes);
     }
 
     Handle(Interface_InterfaceModel) m_model;

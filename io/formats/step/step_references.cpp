@@ -1,5 +1,6 @@
 #include "io/formats/step/step_references.h"
 
+#include "core/message/message.h"
 #include "io/formats/cad_format.h"
 #include "io/formats/step/step_check.h"
 
@@ -27,7 +28,7 @@ bool isStepName(const std::string& name)
     return ending == "stp" || ending == "step" || ending == "p21";
 }
 
-std::string missingWords(const std::vector<std::string>& names)
+Message missingWords(const std::vector<std::string>& names)
 {
     constexpr std::size_t mostNamed = 5;
     std::string list;
@@ -35,16 +36,18 @@ std::string missingWords(const std::vector<std::string>& names)
         list += (i == 0 ? "" : ", ") + names[i];
     if (names.size() > mostNamed)
         list += ", ...";
-    return names.size() == 1
-               ? "the assembly refers to the file " + list +
-                     ", which is not there: its parts are missing. Put it beside the assembly and open that again."
-               : "the assembly refers to " + std::to_string(names.size()) + " files that are not there: " + list +
-                     ". Their parts are missing; put them beside the assembly and open that again.";
+    if (names.size() == 1)
+        return Message("Step", "the assembly refers to the file %1, which is not there: its parts are missing. Put it "
+                               "beside the assembly and open that again.")
+            .with(list);
+    return Message("Step", "the assembly refers to %1 files that are not there: %2. Their parts are missing; put them "
+                           "beside the assembly and open that again.")
+        .with(names.size(), list);
 }
 
 } // namespace
 
-std::string checkReferredFiles(const STEPControl_Reader& reader, const std::string& path, TaskControl& control)
+Message checkReferredFiles(const STEPControl_Reader& reader, const std::string& path, TaskControl& control)
 {
     STEPConstruct_ExternRefs references(reader.WS());
     references.LoadExternRefs();
@@ -65,27 +68,25 @@ std::string checkReferredFiles(const STEPControl_Reader& reader, const std::stri
         else
             checkStepText(file.string(), control);
     }
-    return missing.empty() ? std::string() : missingWords(missing);
+    return missing.empty() ? Message() : missingWords(missing);
 }
 
-std::string otherContent(const std::string& path)
+Message otherContent(const std::string& path)
 {
     struct Kind {
         std::string_view word;
-        const char* sentence;
+        Message sentence;
     };
+    const Message triangles = Message("Step", "the file holds triangles only (tessellated geometry of AP242), which "
+                                              "are not read from STEP; export exact solids, or a mesh as 3MF or STL.");
+    const Message curves =
+        Message("Step", "the file holds curves and points only, no solid and no surface; export the part as a solid.");
     // In the order in which they are worth telling.
-    static constexpr std::array kinds{
-        Kind{"TRIANGULATED_FACE", "the file holds triangles only (tessellated geometry of AP242), which are not read "
-                                  "from STEP; export exact solids, or a mesh as 3MF or STL."},
-        Kind{"TRIANGULATED_SURFACE_SET",
-             "the file holds triangles only (tessellated geometry of AP242), which are not read "
-             "from STEP; export exact solids, or a mesh as 3MF or STL."},
-        Kind{"GEOMETRIC_CURVE_SET",
-             "the file holds curves and points only, no solid and no surface; export the part as "
-             "a solid."},
-        Kind{"GEOMETRICALLY_BOUNDED_WIREFRAME",
-             "the file holds curves and points only, no solid and no surface; export the part as a solid."},
+    const std::array kinds{
+        Kind{"TRIANGULATED_FACE", triangles},
+        Kind{"TRIANGULATED_SURFACE_SET", triangles},
+        Kind{"GEOMETRIC_CURVE_SET", curves},
+        Kind{"GEOMETRICALLY_BOUNDED_WIREFRAME", curves},
     };
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/message/message.h"
 #include "core/task/task_control.h"
 
 #include <string>
@@ -12,10 +13,10 @@ namespace knead {
 /// with it; their text is checked as that of the assembly is.
 /// @param path of the assembly
 /// @return a sentence about those that are missing; empty when none is
-/// @throws std::runtime_error, in a sentence, when one of them is damaged. @throws Cancelled
-std::string checkReferredFiles(const STEPControl_Reader& reader, const std::string& path, TaskControl& control);
+/// @throws Problem, when one of them is damaged. @throws Cancelled
+Message checkReferredFiles(const STEPControl_Reader& reader, const std::string& path, TaskControl& control);
 
 /// What a STEP file without solids and surfaces holds instead, as a sentence; empty when it is nothing known.
-std::string otherContent(const std::string& path);
+Message otherContent(const std::string& path);
 
 } // namespace knead

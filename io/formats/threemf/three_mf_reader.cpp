@@ -1,5 +1,6 @@
 #include "io/formats/threemf/three_mf_reader.h"
 
+#include "core/message/message.h"
 #include "core/model/length_units.h"
 #include "core/model/readable_name.h"
 #include "io/document/part_selection.h"
@@ -190,9 +191,13 @@ private:
         DWORD errors = 0;
         check(NMR::lib3mf_reader_getwarningcount(reader.get(), &errors));
         if (errors > 0)
-            m_model.warnings.push_back(shortName(m_path) + ": the 3MF does not keep to the format in " +
-                                       std::to_string(errors) + (errors == 1 ? " place" : " places") +
-                                       "; compare the parts with the program that wrote it.");
+            m_model.warnings.push_back(errors == 1
+                                           ? Message("Import", "%1: the 3MF does not keep to the format in 1 place; "
+                                                               "compare the parts with the program that wrote it.")
+                                                 .with(shortName(m_path))
+                                           : Message("Import", "%1: the 3MF does not keep to the format in %2 places; "
+                                                               "compare the parts with the program that wrote it.")
+                                                 .with(shortName(m_path), errors));
     }
 
     static bool onProgress(int percent, NMR::ProgressIdentifier, void* reader)
@@ -221,7 +226,8 @@ private:
                       0);
         }
         if (!any)
-            failReading(m_path, "the 3MF builds no object; export it again with the parts in its build.");
+            failReading(m_path,
+                        Message("Import", "the 3MF builds no object; export it again with the parts in its build."));
     }
 
     void addObject(Object object, const Placement& placement, PartNode& parent, const std::string& parentPath,
@@ -229,9 +235,9 @@ private:
     {
         m_control.throwIfCancelled();
         if (++m_objects > mostObjects || depth > deepestNesting)
-            failReading(m_path, "the 3MF unfolds to more than " + std::to_string(mostObjects) +
-                                    " objects, or nests them more than " + std::to_string(deepestNesting) +
-                                    " deep; export the parts you need.");
+            failReading(m_path, Message("Import", "the 3MF unfolds to more than %1 objects, or nests them more than %2 "
+                                                  "deep; export the parts you need.")
+                                    .with(mostObjects, deepestNesting));
         const std::string own = textFrom(NMR::lib3mf_object_getnameutf8, object);
         const std::string name = isGeneratedName(own) ? parent.name : own;
         BOOL isMesh = 0;
@@ -269,7 +275,7 @@ private:
         part.path = parentPath.empty() ? name : parentPath + "/" + name;
         copyMesh(object, placement, part);
         if (part.mesh.empty()) {
-            m_model.missing.push_back("\"" + part.path + "\" has no triangles.");
+            m_model.missing.push_back(Message("Import", "\"%1\" has no triangles.").with(part.path));
             return;
         }
         DWORD type = 0;
@@ -290,7 +296,9 @@ private:
         check(NMR::lib3mf_meshobject_gettrianglecount(object, &triangleCount));
         m_triangles += triangleCount;
         if (m_triangles > mostTriangles)
-            failReading(m_path, "the 3MF unfolds to more than 200 million triangles; export the parts you need.");
+            failReading(
+                m_path,
+                Message("Import", "the 3MF unfolds to more than 200 million triangles; export the parts you need."));
         std::vector<NMR::MODELMESHVERTEX> vertices(vertexCount);
         std::vector<NMR::MODELMESHTRIANGLE> triangles(triangleCount);
         if (triangleCount == 0 || vertexCount == 0)
@@ -331,7 +339,7 @@ Model readThreeMf(const std::string& path, const ImportOptions& options, TaskCon
         measureMeshes(path, options, model, control);
         return model;
     } catch (const LibraryFailure&) {
-        failReading(path, "the 3MF file is damaged and cannot be read; export it again.");
+        failReading(path, Message("Import", "the %1 file is damaged and cannot be read; export it again.").with("3MF"));
     }
 }
 

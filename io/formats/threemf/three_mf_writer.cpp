@@ -1,3 +1,4 @@
+#include "core/message/message.h"
 #include "core/model/length_units.h"
 #include "io/files/safe_file.h"
 #include "io/formats/cad_format.h"
@@ -40,8 +41,10 @@ std::string_view unitName(const MeshFile& file)
     const auto* const found =
         std::find_if(names.begin(), names.end(), [&](const auto& name) { return name.first == file.unit; });
     if (found == names.end())
-        throw std::runtime_error(shortName(file.path) + ": 3MF does not know the length unit " + file.unit +
-                                 "; choose one of um, mm, cm, inch, ft and m.");
+        throw Problem(aboutFile(
+            file.path,
+            Message("Export", "3MF does not know the length unit %1; choose one of um, mm, cm, inch, ft and m.")
+                .with(file.unit)));
     return found->second;
 }
 
@@ -152,8 +155,9 @@ void writeThreeMf(const MeshFile& file)
     try {
         writeArchive(file, target);
     } catch (const std::length_error&) {
-        throw std::runtime_error(shortName(file.path) +
-                                 ": the surface needs more than the 4 GB that a 3MF can hold; export fewer bodies.");
+        throw Problem(aboutFile(
+            file.path,
+            Message("Export", "the surface needs more than the 4 GB that a 3MF can hold; export fewer bodies.")));
     }
     target.keep();
 }

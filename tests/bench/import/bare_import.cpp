@@ -100,7 +100,7 @@ void mesh(const TopoDS_Shape& shape, bool parallel)
 
 BareTimes bareImport(const std::string& path, bool parallel)
 {
-    Message::DefaultMessenger()->ChangePrinters().Clear(); // else they write into the table
+    ::Message::DefaultMessenger()->ChangePrinters().Clear(); // else they write into the table
     BareTimes times;
     Stopwatch watch;
     TopoDS_Compound loose;

@@ -118,7 +118,7 @@ Played playAt(Pace pace, const RealtimeScene& scene, Unit* unit)
             if (!shot->tools.empty())
                 played.mostForce = std::max(played.mostForce, shot->tools[0].force.norm());
             if (!shot->health.ok)
-                played.trouble = shot->health.message;
+                played.trouble = shot->health.message.english();
         }
         played.times.push_back(millisecondsSince(begin));
         if (shot && !shot->tools.empty())
