@@ -314,7 +314,8 @@ void writeForces(const std::string& file, RunReport& report)
 {
     if (file.empty())
         return;
-    writeWhole(file, report.forces.csv(), "choose another file with --csv.");
+    writeWhole(file, report.forces.csv(),
+               Message("File", "%1: the file cannot be written; choose another file with --csv."));
     report.forcesFile = file;
 }
 

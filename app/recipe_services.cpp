@@ -57,7 +57,7 @@ void addFaces(const RecipeFixture& fixture, const RecipeScene& scene, std::vecto
 {
     if (fixture.faces.empty())
         return;
-    for (const BodyId body : bodiesNamed(fixture.body, scene.parts, fixture.name))
+    for (const BodyId body : bodiesNamed(fixture.body, scene.parts, Message::verbatim(fixture.name)))
         fixtures.push_back({.key = static_cast<std::uint32_t>(fixtures.size() + 1),
                             .name = fixture.name,
                             .body = body,
@@ -101,7 +101,7 @@ std::vector<Message> write(const std::string& path, const Project& project, cons
 {
     RecipeOfProject recipe =
         recipeOfProject(project, {.recipePath = path, .projectPath = projectPath}, readMaterials(materialsFile()));
-    writeWhole(path, recipe.text, "choose another place.");
+    writeWhole(path, recipe.text, Message("File", "%1: the file cannot be written; choose another place."));
     return std::move(recipe.remarks);
 }
 
